@@ -1,0 +1,77 @@
+"""Mooring lines: equilibrium in closed form and by particle swarm, beside published figures.
+
+Everything of the public interface is found here and loaded when it is first used, so that
+``import catopt`` costs next to nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from catopt._version import __version__
+
+if TYPE_CHECKING:
+    from catopt.casefile import read_case
+    from catopt.catenary.batch import solve_many
+    from catopt.catenary.solution import Solution
+    from catopt.catenary.solve import solve, solve_case
+    from catopt.errors import (
+        CatoptError,
+        InputError,
+        NoEquilibriumError,
+        NotConvergedError,
+        TouchesTwiceError,
+    )
+    from catopt.model import Case, Line, Load, PointLoad, Segment, Site
+
+__all__ = [
+    "Case",
+    "CatoptError",
+    "InputError",
+    "Line",
+    "Load",
+    "NoEquilibriumError",
+    "NotConvergedError",
+    "PointLoad",
+    "Segment",
+    "Site",
+    "Solution",
+    "TouchesTwiceError",
+    "__version__",
+    "read_case",
+    "solve",
+    "solve_case",
+    "solve_many",
+]
+
+_HOMES = {
+    "catopt.casefile": ("read_case",),
+    "catopt.catenary.batch": ("solve_many",),
+    "catopt.catenary.solution": ("Solution",),
+    "catopt.catenary.solve": ("solve", "solve_case"),
+    "catopt.errors": (
+        "CatoptError",
+        "InputError",
+        "NoEquilibriumError",
+        "NotConvergedError",
+        "TouchesTwiceError",
+    ),
+    "catopt.model": ("Case", "Line", "Load", "PointLoad", "Segment", "Site"),
+}
+_HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+
+
+if not TYPE_CHECKING:  # so that a type checker still finds a misspelt name
+
+    def __getattr__(name: str) -> Any:
+        """Load a public name on first use (PEP 562)."""
+        if name not in _HOME_OF:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        value = getattr(import_module(_HOME_OF[name]), name)
+        globals()[name] = value
+        return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

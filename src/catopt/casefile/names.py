@@ -1,0 +1,57 @@
+"""What a user may have meant by a key that a table does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from catopt.casefile.location import Path, header
+from catopt.casefile.schema import CaseTable, Table, entries
+
+__all__ = ["hint", "nearest"]
+
+_SIMILAR = 0.6
+"""Share of letters in common (difflib's ratio) from which a key counts as misspelt."""
+
+
+def nearest(table: type[Table], key: str) -> str | None:
+    """Return the key of `table` that `key` is a misspelling of or the symbol for, if any."""
+    own = list(entries(table))
+    if key in table.symbols:
+        return table.symbols[key]
+    by_plain = {_plain(known): known for known in own}
+    if _plain(key) in by_plain:
+        return by_plain[_plain(key)]
+    if any(_elsewhere(key)):
+        return None  # right elsewhere, so hardly a misspelling
+    from difflib import get_close_matches
+
+    close = get_close_matches(_plain(key), list(by_plain), n=1, cutoff=_SIMILAR)
+    return by_plain[close[0]] if close else None
+
+
+def hint(table: type[Table], key: str) -> str:
+    """Say what to do about a key that `table` does not have."""
+    near = nearest(table, key)
+    if near is not None:
+        return f"did you mean {near}?"
+    places = list(_elsewhere(key))
+    if places:
+        return "move it to " + " or ".join(places)
+    return "allowed here: " + ", ".join(entries(table))
+
+
+def _plain(key: str) -> str:
+    return key.casefold().replace("-", "_").replace(" ", "_")
+
+
+def _elsewhere(
+    key: str, table: type[Table] = CaseTable, path: Path = (), *, array: bool = False
+) -> Iterator[str]:
+    """List the tables in which `key` would be right, by the lines that open them."""
+    for name, entry in entries(table).items():
+        below = (*path, name)
+        if name == key:
+            is_table = entry.table is not None
+            yield header(below, array=entry.array) if is_table else header(path, array=array)
+        if entry.table is not None:
+            yield from _elsewhere(key, entry.table, below, array=entry.array)

@@ -1,0 +1,94 @@
+"""Turns what pydantic found wrong into findings in the user's terms."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pydantic_core import ErrorDetails
+
+from catopt.casefile.fields import REFUSED
+from catopt.casefile.location import Finding, Path, header
+from catopt.casefile.names import hint, nearest
+from catopt.casefile.schema import CaseTable, Entry, LoadTable, Table, entries
+from catopt.units import as_written
+
+__all__ = ["structure_findings"]
+
+
+def structure_findings(errors: Sequence[ErrorDetails]) -> list[Finding]:
+    """Translate pydantic's errors of a case file.
+
+    A missing key is not reported when an unknown key beside it is a misspelling of it, or belongs
+    to a later version and would stand for it: one mistake, one message.
+    """
+    unknown = [_path(error) for error in errors if error["type"] == "extra_forbidden"]
+    meant = {(*path[:-1], _stands_for(path)) for path in unknown}
+    return [
+        _finding(error)
+        for error in errors
+        if not (error["type"] == "missing" and _path(error) in meant)
+    ]
+
+
+def _finding(error: ErrorDetails) -> Finding:
+    path, given = _path(error), error["input"]
+    if error["type"] == REFUSED:
+        return Finding(path, error["ctx"]["found"], error["ctx"]["allowed"])
+    if error["type"] == "extra_forbidden":
+        return _unknown(path, given)
+    if error["type"] == "missing":
+        return Finding(path, "", f"missing; {_wanted(path)}")
+    return Finding(path, as_written(given), _wanted(path))  # no table, no array or an empty one
+
+
+def _unknown(path: Path, given: object) -> Finding:
+    table, key = _table(path[:-1]), str(path[-1])
+    if key not in table.later:
+        return Finding(path, "an unknown key", hint(table, key))
+    instead = _stands_for(path)
+    advice = f"; give {_name_of(path[:-1], instead)} instead" if instead else ""
+    return Finding(path, as_written(given), "this version of catopt does not know it yet" + advice)
+
+
+def _stands_for(path: Path) -> str:
+    """Return the key that an unknown key was to give."""
+    table, key = _table(path[:-1]), str(path[-1])
+    return table.later[key] if key in table.later else nearest(table, key) or ""
+
+
+def _wanted(path: Path) -> str:
+    if isinstance(path[-1], int):
+        return "a table is wanted"
+    entry = _entry(path)
+    if entry.kind is not None:
+        return entry.kind.wanted
+    line = header(path, array=entry.array)
+    if entry.array:
+        return f"write {line}, in double brackets, once for each"
+    if entry.table is LoadTable:
+        return f"a table {line} with one of {', '.join(entries(LoadTable))} is wanted"
+    return f"a table {line} is wanted"
+
+
+def _name_of(parent: Path, key: str) -> str:
+    path = (*parent, key)
+    return key if _entry(path).table is None else header(path)
+
+
+def _entry(path: Path) -> Entry:
+    return entries(_table(path[:-1]))[str(path[-1])]
+
+
+def _table(path: Path) -> type[Table]:
+    """Return the schema of the table at a path."""
+    table: type[Table] = CaseTable
+    for part in path:
+        if isinstance(part, str):
+            inner = entries(table)[part].table
+            assert inner is not None, path
+            table = inner
+    return table
+
+
+def _path(error: ErrorDetails) -> Path:
+    return error["loc"]

@@ -1,0 +1,1 @@
+"""One line at rest, in closed form and by particle swarm."""

@@ -1,0 +1,125 @@
+"""The loop over many lines; meant to be compiled."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+from catopt.catenary.equilibrium import failed, given_force
+from catopt.catenary.inverse import given_span, given_tension
+from catopt.catenary.pieces import Pieces, split
+from catopt.catenary.state import INVALID
+
+__all__ = ["BY_FORCE", "COLUMNS", "fill"]
+
+BY_FORCE: Final = 2
+"""What is known of each line, beside inverse.BY_SPAN (0) and inverse.BY_TENSION (1)."""
+
+COLUMNS: Final = (
+    "H",
+    "V",
+    "span",
+    "height_error",
+    "grounded",
+    "H_anchor",
+    "V_anchor",
+    "x_H",
+    "x_V",
+    "z_H",
+    "z_V",
+)
+"""Names of the columns that `fill` writes, as in State."""
+
+
+def fill(
+    known: int,
+    wanted: Any,
+    height: Any,
+    anchor_height: Any,
+    friction: Any,
+    length: Any,
+    weight: Any,
+    compliance: Any,
+    position: Any,
+    point_weight: Any,
+    pieces: Pieces,
+    owner: Any,
+    first: int,
+    end: int,
+    status: Any,
+    regime: Any,
+    out: Any,
+) -> None:
+    """Solve lines `first` to `end` (not included).
+
+    Parameters
+    ----------
+    known : int
+        What `wanted` holds: spans, tensions or forces.
+    wanted, height, anchor_height, friction : array, shape (n,)
+        Per line.
+    length, weight, compliance, position, point_weight : array, shape (n or 1, segments or loads)
+        Per line, or one row for all.
+    pieces, owner
+        Work space for one line (pieces.split).
+    first, end : int
+        Range of lines.
+    status, regime : array of int, shape (n,)
+        Written to.
+    out : array, shape (n, 11)
+        Written to; COLUMNS names its columns.
+    """
+    nan = math.nan
+    for i in range(first, end):
+        is_valid = (
+            wanted[i] > 0.0
+            and height[i] >= 0.0
+            and anchor_height[i] >= 0.0
+            and friction[i] >= 0.0
+            and not math.isinf(wanted[i] + height[i] + anchor_height[i] + friction[i])
+        )
+        if is_valid:
+            split(
+                length[i if length.shape[0] > 1 else 0],
+                weight[i if weight.shape[0] > 1 else 0],
+                compliance[i if compliance.shape[0] > 1 else 0],
+                position[i if position.shape[0] > 1 else 0],
+                point_weight[i if point_weight.shape[0] > 1 else 0],
+                pieces,
+                owner,
+            )
+            is_valid = _is_sound(pieces)
+        if not is_valid:
+            state = failed(INVALID)
+        elif known == BY_FORCE:
+            state = given_force(wanted[i], pieces, anchor_height[i], height[i], friction[i])
+        elif known == 0:
+            state = given_span(
+                wanted[i], pieces, anchor_height[i], height[i], friction[i], nan, nan
+            )
+        else:
+            state = given_tension(wanted[i], pieces, anchor_height[i], height[i], friction[i])
+        status[i] = state.status
+        regime[i] = state.regime
+        out[i, 0] = state.H
+        out[i, 1] = state.V
+        out[i, 2] = state.span
+        out[i, 3] = state.height_error
+        out[i, 4] = state.grounded
+        out[i, 5] = state.H_anchor
+        out[i, 6] = state.V_anchor
+        out[i, 7] = state.x_H
+        out[i, 8] = state.x_V
+        out[i, 9] = state.z_H
+        out[i, 10] = state.z_V
+
+
+def _is_sound(pieces: Pieces) -> bool:
+    """Whether a line's numbers are usable: a length, finite weights, stiffness above 0."""
+    total = 0.0
+    for k in range(len(pieces.length)):
+        number = pieces.length[k] + abs(pieces.weight[k]) + abs(pieces.load[k])
+        if not number < math.inf or not 0.0 <= pieces.compliance[k] < math.inf:
+            return False
+        total += pieces.length[k]
+    return total > 0.0

@@ -1,0 +1,89 @@
+"""One hanging piece: how far and how high it reaches, and how that changes with the end forces.
+
+A uniform piece of unstretched length l, submerged weight w, compliance c = 1/EA carries the
+horizontal force H, and the vertical forces V1 at its lower-s and V2 = V1 + w l at its upper-s end,
+with tensions T1 and T2. Written with the sums S = V1 + V2 and m = T1 + T2 nothing is divided by w,
+and nothing cancels for w -> 0 or V2 -> V1 (docs/theory.md, "Stable forms"):
+
+    dz = l S / m + c l S / 2
+    dx = (2 H l / m) atanh(y) / y + c H l,    y = w l / m
+
+Plain functions of floats: they serve one line as they are and thousands of lines compiled.
+"""
+
+from __future__ import annotations
+
+import math
+
+__all__ = ["PieceReach", "atanh_excess", "piece_reach", "slope_part"]
+
+from typing import NamedTuple
+
+
+class PieceReach(NamedTuple):
+    """What one hanging piece contributes: m, and m/N for the derivatives at fixed length.
+
+    A change of V shifts V1 and V2 alike; dx/dV = dz/dH, because both are derivatives of one
+    potential.
+    """
+
+    dx: float
+    dz: float
+    x_H: float
+    z_H: float
+    z_V: float
+
+
+def piece_reach(
+    H: float, V1: float, V2: float, T1: float, T2: float, length: float, compliance: float
+) -> PieceReach:
+    """Reach of a hanging piece and its derivatives.
+
+    Parameters
+    ----------
+    H, V1, V2, T1, T2 : float
+        Forces on the piece, N; H above 0.
+    length, compliance : float
+        Unstretched length, m, and 1/EA, 1/N.
+    """
+    S = V1 + V2
+    m = T1 + T2
+    q = length / m
+    cl = compliance * length
+    TT = T1 * T2
+    y2 = ((V2 - V1) / m) ** 2
+    excess = atanh_excess(H, V1, V2, T1, T2)
+    return PieceReach(
+        2.0 * H * q * (1.0 + excess) + cl * H,
+        S * (q + 0.5 * cl),
+        q * (0.5 * S * S * (1.0 - y2) / TT + 2.0 * excess) + cl,
+        -H * q * S / TT,
+        q * slope_part(H, V1, V2, TT) + cl,
+    )
+
+
+def atanh_excess(H: float, V1: float, V2: float, T1: float, T2: float) -> float:
+    """Evaluate atanh(y)/y - 1 for y = (V2 - V1)/(T1 + T2), which lies between -1 and 1."""
+    m = T1 + T2
+    y = abs(V2 - V1) / m
+    if y < 0.15:
+        # Series in y2; the first term left out is below 1e-17 of the sum.
+        t = y * y
+        tail = 1 / 13 + t * (1 / 15 + t * (1 / 17 + t * (1 / 19 + t / 21)))
+        return t * (1 / 3 + t * (1 / 5 + t * (1 / 7 + t * (1 / 9 + t * (1 / 11 + t * tail)))))
+    # m - |V2 - V1| cancels when the piece runs steeply down and up again: sum its two parts.
+    upper = max(V1, V2)
+    lower = min(V1, V2)
+    T_upper = T2 if V2 >= V1 else T1
+    T_lower = T1 if V2 >= V1 else T2
+    rest = H * H / (T_upper + upper) if upper > 0.0 else T_upper - upper
+    rest += H * H / (T_lower - lower) if lower < 0.0 else T_lower + lower
+    return 0.5 * math.log((m + (upper - lower)) / rest) / y - 1.0
+
+
+def slope_part(H: float, V1: float, V2: float, TT: float) -> float:
+    """Evaluate m (V2/T2 - V1/T1) / (w l) = (T1 T2 - V1 V2 + H2) / (T1 T2), without cancelling."""
+    product = V1 * V2
+    if product > 0.0:
+        return H * H * (1.0 + (H * H + V1 * V1 + V2 * V2) / (TT + product)) / TT
+    return (H * H + TT - product) / TT

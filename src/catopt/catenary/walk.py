@@ -1,0 +1,205 @@
+"""Walking down the line from the fairlead, to the anchor or to the touchdown.
+
+The walk starts with the forces H and V at the fairlead and takes one piece after the other. Where
+it ends is said by a touchdown code:
+
+    NO_TOUCHDOWN      walk to the anchor, whatever the line passes through
+    FIRST_TOUCHDOWN   stop where V first falls to 0: inside a piece, or at a clump weight
+    2 k               stop inside piece k, where V falls to 0
+    2 k + 1           stop at the clump weight on the joint below piece k, which the bed carries
+                      in part
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from catopt.catenary.piece import piece_reach, slope_part
+from catopt.catenary.pieces import Pieces
+
+__all__ = ["FIRST_TOUCHDOWN", "NO_TOUCHDOWN", "Bed", "Walk", "drop", "lie", "lowest", "walk"]
+
+NO_TOUCHDOWN = -1
+FIRST_TOUCHDOWN = -2
+
+
+class Walk(NamedTuple):
+    """The hanging part: reach (m), derivatives by H and V at the fairlead (m/N), and its end.
+
+    Attributes
+    ----------
+    x, z : float
+        Reach of the hanging part.
+    x_H, z_H, z_V : float
+        Derivatives; dx/dV = dz/dH.
+    touchdown : int
+        Where the walk ended: NO_TOUCHDOWN at the anchor, else 2 k or 2 k + 1.
+    piece, rest : int, float
+        Piece in which the part on the bed begins, and the unstretched length of that piece that
+        lies there, m; both 0 when nothing does.
+    V : float
+        Vertical force at the end of the walk, N: at the anchor, or just above the clump weight.
+    """
+
+    x: float
+    z: float
+    x_H: float
+    z_H: float
+    z_V: float
+    touchdown: int
+    piece: int
+    rest: float
+    V: float
+
+
+class Bed(NamedTuple):
+    """The part on the bed: length along x (m), its derivative by H (m/N), H beyond it (N)."""
+
+    x: float
+    x_H: float
+    H: float
+
+
+def drop(H: float, V: float, pieces: Pieces, touchdown: int) -> tuple[float, float]:
+    """Height of the fairlead above the end of the walk, and its derivative by V.
+
+    Parameters
+    ----------
+    H, V : float
+        Forces at the fairlead, N; H above 0.
+    pieces : Pieces
+        The line.
+    touchdown : int
+        Where to stop.
+
+    Returns
+    -------
+    z, z_V : float
+        m and m/N.
+    """
+    z = 0.0
+    z_V = 0.0
+    T = math.sqrt(H * H + V * V)
+    for k in range(len(pieces.length) - 1, -1, -1):
+        length = pieces.length[k]
+        V1 = V - pieces.weight[k] * length
+        inside = touchdown == 2 * k or (touchdown == FIRST_TOUCHDOWN and V1 < 0.0)
+        if inside:
+            length = max(V, 0.0) / pieces.weight[k] if pieces.weight[k] > 0.0 else 0.0
+            V1 = 0.0
+        T1 = math.sqrt(H * H + V1 * V1)
+        q = length / (T1 + T)
+        cl = pieces.compliance[k] * length
+        z += (V1 + V) * (q + 0.5 * cl)
+        z_V += q * slope_part(H, V1, V, T1 * T) + cl
+        below = V1 - pieces.load[k]
+        if inside or touchdown == 2 * k + 1 or (touchdown == FIRST_TOUCHDOWN and below < 0.0):
+            break
+        V = below
+        T = T1 if pieces.load[k] == 0.0 else math.sqrt(H * H + V * V)
+    return z, z_V
+
+
+def walk(H: float, V: float, pieces: Pieces, touchdown: int) -> Walk:
+    """Reach of the hanging part with all derivatives; parameters as for `drop`."""
+    x = 0.0
+    z = 0.0
+    x_H = 0.0
+    z_H = 0.0
+    z_V = 0.0
+    T = math.sqrt(H * H + V * V)
+    for k in range(len(pieces.length) - 1, -1, -1):
+        length = pieces.length[k]
+        V1 = V - pieces.weight[k] * length
+        inside = touchdown == 2 * k or (touchdown == FIRST_TOUCHDOWN and V1 < 0.0)
+        if inside:
+            length = max(V, 0.0) / pieces.weight[k] if pieces.weight[k] > 0.0 else 0.0
+            V1 = 0.0
+        T1 = math.sqrt(H * H + V1 * V1)
+        part = piece_reach(H, V1, V, T1, T, length, pieces.compliance[k])
+        x += part.dx
+        z += part.dz
+        x_H += part.x_H
+        z_H += part.z_H
+        z_V += part.z_V
+        if inside:
+            return Walk(x, z, x_H, z_H, z_V, 2 * k, k, pieces.length[k] - length, 0.0)
+        below = V1 - pieces.load[k]
+        if touchdown == 2 * k + 1 or (touchdown == FIRST_TOUCHDOWN and below < 0.0):
+            return Walk(x, z, x_H, z_H, z_V, 2 * k + 1, k - 1, pieces.length[k - 1], V1)
+        V = below
+        T = T1 if pieces.load[k] == 0.0 else math.sqrt(H * H + V * V)
+    return Walk(x, z, x_H, z_H, z_V, NO_TOUCHDOWN, 0, 0.0, V)
+
+
+def lie(
+    H: float,
+    pieces: Pieces,
+    friction: float,
+    piece: int,
+    rest: float,
+    reaction: float,
+    end_piece: int,
+    end_rest: float,
+) -> Bed:
+    """Follow the line on the bed from a touchdown towards the anchor.
+
+    Friction takes its Coulomb coefficient times the bed's reaction off the tension, on the weight
+    of the line and on clump weights, down to 0 and not further.
+
+    Parameters
+    ----------
+    H : float
+        Horizontal force at the touchdown, N.
+    pieces : Pieces
+        The line.
+    friction : float
+        Coulomb coefficient.
+    piece, rest : int, float
+        Piece in which the touchdown is, and the length of it that lies on the bed, m.
+    reaction : float
+        What the bed carries of a clump weight at the touchdown, N.
+    end_piece, end_rest : int, float
+        Piece in which the bed part ends, and the length of it that does not lie on the bed, m.
+    """
+    T = max(H - friction * reaction, 0.0)
+    x = 0.0
+    x_H = 0.0
+    for k in range(piece, end_piece - 1, -1):
+        length = rest if k == piece else pieces.length[k]
+        if k == end_piece:
+            length -= end_rest
+        loss = friction * pieces.weight[k]
+        tensioned = length if loss * length <= T else T / loss
+        T1 = max(T - loss * length, 0.0)
+        x += length + pieces.compliance[k] * tensioned * 0.5 * (T + T1)
+        x_H += pieces.compliance[k] * tensioned
+        T = T1
+        if k > end_piece:
+            T = max(T - friction * pieces.load[k], 0.0)
+    return Bed(x, x_H, T)
+
+
+def lowest(H: float, V: float, pieces: Pieces, touchdown: int) -> float:
+    """Lowest height of the hanging part, relative to the fairlead (m, at most 0)."""
+    z = 0.0
+    low = 0.0
+    for k in range(len(pieces.length) - 1, -1, -1):
+        length = pieces.length[k]
+        weight = pieces.weight[k]
+        V1 = V - weight * length
+        if touchdown == 2 * k:
+            break
+        if V1 < 0.0 < V:
+            T = math.sqrt(H * H + V * V)
+            part = V / weight
+            low = min(low, z - V * part * (1.0 / (T + H) + 0.5 * pieces.compliance[k]))
+        T2 = math.sqrt(H * H + V * V)
+        T1 = math.sqrt(H * H + V1 * V1)
+        z -= (V1 + V) * length * (1.0 / (T1 + T2) + 0.5 * pieces.compliance[k])
+        low = min(low, z)
+        if touchdown == 2 * k + 1:
+            break
+        V = V1 - pieces.load[k]
+    return low

@@ -1,0 +1,54 @@
+"""The command line as a whole: global options and the list of commands."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from catopt._version import __version__
+from catopt.cli.new import new
+from catopt.cli.output import Output
+from catopt.cli.reproduce import reproduce
+from catopt.cli.solve import solve
+
+__all__ = ["app"]
+
+# Without rich markup the help imports no rich, and its text is the same on every terminal.
+app = typer.Typer(
+    name="catopt",
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help="Sizes catenary mooring lines: closed form, particle swarm, published figures.",
+    epilog="Exit status: 0 done; 2 the input is wrong; 3 the input is right but no equilibrium "
+    "exists; 4 a solver did not converge; 1 a fault of catopt's own.",
+)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"catopt {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def catopt(
+    context: typer.Context,
+    version: Annotated[  # noqa: ARG001 - its callback answers
+        bool,
+        typer.Option(
+            "--version", callback=_version, is_eager=True, help="Print the version and exit."
+        ),
+    ] = False,
+    debug: Annotated[
+        bool, typer.Option("--debug", help="Show the traceback of a fault of catopt's own.")
+    ] = False,
+) -> None:
+    """Take the global options."""
+    context.ensure_object(Output).debug = debug
+
+
+for _command in (solve, reproduce, new):
+    app.command()(_command)

@@ -1,0 +1,1 @@
+"""``catopt new``: a case to start from."""

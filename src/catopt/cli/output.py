@@ -1,0 +1,158 @@
+"""The one place through which a command speaks.
+
+The answer goes to standard output, everything else to standard error. Colour and progress are for
+terminals only, and a text that the console's encoding lacks is replaced, never fatal.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, TextIO
+
+if TYPE_CHECKING:
+    from rich.console import Console, RenderableType
+
+__all__ = ["BROKEN_PIPE_STATUS", "LEAST_WIDTH", "Output", "Progress"]
+
+Progress = Callable[[int, int], None]
+"""Told how many steps are done and how many there are."""
+
+LEAST_WIDTH = 80
+"""Columns that every table is laid out for; a narrower terminal folds the lines itself."""
+
+BROKEN_PIPE_STATUS = 141
+"""128 + SIGPIPE: what a shell reports of a program whose reader went away."""
+
+
+class Output:
+    """Where the answer of a command, its notes and its progress go.
+
+    Attributes
+    ----------
+    debug : bool
+        Whether a fault of ours shows its traceback.
+    """
+
+    def __init__(self) -> None:
+        self.debug = False
+
+    def json(self, document: dict[str, Any]) -> None:
+        """Print a document, and nothing else, on standard output."""
+        ascii_only = not _encoding(sys.stdout).startswith("utf")
+        text = json.dumps(document, indent=2, ensure_ascii=ascii_only, allow_nan=False)
+        _write(sys.stdout, text + "\n")
+
+    def text(self, text: str = "", *, bold: bool = False) -> None:
+        """Print a paragraph on standard output, folded to its width."""
+        from rich.text import Text
+
+        self._print(Text(text, style="bold" if bold else ""))
+
+    def table(
+        self,
+        columns: Sequence[str],
+        rows: Sequence[Sequence[str]],
+        *,
+        title: str = "",
+        numbers: Sequence[int] = (),
+    ) -> None:
+        """Print a table on standard output.
+
+        Parameters
+        ----------
+        columns : sequence of str
+            Headings, with units; all empty for a table without a heading row.
+        rows : sequence of sequence of str
+            Cells.
+        title : str
+            Above the table.
+        numbers : sequence of int
+            Columns set flush right and never folded.
+        """
+        from rich import box
+        from rich.table import Table
+        from rich.text import Text
+
+        table = Table(box=box.SIMPLE_HEAD, show_header=any(columns), pad_edge=False)
+        for index, heading in enumerate(columns):
+            number = index in numbers
+            table.add_column(
+                Text(heading), justify="right" if number else "left", no_wrap=number or None
+            )
+        for row in rows:
+            table.add_row(*(Text(cell) for cell in row))
+        if title:
+            self.text(title, bold=True)
+        self._print(table)
+
+    def note(self, message: str) -> None:
+        """Say something beside the answer, on standard error."""
+        _write(sys.stderr, message + "\n")
+
+    @contextmanager
+    def progress(self, what: str) -> Iterator[Progress | None]:
+        """Show a bar on standard error while the body runs, if that is a terminal.
+
+        Parameters
+        ----------
+        what : str
+            What is counted.
+
+        Yields
+        ------
+        callable or None
+            To be called with steps done and wanted; None when nobody watches.
+        """
+        if not sys.stderr.isatty():
+            yield None
+            return
+        from rich.progress import Progress as Bar
+
+        with Bar(console=_console(sys.stderr), transient=True) as bar:
+            task = bar.add_task(what, total=None)
+            yield lambda done, total: bar.update(task, completed=done, total=total)
+
+    def _print(self, *parts: RenderableType) -> None:
+        console = _console(sys.stdout)
+        with console.capture() as captured:
+            console.print(*parts)
+        lines = captured.get().splitlines()
+        _write(sys.stdout, "".join(line.rstrip() + "\n" for line in lines))
+
+
+def _console(stream: TextIO) -> Console:
+    """Make a console on a stream as it is now; without any codes where NO_COLOR is set."""
+    from rich.console import Console, detect_legacy_windows
+
+    plain = bool(os.environ.get("NO_COLOR")) or detect_legacy_windows()
+    console = Console(
+        file=stream,
+        markup=False,
+        emoji=False,
+        highlight=False,
+        legacy_windows=False,
+        color_system=None if plain else "auto",
+    )
+    if console.width < LEAST_WIDTH:
+        console.width = LEAST_WIDTH
+    return console
+
+
+def _encoding(stream: TextIO) -> str:
+    return (getattr(stream, "encoding", None) or "ascii").lower()
+
+
+def _write(stream: TextIO, text: str) -> None:
+    """Write and flush; end quietly when the reader has gone."""
+    encoding = _encoding(stream)
+    try:
+        stream.write(text.encode(encoding, "replace").decode(encoding))
+        stream.flush()
+    except BrokenPipeError:
+        # What is still buffered must not fail once more when the interpreter ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        raise SystemExit(BROKEN_PIPE_STATUS) from None

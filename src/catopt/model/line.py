@@ -1,0 +1,142 @@
+"""The mooring line: segments from the anchor to the fairlead, and what hangs on them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from catopt.errors import InputError
+from catopt.model.validity import Findings
+
+__all__ = ["Line", "PointLoad", "Segment"]
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A uniform stretch of chain, wire or rope.
+
+    Attributes
+    ----------
+    length : float
+        Unstretched length, m.
+    submerged_weight : float
+        Weight in water per unstretched length, N/m; negative when it floats.
+    EA : float
+        Axial stiffness, N; infinite for an inextensible segment.
+    mass : float or None
+        Mass in air per unstretched length, kg/m; None when not known.
+    MBL : float or None
+        Minimum breaking load, N; None when not known.
+    name : str
+        Free text, for tables.
+    """
+
+    length: float
+    submerged_weight: float
+    EA: float = math.inf
+    mass: float | None = None
+    MBL: float | None = None
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        found = Findings("Segment")
+        found.number("length", self.length, "m", above=0.0)
+        found.number("submerged_weight", self.submerged_weight, "N/m")
+        found.number("EA", self.EA, "N", above=0.0, infinite=True)
+        if self.mass is not None:
+            found.number("mass", self.mass, "kg/m", at_least=0.0)
+        if self.MBL is not None:
+            found.number("MBL", self.MBL, "N", above=0.0)
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class PointLoad:
+    """A clump weight (sinker) or a buoy fixed to the line.
+
+    Attributes
+    ----------
+    position : float
+        Unstretched arc length from the anchor, m; strictly between the ends of the line.
+    submerged_weight : float
+        Weight in water, N; negative for a buoy.
+    mass : float or None
+        Mass in air, kg; None when not known.
+    name : str
+        Free text, for tables.
+    """
+
+    position: float
+    submerged_weight: float
+    mass: float | None = None
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        found = Findings("PointLoad")
+        found.number("position", self.position, "m", above=0.0)
+        found.number("submerged_weight", self.submerged_weight, "N")
+        if self.mass is not None:
+            found.number("mass", self.mass, "kg", at_least=0.0)
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class Line:
+    """A mooring line.
+
+    Attributes
+    ----------
+    segments : tuple of Segment
+        From the anchor to the fairlead; at least one. Any iterable is taken.
+    point_loads : tuple of PointLoad
+        In any order; they are kept sorted by position.
+    """
+
+    segments: tuple[Segment, ...]
+    point_loads: tuple[PointLoad, ...] = ()
+
+    def __init__(self, segments: Iterable[Segment], point_loads: Iterable[PointLoad] = ()) -> None:
+        loads = tuple(sorted(point_loads, key=lambda load: load.position))
+        object.__setattr__(self, "segments", tuple(segments))
+        object.__setattr__(self, "point_loads", loads)
+        self._check()
+
+    def _check(self) -> None:
+        found = Findings("Line")
+        if not self.segments:
+            found.add("segments", "none", "a line has at least one segment")
+        for index, load in enumerate(self.point_loads):
+            if self.segments and not load.position < self.length:
+                found.add(
+                    f"point_loads[{index}].position",
+                    f"{load.position:g} m",
+                    f"must lie between the ends of the line, which is {self.length:g} m long",
+                )
+        if found.problems:
+            raise InputError(found.problems, "Line")
+
+    @property
+    def length(self) -> float:
+        """Unstretched length, m."""
+        return math.fsum(segment.length for segment in self.segments)
+
+    @property
+    def submerged_weight(self) -> float:
+        """Weight in water of the whole line with its point loads, N."""
+        return math.fsum(
+            [
+                *(segment.length * segment.submerged_weight for segment in self.segments),
+                *(load.submerged_weight for load in self.point_loads),
+            ]
+        )
+
+    @property
+    def mass(self) -> float | None:
+        """Mass in air of all segments and point loads, kg; None when one of them is not known."""
+        masses = [
+            *(None if s.mass is None else s.length * s.mass for s in self.segments),
+            *(load.mass for load in self.point_loads),
+        ]
+        known = [mass for mass in masses if mass is not None]
+        return math.fsum(known) if len(known) == len(masses) else None

@@ -1,0 +1,72 @@
+"""Range checks that collect every problem before they raise."""
+
+from __future__ import annotations
+
+import math
+
+from catopt.errors import InputError, Problem
+
+__all__ = ["Findings"]
+
+
+class Findings:
+    """Gathers the problems of one value or one call, so that all are reported together."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.problems: list[Problem] = []
+
+    def number(
+        self,
+        key: str,
+        value: object,
+        unit: str,
+        *,
+        above: float | None = None,
+        at_least: float | None = None,
+        at_most: float | None = None,
+        infinite: bool = False,
+    ) -> None:
+        """Note a problem unless `value` is a number within the bounds.
+
+        Parameters
+        ----------
+        key : str
+            Name of the argument.
+        value : object
+            What was given.
+        unit : str
+            Unit of the number, for the message; empty for a pure number.
+        above, at_least, at_most : float, optional
+            Bounds: exclusive below, inclusive below, inclusive above.
+        infinite : bool
+            Whether positive infinity is allowed.
+        """
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or math.isnan(value):
+            self.add(key, repr(value), f"a number{_in(unit)} is wanted")
+            return
+        if math.isinf(value) and not (infinite and value > 0.0):
+            self.add(key, repr(value), f"a finite number{_in(unit)} is wanted")
+        elif above is not None and not value > above:
+            self.add(key, repr(value), f"must be above {above:g}{_of(unit)}")
+        elif at_least is not None and not value >= at_least:
+            self.add(key, repr(value), f"must be {at_least:g}{_of(unit)} or more")
+        elif at_most is not None and not value <= at_most:
+            self.add(key, repr(value), f"must be {at_most:g}{_of(unit)} or less")
+
+    def add(self, key: str, found: str, allowed: str) -> None:
+        """Note a problem."""
+        self.problems.append(Problem(key, found, allowed))
+
+    def raise_if_any(self) -> None:
+        """Raise InputError when a problem was noted."""
+        if self.problems:
+            raise InputError(self.problems, self.source)
+
+
+def _in(unit: str) -> str:
+    return f" in {unit}" if unit else ""
+
+
+def _of(unit: str) -> str:
+    return f" {unit}" if unit else ""

@@ -1,0 +1,369 @@
+"""Figures for print: black on white, told apart by shape and dash as well as by colour.
+
+Nothing here touches pyplot, so that no window, backend or global figure list is involved.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from io import BytesIO
+from typing import TYPE_CHECKING, Any, Literal
+
+from matplotlib import rc_context
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.report.summary import in_tonne_force, named
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from catopt.catenary.solution import Solution, Stretch, SwarmReport
+
+__all__ = ["DPI", "SIZE", "fitness", "line_in_water", "render", "swarm_tension", "tension"]
+
+DPI = 200
+SIZE = (7.2, 4.4)
+"""Width and height in inches: the text width of an A4 page."""
+
+_BLUE, _SKY, _ORANGE, _GREEN, _PURPLE = "#0072B2", "#CFE8F7", "#D55E00", "#009E73", "#CC79A7"
+"""From the palette of Okabe and Ito, which every kind of colour vision tells apart."""
+_BED, _BED_EDGE = "#E4DACB", "#7A6A55"
+
+_STYLE: dict[str, Any] = {
+    "font.size": 10,
+    "axes.grid": True,
+    "grid.color": "#D0D0D0",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "legend.frameon": False,
+    "lines.linewidth": 1.8,
+    "svg.hashsalt": "catopt",
+}
+
+_FAR_OFF_SCALE = 2.5
+"""A capacity more than this many times the tension is named, not drawn: it would flatten the curve."""
+
+_CONVERGED = 1e-9
+"""m: a run that ends with f below it counts as converged."""
+
+
+def render(figure: Figure, kind: Literal["png", "svg"]) -> bytes:
+    """Turn a figure into the bytes of a file, the same for the same figure."""
+    stream = BytesIO()
+    metadata = {"Date": None} if kind == "svg" else {"Software": None}
+    with rc_context(_STYLE):
+        figure.savefig(stream, format=kind, dpi=DPI, metadata=metadata)
+    return stream.getvalue()
+
+
+# ------------------------------------------------------------------ the line in the water
+
+
+def line_in_water(solution: Solution, water_depth: float) -> Figure:
+    """Draw the line to scale between seabed and still water.
+
+    Parameters
+    ----------
+    solution : Solution
+        The answer.
+    water_depth : float
+        m.
+    """
+    shape = solution.profile(401)
+    top = max(water_depth, *shape.z)
+    figure, axes = _blank(
+        _size_to_scale(max(shape.x) - min(shape.x), top), QUANTITIES["x"], QUANTITIES["z"]
+    )
+    _frame_to_scale(axes, min(shape.x), max(shape.x), top, figure.get_size_inches())
+    _water_and_bed(axes, water_depth)
+    axes.plot(shape.x, shape.z, color="black", label="Line")
+    _grounded_parts(axes, solution)
+    _marks(axes, solution)
+    _title(axes, solution.title)
+    _legend_below(figure, 4)
+    return figure
+
+
+def _size_to_scale(width: float, height: float) -> tuple[float, float]:
+    """Choose the height of the figure by what is drawn; a flat line still gets room for its labels."""
+    share = height / width if width > 0.0 else math.inf
+    return SIZE[0], min(max(SIZE[0] * share + 1.2, 3.2), 7.5)
+
+
+def _frame_to_scale(
+    axes: Axes, left: float, right: float, top: float, size: Sequence[float]
+) -> None:
+    """Set limits with some room around the line, of the frame's own proportions."""
+    width, height = size[0] - 0.9, size[1] - 1.4
+    scale = max((right - left) * 1.12 / width, top * 1.25 / height)
+    spare_x = 0.5 * (scale * width - (right - left))
+    spare_z = scale * height - top
+    axes.set_xlim(left - spare_x, right + spare_x)
+    axes.set_ylim(-0.5 * spare_z, top + 0.5 * spare_z)
+    axes.set_aspect("equal", adjustable="box")
+
+
+def _water_and_bed(axes: Axes, water_depth: float) -> None:
+    low, _ = axes.get_ylim()
+    axes.axhspan(0.0, water_depth, color=_SKY, linewidth=0.0, zorder=0.5)
+    axes.axhspan(low, 0.0, color=_BED, linewidth=0.0, zorder=0.5)
+    axes.axhline(water_depth, color=_BLUE, linewidth=1.4, dashes=(6, 2), label="Still water")
+    axes.axhline(0.0, color=_BED_EDGE, linewidth=1.4, label="Seabed")
+    axes.grid(False)
+
+
+def _ends(solution: Solution) -> list[tuple[Stretch, float]]:
+    """Pair each stretch with the x of its upper end."""
+    starts = [stretch.x for stretch in solution.stretches]
+    return list(zip(solution.stretches, [*starts[1:], solution.span], strict=True))
+
+
+def _grounded_parts(axes: Axes, solution: Solution) -> None:
+    label = "On the bed"
+    for stretch, end in _ends(solution):
+        if stretch.on_bed and stretch.length > 0.0:
+            axes.plot([stretch.x, end], [0.0, 0.0], color=_ORANGE, linewidth=3.6, label=label)
+            label = "_"
+
+
+def _touchdowns(solution: Solution) -> list[tuple[float, float]]:
+    """Find where the line leaves the bed: x and s."""
+    real = [stretch for stretch in solution.stretches if stretch.length > 0.0]
+    return [
+        (upper.x, upper.start)
+        for lower, upper in zip(real, real[1:], strict=False)
+        if lower.on_bed != upper.on_bed
+    ]
+
+
+def _marks(axes: Axes, solution: Solution) -> None:
+    def mark(places: Sequence[tuple[float, float]], marker: str, colour: str, label: str) -> None:
+        if places:
+            axes.plot(
+                [x for x, _ in places],
+                [z for _, z in places],
+                linestyle="none",
+                marker=marker,
+                markersize=8,
+                markerfacecolor=colour,
+                markeredgecolor="black",
+                clip_on=False,
+                zorder=5,
+                label=label,
+            )
+
+    weights = {load.position: load.submerged_weight for load in solution.line.point_loads}
+    heavy = [load for load in solution.point_loads if weights[load.position] >= 0.0]
+    light = [load for load in solution.point_loads if weights[load.position] < 0.0]
+    mark([(x, 0.0) for x, _ in _touchdowns(solution)], "|", "black", "Touchdown")
+    mark([(0.0, solution.anchor_height)], "v", "black", "Anchor")
+    mark([(solution.span, solution.fairlead_height)], "o", "white", "Fairlead")
+    mark([(load.x, load.z) for load in heavy], "s", _PURPLE, "Clump weight")
+    mark([(load.x, load.z) for load in light], "D", _GREEN, "Buoy")
+
+
+# ------------------------------------------------------------------ tension along the line
+
+
+def tension(solution: Solution) -> Figure:
+    """Draw the effective tension over the arc length, with what the segments may carry."""
+    quantity, along = QUANTITIES["tension"], QUANTITIES["s"]
+    shape = solution.profile(401)
+    figure, axes = _blank(SIZE, along, quantity)
+    axes.plot(
+        [along.to_field(s) for s in shape.s],
+        [quantity.to_field(value) for value in shape.tension],
+        color="black",
+        label="Tension T",
+    )
+    _capacities(axes, solution, max(shape.tension))
+    for label, dashes, places in (
+        ("Joint of segments", (1, 2), _joints(solution)),
+        ("Touchdown", (4, 2), [s for _, s in _touchdowns(solution)]),
+        ("Point load", (6, 1, 1, 1), [load.position for load in solution.point_loads]),
+    ):
+        for index, place in enumerate(places):
+            axes.axvline(
+                place, color="#606060", linewidth=1.0, dashes=dashes, label="_" if index else label
+            )
+    axes.set_xlim(0.0, along.to_field(solution.line.length))
+    axes.set_ylim(bottom=0.0)
+    axes.margins(y=0.1)
+    axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
+    _second_force_axis(axes, quantity)
+    _title(axes, solution.title)
+    _legend_below(figure, 3)
+    return figure
+
+
+def _joints(solution: Solution) -> list[float]:
+    """Arc lengths at which one segment ends and the next begins."""
+    lengths = [segment.length for segment in solution.segments]
+    return [math.fsum(lengths[: index + 1]) for index in range(len(lengths) - 1)]
+
+
+def _capacities(axes: Axes, solution: Solution, largest: float) -> None:
+    """Draw MBL / SF of every segment that has one, or name it where it is far above the curve."""
+    quantity, factor = QUANTITIES["tension"], solution.safety_factor
+    what = "MBL" if factor == 1.0 else f"MBL / {factor:g}"
+    start, drawn = 0.0, False
+    for number, segment in enumerate(solution.segments, start=1):
+        end = start + segment.length
+        if segment.MBL is not None:
+            capacity = segment.MBL / factor
+            level = quantity.to_field(capacity)
+            if capacity <= _FAR_OFF_SCALE * largest:
+                label = "_" if drawn else what
+                axes.plot(
+                    [start, end], [level] * 2, color=_ORANGE, dashes=(5, 1.5), label=label
+                )
+                drawn = True
+            else:
+                of = "" if len(solution.segments) == 1 else f" of segment {number}"
+                text = f"{what}{of}: {level:.4g} {quantity.field_unit}, off the scale"
+                axes.plot([], [], linestyle="none", label=text)
+        start = end
+
+
+# ------------------------------------------------------------------ the swarm
+
+
+def fitness(swarm: SwarmReport) -> Figure:
+    """Draw the best objective over the iterations of the best run (figure 3 of S1).
+
+    The axis is logarithmic, and f may be exactly 0: such iterations stand on a line of their own
+    at the foot of the axis, which is labelled 0.
+    """
+    quantity = named("objective", "Best objective")
+    history = swarm.best_objective_history
+    figure, axes = _blank_over_iterations(quantity, len(history))
+    axes.set_yscale("log")
+    numbers = range(1, len(history) + 1)
+    zeros = [number for number, value in zip(numbers, history, strict=True) if value == 0.0]
+    levels = [value for value in history if value > 0.0]
+    shows_limit = bool(zeros) or min(levels) < _CONVERGED
+    if shows_limit:
+        levels.append(_CONVERGED)
+    axes.set_ylim(min(levels) / 3.0, max(levels) * 3.0)
+    if shows_limit:
+        axes.axhline(
+            _CONVERGED, color=_GREEN, linewidth=1.2, dashes=(5, 2), label="Converged: f < 1e-9 m"
+        )
+    above = [value if value > 0.0 else math.nan for value in history]
+    axes.plot(numbers, above, color=_BLUE, label=f"f of run {swarm.best_run}, the best")
+    if zeros:
+        _foot(axes, zeros, min(levels), max(levels) * 3.0)
+    _legend_below(figure, 3)
+    return figure
+
+
+def _foot(axes: Axes, zeros: Sequence[int], least: float, top: float) -> None:
+    """Set the iterations at which f is 0 on a line of their own below the logarithmic axis."""
+    foot = 10.0 ** (math.floor(math.log10(least)) - 2)
+    axes.axhspan(foot / 10.0, foot * 10.0, color="#EEEEEE", linewidth=0.0, zorder=0.5)
+    axes.plot(
+        zeros,
+        [foot] * len(zeros),
+        linestyle="none",
+        marker="o",
+        markersize=4,
+        markerfacecolor="white",
+        markeredgecolor=_ORANGE,
+        markevery=max(1, len(zeros) // 40),
+        label="f = 0 exactly",
+    )
+    axes.set_ylim(foot / 10.0, top)
+    ticks = _decades(foot * 10.0, top)
+    axes.set_yticks([foot, *ticks])
+    axes.set_yticklabels(["0", *(f"$10^{{{round(math.log10(tick))}}}$" for tick in ticks)])
+    axes.minorticks_off()
+
+
+def _decades(low: float, high: float) -> list[float]:
+    """Powers of ten between two values, every one, second, third ... so that they are few."""
+    first, last = math.ceil(math.log10(low) + 1e-9), math.floor(math.log10(high))
+    step = max(1, math.ceil((last - first + 1) / 8))
+    return [10.0**power for power in range(last, first - 1, -step)][::-1]
+
+
+def swarm_tension(swarm: SwarmReport, closed_form: float) -> Figure:
+    """Draw the fairlead tension over the iterations of the best run (figure 4 of S1).
+
+    Parameters
+    ----------
+    swarm : SwarmReport
+        With its history.
+    closed_form : float
+        Fairlead tension of the closed form, N.
+    """
+    quantity = named("tension", "Fairlead tension")
+    history = swarm.tension_history
+    figure, axes = _blank_over_iterations(quantity, len(history))
+    axes.axhline(
+        quantity.to_field(closed_form),
+        color=_ORANGE,
+        linewidth=1.4,
+        dashes=(5, 2),
+        label="Closed form",
+    )
+    axes.plot(
+        range(1, len(history) + 1),
+        [quantity.to_field(value) for value in history],
+        color=_BLUE,
+        label=f"Best particle of run {swarm.best_run}",
+    )
+    axes.ticklabel_format(axis="y", useOffset=False)
+    axes.margins(y=0.15)
+    _second_force_axis(axes, quantity)
+    _legend_below(figure, 2)
+    return figure
+
+
+# ------------------------------------------------------------------ what all have in common
+
+
+def _blank(size: tuple[float, float], x: Quantity, y: Quantity) -> tuple[Figure, Axes]:
+    with rc_context(_STYLE):
+        figure = Figure(figsize=size, layout="constrained")
+        FigureCanvasAgg(figure)
+        axes = figure.add_subplot()
+        axes.set_xlabel(x.heading)
+        axes.set_ylabel(y.heading)
+    return figure, axes
+
+
+def _blank_over_iterations(y: Quantity, count: int) -> tuple[Figure, Axes]:
+    figure, axes = _blank(SIZE, QUANTITIES["s"], y)
+    axes.set_xlabel("Iteration")
+    axes.set_xlim(0, max(count, 2))
+    return figure, axes
+
+
+def _second_force_axis(axes: Axes, quantity: Quantity) -> None:
+    """Read a force in tf at the right."""
+    tonnes = in_tonne_force(quantity)
+    there: Callable[[Any], Any] = lambda kN: tonnes.to_field(quantity.to_si(kN))  # noqa: E731
+    back: Callable[[Any], Any] = lambda tf: quantity.to_field(tonnes.to_si(tf))  # noqa: E731
+    second = axes.secondary_yaxis("right", functions=(there, back))
+    second.set_ylabel(tonnes.heading)
+    second.ticklabel_format(useOffset=False)
+
+
+def _title(axes: Axes, title: str) -> None:
+    """Set the case's title, as text and never as mathematics, folded to the page."""
+    axes.set_title(title, fontsize=11, loc="left", wrap=True, parse_math=False)
+
+
+def _legend_below(figure: Figure, most_columns: int) -> None:
+    handles, labels = figure.axes[0].get_legend_handles_labels()
+    figure.legend(
+        handles,
+        labels,
+        loc="outside lower center",
+        ncols=min(most_columns, len(labels)),
+        handlelength=2.6,
+    )

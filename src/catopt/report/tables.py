@@ -1,0 +1,205 @@
+"""A solution and its case as pandas tables; every heading carries its unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import pandas as pd
+
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.report.summary import columns, given, in_tonne_force, named, residuals, results
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution, SwarmReport
+    from catopt.model import Case, Line
+    from catopt.reproduce import Reproduction
+
+__all__ = [
+    "inputs",
+    "point_load_inputs",
+    "point_loads",
+    "profile",
+    "reproduction",
+    "segment_inputs",
+    "segments",
+    "summary",
+    "swarm_history",
+    "swarm_runs",
+    "swarm_settings",
+]
+
+_LARGEST = named("tension", "Largest tension")
+_FAIRLEAD = named("tension", "Fairlead tension")
+
+
+def inputs(case: Case) -> pd.DataFrame:
+    """Tabulate what a case gives beside its line, in one row."""
+    return pd.DataFrame([{"Title": case.title, "Source": case.source, **columns(given(case))}])
+
+
+def segment_inputs(line: Line) -> pd.DataFrame:
+    """Tabulate the segments as given, a row each from the anchor to the fairlead."""
+    found = line.segments
+    return pd.DataFrame(
+        {
+            "Segment": range(1, len(found) + 1),
+            "Name": [segment.name for segment in found],
+            **_column("length", (segment.length for segment in found)),
+            **_column("submerged_weight", (segment.submerged_weight for segment in found)),
+            **_column("EA", (segment.EA for segment in found)),
+            **_column("mass_per_length", (segment.mass for segment in found)),
+            **_column("MBL", (segment.MBL for segment in found)),
+        }
+    )
+
+
+def point_load_inputs(line: Line) -> pd.DataFrame:
+    """Tabulate clump weights and buoys as given, a row each by position."""
+    found = line.point_loads
+    return pd.DataFrame(
+        {
+            "Point load": range(1, len(found) + 1),
+            "Name": [load.name for load in found],
+            **_column("position", (load.position for load in found)),
+            **_column("point_weight", (load.submerged_weight for load in found)),
+            **_column("mass", (load.mass for load in found)),
+        }
+    )
+
+
+def swarm_settings(case: Case) -> pd.DataFrame:
+    """Tabulate the settings of the swarm, in one row."""
+    swarm = case.swarm
+    return pd.DataFrame(
+        [
+            {
+                "Particles": swarm.particles,
+                "Iterations": swarm.iterations,
+                "Runs": swarm.runs,
+                "Seed": swarm.seed,
+                "Cognitive coefficient c1 (-)": swarm.cognitive,
+                "Social coefficient c2 (-)": swarm.social,
+                "Inertia w (-)": swarm.inertia,
+                "Boundary handling": swarm.boundary,
+            }
+        ]
+    )
+
+
+def summary(solution: Solution) -> pd.DataFrame:
+    """Tabulate the line as a whole, in one row."""
+    words = {
+        "Title": solution.title,
+        "Method": solution.method,
+        "Regime": solution.regime,
+    }
+    values = columns((*results(solution), *residuals(solution)))
+    return pd.DataFrame([{**words, **values, "Warnings": "; ".join(solution.warnings)}])
+
+
+def segments(solution: Solution) -> pd.DataFrame:
+    """Tabulate the segments under load, a row each from the anchor to the fairlead."""
+    found = solution.segments
+    tensions = [segment.max_tension for segment in found]
+    factor = solution.safety_factor
+    return pd.DataFrame(
+        {
+            "Segment": range(1, len(found) + 1),
+            "Name": [segment.name for segment in found],
+            **_column("length", (segment.length for segment in found)),
+            **_column(_LARGEST, tensions),
+            **_column(in_tonne_force(_LARGEST), tensions),
+            **_column("MBL", (segment.MBL for segment in found)),
+            **_column("safety_factor", [factor] * len(found)),
+            **_column("utilisation", (segment.utilisation(factor) for segment in found)),
+        }
+    )
+
+
+def point_loads(solution: Solution) -> pd.DataFrame:
+    """Tabulate clump weights and buoys under load, a row each by position."""
+    found = solution.point_loads
+    return pd.DataFrame(
+        {
+            "Point load": range(1, len(found) + 1),
+            "Name": [load.name for load in found],
+            **_column("position", (load.position for load in found)),
+            **_column("x", (load.x for load in found)),
+            **_column("z", (load.z for load in found)),
+            **_column("seabed_reaction", (load.seabed_reaction for load in found)),
+        }
+    )
+
+
+def profile(solution: Solution, points: int = 101) -> pd.DataFrame:
+    """Tabulate the shape and the tension along the line, from the anchor to the fairlead.
+
+    Parameters
+    ----------
+    solution : Solution
+        The answer.
+    points : int
+        About how many rows.
+    """
+    shape = solution.profile(points)
+    return pd.DataFrame(
+        {
+            **_column("s", shape.s),
+            **_column("x", shape.x),
+            **_column("z", shape.z),
+            **_column("tension", shape.tension),
+        }
+    )
+
+
+def swarm_runs(swarm: SwarmReport) -> pd.DataFrame:
+    """Tabulate the runs of the swarm: the objective that each ended with."""
+    numbers = range(1, len(swarm.objectives) + 1)
+    return pd.DataFrame(
+        {
+            "Run": numbers,
+            **_column("objective", swarm.objectives),
+            "Best run": ["yes" if number == swarm.best_run else "" for number in numbers],
+        }
+    )
+
+
+def swarm_history(swarm: SwarmReport) -> pd.DataFrame:
+    """Tabulate the best run: objective and tension after each iteration."""
+    tensions = swarm.tension_history
+    return pd.DataFrame(
+        {
+            "Iteration": range(1, len(tensions) + 1),
+            **_column(named("objective", "Best objective"), swarm.best_objective_history),
+            **_column(_FAIRLEAD, tensions),
+            **_column(in_tonne_force(_FAIRLEAD), tensions),
+        }
+    )
+
+
+def reproduction(result: Reproduction) -> pd.DataFrame:
+    """Tabulate printed numbers beside computed ones; a unit column, for each row has its own."""
+    headings = {
+        "source": "Source",
+        "name": "Name",
+        "quantity": "Quantity",
+        "method": "Method",
+        "unit": "Unit",
+        "published_text": "Printed (unit of the row)",
+        "computed_text": "Computed, rounded as printed (unit of the row)",
+        "computed": "Computed (unit of the row)",
+        "computed_by": "Computed by",
+        "verdict": "Verdict",
+        "note": "Note",
+    }
+    rows = [item.to_dict() for item in result.items]
+    return pd.DataFrame(rows, columns=list(headings)).rename(columns=headings)
+
+
+def _column(
+    quantity: Quantity | str, values: Iterable[float | None]
+) -> dict[str, pd.Series[float]]:
+    """Give values in SI the heading and the unit of a quantity; what is not known stays empty."""
+    known = QUANTITIES[quantity] if isinstance(quantity, str) else quantity
+    return {known.heading: known.to_field(pd.Series(list(values), dtype="float64"))}

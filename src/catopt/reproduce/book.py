@@ -1,0 +1,110 @@
+"""The reproduction as a Markdown page.
+
+The page holds neither times nor dates nor digits that rounding may change, so that it is the same
+on every machine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from catopt.reproduce.items import Item, Reproduction, Study
+
+__all__ = ["book"]
+
+_FURTHER_DIGITS = 3
+
+_METHODS = {
+    "pso": "Particle swarm",
+    "fem": "Finite elements",
+    "analytic": "Analytic",
+    "pso against fem": "Particle swarm against finite elements",
+    "pso against analytic": "Particle swarm against analytic",
+}
+
+
+def book(reproduction: Reproduction) -> str:
+    """Write the page.
+
+    Parameters
+    ----------
+    reproduction : Reproduction
+        What to show.
+
+    Returns
+    -------
+    str
+        Markdown, ending in a newline.
+    """
+    count = len(reproduction.items)
+    lines = [
+        "# Published figures beside catopt's",
+        "",
+        "Written by `catopt reproduce --out reports`; a test fails when it is out of date.",
+        "A number *reproduces* when ours, rounded to the printed decimals, has every digit of it.",
+        f"{_tally(reproduction.items)} of {count} printed numbers.",
+    ]
+    for study in reproduction.studies:
+        lines += ["", *_study(study)]
+    return "\n".join(lines) + "\n"
+
+
+def _tally(items: Sequence[Item]) -> str:
+    verdicts = [item.verdict for item in items]
+    parts = [
+        f"{verdicts.count('reproduces')} reproduce",
+        f"{verdicts.count('differs')} differ",
+        f"{verdicts.count('not reproducible')} cannot be reproduced",
+    ]
+    return f"{', '.join(parts[:-1])} and {parts[-1]},"
+
+
+def _study(study: Study) -> list[str]:
+    lines = [
+        f"## {study.name}: {study.title}",
+        "",
+        f"{study.source}: *{study.source_title}*, {study.source_where}; {study.where}.",
+        "",
+        *_table(
+            ("input", "value", "unit", "origin"),
+            [(given.quantity, given.value, given.unit, given.origin) for given in study.inputs],
+        ),
+    ]
+    for method in dict.fromkeys(item.method for item in study.items):
+        chosen = [item for item in study.items if item.method == method]
+        lines += ["", f"### {_METHODS.get(method, method)}", "", *_comparison(chosen)]
+    lines += ["", "### What was found", ""]
+    lines += [f"{number}. {text}" for number, text in enumerate(study.findings, start=1)]
+    return lines
+
+
+def _comparison(items: Sequence[Item]) -> list[str]:
+    header = ("quantity", "unit", "printed", "catopt", "unrounded", "catopt by", "verdict", "note")
+    rows = [
+        (
+            item.quantity,
+            item.unit,
+            item.printed.text,
+            item.judgement.computed_text,
+            _unrounded(item),
+            item.computed_by,
+            item.verdict,
+            item.note,
+        )
+        for item in items
+    ]
+    return _table(header, rows)
+
+
+def _unrounded(item: Item) -> str:
+    """Show a few digits more than were printed, unless they are chance."""
+    if item.computed is None or "e" in item.printed.text:
+        return ""
+    return item.printed.rounding(item.computed, further=_FURTHER_DIGITS)
+
+
+def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Lay out a Markdown table; a bar inside a cell is escaped."""
+    cells = [[cell.replace("|", r"\|") or " " for cell in row] for row in (header, *rows)]
+    lines = ["| " + " | ".join(row) + " |" for row in cells]
+    return [lines[0], "|" + " --- |" * len(header), *lines[1:]]

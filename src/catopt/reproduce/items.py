@@ -1,0 +1,166 @@
+"""The outcome of a reproduction, as values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from catopt.reproduce.printed import Printed
+from catopt.reproduce.verdict import Judgement, Verdict
+
+__all__ = ["Input", "Item", "Reproduction", "Study"]
+
+
+@dataclass(frozen=True)
+class Item:
+    """One printed number and what became of it.
+
+    Attributes
+    ----------
+    source : str
+        Short name of the source, such as ``"S1"``.
+    name : str
+        Of the study.
+    quantity : str
+        With its unit, such as ``"offset_m"``.
+    unit : str
+        As shown to a reader.
+    method : str
+        How the source came by it: ``"pso"``, ``"fem"``, ``"analytic"``, or ``"pso against fem"``.
+    computed_by : str
+        How catopt did: ``"pso"``, ``"closed-form"`` or ``"printed digits"``; empty when it did not.
+    printed : Printed
+        The number as the source has it.
+    computed : float or None
+        Unrounded, in the unit of the print; None when nothing was computed.
+    judgement : Judgement
+        What follows.
+    remark : str
+        What a reader should know beside the verdict.
+    """
+
+    source: str
+    name: str
+    quantity: str
+    unit: str
+    method: str
+    computed_by: str
+    printed: Printed
+    computed: float | None
+    judgement: Judgement
+    remark: str = ""
+
+    @property
+    def verdict(self) -> Verdict:
+        """``"reproduces"``, ``"differs"`` or ``"not reproducible"``."""
+        return self.judgement.verdict
+
+    @property
+    def published(self) -> float:
+        """The printed number."""
+        return self.printed.value
+
+    @property
+    def note(self) -> str:
+        """The reason for the verdict and the remark, in one line."""
+        return "; ".join(part for part in (self.judgement.reason, self.remark) if part)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build this item's part of the document catopt.reproduction/1."""
+        return {
+            "source": self.source,
+            "name": self.name,
+            "quantity": self.quantity,
+            "method": self.method,
+            "published": self.published,
+            "published_text": self.printed.text,
+            "computed": self.computed,
+            "computed_text": self.judgement.computed_text,
+            "computed_by": self.computed_by,
+            "unit": self.unit,
+            "printed_digits": self.printed.digits,
+            "verdict": self.verdict,
+            "note": self.note,
+        }
+
+
+@dataclass(frozen=True)
+class Input:
+    """What went into a study: a quantity in words, its value and unit, and where it comes from."""
+
+    quantity: str
+    value: str
+    unit: str
+    origin: str = "printed"
+
+
+@dataclass(frozen=True)
+class Study:
+    """One published calculation, recomputed.
+
+    Attributes
+    ----------
+    name : str
+        By which `reproduce` knows it.
+    title : str
+        What it is about.
+    source, source_title, source_where, where : str
+        Short name and title of the source, its publication, and the place in it.
+    inputs : tuple of Input
+        What went in.
+    items : tuple of Item
+        Every printed number, in the source's order.
+    findings : tuple of str
+        What the recomputation showed beyond the verdicts; a paragraph each.
+    """
+
+    name: str
+    title: str
+    source: str
+    source_title: str
+    source_where: str
+    where: str
+    inputs: tuple[Input, ...]
+    items: tuple[Item, ...]
+    findings: tuple[str, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build this study's part of the document: everything but its items."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "source": self.source,
+            "source_title": self.source_title,
+            "source_where": self.source_where,
+            "where": self.where,
+            "inputs": [
+                {
+                    "quantity": given.quantity,
+                    "value": given.value,
+                    "unit": given.unit,
+                    "origin": given.origin,
+                }
+                for given in self.inputs
+            ],
+            "findings": list(self.findings),
+        }
+
+
+@dataclass(frozen=True)
+class Reproduction:
+    """The outcome of one or more studies."""
+
+    studies: tuple[Study, ...]
+
+    @property
+    def items(self) -> tuple[Item, ...]:
+        """Every item of every study."""
+        return tuple(item for study in self.studies for item in study.items)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt reproduce --json`` prints (catopt.reproduction/1)."""
+        return {
+            "schema": "catopt.reproduction/1",
+            "items": [item.to_dict() for item in self.items],
+            "studies": [study.to_dict() for study in self.studies],
+        }

@@ -1,0 +1,70 @@
+"""Reading the published figures that come with the package."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from catopt.reproduce.printed import Printed
+
+__all__ = ["Published", "published"]
+
+
+@dataclass(frozen=True)
+class Published:
+    """One table of ``published.toml`` with its source.
+
+    Attributes
+    ----------
+    title, where : str
+        What it is about and where in the source.
+    source, source_title, source_where : str
+        The source's short name, title and publication.
+    inputs, swarm : dict
+        Numbers that went in, with the unit in the key; settings of a swarm.
+    printed : dict of str to dict of str to Printed
+        By the source's method, then by quantity with its unit.
+    """
+
+    title: str
+    where: str
+    source: str
+    source_title: str
+    source_where: str
+    inputs: dict[str, float]
+    swarm: dict[str, int]
+    printed: dict[str, dict[str, Printed]]
+
+
+@cache
+def _data() -> dict[str, Any]:
+    text = files("catopt.reproduce").joinpath("published.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+def published(name: str) -> Published:
+    """Look up a published calculation.
+
+    Parameters
+    ----------
+    name : str
+        Of its table in ``published.toml``.
+    """
+    table = _data()[name]
+    source = _data()["sources"][table["source"]]
+    return Published(
+        title=table["title"],
+        where=table["where"],
+        source=table["source"],
+        source_title=source["title"],
+        source_where=source["where"],
+        inputs=table["inputs"],
+        swarm=table["swarm"],
+        printed={
+            method: {quantity: Printed(text) for quantity, text in numbers.items()}
+            for method, numbers in table["printed"].items()
+        },
+    )

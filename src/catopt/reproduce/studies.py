@@ -1,0 +1,49 @@
+"""Which published calculations can be recomputed, by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from catopt.errors import InputError, Problem
+from catopt.reproduce import buoy_9p5m
+from catopt.reproduce.items import Reproduction, Study
+
+__all__ = ["names", "reproduce"]
+
+Progress = Callable[[int, int], None]
+
+_STUDIES: dict[str, Callable[[Progress | None], Study]] = {"buoy_9p5m": buoy_9p5m.study}
+
+
+def names() -> tuple[str, ...]:
+    """Names that `reproduce` knows."""
+    return tuple(_STUDIES)
+
+
+def reproduce(name: str | None = None, *, progress: Progress | None = None) -> Reproduction:
+    """Recompute what was published.
+
+    Parameters
+    ----------
+    name : str, optional
+        One study; all of them when left out.
+    progress : callable, optional
+        Told of the swarm runs done and wanted, as they are done.
+
+    Raises
+    ------
+    InputError
+        No study has that name.
+    """
+    if name is not None and name not in _STUDIES:
+        raise InputError([Problem("name", repr(name), _allowed(name))], "reproduce")
+    wanted = names() if name is None else (name,)
+    return Reproduction(tuple(_STUDIES[each](progress) for each in wanted))
+
+
+def _allowed(name: str) -> str:
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, names(), n=1)
+    hint = f"; did you mean {near[0]}?" if near else ""
+    return f"one of {', '.join(names())} is wanted{hint}"

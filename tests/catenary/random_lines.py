@@ -1,0 +1,63 @@
+"""Random mooring lines of every kind, from a seed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from catopt.model import Line, PointLoad, Segment
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A line and where it is moored."""
+
+    line: Line
+    height: float
+    anchor_height: float
+    seabed_friction: float
+    horizontal_force: float
+
+
+def random_setting(seed: int, *, buoyant: bool = False, raised: bool | None = None) -> Setting:
+    """Draw a line: 1 to 5 segments, 0 to 3 point loads, weights of neighbours 1 to 1000 apart."""
+    rng = np.random.default_rng(seed)
+    count = int(rng.integers(1, 6))
+    scale = 10.0 ** rng.uniform(0.5, 3.2)
+    weight = 10.0 ** rng.uniform(0.0, 3.5)
+    segments = [
+        Segment(
+            length=scale * 10.0 ** rng.uniform(-1.5, 0.0),
+            submerged_weight=weight * 10.0 ** rng.uniform(-3.0, 0.0) * _sign(rng, buoyant),
+            EA=math.inf if rng.random() < 0.4 else weight * scale * 10.0 ** rng.uniform(0.5, 5.0),
+        )
+        for _ in range(count)
+    ]
+    length = math.fsum(segment.length for segment in segments)
+    total = sum(abs(s.submerged_weight) * s.length for s in segments)
+    loads = [
+        PointLoad(
+            position=float(rng.uniform(0.02, 0.98)) * length,
+            submerged_weight=total * 10.0 ** rng.uniform(-2.5, 0.3) * _sign(rng, buoyant),
+        )
+        for _ in range(int(rng.integers(0, 4)) if rng.random() < 0.6 else 0)
+    ]
+    is_raised = rng.random() < 0.3 if raised is None else raised
+    steepness = rng.choice([rng.uniform(0.05, 0.9), 0.999, 0.01])
+    height = float(length * steepness)
+    anchor_height = float(rng.uniform(0.0, 0.4)) * length if is_raised else 0.0
+    if is_raised and rng.random() < 0.3:
+        height, anchor_height = anchor_height, min(height, 0.9 * length)
+    return Setting(
+        line=Line(segments, loads),
+        height=height,
+        anchor_height=anchor_height,
+        seabed_friction=float(rng.choice([0.0, rng.uniform(0.1, 1.2)])),
+        horizontal_force=float(total * 10.0 ** rng.uniform(-4.0, 3.0)),
+    )
+
+
+def _sign(rng: np.random.Generator, buoyant: bool) -> float:
+    return -1.0 if buoyant and rng.random() < 0.3 else 1.0

@@ -1,0 +1,155 @@
+"""The arrows between the parts of catopt point down, and every part has its place.
+
+Imports inside functions count: they are as binding as those at the top of a module.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import catopt
+
+PACKAGE = Path(catopt.__file__).parent
+
+BASE = {"errors", "constants", "units", "quantities"}
+SOLVING = BASE | {"model", "catenary"}
+ALL_BUT_CLI = SOLVING | {"casefile", "schemas", "reproduce", "report"}
+
+MAY_IMPORT: dict[str, set[str]] = {
+    "_version": set(),
+    "errors": set(),
+    "constants": set(),
+    "units": {"errors", "constants"},
+    "quantities": {"errors", "constants", "units"},
+    "schemas": {"errors"},
+    "model": BASE,
+    "casefile": BASE | {"model"},
+    "catenary": BASE | {"model"},
+    "reproduce": SOLVING | {"casefile"},
+    "report": SOLVING | {"casefile", "schemas", "reproduce", "_version"},
+    "cli": ALL_BUT_CLI | {"_version"},
+    "__main__": {"cli", "errors", "_version"},
+    "__init__": SOLVING | {"casefile", "_version"},
+}
+"""What each part may import beside itself; a part is a module or a folder of catopt."""
+
+
+def part_of(module: Path, package: Path) -> str:
+    """Folder or module of the package to which a file belongs."""
+    return module.relative_to(package).with_suffix("").parts[0]
+
+
+def imported_parts(module: Path, package: Path) -> Iterator[tuple[int, str]]:
+    """Line and part of every import from the package, wherever it stands in the module."""
+    inside = [package.name, *module.relative_to(package).parent.parts]
+    for node in ast.walk(ast.parse(module.read_text(encoding="utf-8"), str(module))):
+        for name in _targets(node, inside):
+            path = name.split(".")
+            if path[0] == package.name:
+                yield getattr(node, "lineno", 0), path[1] if len(path) > 1 else "__init__"
+
+
+def _targets(node: ast.AST, inside: list[str]) -> list[str]:
+    """Full dotted names that a node imports; ``from a import b`` gives ``a.b``."""
+    if isinstance(node, ast.Import):
+        return [alias.name for alias in node.names]
+    if isinstance(node, ast.ImportFrom):
+        start = inside[: len(inside) - node.level + 1] if node.level else []
+        base = ".".join([*start, *([node.module] if node.module else [])])
+        return [f"{base}.{alias.name}" for alias in node.names]
+    if isinstance(node, ast.Call) and _called(node) in {"import_module", "__import__"}:
+        return [str(arg.value) for arg in node.args[:1] if isinstance(arg, ast.Constant)]
+    return []
+
+
+def _called(call: ast.Call) -> str:
+    """Last part of the name of the function that is called."""
+    if isinstance(call.func, ast.Attribute):
+        return call.func.attr
+    return call.func.id if isinstance(call.func, ast.Name) else ""
+
+
+def violations(package: Path, may_import: dict[str, set[str]]) -> list[str]:
+    """Every import that the table does not allow, and every part that it lacks."""
+    found = []
+    for module in sorted(package.rglob("*.py")):
+        part = part_of(module, package)
+        place = module.relative_to(package.parent).as_posix()
+        if part not in may_import:
+            found.append(f"{place}: {part} is not in the table")
+            continue
+        for line, target in imported_parts(module, package):
+            name = target if target in may_import else "__init__"
+            if name != part and name not in may_import[part]:
+                found.append(f"{place}:{line}: {part} may not import {target}")
+    return found
+
+
+def test_no_import_points_up() -> None:
+    assert violations(PACKAGE, MAY_IMPORT) == []
+
+
+def test_every_part_of_the_table_exists() -> None:
+    present = {part_of(module, PACKAGE) for module in PACKAGE.rglob("*.py")}
+    assert set(MAY_IMPORT) == present
+
+
+def test_the_table_has_no_circle() -> None:
+    """A part that may import another may not be imported by it, over any number of steps."""
+    below: dict[str, set[str]] = {}
+    for part in MAY_IMPORT:
+        reached: set[str] = set()
+        front = set(MAY_IMPORT[part])
+        while front:
+            reached |= front
+            front = set().union(*(MAY_IMPORT[each] for each in front)) - reached
+        below[part] = reached
+    assert [part for part, reached in below.items() if part in reached] == []
+
+
+TABLE = {"low": set[str](), "high": {"low"}, "__init__": {"low", "high"}}
+
+
+@pytest.mark.parametrize(
+    ("text", "caught"),
+    [
+        ("from tool.high import thing", True),
+        ("from tool import high", True),
+        ("import tool.high", True),
+        ("from ..high import thing", True),
+        ("from .. import high", True),
+        ("from tool import thing", True),
+        ("import tool", True),
+        ("def later():\n    from tool.high.inner import thing", True),
+        ("from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import tool.high as t", True),
+        ("import importlib\nimportlib.import_module('tool.high')", True),
+        ("from tool.low.other import thing", False),
+        ("from .other import thing", False),
+        ("import json", False),
+        ("import toolbox.high", False),
+    ],
+)
+def test_a_planted_import_is_caught(tmp_path: Path, text: str, caught: bool) -> None:
+    package = tmp_path / "tool"
+    for folder in ("low", "high"):
+        (package / folder).mkdir(parents=True)
+        (package / folder / "__init__.py").write_text("")
+    (package / "__init__.py").write_text("")
+    (package / "low" / "module.py").write_text(text)
+    found = violations(package, TABLE)
+    assert len(found) == (1 if caught else 0), found
+    assert all(entry.startswith("tool/low/module.py:") for entry in found)
+
+
+def test_the_allowed_direction_and_a_folder_without_place(tmp_path: Path) -> None:
+    package = tmp_path / "tool"
+    (package / "high").mkdir(parents=True)
+    (package / "high" / "a.py").write_text("from tool.low import thing")
+    assert violations(package, TABLE) == []
+    (package / "attic").mkdir()
+    (package / "attic" / "b.py").write_text("")
+    assert violations(package, TABLE) == ["tool/attic/b.py: attic is not in the table"]
