@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.lift import grounded_guess, suspended_guess, vertical_force
+from catopt.catenary.lift import SETTLED, grounded_guess, suspended_guess, vertical_force
 from catopt.catenary.pieces import (
     Pieces,
     flip,
@@ -41,7 +41,7 @@ from catopt.catenary.state import (
 from catopt.catenary.touchdown import next_touchdown
 from catopt.catenary.walk import FIRST_TOUCHDOWN, NO_TOUCHDOWN, Walk, lie, lowest, walk
 
-__all__ = ["failed", "given_force"]
+__all__ = ["failed", "given_force", "hung_state"]
 
 CLEARANCE = 1e-9
 """How far below the bed, as a part of the length, a hanging line may seem to pass by rounding."""
@@ -74,18 +74,27 @@ def given_force(
     if is_inextensible(pieces) and abs(rise) >= length:
         return failed(TOO_SHORT)
     if anchor_height == 0.0 and not has_buoyancy(pieces):
-        V = 0.0
-        if fairlead_height > 0.0:
-            guess = grounded_guess(H, pieces, rise)
-            V = vertical_force(H, rise, pieces, FIRST_TOUCHDOWN, guess, 0.0)
-        return _hung(H, V, pieces, rise, friction, FIRST_TOUCHDOWN)
+        return _plain(H, pieces, fairlead_height, friction)
     guess = suspended_guess(H, pieces, rise)
-    V = vertical_force(H, rise, pieces, NO_TOUCHDOWN, guess, -math.inf)
+    V = vertical_force(H, rise, pieces, NO_TOUCHDOWN, guess, -math.inf, 0.0)
     if math.isnan(V):
         return failed(NOT_CONVERGED)
     if fairlead_height + lowest(H, V, pieces, NO_TOUCHDOWN) >= -CLEARANCE * length:
-        return _hung(H, V, pieces, rise, friction, NO_TOUCHDOWN)
+        return hung_state(H, V, pieces, rise, friction, NO_TOUCHDOWN)
     return _touching(H, pieces, anchor_height, fairlead_height, friction)
+
+
+def _plain(H: float, pieces: Pieces, height: float, friction: float) -> State:
+    """State of a line without buoyant parts, anchored on the bed."""
+    if height == 0.0:
+        return hung_state(H, 0.0, pieces, 0.0, friction, FIRST_TOUCHDOWN)
+    guess = grounded_guess(H, pieces, height)
+    V = vertical_force(H, height, pieces, FIRST_TOUCHDOWN, guess, 0.0, SETTLED)
+    state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
+    if abs(state.height_error) <= 1e-14 * total_length(pieces):
+        return state
+    V = vertical_force(H, height, pieces, FIRST_TOUCHDOWN, V, 0.0, 0.0)
+    return hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
 
 
 def _touching(
@@ -102,12 +111,12 @@ def _touching(
                 if state.status == CONVERGED:
                     return state
             elif _lies(pieces, walk(H, V, pieces, touchdown).piece, 0):
-                return _hung(H, V, pieces, rise, friction, touchdown)
+                return hung_state(H, V, pieces, rise, friction, touchdown)
         touchdown, V = next_touchdown(H, fairlead_height, pieces, touchdown)
     return failed(TOUCHES_TWICE)
 
 
-def _hung(
+def hung_state(
     H: float, V: float, pieces: Pieces, rise: float, friction: float, touchdown: int
 ) -> State:
     """State of a line that hangs from the anchor, or from a touchdown beyond which all lies."""

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.equilibrium import failed, given_force
-from catopt.catenary.lift import grounded_guess
+from catopt.catenary.equilibrium import failed, given_force, hung_state
+from catopt.catenary.lift import SETTLED, grounded_guess, top_weight
 from catopt.catenary.pieces import (
     Pieces,
     has_buoyancy,
@@ -28,7 +28,7 @@ from catopt.catenary.state import (
     TOUCHES_TWICE,
     State,
 )
-from catopt.catenary.walk import FIRST_TOUCHDOWN, lie, walk
+from catopt.catenary.walk import FIRST_TOUCHDOWN
 
 __all__ = ["BY_SPAN", "BY_TENSION", "given_span", "given_tension", "hang_slack"]
 
@@ -70,11 +70,9 @@ def given_span(
     if math.isnan(H_guess):
         H_guess, V_guess = _guess(span, rise, pieces)
     if anchor_height == 0.0 and fairlead_height > 0.0 and not has_buoyancy(pieces):
-        H, _ = _newton(BY_SPAN, span, pieces, fairlead_height, friction, H_guess, V_guess)
-        if not math.isnan(H):
-            state = given_force(H, pieces, anchor_height, fairlead_height, friction)
-            if state.status == CONVERGED:
-                return state
+        state = _newton(BY_SPAN, span, pieces, fairlead_height, friction, H_guess, V_guess)
+        if state.status == CONVERGED:
+            return state
     low, high = _bracket(span, pieces, anchor_height, fairlead_height, friction, H_guess)
     if not low < high:
         return failed(NOT_CONVERGED)
@@ -102,13 +100,11 @@ def given_tension(
             slack = hang_slack(pieces, anchor_height, fairlead_height, friction)
             if slack.status == CONVERGED and tension < slack.V:
                 return failed(TOO_HEAVY)
-        H = max(tension - weight / total_length(pieces) * rise, 0.05 * tension)
+        H = max(tension - top_weight(pieces, rise), 0.05 * tension)
         V = grounded_guess(H, pieces, rise)
-        H, _ = _newton(BY_TENSION, tension, pieces, fairlead_height, friction, H, V)
-        if not math.isnan(H):
-            state = given_force(H, pieces, anchor_height, fairlead_height, friction)
-            if state.status == CONVERGED:
-                return state
+        state = _newton(BY_TENSION, tension, pieces, fairlead_height, friction, H, V)
+        if state.status == CONVERGED:
+            return state
     least, high = least_tension(tension, pieces, anchor_height, fairlead_height, friction)
     if least.status != CONVERGED:
         return least
@@ -251,13 +247,23 @@ def _least_hanging(pieces: Pieces, fairlead_height: float, anchor_height: float)
 
 
 def _guess(span: float, rise: float, pieces: Pieces) -> tuple[float, float]:
-    """Estimate H and V from the sag of a uniform line, or from its stretch when it is taut."""
+    """Estimate H and V: from the length to spare, from the sag, or from the stretch if taut."""
     length = total_length(pieces)
     weight = abs(total_weight(pieces))
     chord = math.sqrt(span * span + rise * rise)
     stretch = 0.0
     for k in range(len(pieces.length)):
         stretch += pieces.compliance[k] * pieces.length[k]
+    # A catenary from the bed up spares L - S = d. For a uniform one d/h depends on a/h alone,
+    # sqrt(1 + 2 a/h) - (a/h) acosh(1 + h/a); this inverts it to a few percent.
+    spare = (length - span) / rise if rise > 0.0 else 0.0
+    if 0.0 < spare < 1.0:
+        ratio = 2.0 / 9.0 * (1.0 - spare * spare) / (spare * spare)
+        hanging = rise * math.sqrt(1.0 + 2.0 * ratio)
+        carried = top_weight(pieces, hanging)
+        if hanging < length and carried > 0.0:
+            H = ratio * rise * carried / hanging
+            return H, grounded_guess(H, pieces, rise)
     H = 0.0
     excess = (length * length - rise * rise) / (span * span) - 1.0
     if excess > 0.0:
@@ -278,36 +284,33 @@ def _newton(
     friction: float,
     H: float,
     V: float,
-) -> tuple[float, float]:
-    """Newton's method on (span or tension, height); nan when it does not settle quickly."""
-    scale = total_length(pieces)
-    size = wanted if known == BY_TENSION else scale
-    for _ in range(30):
-        hung = walk(H, V, pieces, FIRST_TOUCHDOWN)
-        z_error = hung.z - height
+) -> State:
+    """Newton's method on (span or tension, height); a failed state when it does not settle."""
+    size = wanted if known == BY_TENSION else total_length(pieces)
+    for _ in range(25):
+        state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
+        z_error = state.height_error
         if known == BY_TENSION:
-            T = math.sqrt(H * H + V * V)
+            T = _tension(state)
             error, by_H, by_V = T - wanted, H / T, V / T
         else:
-            error, by_H, by_V = hung.x - wanted, hung.x_H, hung.z_H
-            if hung.touchdown >= 0:
-                k = hung.touchdown // 2
-                reaction = pieces.load[k] - hung.V if hung.touchdown % 2 == 1 else 0.0
-                bed = lie(H, pieces, friction, hung.piece, hung.rest, reaction, 0, 0.0)
-                error += bed.x
-                by_H += bed.x_H
-                by_V += friction * bed.x_H
-        determinant = by_H * hung.z_V - by_V * hung.z_H
+            error, by_H, by_V = state.span - wanted, state.x_H, state.x_V
+        determinant = by_H * state.z_V - by_V * state.z_H
         if determinant == 0.0 or math.isnan(determinant):
             break
-        dH = (by_V * z_error - hung.z_V * error) / determinant
-        dV = (hung.z_H * error - by_H * z_error) / determinant
-        settled = abs(error) <= 4e-16 * size and abs(z_error) <= 4e-16 * scale
-        if settled or (abs(dH) <= 4e-16 * H and abs(dV) <= 4e-16 * max(V, H)):
-            return H, V
+        dH = (by_V * z_error - state.z_V * error) / determinant
+        dV = (state.z_H * error - by_H * z_error) / determinant
+        steps = max(abs(dH) / H, abs(dV) / max(V, H))
+        if steps <= 1e-15:
+            return state
         H = min(max(H + dH, 0.1 * H), 10.0 * H)
         V = max(V + dV, 0.1 * V)
-    return math.nan, math.nan
+        if steps <= SETTLED:
+            state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
+            reached = _tension(state) if known == BY_TENSION else state.span
+            if abs(reached - wanted) <= 1e-14 * size and abs(state.height_error) <= 1e-14 * size:
+                return state
+    return failed(NOT_CONVERGED)
 
 
 def _bracket(

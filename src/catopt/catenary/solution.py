@@ -139,7 +139,7 @@ class SwarmReport:
     objective : float
         Smallest f, m.
     evaluations, iterations, runs, seed : int
-        Evaluations of f over all runs, iterations a run, runs, seed.
+        Evaluations of f over all runs, iterations that a run may take, runs, seed.
     converged_runs : int
         Runs that ended with f < 1e-9 m.
     best_run : int
@@ -152,6 +152,8 @@ class SwarmReport:
         Swarm minus closed form: ``angle_rad`` or ``grounded_length_m``, ``span_m``, ``tension_N``.
     best_objective_history, tension_history : tuple of float
         Best f (m) and the fairlead tension at that place (N) after each iteration of the best run.
+    iterations_flown : tuple of int
+        Iterations that each run took: fewer than `iterations` where f could not fall any more.
     """
 
     objective: float
@@ -166,6 +168,7 @@ class SwarmReport:
     closed_form_difference: dict[str, float]
     best_objective_history: tuple[float, ...]
     tension_history: tuple[float, ...]
+    iterations_flown: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ def next_touchdown(H: float, height: float, pieces: Pieces, after: int) -> tuple
             or drop(H, low + carried, pieces, code)[0] < height
         ):
             continue
-        V = vertical_force(H, height, pieces, code, low + 0.5 * carried, low)
+        V = vertical_force(H, height, pieces, code, low + 0.5 * carried, low, 0.0)
         if not math.isnan(V):
             return code, V
     return _NONE

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Literal, get_args
 
@@ -35,7 +36,13 @@ class Checks:
         found = Findings("Checks")
         found.number("safety_factor", self.safety_factor, "", at_least=1.0)
         if self.max_anchor_uplift_angle is not None:
-            found.number("max_anchor_uplift_angle", self.max_anchor_uplift_angle, "rad", at_least=0)
+            found.number(
+                "max_anchor_uplift_angle",
+                self.max_anchor_uplift_angle,
+                "rad",
+                at_least=0.0,
+                at_most=math.pi / 2.0,
+            )
         found.raise_if_any()
 
 
@@ -64,8 +71,8 @@ class SwarmSettings:
     seed: int = 1
     cognitive: float = 1.5
     social: float = 1.5
-    inertia: float = 0.5
-    boundary: Boundary = "nearest"
+    inertia: float = 0.4
+    boundary: Boundary = "reflective"
 
     def __post_init__(self) -> None:
         found = Findings("SwarmSettings")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 
 from catopt.errors import InputError, Problem
 
@@ -42,8 +43,11 @@ class Findings:
         infinite : bool
             Whether positive infinity is allowed.
         """
-        if isinstance(value, bool) or not isinstance(value, (int, float)) or math.isnan(value):
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
             self.add(key, repr(value), f"a number{_in(unit)} is wanted")
+            return
+        if isinstance(value, int) and abs(value) > sys.float_info.max:
+            self.add(key, "a whole number beyond all floats", f"a number{_in(unit)} is wanted")
             return
         if math.isinf(value) and not (infinite and value > 0.0):
             self.add(key, repr(value), f"a finite number{_in(unit)} is wanted")

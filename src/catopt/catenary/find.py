@@ -1,0 +1,389 @@
+"""The questions turned round: which length, force or clump weight gives what is wanted.
+
+Each is one bracketed root (Brent, scipy) of a quantity that rises or falls with the unknown, over
+the closed form; each answer carries the line it belongs to and what is left of its condition.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.errors import (
+    InputError,
+    NoAnswerError,
+    NoEquilibriumError,
+    NotConvergedError,
+    Problem,
+)
+from catopt.model import Line, PointLoad
+
+__all__ = [
+    "Found",
+    "find_clump_weight",
+    "find_length",
+    "find_limit_force",
+    "find_touchdown_force",
+    "with_segment_length",
+]
+
+ROUNDING = 4.0 * 2.0**-52
+FAR = 1e9
+"""How many times its natural size an unknown may grow before it is called out of reach."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """An unknown that meets a condition.
+
+    Attributes
+    ----------
+    quantity : str
+        What was sought: ``"length"``, ``"horizontal_force"`` or ``"clump_weight"``.
+    value : float
+        Its value: m or N.
+    condition : str
+        What it has to give, in words.
+    residual : float
+        By how much the condition is missed, as a part of the quantity it is put on.
+    solution : Solution
+        The line with this value.
+    """
+
+    quantity: str
+    value: float
+    condition: str
+    residual: float
+    solution: Solution
+
+
+def find_length(
+    line: Line,
+    *,
+    height: float,
+    horizontal_force: float | None = None,
+    fairlead_tension: float | None = None,
+    segment: int = -1,
+    anchor_angle: float | None = None,
+    grounded_length: float | None = None,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+) -> Found:
+    """Find the length of one segment that gives an anchor angle or a grounded length.
+
+    Point loads keep their place on their own segment.
+
+    Parameters
+    ----------
+    line : Line
+        The line; the length of the segment sought is where the search starts.
+    height, horizontal_force, fairlead_tension, seabed_friction, anchor_height
+        As for `solve`; one of the two loads.
+    segment : int
+        Which segment, counted from 0 at the anchor; -1 is the one at the fairlead.
+    anchor_angle : float, optional
+        Inclination at the anchor, rad; 0 brings the touchdown to the anchor.
+    grounded_length : float, optional
+        Unstretched length on the bed, m, above 0.
+
+    Raises
+    ------
+    InputError
+        Unless exactly one of `anchor_angle` and `grounded_length` is given, in range.
+    NoAnswerError
+        When no length gives it.
+    """
+    index = _index("segment", segment, len(line.segments))
+    _one_of(anchor_angle=anchor_angle, grounded_length=grounded_length)
+
+    def at(length: float) -> Solution:
+        return solve(
+            with_segment_length(line, index, length),
+            height=height,
+            horizontal_force=horizontal_force,
+            fairlead_tension=fairlead_tension,
+            seabed_friction=seabed_friction,
+            anchor_height=anchor_height,
+        )
+
+    if anchor_angle is not None:
+        condition = f"inclination at the anchor {math.degrees(anchor_angle):.6g} deg"
+        miss = _angle_miss(anchor_angle)
+    else:
+        assert grounded_length is not None
+        condition = f"grounded length {grounded_length:.6g} m"
+        miss = _grounded_miss(grounded_length)
+    shortest = _shortest(line, index, abs(height - anchor_height))
+    start = max(line.segments[index].length, shortest * (1.0 + 1e-6))
+    return _find("length", condition, at, miss, start, shortest, falls=True)
+
+
+def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 0.0) -> Found:
+    """Find the horizontal force at which the touchdown reaches the anchor; above it the anchor lifts.
+
+    For a uniform inextensible line it is (w/2)(L2/h - h), S2 and S3.
+
+    Parameters
+    ----------
+    line : Line
+        Anchored on the bed.
+    height, seabed_friction
+        As for `solve`.
+    """
+
+    def at(force: float) -> Solution:
+        return solve(line, height=height, horizontal_force=force, seabed_friction=seabed_friction)
+
+    return _find(
+        "horizontal_force",
+        "touchdown at the anchor",
+        at,
+        _angle_miss(0.0),
+        abs(line.submerged_weight),
+        0.0,
+        falls=False,
+    )
+
+
+def find_clump_weight(
+    line: Line,
+    *,
+    height: float,
+    horizontal_force: float | None = None,
+    span: float | None = None,
+    fairlead_tension: float | None = None,
+    point_load: int = 0,
+    anchor_angle: float = 0.0,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+) -> Found:
+    """Find the submerged weight of a point load that brings the anchor angle down to a value.
+
+    Parameters
+    ----------
+    line : Line
+        With the clump weight in its place; its weight is ignored.
+    height, horizontal_force, span, fairlead_tension, seabed_friction, anchor_height
+        As for `solve`.
+    point_load : int
+        Which point load, counted from 0 at the anchor.
+    anchor_angle : float
+        rad.
+
+    Raises
+    ------
+    NoAnswerError
+        When the angle is no larger without it, or no weight brings it down.
+    """
+    index = _index("point_load", point_load, len(line.point_loads))
+
+    def at(weight: float) -> Solution:
+        loads = list(line.point_loads)
+        loads[index] = replace(loads[index], submerged_weight=weight, mass=None)
+        return solve(
+            Line(line.segments, loads),
+            height=height,
+            horizontal_force=horizontal_force,
+            span=span,
+            fairlead_tension=fairlead_tension,
+            seabed_friction=seabed_friction,
+            anchor_height=anchor_height,
+        )
+
+    miss = _angle_miss(anchor_angle)
+    condition = f"inclination at the anchor {math.degrees(anchor_angle):.6g} deg"
+    without = at(0.0)
+    if miss(without)[0] <= 0.0:
+        raise NoAnswerError(
+            f"no clump weight is needed: without it the inclination at the anchor is "
+            f"{math.degrees(without.anchor.angle):.4g} deg, not above the "
+            f"{math.degrees(anchor_angle):.4g} deg asked for"
+        )
+    size = max(abs(line.submerged_weight), 1e-3 * without.fairlead.tension)
+    return _find("clump_weight", condition, at, miss, size, 0.0, falls=True)
+
+
+def find_limit_force(
+    line: Line,
+    *,
+    height: float,
+    safety_factor: float = 1.0,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+) -> Found:
+    """Find the horizontal force at which the first segment reaches MBL over the safety factor.
+
+    Parameters
+    ----------
+    line : Line
+        At least one segment has an MBL.
+    height, seabed_friction, anchor_height
+        As for `solve`.
+    safety_factor : float
+        At least 1.
+    """
+    if all(segment.MBL is None for segment in line.segments):
+        raise InputError(
+            [Problem("segments[].MBL", "none", "at least one segment needs its MBL")],
+            "find_limit_force",
+        )
+
+    def at(force: float) -> Solution:
+        return solve(
+            line,
+            height=height,
+            horizontal_force=force,
+            seabed_friction=seabed_friction,
+            anchor_height=anchor_height,
+        )
+
+    def miss(solution: Solution) -> tuple[float, float]:
+        used = [state.utilisation(safety_factor) for state in solution.segments]
+        return max(value for value in used if value is not None) - 1.0, 1.0
+
+    condition = f"tension of the first segment at MBL / {safety_factor:g}"
+    start = min(s.MBL for s in line.segments if s.MBL is not None) / safety_factor
+    return _find("horizontal_force", condition, at, miss, 0.5 * start, 0.0, falls=False)
+
+
+def with_segment_length(line: Line, segment: int, length: float) -> Line:
+    """Return a line with one segment's length changed; point loads keep their place on theirs.
+
+    Parameters
+    ----------
+    line : Line
+        The line.
+    segment : int
+        Which, counted from 0 at the anchor.
+    length : float
+        m.
+    """
+    segments = list(line.segments)
+    change = length - segments[segment].length
+    joint = math.fsum(part.length for part in segments[: segment + 1])
+    segments[segment] = replace(segments[segment], length=length)
+    return Line(segments, [_moved(load, joint, change) for load in line.point_loads])
+
+
+def _moved(load: PointLoad, joint: float, change: float) -> PointLoad:
+    return replace(load, position=load.position + change) if load.position > joint else load
+
+
+Miss = Callable[[Solution], tuple[float, float]]
+"""What is missing of a condition, positive above it, and the size to measure it by."""
+
+
+def _angle_miss(angle: float) -> Miss:
+    """Vertical force at the anchor above the one wanted; below 0, what lies on the bed counts."""
+
+    def miss(solution: Solution) -> tuple[float, float]:
+        V = solution.anchor.vertical_force
+        if solution.regime in ("grounded", "on-bed", "slack"):
+            V = solution.fairlead.vertical_force - solution.line.submerged_weight
+        wanted = solution.horizontal_force * math.tan(angle)
+        return V - wanted, solution.fairlead.tension
+
+    return miss
+
+
+def _grounded_miss(length: float) -> Miss:
+    """Grounded length short of the one wanted; of a lifted line, what would lift it further."""
+
+    def miss(solution: Solution) -> tuple[float, float]:
+        total = solution.line.length
+        if solution.grounded_length > 0.0:
+            return length - solution.grounded_length, total
+        weight = abs(solution.line.submerged_weight) / total
+        return length + abs(solution.anchor.vertical_force) / max(weight, 1e-300), total
+
+    return miss
+
+
+def _find(
+    quantity: str,
+    condition: str,
+    at: Callable[[float], Solution],
+    miss: Miss,
+    start: float,
+    least: float,
+    *,
+    falls: bool,
+) -> Found:
+    """Bracket the root by growing strides away from `least`, then close in on it."""
+    from scipy.optimize import brentq
+
+    def error(value: float) -> float:
+        try:
+            found = miss(at(value))[0]
+        except NoEquilibriumError as stop:
+            # Too short a line pulls without bound; too little tension lifts nothing.
+            found = math.inf if stop.quantity == "length" else -math.inf
+        return -found if falls else found
+
+    low, high = _bracket(error, start, least, quantity, condition)
+    value = float(brentq(error, low, high, xtol=ROUNDING * high, rtol=ROUNDING))
+    solution = at(value)
+    left, size = miss(solution)
+    if abs(left) > 1e-8 * size:
+        raise NotConvergedError(
+            f"the search for the {quantity} stopped where the {condition} is missed by {left:.3g}"
+        )
+    return Found(quantity, value, condition, left / size, solution)
+
+
+def _bracket(
+    error: Callable[[float], float], start: float, least: float, quantity: str, condition: str
+) -> tuple[float, float]:
+    """Values with the error below and above 0, both finite."""
+    high = start
+    while error(high) < 0.0:
+        high = least + 2.0 * (high - least)
+        if high > FAR * max(start, 1.0):
+            raise NoAnswerError(f"no {quantity.replace('_', ' ')} gives {condition}")
+    low = start
+    while error(low) > 0.0:
+        low = least + 0.5 * (low - least)
+        if low - least < start / FAR:
+            raise NoAnswerError(f"no {quantity.replace('_', ' ')} gives {condition}")
+    while math.isinf(error(low)):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            raise NoAnswerError(f"no {quantity.replace('_', ' ')} gives {condition}")
+        low, high = (middle, high) if error(middle) <= 0.0 else (low, middle)
+    return low, high
+
+
+def _shortest(line: Line, segment: int, rise: float) -> float:
+    """Length of a segment below which the line surely does not reach up to its fairlead, m."""
+    others = line.length - line.segments[segment].length
+    on_it = [load.position for load in line.point_loads]
+    before = math.fsum(part.length for part in line.segments[:segment])
+    end = before + line.segments[segment].length
+    held = max((p - before for p in on_it if before < p <= end), default=0.0)
+    is_stiff = all(math.isinf(part.EA) for part in line.segments)
+    return max(rise - others, held, 0.0) if is_stiff else held
+
+
+def _index(key: str, index: int, count: int) -> int:
+    if -count <= index < count:
+        return index % count
+    problem = Problem(key, str(index), f"from 0 to {count - 1}" if count else "the line has none")
+    raise InputError([problem], "find")
+
+
+def _one_of(**given: float | None) -> None:
+    chosen = {key: value for key, value in given.items() if value is not None}
+    problems = []
+    if len(chosen) != 1:
+        names = " and ".join(given)
+        problems.append(Problem(names, f"{len(chosen)} of them", "exactly one is wanted"))
+    for key, value in chosen.items():
+        is_angle = key == "anchor_angle"
+        if not (0.0 <= value < math.pi / 2 if is_angle else 0.0 < value < math.inf):
+            allowed = "from 0 to below pi/2 rad" if is_angle else "a length above 0 m"
+            problems.append(Problem(key, repr(value), allowed))
+    if problems:
+        raise InputError(problems, "find")

@@ -1,0 +1,138 @@
+"""A case written and read again is the same case, to the last digit."""
+
+from __future__ import annotations
+
+import math
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from catopt.casefile import parse_case, write_case
+from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.model.case import BOUNDARY_HANDLINGS
+
+POSITIVE = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
+NOT_NEGATIVE = st.floats(min_value=0.0, allow_infinity=False)
+ANY = st.floats(allow_nan=False, allow_infinity=False)
+TEXT = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
+LENGTHS = st.floats(min_value=1e-3, max_value=1e5)
+
+SEGMENTS = st.builds(
+    Segment,
+    length=LENGTHS,
+    submerged_weight=ANY,
+    EA=POSITIVE | st.just(math.inf),
+    mass=st.none() | NOT_NEGATIVE,
+    MBL=st.none() | POSITIVE,
+    name=TEXT,
+)
+LOADS = st.one_of(
+    *(
+        st.builds(Load, **{key: POSITIVE})
+        for key in ("horizontal_force", "span", "fairlead_tension")
+    )
+)
+CHECKS = st.builds(
+    Checks,
+    safety_factor=st.floats(min_value=1.0, allow_infinity=False),
+    max_anchor_uplift_angle=st.none() | st.floats(0.0, math.pi / 2.0),
+)
+SWARMS = st.builds(
+    SwarmSettings,
+    particles=st.integers(2, 10**9),
+    iterations=st.integers(1, 10**9),
+    runs=st.integers(1, 10**9),
+    seed=st.integers(0, 2**63 - 1),
+    cognitive=st.floats(0.0, 4.0),
+    social=st.floats(0.0, 4.0),
+    inertia=st.floats(0.0, 1.0),
+    boundary=st.sampled_from(BOUNDARY_HANDLINGS),
+)
+
+
+@st.composite
+def lines(draw: st.DrawFn) -> Line:
+    segments = draw(st.lists(SEGMENTS, min_size=1, max_size=3))
+    total = math.fsum(segment.length for segment in segments)
+    loads = st.builds(
+        PointLoad,
+        position=st.floats(0.0, total, exclude_min=True, exclude_max=True),
+        submerged_weight=ANY,
+        mass=st.none() | NOT_NEGATIVE,
+        name=TEXT,
+    )
+    return Line(segments, draw(st.lists(loads, max_size=3)))
+
+
+@st.composite
+def cases(draw: st.DrawFn) -> Case:
+    anchor, fairlead = sorted([draw(NOT_NEGATIVE), draw(NOT_NEGATIVE)])
+    return Case(
+        site=Site(draw(POSITIVE), draw(NOT_NEGATIVE), draw(POSITIVE)),
+        line=draw(lines()),
+        load=draw(LOADS),
+        fairlead_height=fairlead,
+        anchor_height=anchor,
+        checks=draw(CHECKS),
+        swarm=draw(SWARMS),
+        title=draw(TEXT),
+        source=draw(TEXT),
+    )
+
+
+@given(cases())
+@settings(deadline=None)  # the first example builds the schema
+def test_a_written_case_is_read_back_exactly(case: Case) -> None:
+    assert parse_case(write_case(case)) == case
+
+
+def test_the_written_file_reads_like_one_by_hand() -> None:
+    case = Case(
+        site=Site(9.5),
+        line=Line(
+            [Segment(20, 93.163175, EA=4.1e7, mass=10.9)], [PointLoad(7.0, 490.3325, name="sinker")]
+        ),
+        load=Load(horizontal_force=3363.68095),
+        fairlead_height=9.5,
+        swarm=SwarmSettings(200, 200, 1, 1, 1.5, 1.5, 0.5, "nearest"),
+        title='The "9.5 m" buoy',
+    )
+    assert write_case(case) == (
+        'title = "The \\"9.5 m\\" buoy"\n'
+        "\n"
+        "[site]\n"
+        'water_depth = "9.5 m"\n'
+        "seabed_friction = 0.0\n"
+        'water_density = "1025.0 kg/m^3"\n'
+        "\n"
+        "[line]\n"
+        'fairlead_height = "9.5 m"\n'
+        'anchor_height = "0.0 m"\n'
+        "\n"
+        "[[line.segments]]\n"
+        'length = "20.0 m"\n'
+        'submerged_weight = "93.163175 N/m"\n'
+        'mass = "10.9 kg/m"\n'
+        'EA = "41000000.0 N"\n'
+        "\n"
+        "[[line.point_loads]]\n"
+        'name = "sinker"\n'
+        'position = "7.0 m"\n'
+        'submerged_weight = "490.3325 N"\n'
+        "\n"
+        "[load]\n"
+        'horizontal_force = "3363.68095 N"\n'
+        "\n"
+        "[checks]\n"
+        "safety_factor = 1.0\n"
+        "\n"
+        "[pso]\n"
+        "particles = 200\n"
+        "iterations = 200\n"
+        "runs = 1\n"
+        "seed = 1\n"
+        "cognitive = 1.5\n"
+        "social = 1.5\n"
+        "inertia = 0.5\n"
+        'boundary = "nearest"\n'
+    )

@@ -1,0 +1,232 @@
+"""The schema of the case file against the model and against its documentation."""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Callable, Iterator
+from dataclasses import MISSING, fields
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+
+from catopt.casefile import parse_case
+from catopt.casefile.fields import Kind, Measured, OneOf, Text, Whole
+from catopt.casefile.schema import (
+    CaseTable,
+    ChecksTable,
+    LineTable,
+    LoadTable,
+    PointLoadTable,
+    PsoTable,
+    SegmentTable,
+    SiteTable,
+    Table,
+    entries,
+)
+from catopt.errors import InputError
+from catopt.model import Case, Checks, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.units import UNITS, Dimension
+
+PAGE = (Path(__file__).parents[2] / "docs" / "case-file.md").read_text(encoding="utf-8")
+
+
+def tables(
+    table: type[Table] = CaseTable, path: str = "", header: str = ""
+) -> dict[str, type[Table]]:
+    """Every table of the schema by the line that opens it; the top of the file by an empty one."""
+    found = {header: table}
+    for key, entry in entries(table).items():
+        if entry.table is not None:
+            below = f"{path}.{key}".lstrip(".")
+            found |= tables(entry.table, below, f"[[{below}]]" if entry.array else f"[{below}]")
+    return found
+
+
+# The model: the same names, the same ranges, the defaults of the page.
+
+MODEL: dict[type[Table], tuple[Callable[..., object], dict[str, Any]]] = {
+    SiteTable: (Site, {"water_depth": 9.5}),
+    SegmentTable: (Segment, {"length": 20.0, "submerged_weight": 93.0}),
+    PointLoadTable: (PointLoad, {"position": 7.0, "submerged_weight": 490.0}),
+    LoadTable: (Load, {}),
+    ChecksTable: (Checks, {}),
+    PsoTable: (SwarmSettings, {}),
+}
+"""For each table the model's class and what it needs at least."""
+
+NOT_IN_THE_MODEL = {(PointLoadTable, "density")}
+NARROWER = {(ChecksTable, "max_anchor_uplift_angle")}
+"""Limited to a right angle, because a bare 5 is more likely meant in degrees."""
+
+PROBES = [-1, -5e-324, 0, 5e-324, 0.5, 1, 2, 3, 4, math.nextafter(4.0, 5.0), 1e300, "", "nearest"]
+
+
+def accepts(function: Callable[..., object], *args: object, **kwargs: object) -> bool:
+    try:
+        function(*args, **kwargs)
+    except InputError:
+        return False
+    return True
+
+
+def keys_with_a_value() -> Iterator[tuple[type[Table], str, Kind]]:
+    for table in MODEL:
+        for key, entry in entries(table).items():
+            if entry.kind is not None and (table, key) not in NOT_IN_THE_MODEL:
+                yield table, key, entry.kind
+
+
+@pytest.mark.parametrize(("table", "key", "kind"), list(keys_with_a_value()))
+def test_the_ranges_are_those_of_the_model(table: type[Table], key: str, kind: Kind) -> None:
+    build, needed = MODEL[table]
+    textual = isinstance(kind, Text | OneOf)
+    whole = isinstance(kind, Whole)
+    probes = [p for p in PROBES if isinstance(p, str) == textual]
+    for probe in (p for p in probes if not whole or isinstance(p, int)):
+        by_file = accepts(kind.read, probe)
+        by_model = accepts(build, **{**needed, key: probe})
+        if (table, key) in NARROWER:
+            assert by_model or not by_file, probe
+        else:
+            assert by_file == by_model, probe
+
+
+def test_the_heights_have_the_ranges_of_the_model() -> None:
+    for key in ("fairlead_height", "anchor_height"):
+        kind = entries(LineTable)[key].kind
+        assert isinstance(kind, Measured)
+        assert (kind.above, kind.at_least, kind.at_most) == (None, 0.0, None)
+
+
+def test_every_attribute_of_the_model_has_its_key() -> None:
+    for table, (build, _) in MODEL.items():
+        assert isinstance(build, type)
+        attributes = {f.name for f in fields(build)}
+        extra = {key for owner, key in NOT_IN_THE_MODEL if owner is table}
+        assert set(entries(table)) == attributes | extra
+    renamed = {"pso": "swarm"}
+    lifted = {"fairlead_height", "anchor_height"}
+    assert {renamed.get(k, k) for k in entries(CaseTable)} == {
+        f.name for f in fields(Case)
+    } - lifted
+
+
+# The page: every key, and none that is not there.
+
+
+class Row(NamedTuple):
+    si: str
+    default: str
+    range: str
+    meaning: str
+    example: str
+
+
+def documented() -> dict[str, dict[str, Row]]:
+    """Rows of the page's tables of keys, by the line that opens the section."""
+    sections: dict[str, dict[str, Row]] = {}
+    for part in PAGE.split("\n## ")[1:]:
+        title = part.splitlines()[0]
+        if title == "Top of the file" or title.startswith("`["):
+            rows = re.findall(r"^\| `([^`]+)` \| (.+) \|$", part, re.MULTILINE)
+            header = title.strip("`") if title.startswith("`") else ""
+            sections[header] = {key: Row(*cells.split(" | ")) for key, cells in rows}
+    return sections
+
+
+def test_the_page_has_exactly_the_sections_and_keys_of_the_schema() -> None:
+    schema = {
+        header: [key for key, entry in entries(table).items() if entry.kind is not None]
+        for header, table in tables().items()
+    }
+    assert {header: list(rows) for header, rows in documented().items()} == schema
+
+
+def documented_keys() -> Iterator[tuple[type[Table], str, Row]]:
+    for header, rows in documented().items():
+        for key, row in rows.items():
+            yield tables()[header], key, row
+
+
+@pytest.mark.parametrize(("table", "key", "row"), list(documented_keys()))
+def test_unit_range_default_and_example_are_right(table: type[Table], key: str, row: Row) -> None:
+    entry = entries(table)[key]
+    assert entry.kind is not None
+    assert row.si == (
+        entry.kind.dimension.si_unit or "-" if isinstance(entry.kind, Measured) else "-"
+    )
+    assert row.range == range_of(entry.kind)
+    assert (row.default == "required") == entry.required
+    assert row.meaning
+    example = parse_value(row.example)
+    assert accepts(entry.kind.read, example)
+
+
+def parse_value(text: str) -> object:
+    return tomllib.loads(f"value = {text.strip('`')}")["value"]
+
+
+def range_of(kind: Kind) -> str:
+    """Write a range as the page does."""
+    if isinstance(kind, Text):
+        return "text"
+    if isinstance(kind, OneOf):
+        return "one of " + ", ".join(kind.words)
+    if isinstance(kind, Whole):
+        return f"{kind.at_least} or more"
+    assert isinstance(kind, Measured)
+    if kind.at_most is not None:
+        top = "pi/2" if kind.at_most == math.pi / 2.0 else f"{kind.at_most:g}"
+        return f"{kind.at_least:g} to {top}"
+    if kind.above is not None:
+        return f"above {kind.above:g}"
+    return "any" if kind.at_least is None else f"{kind.at_least:g} or more"
+
+
+def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
+    compared = 0
+    for header, rows in documented().items():
+        table = tables()[header]
+        if table not in MODEL:
+            continue
+        build, _ = MODEL[table]
+        for field in fields(build):  # type: ignore[arg-type]
+            if field.default in (MISSING, None, math.inf, ""):
+                continue
+            assert rows[field.name].default == str(field.default), field.name
+            compared += 1
+    assert compared == 2 + 1 + 8  # site, checks, pso
+
+
+def test_the_units_on_the_page_are_those_of_the_table() -> None:
+    rows = re.findall(
+        r"^\| ([a-z ]+) \| (`.+) \|$", PAGE.split("## Top of the file")[0], re.MULTILINE
+    )
+    used = {
+        kind.dimension
+        for table in tables().values()
+        for kind in (entry.kind for entry in entries(table).values())
+        if isinstance(kind, Measured)
+    }
+    on_page = {name: re.findall(r"`([^`]+)`", units) for name, units in rows}
+    expected = {d.noun.split(" ", 1)[1]: list(UNITS[d]) for d in Dimension if d in used}
+    assert on_page == expected
+
+
+def test_the_example_on_the_page_is_a_case_and_its_mistakes_are_told_as_shown() -> None:
+    (example,) = re.findall(r"^```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+    assert parse_case(example).title == "Marker buoy, 9.5 m"
+    shown = re.findall(r"^```text\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+    wrong = (
+        example.replace("water_depth", "watr_depth")
+        .replace('"20 m"', '"20 kg"')
+        .replace('kgf/m"', 'kgf/m"\nEA = 0')
+        .replace("0.343 tf", "0.343 t")
+    )
+    for text, message in zip((wrong, example.replace('"20 m"', "20 m")), shown, strict=True):
+        with pytest.raises(InputError) as caught:
+            parse_case(text, "case.toml")
+        assert f"{caught.value}\n" == message

@@ -1,0 +1,54 @@
+"""The commented cases to start from."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+import catopt.casefile
+from catopt.casefile import TEMPLATES, parse_case, read_case, template
+from catopt.casefile.schema import entries
+from catopt.errors import InputError
+from tests.casefile.test_schema import tables
+
+CASES = Path(__file__).parents[2] / "cases"
+
+
+def test_the_buoy_is_the_case_of_the_project() -> None:
+    assert parse_case(template("buoy")) == read_case(CASES / "buoy-9.5m" / "case.toml")
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_every_key_is_there_and_is_commented(name: str) -> None:
+    lines = template(name).splitlines()
+    for header, table in tables().items():
+        for key, entry in entries(table).items():
+            if entry.kind is not None and header:
+                given = [line for line in lines if re.match(rf"(# )?{key} = ", line)]
+                assert given, key
+    assert all(len(line) <= 100 for line in lines)
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_what_is_commented_out_is_right_too(name: str) -> None:
+    """With its comment marks off every optional key is read; three are given another way."""
+    text = re.sub(r"^# (?=\[\[|\w+ = )", "", template(name), flags=re.MULTILINE)
+    for other in ("span", "fairlead_tension", "density"):
+        assert re.search(rf"^{other} = ", text, re.MULTILINE)
+        text = re.sub(rf"^{other} = .*\n", "", text, flags=re.MULTILINE)
+    case = parse_case(text)
+    assert case.line.segments[0].MBL is not None
+    assert case.line.point_loads[0].mass is not None
+    assert case.checks.max_anchor_uplift_angle == 0.0
+
+
+def test_each_template_is_a_file_and_the_other_way_round() -> None:
+    folder = Path(catopt.casefile.__file__).parent / "templates"
+    assert sorted(path.stem for path in folder.iterdir()) == sorted(TEMPLATES)
+
+
+def test_an_unknown_template_is_refused() -> None:
+    with pytest.raises(InputError, match='template: found "bouy"; one of buoy is wanted'):
+        template("bouy")

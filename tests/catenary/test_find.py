@@ -1,0 +1,128 @@
+"""The questions turned round, against formulas and by putting each answer back in."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from catopt.catenary.find import (
+    find_clump_weight,
+    find_length,
+    find_limit_force,
+    find_touchdown_force,
+    with_segment_length,
+)
+from catopt.catenary.solve import solve
+from catopt.constants import STANDARD_GRAVITY
+from catopt.errors import InputError, NoAnswerError
+from catopt.model import Line, PointLoad, Segment
+from tests.catenary.random_lines import random_setting
+
+TANKER = Line([Segment(55.0, 2100.0, MBL=770e3 * STANDARD_GRAVITY)])
+
+
+def test_touchdown_force_of_s3() -> None:
+    """S3 Table 1 prints 137.81 kN for (w/2)(L2/h - h) = 137.8125 kN."""
+    found = find_touchdown_force(TANKER, height=20.0)
+    assert found.value == pytest.approx(2100.0 / 2 * (55.0**2 / 20.0 - 20.0), rel=1e-12)
+    assert found.solution.anchor.angle == pytest.approx(0.0, abs=1e-12)
+
+
+def test_length_that_lays_the_anchor_flat_is_the_shortest_suspended_one() -> None:
+    """L_min = sqrt(h (h + 2 a)), S2 (1)."""
+    found = find_length(TANKER, height=20.0, horizontal_force=450e3, anchor_angle=0.0)
+    expected = math.sqrt(20.0 * (20.0 + 2 * 450e3 / 2100.0))
+    assert found.value == pytest.approx(expected, rel=1e-12)
+
+
+def test_length_of_s2_with_the_sinker() -> None:
+    """S2: 50 kN at 200 m lets 27.7 m be saved of 600 m under 800 kN (printed digits)."""
+    line = Line([Segment(600.0, 1000.0)], [PointLoad(200.0, 50e3)])
+    found = find_length(line, height=200.0, horizontal_force=800e3, anchor_angle=0.0)
+    assert 600.0 - found.value == pytest.approx(27.7, abs=0.05)
+    assert found.solution.fairlead.tension == pytest.approx(1013.5e3, abs=50.0)
+
+
+def test_length_for_an_angle_and_back() -> None:
+    there = find_length(TANKER, height=20.0, horizontal_force=450e3, anchor_angle=0.1)
+    back = solve(Line([Segment(there.value, 2100.0)]), height=20.0, horizontal_force=450e3)
+    assert back.anchor.angle == pytest.approx(0.1, rel=1e-10)
+
+
+def test_length_for_a_grounded_length() -> None:
+    """Under 100 kN 48.01 m hang (S3 Table 1), so 10 m on the bed take 58.01 m."""
+    found = find_length(TANKER, height=20.0, horizontal_force=100e3, grounded_length=10.0)
+    hanging = math.sqrt(20.0 * (20.0 + 2 * 100e3 / 2100.0))
+    assert found.value == pytest.approx(10.0 + hanging, rel=1e-10)
+
+
+def test_length_under_a_known_tension() -> None:
+    """T = H + w h from the bed up, so T = 492 kN is H = 450 kN at the same length."""
+    by_force = find_length(TANKER, height=20.0, horizontal_force=450e3, anchor_angle=0.0)
+    by_tension = find_length(TANKER, height=20.0, fairlead_tension=492e3, anchor_angle=0.0)
+    assert by_tension.value == pytest.approx(by_force.value, rel=1e-10)
+
+
+def test_length_of_one_segment_moves_what_hangs_above_it() -> None:
+    line = Line([Segment(30.0, 300.0), Segment(40.0, 2100.0)], [PointLoad(50.0, 1e4)])
+    longer = with_segment_length(line, 0, 36.0)
+    assert longer.point_loads[0].position == 56.0
+    found = find_length(line, height=20.0, horizontal_force=300e3, segment=0, anchor_angle=0.0)
+    assert found.solution.line.segments[1].length == 40.0
+    assert found.solution.anchor.vertical_force == pytest.approx(0.0, abs=1e-6)
+
+
+def test_clump_weight_and_length_answer_each_other() -> None:
+    line = Line([Segment(55.0, 2100.0)], [PointLoad(7.0, 200e3)])
+    length = find_length(line, height=20.0, horizontal_force=450e3, anchor_angle=0.0)
+    clump = find_clump_weight(length.solution.line, height=20.0, horizontal_force=450e3)
+    assert clump.value == pytest.approx(200e3, rel=1e-10)
+
+
+def test_limit_force_at_a_fifth_of_the_breaking_load() -> None:
+    """S3: [T] = 770/5 = 154 tf at the fairlead."""
+    found = find_limit_force(TANKER, height=20.0, safety_factor=5.0)
+    tf = found.solution.fairlead.tension / (1e3 * STANDARD_GRAVITY)
+    assert tf == pytest.approx(154.0, rel=1e-12)
+
+
+def test_length_to_angle_to_length() -> None:
+    """The angle of any line that lifts its anchor leads back to its length, to 1e-10."""
+    tried = 0
+    for seed in range(60):
+        s = random_setting(seed, raised=False)
+        there = solve(s.line, height=s.height, horizontal_force=s.horizontal_force)
+        angle = there.anchor.angle
+        if angle < 1e-3:
+            continue
+        tried += 1
+        back = find_length(
+            s.line, height=s.height, horizontal_force=s.horizontal_force, anchor_angle=angle
+        )
+        # Of a flat straight line the angle hardly tells the length, hence L / h.
+        allowed = 1e-10 * s.line.length * s.line.length / s.height
+        assert back.value == pytest.approx(s.line.segments[-1].length, abs=allowed), seed
+    assert tried >= 25
+
+
+def test_no_clump_weight_needed() -> None:
+    line = Line([Segment(100.0, 2100.0)], [PointLoad(7.0, 1.0)])
+    with pytest.raises(NoAnswerError, match="no clump weight is needed"):
+        find_clump_weight(line, height=20.0, horizontal_force=100e3)
+
+
+def test_a_weightless_line_never_lies_flat() -> None:
+    with pytest.raises(NoAnswerError, match="no length gives"):
+        find_length(Line([Segment(30.0, 0.0)]), height=20.0, horizontal_force=1e3, anchor_angle=0.0)
+
+
+def test_wrong_questions() -> None:
+    with pytest.raises(InputError, match="exactly one is wanted"):
+        find_length(TANKER, height=20.0, horizontal_force=1e5)
+    with pytest.raises(InputError, match="from 0 to 0"):
+        find_length(TANKER, height=20.0, horizontal_force=1e5, anchor_angle=0.0, segment=3)
+    with pytest.raises(InputError, match="the line has none"):
+        find_clump_weight(TANKER, height=20.0, horizontal_force=1e5)
+    with pytest.raises(InputError, match="needs its MBL"):
+        find_limit_force(Line([Segment(55.0, 2100.0)]), height=20.0)
