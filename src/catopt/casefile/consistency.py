@@ -13,11 +13,9 @@ from typing import Any
 from catopt.casefile.location import Finding, Path
 from catopt.casefile.names import nearest
 from catopt.casefile.schema import (
-    LineTable,
     LoadTable,
     PointLoadTable,
     SegmentTable,
-    SiteTable,
     Table,
     entries,
 )
@@ -39,7 +37,6 @@ def consistency_findings(document: dict[str, Any]) -> list[Finding]:
     line = _table(document, "line")
     return [
         *_load(document),
-        *_heights(_table(document, "site"), line),
         *(f for path, load in _array(line, "point_loads") for f in _weight(path, load)),
         *_positions(line),
     ]
@@ -58,18 +55,6 @@ def _load(document: dict[str, Any]) -> Iterator[Finding]:
     except InputError as error:
         for problem in error.problems:
             yield Finding(("load",), problem.found, problem.allowed)
-
-
-def _heights(site: dict[str, Any], line: dict[str, Any]) -> Iterator[Finding]:
-    """Find an anchor above its fairlead."""
-    fairlead = _number(LineTable, "fairlead_height", line)
-    if "fairlead_height" not in line:
-        fairlead = _number(SiteTable, "water_depth", site)
-    anchor = _number(LineTable, "anchor_height", line)
-    if fairlead is not None and anchor is not None and anchor > fairlead:
-        found = as_written(line["anchor_height"])
-        allowed = f"must not be above the fairlead, which is at {fairlead:g} m"
-        yield Finding(("line", "anchor_height"), found, allowed)
 
 
 def _weight(path: Path, load: dict[str, Any]) -> Iterator[Finding]:

@@ -18,6 +18,9 @@ __all__ = ["REFUSED", "Kind", "Measured", "OneOf", "Text", "Whole"]
 REFUSED = "refused"
 """Type of the pydantic errors that carry our own ``found`` and ``allowed``."""
 
+_LARGEST_WHOLE = 2**63 - 1
+"""What TOML asks every reader to hold."""
+
 
 class Kind(ABC):
     """A kind of value; stands in the ``Annotated`` type of a key."""
@@ -75,7 +78,7 @@ class Measured(Kind):
         if beyond is not None:
             # Too large for a bare number: perhaps it was meant in another unit.
             large = self.at_most is not None and si > self.at_most and not isinstance(value, str)
-            hint = f"; a bare number is in {unit}, unlike {self.dimension.example}"
+            hint = f"; a bare number is in {unit}: give a unit, as in {self.dimension.example}"
             raise _refused(value, beyond + (hint if large and unit else ""))
         return si
 
@@ -104,6 +107,8 @@ class Whole(Kind):
         """Return the number."""
         if isinstance(value, bool) or not isinstance(value, int):
             raise _refused(value, self.wanted)
+        if abs(value) > _LARGEST_WHOLE:
+            raise _refused(value, f"must be {_LARGEST_WHOLE} or less")
         beyond = _out_of_range(value, "", None, self.at_least, None)
         if beyond is not None:
             raise _refused(value, beyond)

@@ -1,0 +1,52 @@
+"""Solve a case file's line by particle swarm."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from catopt.catenary.solution import Solution
+from catopt.catenary.swarm.solve import solve_swarm
+from catopt.model import Case
+from catopt.model.validity import Findings
+
+__all__ = ["solve_case_by_swarm"]
+
+
+def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = None) -> Solution:
+    """Solve a case by the particle swarm method of S1; errors as for `solve_swarm`.
+
+    Parameters
+    ----------
+    case : Case
+        With a known horizontal force, the anchor on the bed and no seabed friction: S1 has no
+        other.
+    progress : callable, optional
+        Called after each run with the number of runs done.
+    """
+    found = Findings("swarm")
+    if case.load.horizontal_force is None:
+        found.add(
+            "load", "no horizontal_force", "the swarm method wants one; the closed form does not"
+        )
+    if case.anchor_height != 0.0:
+        found.add(
+            "line.anchor_height",
+            f"{case.anchor_height:g} m",
+            "the swarm method has the anchor on the bed; the closed form does not need that",
+        )
+    if case.site.seabed_friction != 0.0:
+        found.add(
+            "site.seabed_friction",
+            f"{case.site.seabed_friction:g}",
+            "the swarm method has no friction; the closed form has",
+        )
+    found.raise_if_any()
+    assert case.load.horizontal_force is not None
+    solution = solve_swarm(
+        case.line,
+        height=case.fairlead_height,
+        horizontal_force=case.load.horizontal_force,
+        settings=case.swarm,
+        progress=progress,
+    )
+    return solution.with_case(case)

@@ -1,0 +1,237 @@
+"""Units: the small table against the units library, and every way to get a unit wrong."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+import sys
+from contextlib import suppress
+
+import pint
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from catopt.errors import InputError
+from catopt.units import UNITS, Dimension, as_written, to_si
+
+# Both sides are a handful of rounded products: a few units in the last place.
+ROUNDING = 8 * sys.float_info.epsilon
+
+
+def problem_of(value: object, dimension: Dimension) -> tuple[str, str]:
+    """Found and allowed of the one problem of a value."""
+    with pytest.raises(InputError) as caught:
+        to_si(value, dimension, key="line.length")
+    (problem,) = caught.value.problems
+    assert problem.key == "line.length"
+    return problem.found, problem.allowed
+
+
+@pytest.fixture(scope="module")
+def library() -> pint.UnitRegistry[float]:
+    return pint.UnitRegistry()
+
+
+@pytest.mark.parametrize(
+    ("dimension", "unit"), [(d, unit) for d, units in UNITS.items() for unit in units]
+)
+def test_the_table_agrees_with_the_units_library(
+    library: pint.UnitRegistry[float], dimension: Dimension, unit: str
+) -> None:
+    expected = library.Quantity(1.0, unit).to(dimension.si_unit).magnitude
+    assert UNITS[dimension][unit] == pytest.approx(expected, rel=ROUNDING)
+
+
+def test_every_dimension_has_its_si_unit_in_the_table() -> None:
+    for dimension in Dimension:
+        if dimension is not Dimension.NUMBER:
+            assert UNITS[dimension][dimension.si_unit] == 1.0
+
+
+@pytest.mark.parametrize("dimension", Dimension)
+def test_every_example_is_read_without_the_units_library(dimension: Dimension) -> None:
+    if dimension is not Dimension.NUMBER:
+        example = dimension.example.strip('"')
+        assert example.split()[1] in UNITS[dimension]
+        assert to_si(example, dimension) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "si"),
+    [
+        ("9.5 m", Dimension.LENGTH, 9.5),
+        ("9.5m", Dimension.LENGTH, 9.5),
+        (" +9.5   m ", Dimension.LENGTH, 9.5),
+        ("-.5 m", Dimension.LENGTH, -0.5),
+        ("\u22125 m", Dimension.LENGTH, -5.0),
+        ("5. m", Dimension.LENGTH, 5.0),
+        ("1e3 mm", Dimension.LENGTH, 1.0),
+        ("95 mm", Dimension.LENGTH, 0.095),
+        ("0.343 tf", Dimension.FORCE, 0.343 * 9806.65),
+        ("7100 kN", Dimension.FORCE, 7.1e6),
+        ("80 MN", Dimension.FORCE, 8e7),
+        ("2100 N/m", Dimension.FORCE_PER_LENGTH, 2100.0),
+        ("9.5 kgf/m", Dimension.FORCE_PER_LENGTH, 93.163175),
+        ("9.5 kg/m", Dimension.FORCE_PER_LENGTH, 93.163175),
+        ("0.0095 t/m", Dimension.FORCE_PER_LENGTH, 93.163175),
+        ("10.9 kg/m", Dimension.MASS_PER_LENGTH, 10.9),
+        ("120 deg", Dimension.ANGLE, 2.0 * math.pi / 3.0),
+        ("120°", Dimension.ANGLE, 2.0 * math.pi / 3.0),
+        ("1.2 m/s", Dimension.SPEED, 1.2),
+        ("2 kn", Dimension.SPEED, 2.0 * 1852.0 / 3600.0),
+        ("1025 kg/m^3", Dimension.DENSITY, 1025.0),
+        ("1025 kg/m3", Dimension.DENSITY, 1025.0),
+        ("1025 kg/m³", Dimension.DENSITY, 1025.0),
+        ("1025 kg / m**3", Dimension.DENSITY, 1025.0),
+        ("1025 kg·m⁻³", Dimension.DENSITY, 1025.0),
+        ("30 %", Dimension.NUMBER, 0.3),
+        # Units of the library. By definition: 1 ft = 0.3048 m, 1 lb = 0.45359237 kg.
+        ("100 ft", Dimension.LENGTH, 30.48),
+        ("1 kip", Dimension.FORCE, 1000 * 0.45359237 * 9.80665),
+        ("12 kip/ft", Dimension.FORCE_PER_LENGTH, 12000 * 0.45359237 * 9.80665 / 0.3048),
+        ("6.4 lb/ft", Dimension.FORCE_PER_LENGTH, 6.4 * 0.45359237 * 9.80665 / 0.3048),
+        ("100 gon", Dimension.ANGLE, math.pi / 2.0),
+        ("2 tonne", Dimension.MASS, 2000.0),
+    ],
+)
+def test_a_text_is_read_into_si(text: str, dimension: Dimension, si: float) -> None:
+    assert to_si(text, dimension) == pytest.approx(si, rel=ROUNDING)
+
+
+@pytest.mark.parametrize("number", [0, 3, -2.5, 1e-300])
+def test_a_bare_number_is_si(number: float) -> None:
+    value = to_si(number, Dimension.FORCE)
+    assert value == number
+    assert isinstance(value, float)
+
+
+LENGTH = 'a length is wanted, such as "9.5 m"'
+FORCE = 'a force is wanted, such as "50 kN"'
+
+
+@pytest.mark.parametrize(
+    ("value", "dimension", "found", "allowed"),
+    [
+        (
+            "9.5",
+            Dimension.LENGTH,
+            '"9.5"',
+            'a unit is missing: write "9.5 m", or 9.5 without quotes',
+        ),
+        ("0.3", Dimension.NUMBER, '"0.3"', "a pure number is wanted: write 0.3 without quotes"),
+        ("", Dimension.LENGTH, '""', LENGTH),
+        ("   ", Dimension.LENGTH, '"   "', LENGTH),
+        ("m", Dimension.LENGTH, '"m"', LENGTH),
+        ("about 9 m", Dimension.LENGTH, '"about 9 m"', LENGTH),
+        (True, Dimension.LENGTH, "true", LENGTH),
+        (None, Dimension.LENGTH, "None", LENGTH),
+        ({"a": 1}, Dimension.LENGTH, "a table", LENGTH),
+        ([9.5], Dimension.LENGTH, "an array of 1", LENGTH),
+        (math.nan, Dimension.LENGTH, "nan", f"must be finite; {LENGTH}"),
+        (-math.inf, Dimension.LENGTH, "-inf", f"must be finite; {LENGTH}"),
+        ("nan m", Dimension.LENGTH, '"nan m"', f"must be finite; {LENGTH}"),
+        ("-Inf m", Dimension.LENGTH, '"-Inf m"', f"must be finite; {LENGTH}"),
+        ("1e999 m", Dimension.LENGTH, '"1e999 m"', f"must be finite; {LENGTH}"),
+        ("1e308 km", Dimension.LENGTH, '"1e308 km"', f"must be finite; {LENGTH}"),
+        (
+            10**400,
+            Dimension.LENGTH,
+            "a whole number of more than 40 digits",
+            f"must be finite; {LENGTH}",
+        ),
+        ("9,5 m", Dimension.LENGTH, '"9,5 m"', 'write a decimal point and no comma, as in "9.5 m"'),
+        ("1 000 m", Dimension.LENGTH, '"1 000 m"', f"the number is not in one piece; {LENGTH}"),
+        ("1_000 m", Dimension.LENGTH, '"1_000 m"', f"the number is not in one piece; {LENGTH}"),
+        ("5 m 20 cm", Dimension.LENGTH, '"5 m 20 cm"', f"not a unit known here; {LENGTH}"),
+        ("3 bananas", Dimension.LENGTH, '"3 bananas"', f"not a unit known here; {LENGTH}"),
+        ("3 degC", Dimension.LENGTH, '"3 degC"', f"not a unit known here; {LENGTH}"),
+        ("3 m/", Dimension.LENGTH, '"3 m/"', f"not a unit known here; {LENGTH}"),
+        ("3 m3", Dimension.LENGTH, '"3 m3"', f"not a unit known here; {LENGTH}"),
+        (
+            "3 ppm",
+            Dimension.ANGLE,
+            '"3 ppm"',
+            'not a unit known here; an angle is wanted, such as "5 deg"',
+        ),
+        ("9.5 kg", Dimension.LENGTH, '"9.5 kg", a mass', LENGTH),
+        ("31 ft", Dimension.FORCE, '"31 ft", a length', FORCE),
+        ("5 kN", Dimension.NUMBER, '"5 kN", a force', "a pure number is wanted, such as 0.5"),
+        ("3 tf", Dimension.MASS, '"3 tf", a force', 'a mass is wanted, such as "5 t"'),
+        (
+            "9.5 kgf/m",
+            Dimension.MASS_PER_LENGTH,
+            '"9.5 kgf/m", a weight per length',
+            'a mass per length is wanted, such as "10.9 kg/m"',
+        ),
+        ("50 t", Dimension.FORCE, '"50 t", a mass', 'a force is wanted: write "50 tf" or "50 kN"'),
+        (
+            "300 kg",
+            Dimension.FORCE,
+            '"300 kg", a mass',
+            'a force is wanted: write "300 kgf" or "300 kN"',
+        ),
+        ("7100 KN", Dimension.FORCE, '"7100 KN"', "capitals count: write kN"),
+        ("9.5 M", Dimension.LENGTH, '"9.5 M"', "capitals count: write m"),
+        (
+            "50 kn",
+            Dimension.FORCE,
+            '"50 kn", a speed',
+            "a force is wanted; capitals count: write kN",
+        ),
+        (
+            "80 mN",
+            Dimension.FORCE,
+            '"80 mN"',
+            "mN is the millinewton; capitals count: write MN or N",
+        ),
+        (
+            "5 ton",
+            Dimension.FORCE,
+            '"5 ton"',
+            "ton is ambiguous; write t (1000 kg) or tf (9.80665 kN)",
+        ),
+    ],
+)
+def test_a_wrong_value_is_explained(
+    value: object, dimension: Dimension, found: str, allowed: str
+) -> None:
+    assert problem_of(value, dimension) == (found, allowed)
+
+
+def test_what_is_written_is_shown_short_and_on_one_line() -> None:
+    assert as_written("a\nb\x1b[31m") == '"a\\nb\\x1b[31m"'
+    assert as_written("x" * 100) == '"' + "x" * 37 + '..."'
+    assert as_written('Master\'s "buoy"') == '"Master\'s "buoy""'
+
+
+@given(st.text(max_size=30), st.sampled_from(list(Dimension)))
+@settings(deadline=None)  # the units library is loaded in one of the examples
+def test_any_text_is_read_or_refused(text: str, dimension: Dimension) -> None:
+    _read_or_refused(text, dimension)
+
+
+@given(
+    st.floats(allow_nan=False),
+    st.lists(st.sampled_from(["m", "kN", "/", "*", "^", "3", " ", "°", "ft", "-"]), max_size=6),
+    st.sampled_from(list(Dimension)),
+)
+@settings(deadline=None)
+def test_any_composed_unit_is_read_or_refused(
+    number: float, unit: list[str], dimension: Dimension
+) -> None:
+    _read_or_refused(f"{number}{''.join(unit)}", dimension)
+
+
+def _read_or_refused(text: str, dimension: Dimension) -> None:
+    with suppress(InputError):
+        assert math.isfinite(to_si(text, dimension))
+
+
+def test_the_units_library_is_loaded_only_for_what_the_table_lacks() -> None:
+    code = (
+        "import sys; from catopt.units import Dimension, to_si;"
+        "to_si('9.5 kgf/m', Dimension.FORCE_PER_LENGTH); assert 'pint' not in sys.modules;"
+        "to_si('3 ft', Dimension.LENGTH); assert 'pint' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
