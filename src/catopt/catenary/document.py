@@ -60,6 +60,11 @@ def solution_document(solution: Solution, *, with_profile: bool = False) -> dict
         "residual": {"height_m": solution.residual.height, "span_m": solution.residual.span},
         "warnings": list(solution.warnings),
     }
+    if solution.found is not None:
+        document["found"] = {
+            **asdict(solution.found),
+            "unit": "m" if solution.found.quantity == "length" else "N",
+        }
     if solution.swarm is not None:
         document["pso"] = _swarm(solution)
     if with_profile:

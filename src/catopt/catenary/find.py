@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from catopt.catenary.solution import Solution
+from catopt.catenary.solution import FoundQuantity, Solution
 from catopt.catenary.solve import solve
 from catopt.errors import (
     InputError,
@@ -19,10 +19,11 @@ from catopt.errors import (
     NotConvergedError,
     Problem,
 )
-from catopt.model import Line, PointLoad
+from catopt.model import Case, Find, Line, Load, PointLoad
 
 __all__ = [
     "Found",
+    "find_case",
     "find_clump_weight",
     "find_length",
     "find_limit_force",
@@ -36,28 +37,20 @@ FAR = 1e9
 
 
 @dataclass(frozen=True)
-class Found:
-    """An unknown that meets a condition.
+class Found(FoundQuantity):
+    """An unknown that meets a condition, with the line that has it.
 
     Attributes
     ----------
-    quantity : str
-        What was sought: ``"length"``, ``"horizontal_force"`` or ``"clump_weight"``.
-    value : float
-        Its value: m or N.
-    condition : str
-        What it has to give, in words.
-    residual : float
-        By how much the condition is missed, as a part of the quantity it is put on.
     solution : Solution
         The line with this value.
     """
 
-    quantity: str
-    value: float
-    condition: str
-    residual: float
     solution: Solution
+
+    def alone(self) -> FoundQuantity:
+        """Return the quantity without its line."""
+        return FoundQuantity(self.quantity, self.value, self.condition, self.residual)
 
 
 def find_length(
@@ -122,9 +115,10 @@ def find_length(
 
 
 def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 0.0) -> Found:
-    """Find the horizontal force at which the touchdown reaches the anchor; above it the anchor lifts.
+    """Find the horizontal force at which the touchdown reaches the anchor.
 
-    For a uniform inextensible line it is (w/2)(L2/h - h), S2 and S3.
+    Above it the line lifts at the anchor. For a uniform inextensible line it is
+    (w/2)(L2/h - h), S2 and S3.
 
     Parameters
     ----------
@@ -270,6 +264,72 @@ def with_segment_length(line: Line, segment: int, length: float) -> Line:
 
 def _moved(load: PointLoad, joint: float, change: float) -> PointLoad:
     return replace(load, position=load.position + change) if load.position > joint else load
+
+
+def find_case(case: Case) -> Found:
+    """Answer the question of a case's [find].
+
+    Parameters
+    ----------
+    case : Case
+        With `find`.
+
+    Raises
+    ------
+    InputError
+        When the quantity cannot be sought under the case's load.
+    """
+    assert case.find is not None
+    find = case.find
+    load = case.load or Load(horizontal_force=1.0)
+    _check_load(find, load)
+    ends: dict[str, float] = {"height": case.fairlead_height}
+    bed: dict[str, float] = {"seabed_friction": case.site.seabed_friction}
+    if find.quantity == "touchdown_force":
+        _check_anchor(case)
+        return find_touchdown_force(case.line, **ends, **bed)
+    ends["anchor_height"] = case.anchor_height
+    if find.quantity == "limit_force":
+        factor = case.checks.safety_factor
+        return find_limit_force(case.line, safety_factor=factor, **ends, **bed)
+    if find.quantity == "length":
+        return find_length(
+            case.line,
+            horizontal_force=load.horizontal_force,
+            fairlead_tension=load.fairlead_tension,
+            segment=find.segment - 1,
+            anchor_angle=find.anchor_angle,
+            grounded_length=find.grounded_length,
+            **ends,
+            **bed,
+        )
+    assert find.anchor_angle is not None
+    return find_clump_weight(
+        case.line,
+        horizontal_force=load.horizontal_force,
+        span=load.span,
+        fairlead_tension=load.fairlead_tension,
+        point_load=find.point_load - 1,
+        anchor_angle=find.anchor_angle,
+        **ends,
+        **bed,
+    )
+
+
+def _check_load(find: Find, load: Load) -> None:
+    if find.quantity == "length" and load.span is not None:
+        problem = Problem(
+            "load.span", f"{load.span:g} m", "a length is sought under a force or a tension"
+        )
+        raise InputError([problem], "find")
+
+
+def _check_anchor(case: Case) -> None:
+    if case.anchor_height > 0.0:
+        problem = Problem(
+            "line.anchor_height", f"{case.anchor_height:g} m", "the anchor must be on the bed"
+        )
+        raise InputError([problem], "find")
 
 
 Miss = Callable[[Solution], tuple[float, float]]

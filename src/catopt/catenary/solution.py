@@ -9,6 +9,7 @@ from catopt.model import Case, Line
 
 __all__ = [
     "EndState",
+    "FoundQuantity",
     "PointLoadState",
     "Profile",
     "Residual",
@@ -172,6 +173,28 @@ class SwarmReport:
 
 
 @dataclass(frozen=True)
+class FoundQuantity:
+    """An unknown that meets a condition.
+
+    Attributes
+    ----------
+    quantity : str
+        What was sought: ``"length"``, ``"clump_weight"`` or ``"horizontal_force"``.
+    value : float
+        m or N.
+    condition : str
+        What it has to give, in words.
+    residual : float
+        By how much the condition is missed, as a part of the quantity it is put on.
+    """
+
+    quantity: str
+    value: float
+    condition: str
+    residual: float
+
+
+@dataclass(frozen=True)
 class Solution:
     """Equilibrium of one line.
 
@@ -209,6 +232,8 @@ class Solution:
         Of the case.
     swarm : SwarmReport or None
         Only for ``method == "pso"``.
+    found : FoundQuantity or None
+        What was sought and found, if anything was.
     """
 
     line: Line
@@ -231,6 +256,7 @@ class Solution:
     safety_factor: float = 1.0
     title: str = ""
     swarm: SwarmReport | None = None
+    found: FoundQuantity | None = None
 
     @property
     def horizontal_force(self) -> float:
@@ -265,6 +291,10 @@ class Solution:
             safety_factor=case.checks.safety_factor,
             warnings=(*self.warnings, *above_water(self, case.site.water_depth)),
         )
+
+    def with_found(self, found: FoundQuantity) -> Solution:
+        """Return the same answer with what was sought."""
+        return replace(self, found=found)
 
     def with_warnings(self, warnings: tuple[str, ...]) -> Solution:
         """Return the same answer with warnings added."""

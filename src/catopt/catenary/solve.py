@@ -104,11 +104,19 @@ def solve(
 def solve_case(case: Case) -> Solution:
     """Solve a case in closed form; errors as for `solve`.
 
+    When the case seeks something (`case.find`), the answer is the line with what was found.
+
     Parameters
     ----------
     case : Case
         As read by `catopt.read_case`.
     """
+    if case.find is not None:
+        from catopt.catenary.find import find_case
+
+        found = find_case(case)
+        return found.solution.with_case(case).with_found(found.alone())
+    assert case.load is not None
     solution = solve(
         case.line,
         height=case.fairlead_height,

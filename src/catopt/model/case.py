@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Literal, get_args
 
+from catopt.model.find import Find
 from catopt.model.line import Line
 from catopt.model.load import Load
 from catopt.model.site import Site
@@ -97,8 +98,8 @@ class Case:
         Water and seabed.
     line : Line
         The mooring line.
-    load : Load
-        What is known at the fairlead.
+    load : Load or None
+        What is known at the fairlead; None only where `find` seeks the force itself.
     fairlead_height, anchor_height : float
         Above the seabed, m.
     checks : Checks
@@ -107,20 +108,30 @@ class Case:
         Settings of ``--method pso``.
     title, source : str
         Free text.
+    find : Find or None
+        What is sought instead, if anything.
     """
 
     site: Site
     line: Line
-    load: Load
+    load: Load | None
     fairlead_height: float
     anchor_height: float = 0.0
     checks: Checks = field(default_factory=Checks)
     swarm: SwarmSettings = field(default_factory=SwarmSettings)
     title: str = ""
     source: str = ""
+    find: Find | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Case")
+        seeks_force = self.find is not None and self.find.takes_no_condition
+        if self.load is None and not seeks_force:
+            found.add(
+                "load", "", "exactly one of horizontal_force, span and fairlead_tension is wanted"
+            )
+        if self.load is not None and seeks_force:
+            found.add("load", "a load", "leave it out: find.quantity is the force itself")
         found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
         found.number("anchor_height", self.anchor_height, "m", at_least=0.0)
         found.raise_if_any()

@@ -24,7 +24,8 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
         Called after each run with the number of runs done.
     """
     found = Findings("swarm")
-    if case.load.horizontal_force is None:
+    force = None if case.load is None else case.load.horizontal_force
+    if force is None:
         found.add(
             "load", "no horizontal_force", "the swarm method wants one; the closed form does not"
         )
@@ -41,11 +42,11 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
             "the swarm method has no friction; the closed form has",
         )
     found.raise_if_any()
-    assert case.load.horizontal_force is not None
+    assert force is not None
     solution = solve_swarm(
         case.line,
         height=case.fairlead_height,
-        horizontal_force=case.load.horizontal_force,
+        horizontal_force=force,
         settings=case.swarm,
         progress=progress,
     )

@@ -1,0 +1,1 @@
+"""Comparison with other programs; skipped where they are not installed (extra ``peers``)."""
