@@ -262,8 +262,9 @@ def _guess(span: float, rise: float, pieces: Pieces) -> tuple[float, float]:
         hanging = rise * math.sqrt(1.0 + 2.0 * ratio)
         carried = top_weight(pieces, hanging)
         if hanging < length and carried > 0.0:
-            H = ratio * rise * carried / hanging
-            return H, grounded_guess(H, pieces, rise)
+            lifted = carried / hanging * rise
+            H = ratio * lifted
+            return H, math.sqrt(lifted * (lifted + 2.0 * H))
     H = 0.0
     excess = (length * length - rise * rise) / (span * span) - 1.0
     if excess > 0.0:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.pieces import Pieces, total_length, total_weight
-from catopt.catenary.walk import drop
+from catopt.catenary.walk import FIRST_TOUCHDOWN, drop
 
 __all__ = ["SETTLED", "grounded_guess", "suspended_guess", "top_weight", "vertical_force"]
 
@@ -42,6 +42,7 @@ def vertical_force(
         N; nan when it does not converge.
     """
     scale = max(total_length(pieces), abs(height))
+    lifting = total_weight(pieces) if touchdown == FIRST_TOUCHDOWN else -math.inf
     high = math.inf
     stride = H + abs(guess)
     last_error = math.inf
@@ -57,7 +58,7 @@ def vertical_force(
             high = min(high, V)
         else:
             low = max(low, V)
-        new = V - error / z_V if z_V > 0.0 else math.inf
+        new = _step(H, V, error, z_V, V < lifting)
         step = abs(new - V)
         if step <= last_step * abs(V) and low < new < high:
             return new
@@ -76,18 +77,28 @@ def vertical_force(
     return math.nan
 
 
+def _step(H: float, V: float, error: float, z_V: float, is_grounded: bool) -> float:
+    """Newton's next V; inf where the height does not answer.
+
+    From a touchdown the height of a uniform line is (T - H)/w: linear in T, not in V. Taken in T,
+    the step of such a line needs no second one, and that of others few.
+    """
+    if z_V <= 0.0:
+        return math.inf
+    if not is_grounded or V <= 0.0:
+        return V - error / z_V
+    T = math.sqrt(H * H + V * V)
+    rise = -error * V / (z_V * T)
+    square = V * V + rise * (2.0 * T + rise)
+    return math.sqrt(square) if square > 0.0 else 0.5 * V
+
+
 def grounded_guess(H: float, pieces: Pieces, rise: float) -> float:
-    """V at the fairlead of a uniform line as heavy as the part that hangs, touchdown or not."""
-    length = total_length(pieces)
-    hanging = length
-    V = 0.0
-    for _ in range(2):
-        lifted = max(top_weight(pieces, hanging) / hanging * rise, 0.0)
-        V = math.sqrt(lifted * (lifted + 2.0 * H))
-        if lifted == 0.0:
-            break
-        hanging = min(V * rise / lifted, length)
-    return V if V < total_weight(pieces) else suspended_guess(H, pieces, rise)
+    """V at the fairlead of a uniform line of the same mean weight, touchdown or not."""
+    weight = total_weight(pieces)
+    lifted = max(weight / total_length(pieces) * rise, 0.0)
+    V = math.sqrt(lifted * (lifted + 2.0 * H))
+    return V if V < weight else suspended_guess(H, pieces, rise)
 
 
 def suspended_guess(H: float, pieces: Pieces, rise: float) -> float:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["PieceReach", "atanh_excess", "piece_reach", "slope_part"]
+__all__ = ["PieceReach", "atanh_excess", "piece_reach", "rise_by_V"]
 
 from typing import NamedTuple
 
@@ -47,26 +47,25 @@ def piece_reach(
         Unstretched length, m, and 1/EA, 1/N.
     """
     S = V1 + V2
-    m = T1 + T2
-    q = length / m
+    by_m = 1.0 / (T1 + T2)
+    q = length * by_m
     cl = compliance * length
     TT = T1 * T2
-    y2 = ((V2 - V1) / m) ** 2
-    excess = atanh_excess(H, V1, V2, T1, T2)
+    q_by_TT = q / TT
+    y = (V2 - V1) * by_m
+    excess = atanh_excess(H, V1, V2, T1, T2, y)
     return PieceReach(
         2.0 * H * q * (1.0 + excess) + cl * H,
         S * (q + 0.5 * cl),
-        q * (0.5 * S * S * (1.0 - y2) / TT + 2.0 * excess) + cl,
-        -H * q * S / TT,
-        q * slope_part(H, V1, V2, TT) + cl,
+        0.5 * q_by_TT * S * S * (1.0 - y * y) + 2.0 * q * excess + cl,
+        -H * S * q_by_TT,
+        rise_by_V(H, V1, V2, T1 + T2, TT, length) + cl,
     )
 
 
-def atanh_excess(H: float, V1: float, V2: float, T1: float, T2: float) -> float:
+def atanh_excess(H: float, V1: float, V2: float, T1: float, T2: float, y: float) -> float:
     """Evaluate atanh(y)/y - 1 for y = (V2 - V1)/(T1 + T2), which lies between -1 and 1."""
-    m = T1 + T2
-    y = abs(V2 - V1) / m
-    if y < 0.15:
+    if abs(y) < 0.15:
         # Series in y2; the first term left out is below 1e-17 of the sum.
         t = y * y
         tail = 1 / 13 + t * (1 / 15 + t * (1 / 17 + t * (1 / 19 + t / 21)))
@@ -78,12 +77,17 @@ def atanh_excess(H: float, V1: float, V2: float, T1: float, T2: float) -> float:
     T_lower = T1 if V2 >= V1 else T2
     rest = H * H / (T_upper + upper) if upper > 0.0 else T_upper - upper
     rest += H * H / (T_lower - lower) if lower < 0.0 else T_lower + lower
-    return 0.5 * math.log((m + (upper - lower)) / rest) / y - 1.0
+    return 0.5 * math.log((T1 + T2 + (upper - lower)) / rest) / abs(y) - 1.0
 
 
-def slope_part(H: float, V1: float, V2: float, TT: float) -> float:
-    """Evaluate m (V2/T2 - V1/T1) / (w l) = (T1 T2 - V1 V2 + H2) / (T1 T2), without cancelling."""
+def rise_by_V(H: float, V1: float, V2: float, m: float, TT: float, length: float) -> float:
+    """Evaluate dz/dV = (V2/T2 - V1/T1)/w of the inextensible piece, without cancelling, m/N.
+
+    It is (l/m) (H2 + T1 T2 - V1 V2)/(T1 T2), with one division for all.
+    """
     product = V1 * V2
     if product > 0.0:
-        return H * H * (1.0 + (H * H + V1 * V1 + V2 * V2) / (TT + product)) / TT
-    return (H * H + TT - product) / TT
+        both = TT + product
+        H2 = H * H
+        return length * H2 * (both + H2 + V1 * V1 + V2 * V2) / (m * both * TT)
+    return length * (H * H + TT - product) / (m * TT)

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from catopt.catenary.piece import piece_reach, slope_part
+from catopt.catenary.piece import piece_reach, rise_by_V
 from catopt.catenary.pieces import Pieces
 
 __all__ = ["FIRST_TOUCHDOWN", "NO_TOUCHDOWN", "Bed", "Walk", "drop", "lie", "lowest", "walk"]
@@ -89,10 +89,10 @@ def drop(H: float, V: float, pieces: Pieces, touchdown: int) -> tuple[float, flo
             length = max(V, 0.0) / pieces.weight[k] if pieces.weight[k] > 0.0 else 0.0
             V1 = 0.0
         T1 = math.sqrt(H * H + V1 * V1)
-        q = length / (T1 + T)
+        m = T1 + T
         cl = pieces.compliance[k] * length
-        z += (V1 + V) * (q + 0.5 * cl)
-        z_V += q * slope_part(H, V1, V, T1 * T) + cl
+        z += (V1 + V) * (length / m + 0.5 * cl)
+        z_V += rise_by_V(H, V1, V, m, T1 * T, length) + cl
         below = V1 - pieces.load[k]
         if inside or touchdown == 2 * k + 1 or (touchdown == FIRST_TOUCHDOWN and below < 0.0):
             break
