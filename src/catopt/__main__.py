@@ -4,9 +4,16 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from catopt.errors import CatoptError
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
 
 __all__ = ["main"]
 
+FAULT = 1
 INTERRUPTED = 130
 """128 + SIGINT: what a shell reports of a program that was interrupted."""
 
@@ -33,16 +40,37 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         status = INTERRUPTED
     except SystemExit as stop:
-        status = stop.code if isinstance(stop.code, int) else 0
-    except Exception as error:  # noqa: BLE001 - the last stop before the user
-        status = _report(error, output)
+        status = stop.code if isinstance(stop.code, int) else int(stop.code is not None)
+    except CatoptError as error:
+        status = error.exit_status
+        output.note(f"catopt: {error}" if status != FAULT else _fault(error, output))
+    except Exception as error:
+        status = FAULT
+        output.note(_fault(error, output))
     if status == INTERRUPTED:
         output.note("catopt: interrupted")
     return status
 
 
-def _run(arguments: Sequence[str] | None, output: object) -> int:
+def _run(arguments: Sequence[str] | None, output: Output) -> int:
     from catopt.cli.app import app
 
     app(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
     return 0
+
+
+def _fault(error: Exception, output: Output) -> str:
+    """Say what went wrong on our side; with its traceback when that was asked for."""
+    if output.debug:
+        from traceback import format_exception
+
+        return "".join(format_exception(error)).rstrip()
+    what = f"{type(error).__name__}: {error}".splitlines()[0]
+    return (
+        f"catopt: a fault of catopt's own ({what})\n"
+        "Run it again as 'catopt --debug ...' and report what that prints with your case file."
+    )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,1 +1,59 @@
-"""``catopt new``: a case to start from."""
+"""``catopt new``: a commented case to start from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.errors import InputError
+
+__all__ = ["new"]
+
+
+def new(
+    context: typer.Context,
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Template: buoy.")],
+    path: Annotated[
+        Path | None,
+        typer.Argument(metavar="PATH", help="File to write; ./NAME.toml when left out."),
+    ] = None,
+    as_json: Annotated[
+        bool,
+        typer.Option("--json", help="Print where it was written as one JSON document."),
+    ] = False,
+) -> None:
+    """Write a commented case file to start from.
+
+    A file that is already there is never overwritten.
+    """
+    from catopt.casefile import template
+
+    output: Output = context.obj
+    place = path or Path(f"{name}.toml")
+    _create(place, template(name))
+    if as_json:
+        output.json({"schema": "catopt.new/1", "template": name, "path": str(place)})
+    else:
+        output.text(f"{place} written; solve it with: catopt solve {place}")
+
+
+def _create(place: Path, text: str) -> None:
+    """Write a file that is not there yet; one that cannot be written whole is not left behind."""
+    try:
+        with place.open("x", encoding="utf-8", newline="\n") as stream:
+            stream.write(text)
+    except FileExistsError as error:
+        raise _refused(place, "is there already and is kept; give another path") from error
+    except OSError as error:
+        place.unlink(missing_ok=True)
+        raise _refused(place, f"cannot be written: {error.strerror}") from error
+
+
+def _refused(place: Path, why: str) -> InputError:
+    from catopt.errors import InputError, Problem
+
+    return InputError([Problem("path", str(place), why)])

@@ -39,6 +39,7 @@ class Output:
 
     def __init__(self) -> None:
         self.debug = False
+        self._consoles: dict[TextIO, Console] = {}
 
     def json(self, document: dict[str, Any]) -> None:
         """Print a document, and nothing else, on standard output."""
@@ -46,11 +47,15 @@ class Output:
         text = json.dumps(document, indent=2, ensure_ascii=ascii_only, allow_nan=False)
         _write(sys.stdout, text + "\n")
 
-    def text(self, text: str = "", *, bold: bool = False) -> None:
+    def text(self, text: str, *, bold: bool = False) -> None:
         """Print a paragraph on standard output, folded to its width."""
         from rich.text import Text
 
         self._print(Text(text, style="bold" if bold else ""))
+
+    def line(self) -> None:
+        """Print an empty line on standard output."""
+        _write(sys.stdout, "\n")
 
     def table(
         self,
@@ -60,7 +65,7 @@ class Output:
         title: str = "",
         numbers: Sequence[int] = (),
     ) -> None:
-        """Print a table on standard output.
+        """Print a table and an empty line on standard output.
 
         Parameters
         ----------
@@ -77,17 +82,18 @@ class Output:
         from rich.table import Table
         from rich.text import Text
 
-        table = Table(box=box.SIMPLE_HEAD, show_header=any(columns), pad_edge=False)
+        table = Table(
+            box=box.SIMPLE_HEAD, show_header=any(columns), show_edge=False, pad_edge=False
+        )
         for index, heading in enumerate(columns):
             number = index in numbers
-            table.add_column(
-                Text(heading), justify="right" if number else "left", no_wrap=number or None
-            )
+            table.add_column(Text(heading), justify="right" if number else "left", no_wrap=number)
         for row in rows:
             table.add_row(*(Text(cell) for cell in row))
         if title:
             self.text(title, bold=True)
         self._print(table)
+        self.line()
 
     def note(self, message: str) -> None:
         """Say something beside the answer, on standard error."""
@@ -112,34 +118,35 @@ class Output:
             return
         from rich.progress import Progress as Bar
 
-        with Bar(console=_console(sys.stderr), transient=True) as bar:
+        with Bar(console=self._console(sys.stderr), transient=True) as bar:
             task = bar.add_task(what, total=None)
             yield lambda done, total: bar.update(task, completed=done, total=total)
 
-    def _print(self, *parts: RenderableType) -> None:
-        console = _console(sys.stdout)
+    def _print(self, part: RenderableType) -> None:
+        console = self._console(sys.stdout)
         with console.capture() as captured:
-            console.print(*parts)
+            console.print(part)
         lines = captured.get().splitlines()
         _write(sys.stdout, "".join(line.rstrip() + "\n" for line in lines))
 
+    def _console(self, stream: TextIO) -> Console:
+        """Make the console of a stream, once; without any codes where NO_COLOR is set."""
+        if stream in self._consoles:
+            return self._consoles[stream]
+        from rich.console import Console, detect_legacy_windows
 
-def _console(stream: TextIO) -> Console:
-    """Make a console on a stream as it is now; without any codes where NO_COLOR is set."""
-    from rich.console import Console, detect_legacy_windows
-
-    plain = bool(os.environ.get("NO_COLOR")) or detect_legacy_windows()
-    console = Console(
-        file=stream,
-        markup=False,
-        emoji=False,
-        highlight=False,
-        legacy_windows=False,
-        color_system=None if plain else "auto",
-    )
-    if console.width < LEAST_WIDTH:
-        console.width = LEAST_WIDTH
-    return console
+        plain = bool(os.environ.get("NO_COLOR")) or detect_legacy_windows()
+        console = Console(
+            file=stream,
+            markup=False,
+            emoji=False,
+            highlight=False,
+            legacy_windows=False,
+            color_system=None if plain else "auto",
+        )
+        console.width = max(console.width, LEAST_WIDTH)
+        self._consoles[stream] = console
+        return console
 
 
 def _encoding(stream: TextIO) -> str:

@@ -8,6 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from io import BytesIO
+from itertools import pairwise
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any, Literal
 
 from matplotlib import rc_context
@@ -32,20 +34,22 @@ _BLUE, _SKY, _ORANGE, _GREEN, _PURPLE = "#0072B2", "#CFE8F7", "#D55E00", "#009E7
 """From the palette of Okabe and Ito, which every kind of colour vision tells apart."""
 _BED, _BED_EDGE = "#E4DACB", "#7A6A55"
 
-_STYLE: dict[str, Any] = {
+_STYLE: Any = {
     "font.size": 10,
     "axes.grid": True,
     "grid.color": "#D0D0D0",
     "grid.linewidth": 0.6,
     "axes.axisbelow": True,
     "axes.spines.top": False,
-    "legend.frameon": False,
     "lines.linewidth": 1.8,
     "svg.hashsalt": "catopt",
 }
 
+_LEFT, _RIGHT, _BELOW = 0.75, 0.15, 1.25
+"""Inches around the frame of the line in the water; three rows of legend fit below it."""
+
 _FAR_OFF_SCALE = 2.5
-"""A capacity more than this many times the tension is named, not drawn: it would flatten the curve."""
+"""A capacity above this many tensions is named, not drawn: it would flatten the curve."""
 
 _CONVERGED = 1e-9
 """m: a run that ends with f below it counts as converged."""
@@ -74,37 +78,38 @@ def line_in_water(solution: Solution, water_depth: float) -> Figure:
         m.
     """
     shape = solution.profile(401)
-    top = max(water_depth, *shape.z)
-    figure, axes = _blank(
-        _size_to_scale(max(shape.x) - min(shape.x), top), QUANTITIES["x"], QUANTITIES["z"]
-    )
-    _frame_to_scale(axes, min(shape.x), max(shape.x), top, figure.get_size_inches())
+    left, right, top = min(shape.x), max(shape.x), max(water_depth, *shape.z)
+    figure, axes = _blank_to_scale(left, right, top, _folded(solution.title))
     _water_and_bed(axes, water_depth)
     axes.plot(shape.x, shape.z, color="black", label="Line")
     _grounded_parts(axes, solution)
     _marks(axes, solution)
-    _title(axes, solution.title)
     _legend_below(figure, 4)
     return figure
 
 
-def _size_to_scale(width: float, height: float) -> tuple[float, float]:
-    """Choose the height of the figure by what is drawn; a flat line still gets room for its labels."""
-    share = height / width if width > 0.0 else math.inf
-    return SIZE[0], min(max(SIZE[0] * share + 1.2, 3.2), 7.5)
+def _blank_to_scale(left: float, right: float, top: float, title: str) -> tuple[Figure, Axes]:
+    """Make axes of one scale both ways that hold the line with room around it.
 
-
-def _frame_to_scale(
-    axes: Axes, left: float, right: float, top: float, size: Sequence[float]
-) -> None:
-    """Set limits with some room around the line, of the frame's own proportions."""
-    width, height = size[0] - 0.9, size[1] - 1.4
-    scale = max((right - left) * 1.12 / width, top * 1.25 / height)
-    spare_x = 0.5 * (scale * width - (right - left))
-    spare_z = scale * height - top
+    The frame is laid out in inches, so that neither a flat line nor a steep one squeezes the
+    labels, the title or the legend.
+    """
+    width = SIZE[0] - _LEFT - _RIGHT
+    share = 1.25 * top / (1.12 * (right - left)) if right > left else math.inf
+    height = min(max(width * share, 2.1), 5.5)
+    above = 0.15 + 0.2 * (title.count("\n") + 1)
+    full = height + _BELOW + above
+    scale = max(1.12 * (right - left) / width, 1.25 * top / height)
+    spare_x, spare_z = 0.5 * (scale * width - (right - left)), scale * height - top
+    with rc_context(_STYLE):
+        figure = Figure(figsize=(SIZE[0], full))
+        FigureCanvasAgg(figure)
+        axes = figure.add_axes((_LEFT / SIZE[0], _BELOW / full, width / SIZE[0], height / full))
+    _label(axes, QUANTITIES["x"], QUANTITIES["z"])
     axes.set_xlim(left - spare_x, right + spare_x)
-    axes.set_ylim(-0.5 * spare_z, top + 0.5 * spare_z)
-    axes.set_aspect("equal", adjustable="box")
+    axes.set_ylim(-0.4 * spare_z, top + 0.6 * spare_z)
+    _title(axes, title)
+    return figure, axes
 
 
 def _water_and_bed(axes: Axes, water_depth: float) -> None:
@@ -134,9 +139,7 @@ def _touchdowns(solution: Solution) -> list[tuple[float, float]]:
     """Find where the line leaves the bed: x and s."""
     real = [stretch for stretch in solution.stretches if stretch.length > 0.0]
     return [
-        (upper.x, upper.start)
-        for lower, upper in zip(real, real[1:], strict=False)
-        if lower.on_bed != upper.on_bed
+        (upper.x, upper.start) for lower, upper in pairwise(real) if lower.on_bed != upper.on_bed
     ]
 
 
@@ -195,7 +198,7 @@ def tension(solution: Solution) -> Figure:
     axes.margins(y=0.1)
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
     _second_force_axis(axes, quantity)
-    _title(axes, solution.title)
+    _title(axes, _folded(solution.title))
     _legend_below(figure, 3)
     return figure
 
@@ -218,9 +221,7 @@ def _capacities(axes: Axes, solution: Solution, largest: float) -> None:
             level = quantity.to_field(capacity)
             if capacity <= _FAR_OFF_SCALE * largest:
                 label = "_" if drawn else what
-                axes.plot(
-                    [start, end], [level] * 2, color=_ORANGE, dashes=(5, 1.5), label=label
-                )
+                axes.plot([start, end], [level] * 2, color=_ORANGE, dashes=(5, 1.5), label=label)
                 drawn = True
             else:
                 of = "" if len(solution.segments) == 1 else f" of segment {number}"
@@ -240,7 +241,7 @@ def fitness(swarm: SwarmReport) -> Figure:
     """
     quantity = named("objective", "Best objective")
     history = swarm.best_objective_history
-    figure, axes = _blank_over_iterations(quantity, len(history))
+    figure, axes = _blank_over_iterations(quantity, swarm)
     axes.set_yscale("log")
     numbers = range(1, len(history) + 1)
     zeros = [number for number, value in zip(numbers, history, strict=True) if value == 0.0]
@@ -257,7 +258,7 @@ def fitness(swarm: SwarmReport) -> Figure:
     axes.plot(numbers, above, color=_BLUE, label=f"f of run {swarm.best_run}, the best")
     if zeros:
         _foot(axes, zeros, min(levels), max(levels) * 3.0)
-    _legend_below(figure, 3)
+    _legend_below(figure, 2)
     return figure
 
 
@@ -270,9 +271,10 @@ def _foot(axes: Axes, zeros: Sequence[int], least: float, top: float) -> None:
         [foot] * len(zeros),
         linestyle="none",
         marker="o",
-        markersize=4,
+        markersize=4 if len(zeros) > 10 else 7,
         markerfacecolor="white",
         markeredgecolor=_ORANGE,
+        clip_on=False,
         markevery=max(1, len(zeros) // 40),
         label="f = 0 exactly",
     )
@@ -302,12 +304,13 @@ def swarm_tension(swarm: SwarmReport, closed_form: float) -> Figure:
     """
     quantity = named("tension", "Fairlead tension")
     history = swarm.tension_history
-    figure, axes = _blank_over_iterations(quantity, len(history))
+    figure, axes = _blank_over_iterations(quantity, swarm)
     axes.axhline(
         quantity.to_field(closed_form),
         color=_ORANGE,
-        linewidth=1.4,
-        dashes=(5, 2),
+        linewidth=1.2,
+        dashes=(5, 4),
+        zorder=3,
         label="Closed form",
     )
     axes.plot(
@@ -331,15 +334,24 @@ def _blank(size: tuple[float, float], x: Quantity, y: Quantity) -> tuple[Figure,
         figure = Figure(figsize=size, layout="constrained")
         FigureCanvasAgg(figure)
         axes = figure.add_subplot()
-        axes.set_xlabel(x.heading)
-        axes.set_ylabel(y.heading)
+    _label(axes, x, y)
     return figure, axes
 
 
-def _blank_over_iterations(y: Quantity, count: int) -> tuple[Figure, Axes]:
+def _label(axes: Axes, x: Quantity, y: Quantity) -> None:
+    axes.set_xlabel(x.heading)
+    axes.set_ylabel(y.heading)
+
+
+def _blank_over_iterations(y: Quantity, swarm: SwarmReport) -> tuple[Figure, Axes]:
+    """Make axes over all iterations of a run and mark where it stopped before the last."""
     figure, axes = _blank(SIZE, QUANTITIES["s"], y)
+    flown = len(swarm.best_objective_history)
     axes.set_xlabel("Iteration")
-    axes.set_xlim(0, max(count, 2))
+    axes.set_xlim(0, max(swarm.iterations, 2))
+    if flown < swarm.iterations:
+        label = "Stopped: f cannot fall further"
+        axes.axvline(flown, color="#606060", linewidth=1.0, dashes=(1, 2), label=label)
     return figure, axes
 
 
@@ -353,17 +365,22 @@ def _second_force_axis(axes: Axes, quantity: Quantity) -> None:
     second.ticklabel_format(useOffset=False)
 
 
+def _folded(title: str) -> str:
+    """Fold a title to two lines of the page at most."""
+    return "\n".join(wrap(title, 78, max_lines=2, placeholder=" ..."))
+
+
 def _title(axes: Axes, title: str) -> None:
-    """Set the case's title, as text and never as mathematics, folded to the page."""
-    axes.set_title(title, fontsize=11, loc="left", wrap=True, parse_math=False)
+    """Set a title as text, never as mathematics."""
+    axes.set_title(title, fontsize=11, loc="left", parse_math=False)
 
 
 def _legend_below(figure: Figure, most_columns: int) -> None:
+    """Set the legend under the axis label, in the middle."""
     handles, labels = figure.axes[0].get_legend_handles_labels()
-    figure.legend(
-        handles,
-        labels,
-        loc="outside lower center",
-        ncols=min(most_columns, len(labels)),
-        handlelength=2.6,
-    )
+    place: dict[str, Any] = {"loc": "outside lower center"}
+    if figure.get_layout_engine() is None:
+        top = (_BELOW - 0.45) / figure.get_size_inches()[1]
+        place = {"loc": "upper center", "bbox_to_anchor": (0.5, top)}
+    columns = min(most_columns, len(labels))
+    figure.legend(handles, labels, ncols=columns, handlelength=2.6, frameon=False, **place)

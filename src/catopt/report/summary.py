@@ -14,9 +14,9 @@ from catopt.quantities import QUANTITIES, Quantity
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.model import Case
+    from catopt.model import Case, Load
 
-__all__ = ["Entry", "columns", "given", "in_tonne_force", "named", "residuals", "results"]
+__all__ = ["Entry", "columns", "found", "given", "in_tonne_force", "named", "residuals", "results"]
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,7 @@ class Entry:
 def named(key: str, name: str, symbol: str | None = None) -> Quantity:
     """Take a quantity of the table under a more particular name: `Fairlead tension`."""
     quantity = QUANTITIES[key]
-    return replace(
-        quantity, name=name, symbol=quantity.symbol if symbol is None else symbol
-    )
+    return replace(quantity, name=name, symbol=quantity.symbol if symbol is None else symbol)
 
 
 def in_tonne_force(quantity: Quantity) -> Quantity:
@@ -64,25 +62,43 @@ def columns(entries: Iterable[Entry]) -> dict[str, float | None]:
 
 def given(case: Case) -> tuple[Entry, ...]:
     """List what a case gives beside its line: site, heights, load and limits."""
-    load = case.load
-    known = (
-        _force("horizontal_force", "Given horizontal force", load.horizontal_force),
-        Entry(named("span", "Given span"), load.span),
-        _force("tension", "Given fairlead tension", load.fairlead_tension),
-    )
     return (
         Entry(QUANTITIES["water_depth"], case.site.water_depth),
         Entry(QUANTITIES["fairlead_height"], case.fairlead_height),
         Entry(QUANTITIES["anchor_height"], case.anchor_height),
         Entry(QUANTITIES["friction"], case.site.seabed_friction),
         Entry(named("density", "Water density"), case.site.water_density),
-        *(entry for entry in known if entry.value is not None),
+        *_load(case.load),
         Entry(QUANTITIES["safety_factor"], case.checks.safety_factor),
         Entry(
             named("angle", "Allowed inclination at the anchor", ""),
             case.checks.max_anchor_uplift_angle,
         ),
     )
+
+
+def _load(load: Load | None) -> tuple[Entry, ...]:
+    """List the one known quantity; none where the force itself is sought."""
+    if load is None:
+        return ()
+    known = (
+        _force("horizontal_force", "Given horizontal force", load.horizontal_force),
+        Entry(named("span", "Given span"), load.span),
+        _force("tension", "Given fairlead tension", load.fairlead_tension),
+    )
+    return tuple(entry for entry in known if entry.value is not None)
+
+
+def found(solution: Solution) -> tuple[Entry, ...]:
+    """List what was sought and found; nothing when nothing was."""
+    if solution.found is None:
+        return ()
+    value, number = solution.found.value, solution.found.number
+    if solution.found.quantity == "length":
+        return (Entry(named("length", f"Found length of segment {number}"), value),)
+    if solution.found.quantity == "clump_weight":
+        return (_force("point_weight", f"Found weight of point load {number}", value),)
+    return (_force("horizontal_force", "Found horizontal force", value),)
 
 
 def results(solution: Solution) -> tuple[Entry, ...]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 import pandas as pd
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.summary import columns, given, in_tonne_force, named, residuals, results
+from catopt.report.summary import columns, found, given, in_tonne_force, named, residuals, results
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution, SwarmReport
@@ -40,30 +41,30 @@ def inputs(case: Case) -> pd.DataFrame:
 
 def segment_inputs(line: Line) -> pd.DataFrame:
     """Tabulate the segments as given, a row each from the anchor to the fairlead."""
-    found = line.segments
+    parts = line.segments
     return pd.DataFrame(
         {
-            "Segment": range(1, len(found) + 1),
-            "Name": [segment.name for segment in found],
-            **_column("length", (segment.length for segment in found)),
-            **_column("submerged_weight", (segment.submerged_weight for segment in found)),
-            **_column("EA", (segment.EA for segment in found)),
-            **_column("mass_per_length", (segment.mass for segment in found)),
-            **_column("MBL", (segment.MBL for segment in found)),
+            "Segment": range(1, len(parts) + 1),
+            "Name": [segment.name for segment in parts],
+            **_column("length", (segment.length for segment in parts)),
+            **_column("submerged_weight", (segment.submerged_weight for segment in parts)),
+            **_column("EA", (segment.EA for segment in parts)),
+            **_column("mass_per_length", (segment.mass for segment in parts)),
+            **_column("MBL", (segment.MBL for segment in parts)),
         }
     )
 
 
 def point_load_inputs(line: Line) -> pd.DataFrame:
     """Tabulate clump weights and buoys as given, a row each by position."""
-    found = line.point_loads
+    parts = line.point_loads
     return pd.DataFrame(
         {
-            "Point load": range(1, len(found) + 1),
-            "Name": [load.name for load in found],
-            **_column("position", (load.position for load in found)),
-            **_column("point_weight", (load.submerged_weight for load in found)),
-            **_column("mass", (load.mass for load in found)),
+            "Point load": range(1, len(parts) + 1),
+            "Name": [load.name for load in parts],
+            **_column("position", (load.position for load in parts)),
+            **_column("point_weight", (load.submerged_weight for load in parts)),
+            **_column("mass", (load.mass for load in parts)),
         }
     )
 
@@ -94,40 +95,42 @@ def summary(solution: Solution) -> pd.DataFrame:
         "Method": solution.method,
         "Regime": solution.regime,
     }
-    values = columns((*results(solution), *residuals(solution)))
+    if solution.found is not None:
+        words["Condition"] = solution.found.condition
+    values = columns((*found(solution), *results(solution), *residuals(solution)))
     return pd.DataFrame([{**words, **values, "Warnings": "; ".join(solution.warnings)}])
 
 
 def segments(solution: Solution) -> pd.DataFrame:
     """Tabulate the segments under load, a row each from the anchor to the fairlead."""
-    found = solution.segments
-    tensions = [segment.max_tension for segment in found]
+    parts = solution.segments
+    tensions = [segment.max_tension for segment in parts]
     factor = solution.safety_factor
     return pd.DataFrame(
         {
-            "Segment": range(1, len(found) + 1),
-            "Name": [segment.name for segment in found],
-            **_column("length", (segment.length for segment in found)),
+            "Segment": range(1, len(parts) + 1),
+            "Name": [segment.name for segment in parts],
+            **_column("length", (segment.length for segment in parts)),
             **_column(_LARGEST, tensions),
             **_column(in_tonne_force(_LARGEST), tensions),
-            **_column("MBL", (segment.MBL for segment in found)),
-            **_column("safety_factor", [factor] * len(found)),
-            **_column("utilisation", (segment.utilisation(factor) for segment in found)),
+            **_column("MBL", (segment.MBL for segment in parts)),
+            **_column("safety_factor", [factor] * len(parts)),
+            **_column("utilisation", (segment.utilisation(factor) for segment in parts)),
         }
     )
 
 
 def point_loads(solution: Solution) -> pd.DataFrame:
     """Tabulate clump weights and buoys under load, a row each by position."""
-    found = solution.point_loads
+    parts = solution.point_loads
     return pd.DataFrame(
         {
-            "Point load": range(1, len(found) + 1),
-            "Name": [load.name for load in found],
-            **_column("position", (load.position for load in found)),
-            **_column("x", (load.x for load in found)),
-            **_column("z", (load.z for load in found)),
-            **_column("seabed_reaction", (load.seabed_reaction for load in found)),
+            "Point load": range(1, len(parts) + 1),
+            "Name": [load.name for load in parts],
+            **_column("position", (load.position for load in parts)),
+            **_column("x", (load.x for load in parts)),
+            **_column("z", (load.z for load in parts)),
+            **_column("seabed_reaction", (load.seabed_reaction for load in parts)),
         }
     )
 
@@ -154,12 +157,13 @@ def profile(solution: Solution, points: int = 101) -> pd.DataFrame:
 
 
 def swarm_runs(swarm: SwarmReport) -> pd.DataFrame:
-    """Tabulate the runs of the swarm: the objective that each ended with."""
+    """Tabulate the runs of the swarm: where each ended, and after how many iterations."""
     numbers = range(1, len(swarm.objectives) + 1)
     return pd.DataFrame(
         {
             "Run": numbers,
             **_column("objective", swarm.objectives),
+            "Iterations flown": swarm.iterations_flown or [swarm.iterations] * len(numbers),
             "Best run": ["yes" if number == swarm.best_run else "" for number in numbers],
         }
     )
@@ -202,4 +206,5 @@ def _column(
 ) -> dict[str, pd.Series[float]]:
     """Give values in SI the heading and the unit of a quantity; what is not known stays empty."""
     known = QUANTITIES[quantity] if isinstance(quantity, str) else quantity
-    return {known.heading: known.to_field(pd.Series(list(values), dtype="float64"))}
+    in_field = [math.nan if value is None else known.to_field(value) for value in values]
+    return {known.heading: pd.Series(in_field, dtype="float64")}

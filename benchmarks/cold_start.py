@@ -1,0 +1,87 @@
+"""Time from the shell to the answer: ``catopt solve`` beside ``python -c "import numpy"``.
+
+    python benchmarks/cold_start.py [--rounds 21] [--out benchmarks/results/cold_start.md]
+
+Every process is new. The commands alternate, so that a slow moment of the machine meets all of
+them; before the first round each has run once, so that bytecode is on disk. Quote the ratios.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+CASE = Path("cases/buoy-9.5m/case.toml")
+NUMPY = 'python -c "import numpy"'
+COMMANDS = {
+    "python -c pass": [sys.executable, "-c", "pass"],
+    NUMPY: [sys.executable, "-c", "import numpy"],
+    "catopt --help": [sys.executable, "-m", "catopt", "--help"],
+    f"catopt solve {CASE}": [sys.executable, "-m", "catopt", "solve", str(CASE)],
+    f"catopt solve {CASE} --json": [sys.executable, "-m", "catopt", "solve", str(CASE), "--json"],
+}
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=21)
+    parser.add_argument("--out", type=Path, help="also write the table here")
+    arguments = parser.parse_args()
+    text = report(timed(arguments.rounds), arguments.rounds)
+    print(text)
+    if arguments.out is not None:
+        arguments.out.write_text(text + "\n", encoding="utf-8")
+
+
+def timed(rounds: int) -> dict[str, list[float]]:
+    """Seconds that each command took in each round."""
+    for command in COMMANDS.values():
+        once(command)
+    taken: dict[str, list[float]] = {name: [] for name in COMMANDS}
+    for _ in range(rounds):
+        for name, command in COMMANDS.items():
+            taken[name].append(once(command))
+    return taken
+
+
+def once(command: list[str]) -> float:
+    """Run a command from the root of the project; return its seconds."""
+    root = Path(__file__).parents[1]
+    start = time.perf_counter()
+    subprocess.run(command, cwd=root, stdout=subprocess.DEVNULL, check=True)
+    return time.perf_counter() - start
+
+
+def report(taken: dict[str, list[float]], rounds: int) -> str:
+    """Lay the times out as a Markdown page."""
+    base = statistics.median(taken[NUMPY])
+    rows = [
+        f"| `{name}` | {1e3 * statistics.median(times):.0f} | {1e3 * min(times):.0f} | "
+        f"{statistics.median(times) / base:.2f} |"
+        for name, times in taken.items()
+    ]
+    return "\n".join(
+        [
+            "# Cold start",
+            "",
+            f"`python benchmarks/cold_start.py --rounds {rounds}`, each command a new process, "
+            "one after the other in turn.",
+            f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
+            f"{os.cpu_count()} cores.",
+            "",
+            "| command | median, ms | fastest, ms | median over that of numpy |",
+            "|---|---|---|---|",
+            *rows,
+        ]
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,134 @@
+"""``catopt solve``: one line at rest."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from catopt.cli.options import JsonOption, OutOption
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.cli.output import Output
+    from catopt.model import Case
+
+__all__ = ["solve"]
+
+
+class Method(StrEnum):
+    """How the line is solved."""
+
+    CLOSED_FORM = "closed-form"
+    PSO = "pso"
+
+
+def solve(
+    context: typer.Context,
+    case: Annotated[Path, typer.Argument(metavar="CASE", help="Case file (TOML).")],
+    method: Annotated[
+        Method,
+        typer.Option(
+            metavar="METHOD",
+            help="closed-form, or pso for the particle swarm, which wants a known horizontal "
+            "force and the anchor on the bed.",
+        ),
+    ] = Method.CLOSED_FORM,
+    runs: Annotated[
+        int | None, typer.Option(metavar="N", help="pso: independent runs; overrides the case.")
+    ] = None,
+    particles: Annotated[
+        int | None, typer.Option(metavar="N", help="pso: size of the swarm; overrides the case.")
+    ] = None,
+    iterations: Annotated[
+        int | None, typer.Option(metavar="N", help="pso: iterations a run; overrides the case.")
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option(metavar="N", help="pso: seed; overrides the case.")
+    ] = None,
+    boundary: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="pso: what happens to a particle beyond a bound: nearest, reflective, shrink, "
+            "random, intermediate or periodic; overrides the case.",
+        ),
+    ] = None,
+    profile: Annotated[
+        bool, typer.Option("--profile", help="Add the shape and the tension along the line.")
+    ] = False,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Solve one mooring line at rest.
+
+    Prints the inclination at the anchor, the span, the tensions and how the line lies, with the
+    residuals of the equilibrium. Forces are shown in kN and tf, the JSON document is in SI.
+    """
+    from catopt.casefile import read_case
+
+    output: Output = context.obj
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+    settings: dict[str, Any] = {
+        "runs": runs,
+        "particles": particles,
+        "iterations": iterations,
+        "seed": seed,
+        "boundary": boundary,
+    }
+    given = {key: value for key, value in settings.items() if value is not None}
+    read = _with_settings(read_case(case), given, method)
+    solution = _solved(read, method, output)
+    if out is not None:
+        _write(read, solution, out, output)
+    if as_json:
+        output.json(solution.to_dict(profile=profile))
+        return
+    from catopt.cli.solution_view import show_solution
+
+    show_solution(output, read, solution, with_profile=profile)
+
+
+def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
+    """Put the swarm's options in place of the case's settings."""
+    from dataclasses import replace
+
+    from catopt.errors import InputError, Problem
+
+    if given and method is not Method.PSO:
+        raise InputError(
+            [Problem(f"--{key}", str(value), "needs --method pso") for key, value in given.items()],
+            "options",
+        )
+    try:
+        return replace(case, swarm=replace(case.swarm, **given)) if given else case
+    except InputError as error:
+        problems = [Problem(f"--{each.key}", each.found, each.allowed) for each in error.problems]
+        raise InputError(problems, "options") from error
+
+
+def _solved(case: Case, method: Method, output: Output) -> Solution:
+    if method is Method.CLOSED_FORM:
+        from catopt.catenary.solve import solve_case
+
+        return solve_case(case)
+    from catopt.catenary.swarm.case import solve_case_by_swarm
+
+    runs = case.swarm.runs
+    with output.progress("Swarm runs") as tell:
+        return solve_case_by_swarm(
+            case, progress=None if tell is None else lambda done: tell(done, runs)
+        )
+
+
+def _write(case: Case, solution: Solution, directory: Path, output: Output) -> None:
+    from catopt.report.bundle import solution_bundle
+    from catopt.report.files import write_files
+
+    written = write_files(directory, solution_bundle(case, solution))
+    output.note(f"{len(written)} files written to {directory}")

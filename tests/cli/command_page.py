@@ -1,0 +1,56 @@
+"""The help of every command, and its copy in docs/commands.md.
+
+``python -m tests.cli.command_page`` brings the copy up to date.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from catopt.cli.app import app
+
+PAGE = Path(__file__).parents[2] / "docs" / "commands.md"
+
+_BLOCK = re.compile(r"```text\n\$ (catopt[a-z ]*) --help\n(.*?)```", re.DOTALL)
+
+
+def commands() -> list[str]:
+    """Every command that has a help of its own, as it is typed."""
+    names = [
+        info.name or info.callback.__name__ for info in app.registered_commands if info.callback
+    ]
+    return ["catopt", *(f"catopt {name}" for name in names)]
+
+
+def help_of(command: str) -> str:
+    """Help of a command at a fixed width."""
+    environment = {**os.environ, "COLUMNS": "100", "NO_COLOR": "1", "TERM": "dumb"}
+    ran = subprocess.run(
+        [sys.executable, "-m", *command.split(), "--help"],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        env=environment,
+        check=True,
+    )
+    return ran.stdout
+
+
+def blocks(page: str) -> dict[str, str]:
+    """Help that a page shows, by command."""
+    return {command.strip(): text for command, text in _BLOCK.findall(page)}
+
+
+def up_to_date(page: str) -> str:
+    """Put the real help in the place of what a page shows."""
+    return _BLOCK.sub(
+        lambda found: f"```text\n$ {found[1]} --help\n{help_of(found[1].strip())}```", page
+    )
+
+
+if __name__ == "__main__":
+    PAGE.write_text(up_to_date(PAGE.read_text("utf-8")), encoding="utf-8")

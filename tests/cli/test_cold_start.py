@@ -1,0 +1,48 @@
+"""What a command loads before it answers: counted in modules, for times wander."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from .conftest import BUOY
+
+HEAVY = {
+    "matplotlib", "numba", "numpy", "pandas", "pint", "pymoo", "pyswarms", "scipy", "xlsxwriter",
+}  # fmt: skip
+
+
+LIGHT = HEAVY | {"pydantic", "rich"}
+
+
+def loaded(*arguments: str) -> set[str]:
+    """Top-level names of all modules that a command imports."""
+    command = [sys.executable, "-X", "importtime", "-m", "catopt", *arguments]
+    ran = subprocess.run(command, capture_output=True, text=True, check=True)
+    lines = re.findall(r"^import time:.*\|\s*(\S+)$", ran.stderr, flags=re.MULTILINE)
+    return {line.partition(".")[0] for line in lines}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "absent"),
+    [
+        (["--help"], LIGHT),
+        (["--version"], LIGHT),
+        (["solve", "--help"], HEAVY | {"rich"}),
+        (["solve", str(BUOY)], HEAVY),
+        (["solve", str(BUOY), "--profile"], HEAVY),
+        (["solve", str(BUOY), "--json"], HEAVY | {"rich"}),
+    ],
+    ids=["help", "version", "solve help", "solve", "profile", "json"],
+)
+def test_nothing_heavy_is_loaded(arguments: list[str], absent: set[str]) -> None:
+    found = loaded(*arguments)
+    assert "catopt" in found
+    assert found & absent == set()
+
+
+def test_the_guard_sees_what_is_loaded() -> None:
+    assert {"numpy", "pyswarms", "rich"} <= loaded("solve", str(BUOY), "--method", "pso")

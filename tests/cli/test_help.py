@@ -1,0 +1,54 @@
+"""docs/commands.md shows the help of every command as it is."""
+
+from __future__ import annotations
+
+import pytest
+import typer
+import typer.main
+
+from catopt.cli.app import app
+
+from .command_page import PAGE, blocks, commands, help_of
+
+WRITTEN_WITH = "0.29"
+"""typer whose layout the page shows; another one may set brackets and spaces otherwise."""
+
+
+def words(text: str) -> str:
+    return " ".join(text.split())
+
+
+def shown() -> dict[str, str]:
+    """Read what the page shows, by command."""
+    return blocks(PAGE.read_text("utf-8"))
+
+
+def test_every_command_is_on_the_page() -> None:
+    assert sorted(shown()) == sorted(commands())
+
+
+@pytest.mark.skipif(
+    not typer.__version__.startswith(f"{WRITTEN_WITH}."), reason=f"typer is not {WRITTEN_WITH}"
+)
+@pytest.mark.parametrize("command", commands())
+def test_the_help_on_the_page_is_the_real_one(command: str) -> None:
+    """When it is not: python -m tests.cli.command_page writes it anew."""
+    assert words(shown()[command]) == words(help_of(command))
+
+
+@pytest.mark.parametrize("command", commands()[1:])
+def test_every_option_and_its_help_is_on_the_page(command: str) -> None:
+    """Whatever lays the help out, these words are ours."""
+    group = typer.main.get_command(app)
+    found = group.commands[command.split()[1]]  # type: ignore[attr-defined]
+    text = words(shown()[command])
+    assert words(found.help.replace("\f", "")) in text
+    for parameter in found.params:
+        assert words(parameter.help) in text
+        for name in parameter.opts:
+            assert parameter.param_type_name == "argument" or name in text
+
+
+def test_a_changed_help_is_noticed() -> None:
+    changed = PAGE.read_text("utf-8").replace("--seed N", "--sead N")
+    assert words(blocks(changed)["catopt solve"]) != words(help_of("catopt solve"))

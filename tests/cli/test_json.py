@@ -1,0 +1,174 @@
+"""Every JSON document against its schema, and nothing beside it on standard output."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+import catopt
+from catopt import schemas
+from catopt.errors import InputError
+
+from .conftest import BUOY, SLACK, Run
+
+
+def validate(document: dict[str, Any]) -> None:
+    jsonschema.Draft202012Validator(schemas.schema(document["schema"])).validate(document)
+
+
+def document_of(run: Run, *arguments: object) -> dict[str, Any]:
+    """Run a command with --json; its standard output is one valid document and nothing else."""
+    ran = run(*arguments, "--json")
+    assert (ran.status, ran.err) == (0, "")
+    document: dict[str, Any] = json.loads(ran.out)
+    validate(document)
+    return document
+
+
+@pytest.mark.parametrize("further", [(), ("--profile",), ("--method", "pso", "--profile")])
+@pytest.mark.parametrize("case", [BUOY, SLACK], ids=["suspended", "grounded"])
+def test_solve(run: Run, case: Path, further: tuple[str, ...]) -> None:
+    document = document_of(run, "solve", case, *further)
+    assert document["method"] == ("pso" if "pso" in further else "closed-form")
+    assert ("profile" in document) == ("--profile" in further)
+    assert ("pso" in document) == ("pso" in further)
+
+
+def test_solve_with_point_loads(run: Run, chain_and_wire: Path) -> None:
+    document = document_of(run, "solve", chain_and_wire)
+    assert [segment["name"] for segment in document["segments"]] == ["wire", "chain"]
+    assert [segment["utilisation"] is None for segment in document["segments"]] == [False, True]
+    assert document["point_loads"][0]["position_m"] == 800.0
+
+
+def test_solve_with_a_question(run: Run, sought: Path) -> None:
+    """The chain that is level at its anchor: L_min = sqrt(h (h + 2 a)), a = H / w."""
+    found = document_of(run, "solve", sought)["found"]
+    length = math.sqrt(9.5 * (9.5 + 2.0 * 343.0 / 9.5))
+    assert (found["quantity"], found["unit"]) == ("length", "m")
+    # Near 0 deg the angle rises with the length at a finite rate, so the length is as good as it.
+    assert found["value"] == pytest.approx(length, rel=1e-9)
+    assert "found" not in document_of(run, "solve", BUOY)
+
+
+def test_solve_prints_what_python_gives(run: Run) -> None:
+    solution = catopt.solve_case(catopt.read_case(BUOY))
+    assert document_of(run, "solve", BUOY) == solution.to_dict()
+
+
+def test_options_reach_the_swarm(run: Run) -> None:
+    further = ("--runs", 2, "--particles", 150, "--iterations", 190, "--seed", 7)
+    document = document_of(run, "solve", BUOY, "--method", "pso", *further)
+    assert document["pso"]["runs"] == 2
+    assert document["pso"]["iterations"] == 190
+    assert document["pso"]["seed"] == 7
+    assert document["pso"]["evaluations"] % 150 == 0
+    assert document["pso"]["evaluations"] <= 2 * 150 * 190
+
+
+def test_reproduce(run: Run) -> None:
+    document = document_of(run, "reproduce", "buoy_9p5m")
+    assert {item["name"] for item in document["items"]} == {"buoy_9p5m"}
+
+
+def test_new(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    document = document_of(run, "new", "buoy", path)
+    assert document == {"schema": "catopt.new/1", "template": "buoy", "path": str(path)}
+
+
+# What scripts hang on: names that may be added to and never dropped.
+PROMISED = {
+    "": "schema title method status horizontal_force_N span_m fairlead_height_m fairlead anchor "
+    "grounded_length_m suspended_length_m stretched_length_m line_mass_kg segments point_loads "
+    "residual warnings",
+    "fairlead": "tension_N vertical_force_N angle_rad",
+    "anchor": "tension_N horizontal_force_N vertical_force_N angle_rad",
+    "residual": "height_m span_m",
+    "profile": "s_m x_m z_m tension_N",
+    "pso": "objective evaluations iterations runs seed converged_runs",
+}
+
+
+@pytest.mark.parametrize("part", PROMISED)
+def test_promised_keys_are_there(run: Run, part: str) -> None:
+    document = document_of(run, "solve", BUOY, "--method", "pso", "--profile")
+    table = document[part] if part else document
+    assert set(PROMISED[part].split()) <= set(table)
+
+
+def test_promised_keys_of_parts_and_items(run: Run, chain_and_wire: Path) -> None:
+    document = document_of(run, "solve", chain_and_wire)
+    segment = {"name", "length_m", "max_tension_N", "utilisation"}
+    assert segment <= set(document["segments"][0])
+    load = {"position_m", "x_m", "z_m", "seabed_reaction_N"}
+    assert load <= set(document["point_loads"][0])
+    item = {
+        "source", "name", "quantity", "published", "computed", "unit", "printed_digits", "verdict",
+        "note",
+    }  # fmt: skip
+    assert item <= set(document_of(run, "reproduce")["items"][0])
+
+
+# ------------------------------------------------------------------ the schemas themselves
+
+
+def objects(node: object, path: str = "") -> Iterator[tuple[str, dict[str, Any]]]:
+    """Every schema of an object with its properties, and where it stands."""
+    if isinstance(node, dict):
+        if node.get("type") == "object":
+            yield path, node
+        for key, value in node.items():
+            yield from objects(value, f"{path}/{key}")
+
+
+@pytest.mark.parametrize("name", schemas.names())
+def test_schemas_are_strict_and_described(name: str) -> None:
+    schema = schemas.schema(name)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    assert schema["properties"]["schema"] == {"const": name}
+    for path, node in objects(schema):
+        assert node["additionalProperties"] is False, path
+        for key, property_ in node["properties"].items():
+            assert "const" in property_ or property_["description"], f"{path}/{key}"
+
+
+UNITS = {"_N": "N", "_m": "m", "_rad": "rad", "_kg": "kg"}
+
+
+@pytest.mark.parametrize("name", schemas.names())
+def test_units_of_keys_stand_in_the_descriptions(name: str) -> None:
+    for path, node in objects(schemas.schema(name)):
+        for key, property_ in node["properties"].items():
+            unit = next((unit for end, unit in UNITS.items() if key.endswith(end)), None)
+            if unit is not None:
+                first = property_["description"].replace(",", " ").replace(":", " ").rstrip(".")
+                assert first.split()[0] == unit, f"{path}/{key}"
+
+
+def test_a_document_that_strays_is_rejected(run: Run) -> None:
+    document = document_of(run, "solve", BUOY)
+    changes: list[dict[str, Any]] = [
+        {"span": 17.43},
+        {"span_m": "17.43"},
+        {"regime": "flying"},
+        {"status": "stalled"},
+        {"method": "pso"},  # without its block
+        {"pso": {}},  # without its method
+    ]
+    for change in changes:
+        with pytest.raises(jsonschema.ValidationError):
+            validate({**document, **change})
+    with pytest.raises(jsonschema.ValidationError):
+        validate({key: value for key, value in document.items() if key != "warnings"})
+
+
+def test_an_unknown_schema_is_an_input_error() -> None:
+    with pytest.raises(InputError, match=r"catopt\.solution/1"):
+        schemas.schema("catopt.nothing/1")

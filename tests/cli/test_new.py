@@ -1,0 +1,63 @@
+"""``catopt new`` writes a case that solves and never touches what is there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from catopt.casefile import TEMPLATES, template
+
+from .conftest import Run
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_the_case_solves_as_it_stands(
+    run: Run, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    ran = run("new", name)
+    assert (ran.status, ran.err) == (0, "")
+    assert f"{name}.toml" in ran.out
+    assert (tmp_path / f"{name}.toml").read_bytes() == template(name).encode("utf-8")
+    assert run("solve", f"{name}.toml").status == 0
+
+
+def test_a_file_is_never_overwritten(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text("my own work\n", encoding="utf-8")
+    ran = run("new", "buoy", path)
+    assert (ran.status, ran.out) == (2, "")
+    assert "is there already and is kept" in ran.err
+    assert path.read_text("utf-8") == "my own work\n"
+
+
+def test_a_place_that_cannot_be_written(run: Run, tmp_path: Path) -> None:
+    ran = run("new", "buoy", tmp_path / "missing" / "mine.toml")
+    assert (ran.status, ran.out) == (2, "")
+    assert "cannot be written" in ran.err
+
+
+def test_a_disk_that_fills_leaves_no_half_a_file(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "mine.toml"
+    opened = Path.open
+
+    def full(self: Path, *arguments: str, **options: str) -> object:
+        stream = opened(self, *arguments, **options)  # type: ignore[call-overload]
+        if self == path:
+            stream.close()
+            raise OSError(28, "No space left on device")
+        return stream
+
+    monkeypatch.setattr(Path, "open", full)
+    ran = run("new", "buoy", path)
+    assert ran.status == 2
+    assert "No space left on device" in ran.err
+    assert not path.exists()
+
+
+def test_help_names_every_template(run: Run) -> None:
+    shown = run("new", "--help").out
+    assert [name for name in TEMPLATES if name not in shown] == []

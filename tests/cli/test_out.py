@@ -1,0 +1,214 @@
+"""What ``--out`` writes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import struct
+from pathlib import Path
+from typing import Any
+
+import openpyxl
+import pytest
+
+from catopt.report.plots import DPI, SIZE
+
+from .conftest import BUOY, Run
+
+ROUNDING = 1e-15
+"""Relative: the workbook keeps 16 significant digits, JSON 17; plus one division by 1000."""
+
+TABLES = {"inputs.csv", "summary.csv", "segments.csv", "profile.csv"}
+FIGURES = {"line.png", "line.svg", "tension.png", "tension.svg"}
+PLAIN = TABLES | FIGURES | {"solution.json", "solution.xlsx"}
+OF_SWARM = {
+    "swarm_runs.csv",
+    "swarm_history.csv",
+    "swarm_fitness.png",
+    "swarm_fitness.svg",
+    "swarm_tension.png",
+    "swarm_tension.svg",
+}
+TEXT = {"Title", "Source", "Method", "Regime", "Warnings", "Name", "Best run"}
+COUNTS = {"Segment", "Point load", "Run", "Iteration", "Iterations flown"}
+
+
+def names(directory: Path) -> set[str]:
+    return {path.name for path in directory.iterdir()}
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def listed(sheet: Any) -> dict[str, Any]:
+    """Read a sheet's list of quantities: heading and value."""
+    return {row[0]: row[1] for row in sheet.iter_rows(min_row=2, max_col=2, values_only=True)}
+
+
+def column(sheet: Any, heading: str) -> list[Any]:
+    """Read a column of a table that starts in the first row, down to its first empty cell."""
+    (found,) = [cell.column for cell in sheet[1] if cell.value == heading]
+    values = [sheet.cell(row, found).value for row in range(2, sheet.max_row + 1)]
+    return values[: values.index(None)] if None in values else values
+
+
+def close(first: float, second: float) -> bool:
+    return math.isclose(first, second, rel_tol=ROUNDING, abs_tol=0.0)
+
+
+def test_solve_writes_its_files_and_says_so_beside_the_answer(run: Run, tmp_path: Path) -> None:
+    out = tmp_path / "new" / "deep"
+    ran = run("solve", BUOY, "--out", out)
+    assert ran.status == 0
+    assert names(out) == PLAIN
+    assert ran.err == f"{len(PLAIN)} files written to {out}\n"
+    assert ran.out == run("solve", BUOY).out
+
+
+def test_the_swarm_adds_its_own(run: Run, tmp_path: Path) -> None:
+    ran = run("solve", BUOY, "--method", "pso", "--json", "--out", tmp_path / "out")
+    assert ran.status == 0
+    assert names(tmp_path / "out") == PLAIN | OF_SWARM
+    assert json.loads(ran.out)["method"] == "pso"
+
+
+def test_point_loads_have_a_table(run: Run, tmp_path: Path, chain_and_wire: Path) -> None:
+    run("solve", chain_and_wire, "--out", tmp_path / "out")
+    (load,) = rows(tmp_path / "out" / "point_loads.csv")
+    assert load["Position from the anchor (m)"] == "800.0"
+
+
+def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> None:
+    assert run("reproduce", "--out", tmp_path / "out").status == 0
+    swarm = {name.replace("swarm", "buoy_9p5m") for name in OF_SWARM}
+    page = {f"reproduction.{end}" for end in ("md", "json", "csv", "xlsx")}
+    assert names(tmp_path / "out") == page | swarm
+    items = json.loads((tmp_path / "out" / "reproduction.json").read_text("utf-8"))["items"]
+    table = rows(tmp_path / "out" / "reproduction.csv")
+    assert [row["Verdict"] for row in table] == [item["verdict"] for item in items]
+    assert all(row["Unit"] for row in table)
+    book = openpyxl.load_workbook(tmp_path / "out" / "reproduction.xlsx")
+    assert book.sheetnames == ["Comparison", "Inputs", "Findings"]
+    assert column(book["Comparison"], "Verdict") == [item["verdict"] for item in items]
+
+
+def test_every_heading_of_a_number_carries_its_unit(
+    run: Run, tmp_path: Path, chain_and_wire: Path
+) -> None:
+    run("solve", BUOY, "--method", "pso", "--out", tmp_path / "a")
+    run("solve", chain_and_wire, "--out", tmp_path / "b")
+    paths = [*(tmp_path / "a").glob("*.csv"), *(tmp_path / "b").glob("*.csv")]
+    assert len(paths) == 6 + 5
+    for path in paths:
+        for heading in rows(path)[0]:
+            assert heading in TEXT | COUNTS or heading.endswith(")"), f"{path.name}: {heading}"
+
+
+def test_csv_holds_the_document_s_numbers_in_the_field_s_units(run: Run, tmp_path: Path) -> None:
+    document = json.loads(run("solve", BUOY, "--json", "--profile", "--out", tmp_path).out)
+    (summary,) = rows(tmp_path / "summary.csv")
+    tension = document["fairlead"]["tension_N"]
+    assert close(float(summary["Fairlead tension T (kN)"]), tension / 1e3)
+    assert close(float(summary["Fairlead tension T (tf)"]), tension / 9806.65)
+    assert float(summary["Span S (m)"]) == document["span_m"]
+    assert summary["Line mass in air (t)"] == "", "not known, so empty"
+    profile = rows(tmp_path / "profile.csv")
+    heights = [float(row["Height above the seabed z (m)"]) for row in profile]
+    assert heights == document["profile"]["z_m"]
+
+
+def test_the_workbook_holds_the_document_s_numbers(
+    run: Run, tmp_path: Path, chain_and_wire: Path
+) -> None:
+    document = json.loads(
+        run("solve", chain_and_wire, "--json", "--profile", "--out", tmp_path).out
+    )
+    book = openpyxl.load_workbook(tmp_path / "solution.xlsx")
+    assert book.sheetnames == ["Inputs", "Results", "Line shape"]
+    results = listed(book["Results"])
+    for heading, value, unit in (
+        ("Span S (m)", document["span_m"], 1.0),
+        ("Fairlead tension T (kN)", document["fairlead"]["tension_N"], 1e3),
+        ("Fairlead tension T (tf)", document["fairlead"]["tension_N"], 9806.65),
+        ("Inclination at the fairlead theta1 (rad)", document["fairlead"]["angle_rad"], 1.0),
+        ("Anchor horizontal force (kN)", document["anchor"]["horizontal_force_N"], 1e3),
+        ("Grounded length (m)", document["grounded_length_m"], 1.0),
+        ("Residual of the height (m)", document["residual"]["height_m"], 1.0),
+    ):
+        assert close(results[heading], value / unit), heading
+    shape = book["Line shape"]
+    for heading, key, unit in (
+        ("Arc length s (m)", "s_m", 1.0),
+        ("Distance from the anchor x (m)", "x_m", 1.0),
+        ("Height above the seabed z (m)", "z_m", 1.0),
+        ("Tension T (kN)", "tension_N", 1e3),
+    ):
+        found = column(shape, heading)
+        wanted = document["profile"][key]
+        assert len(found) == len(wanted)
+        assert all(close(a, b / unit) for a, b in zip(found, wanted, strict=True)), heading
+
+
+def test_the_swarm_s_sheet(run: Run, tmp_path: Path) -> None:
+    document = json.loads(run("solve", BUOY, "--method", "pso", "--json", "--out", tmp_path).out)
+    book = openpyxl.load_workbook(tmp_path / "solution.xlsx")
+    assert book.sheetnames == ["Inputs", "Results", "Line shape", "Swarm"]
+    history = column(book["Swarm"], "Best objective f (m)")
+    assert history == sorted(history, reverse=True), "the best so far never gets worse"
+    assert close(history[-1], document["pso"]["objective"])
+    assert column(book["Swarm"], "Objective f (m)") == [document["pso"]["objective"]]
+
+
+def png_size(path: Path) -> tuple[int, int]:
+    """Width and height from the header of a PNG file."""
+    content = path.read_bytes()
+    assert content.startswith(b"\x89PNG\r\n\x1a\n")
+    width, height = struct.unpack(">II", content[16:24])
+    return width, height
+
+
+def test_figures_have_the_size_of_the_page(run: Run, tmp_path: Path) -> None:
+    run("solve", BUOY, "--method", "pso", "--out", tmp_path)
+    size = tuple(round(inches * DPI) for inches in SIZE)
+    for name in ("tension", "swarm_fitness", "swarm_tension"):
+        assert png_size(tmp_path / f"{name}.png") == size
+    assert png_size(tmp_path / "line.png")[0] == size[0]
+    for path in tmp_path.glob("*.svg"):
+        assert "</svg>" in path.read_text("utf-8")
+
+
+def test_other_files_stay_and_files_of_the_same_name_are_replaced(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "summary.csv").write_text("old", encoding="utf-8")
+    (tmp_path / "notes.txt").write_text("mine", encoding="utf-8")
+    assert run("solve", BUOY, "--out", tmp_path).status == 0
+    assert names(tmp_path) == PLAIN | {"notes.txt"}
+    assert (tmp_path / "notes.txt").read_text("utf-8") == "mine"
+    assert "Span S (m)" in (tmp_path / "summary.csv").read_text("utf-8")
+
+
+@pytest.mark.parametrize("command", [["solve", BUOY], ["reproduce"]], ids=["solve", "reproduce"])
+def test_a_file_in_the_way_is_2_before_anything_is_computed(
+    run: Run, tmp_path: Path, command: list[object], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("computed, although nothing can be written")
+
+    monkeypatch.setattr("catopt.catenary.solve.solve_case", never)
+    monkeypatch.setattr("catopt.reproduce.reproduce", never)
+    path = tmp_path / "file"
+    path.write_text("mine", encoding="utf-8")
+    for out in (path, path / "below"):
+        ran = run(*command, "--json", "--out", out)
+        assert (ran.status, ran.out) == (2, "")
+        assert "--out: " in ran.err
+    assert path.read_text("utf-8") == "mine"
+
+
+def test_nothing_is_written_when_there_is_no_answer(
+    run: Run, tmp_path: Path, too_short: Path
+) -> None:
+    assert run("solve", too_short, "--out", tmp_path / "out").status == 3
+    assert names(tmp_path / "out") == set()

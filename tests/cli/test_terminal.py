@@ -1,0 +1,165 @@
+"""What a person sees: width, colour, encoding, progress."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from .conftest import BUOY, Run
+
+ESCAPE = "\x1b"
+TITLE = "Phao luồng số 1, θ = 15° [x]"
+
+needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="no pseudo-terminals there")
+
+
+def in_terminal(*arguments: str, **environment: str) -> tuple[int, str]:
+    """Run catopt with a pseudo-terminal as standard output and error; return what it shows."""
+    import pty
+
+    ours, theirs = pty.openpty()
+    base = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "COLUMNS")}
+    command = subprocess.Popen(
+        [sys.executable, "-m", "catopt", *arguments],
+        stdin=subprocess.DEVNULL,
+        stdout=theirs,
+        stderr=theirs,
+        env={**base, "TERM": "xterm-256color", **environment},
+    )
+    os.close(theirs)
+    shown = b""
+    while True:
+        try:
+            part = os.read(ours, 65536)
+        except OSError:  # Linux reports the end of a pseudo-terminal so
+            part = b""
+        if not part:
+            break
+        shown += part
+    os.close(ours)
+    return command.wait(), shown.decode("utf-8").replace("\r\n", "\n")
+
+
+@pytest.mark.parametrize("columns", [None, "80", "100", "40"])
+@pytest.mark.parametrize("further", [(), ("--profile",), ("--method", "pso")])
+def test_lines_are_no_longer_than_the_terminal_is_wide(
+    run: Run, monkeypatch: pytest.MonkeyPatch, columns: str | None, further: tuple[str, ...]
+) -> None:
+    if columns is None:
+        monkeypatch.delenv("COLUMNS", raising=False)
+    else:
+        monkeypatch.setenv("COLUMNS", columns)
+    ran = run("solve", BUOY, *further)
+    assert ran.status == 0
+    assert max(map(len, ran.out.splitlines())) <= max(80, int(columns or 80))
+
+
+def test_no_cell_is_cut_off_in_80_columns(run: Run, chain_and_wire: Path) -> None:
+    for arguments in (["solve", chain_and_wire, "--profile"], ["reproduce"]):
+        ran = run(*arguments)
+        assert ran.status == 0
+        assert "…" not in ran.out
+        assert max(map(len, ran.out.splitlines())) <= 80
+
+
+def test_what_is_piped_has_no_escape_codes(run: Run) -> None:
+    for arguments in (["solve", BUOY], ["solve", BUOY, "--method", "pso"], ["reproduce"]):
+        ran = run(*arguments)
+        assert ESCAPE not in ran.out + ran.err
+
+
+@needs_pty
+def test_a_terminal_gets_bold_headings_and_NO_COLOR_none() -> None:
+    status, shown = in_terminal("solve", str(BUOY))
+    assert status == 0
+    assert ESCAPE in shown
+    status, plain = in_terminal("solve", str(BUOY), NO_COLOR="1")
+    assert status == 0
+    assert ESCAPE not in plain
+    assert "17.430 m" in plain
+
+
+@needs_pty
+def test_progress_is_for_terminals_only(run: Run) -> None:
+    further = ("--method", "pso", "--runs", "2")
+    status, shown = in_terminal("solve", str(BUOY), *further)
+    assert status == 0
+    assert "Swarm runs" in shown
+    ran = run("solve", BUOY, *further)
+    assert (ran.status, ran.err) == (0, "")
+    assert "Swarm runs" not in ran.out
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii", "utf-8"])
+def test_a_console_without_the_letters_does_not_stop_the_answer(
+    tmp_path: Path, encoding: str
+) -> None:
+    path = tmp_path / "case.toml"
+    text = BUOY.read_text("utf-8").replace("Marker buoy, 9.5 m", TITLE)
+    path.write_text(text, encoding="utf-8")
+    environment = {**os.environ, "PYTHONIOENCODING": encoding}
+    answers = {}
+    for further in ((), ("--json",)):
+        command = [sys.executable, "-m", "catopt", "solve", str(path), *further]
+        ran = subprocess.run(command, capture_output=True, env=environment, check=False)
+        assert (ran.returncode, ran.stderr) == (0, b"")
+        answers[further] = ran.stdout.decode(encoding)
+    assert "17.430 m" in answers[()]
+    assert "lu" in answers[()].splitlines()[0]
+    assert json.loads(answers["--json",])["title"] == TITLE
+
+
+def test_brackets_and_codes_in_a_title_are_plain_text(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    title = "[red]R3[/red] :warning: 100 %"
+    path.write_text(BUOY.read_text("utf-8").replace("Marker buoy, 9.5 m", title), "utf-8")
+    assert run("solve", path).out.splitlines()[0] == title
+
+
+def test_the_answer_in_words(run: Run, chain_and_wire: Path) -> None:
+    """The figures of S1 in both units, and what the reader needs around them."""
+    shown = " ".join(run("solve", BUOY).out.split())
+    for part in (
+        "Marker buoy, 9.5 m Solved by closed form; the whole line hangs clear of the bed.",
+        "Inclination at the anchor theta0 15.57 deg 0.2717 rad",
+        "Span S 17.430 m",
+        "Fairlead tension T 4.377 kN 0.4463 tf",
+        "Given horizontal force H 3.364 kN 0.3430 tf",
+        "Residual of the height, laid out from the anchor: ",
+    ):
+        assert part in shown
+    shown = " ".join(run("solve", chain_and_wire).out.split())
+    assert "Utilisation: largest tension times 2 over MBL." in shown
+    assert "Line mass in air -" in shown, "the clump weight's mass is not known"
+
+
+def test_what_was_sought_comes_first(run: Run, sought: Path) -> None:
+    shown = " ".join(run("solve", sought).out.split())
+    assert "Found for the inclination at the anchor 0 deg" in shown
+    assert "Found length of segment 1 L 27.8" in shown
+    assert shown.index("Found") < shown.index("Result")
+
+
+def test_the_swarm_s_block(run: Run) -> None:
+    shown = " ".join(run("solve", BUOY, "--method", "pso", "--runs", "2").out.split())
+    assert "Solved by particle swarm" in shown
+    assert "Runs that reached f < 1e-9 m 2 of 2" in shown
+    assert "of 2, seed 1" in shown
+    assert "Swarm less closed form, span" in shown
+
+
+def test_warnings_are_shown(run: Run, tmp_path: Path) -> None:
+    """A breaking load below the tension is no error, but it must not go unseen."""
+    path = tmp_path / "weak.toml"
+    text = BUOY.read_text("utf-8")
+    path.write_text(text.replace('length = "20 m"', 'length = "20 m"\nMBL = "4 kN"'), "utf-8")
+    ran = run("solve", path)
+    assert ran.status == 0
+    assert "Warning: segment 1 carries 4.377 kN, more than its MBL of 4 kN" in ran.out
+    warnings = json.loads(run("solve", path, "--json").out)["warnings"]
+    assert any("more than its MBL" in warning for warning in warnings)

@@ -1,0 +1,67 @@
+"""The workbook: native charts, frozen headings, and text that stays text."""
+
+from __future__ import annotations
+
+import zipfile
+from dataclasses import replace
+from io import BytesIO
+
+import openpyxl
+
+from catopt.catenary.solution import Solution
+from catopt.model import Case, Line, Load, Site
+from catopt.report.workbook import solution_workbook
+
+from .conftest import buoy_case, report_with
+
+
+def test_every_sheet_keeps_its_headings_in_sight(case: Case, swarm: Solution) -> None:
+    book = openpyxl.load_workbook(BytesIO(solution_workbook(case, swarm)))
+    assert book.sheetnames == ["Inputs", "Results", "Line shape", "Swarm"]
+    assert [sheet.freeze_panes for sheet in book] == ["A2"] * 4
+    assert book.properties.title == "Buoy"
+
+
+def test_charts_are_native_and_read_their_cells(case: Case, swarm: Solution) -> None:
+    with zipfile.ZipFile(BytesIO(solution_workbook(case, swarm))) as package:
+        names = sorted(name for name in package.namelist() if "charts/chart" in name)
+        charts = [package.read(name).decode("utf-8") for name in names]
+    assert len(charts) == 4
+    assert "'Line shape'!$B$2:$B$102" in charts[0]
+    assert "'Line shape'!$C$2:$C$102" in charts[0]
+    assert ["logBase" in chart for chart in charts] == [False, False, True, False]
+    assert "Swarm!$B$2:$B$8" in charts[2]
+
+
+def test_a_history_of_zeros_has_no_logarithmic_axis(case: Case, swarm: Solution) -> None:
+    still = replace(swarm, swarm=report_with((0.0, 0.0)))
+    with zipfile.ZipFile(BytesIO(solution_workbook(case, still))) as package:
+        assert b"logBase" not in package.read("xl/charts/chart3.xml")
+
+
+def test_names_that_look_like_formulas_are_text(leg: Solution) -> None:
+    case = Case(Site(56.0), leg.line, Load(horizontal_force=1.2e6), 71.4, title="=1+1")
+    book = openpyxl.load_workbook(BytesIO(solution_workbook(case, leg)))
+    cells = {cell.value: cell.data_type for row in book["Inputs"] for cell in row}
+    assert cells["=1+1"] == "s"
+    assert cells["=clump"] == "s"
+
+
+def test_numbers_are_numbers_in_the_format_of_their_unit(case: Case, buoy: Solution) -> None:
+    sheet = openpyxl.load_workbook(BytesIO(solution_workbook(case, buoy)))["Results"]
+    formats = {row[0].value: row[1].number_format for row in sheet.iter_rows(max_col=2)}
+    assert formats["Fairlead tension T (kN)"] == "0.000"
+    assert formats["Fairlead tension T (tf)"] == "0.0000"
+    assert formats["Inclination at the anchor theta0 (deg)"] == "0.00"
+    assert formats["Residual of the span (m)"] == "0.00E+00"
+
+
+def test_an_inextensible_segment_says_so() -> None:
+    case = buoy_case()
+    assert case.line == Line(case.line.segments)
+    from catopt.catenary.solve import solve_case
+
+    book = openpyxl.load_workbook(BytesIO(solution_workbook(case, solve_case(case))))
+    values = [cell.value for row in book["Inputs"] for cell in row]
+    assert "inextensible" in values
+    assert 230.0 in values  # MBL, kN
