@@ -3,7 +3,8 @@
     python benchmarks/swarm.py [--seeds 1000] [--lines 300] [--out benchmarks/results/swarm.md]
 
 Both sides minimise the same f within the same bounds, with 200 particles and 200 iterations, one
-run a seed, taken in turns so that a slow moment of the machine meets both.
+run a seed, taken in turns so that a slow moment of the machine meets both. The last table has lines
+of segments with clump weights, and how far the swarm's answer is from the closed form.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import platform
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
@@ -25,11 +26,14 @@ from typing import get_args
 
 import numpy as np
 
+from catopt.catenary.pieces import cut
+from catopt.catenary.solve import solve
 from catopt.catenary.swarm import solve_swarm
-from catopt.catenary.swarm.objective import Array, Objective, objective_of
+from catopt.catenary.swarm.objective import Array, Objective, SuspendedObjective, objective_of
 from catopt.catenary.swarm.optimiser import optimiser
 from catopt.constants import STANDARD_GRAVITY
-from catopt.model import Line, Segment, SwarmSettings
+from catopt.errors import NotConvergedError
+from catopt.model import Line, PointLoad, Segment, SwarmSettings
 from catopt.model.case import Boundary
 
 LENGTH, HEIGHT, FORCE = 20.0, 9.5, 343.0 * STANDARD_GRAVITY
@@ -41,6 +45,11 @@ EXAMPLE_OPTIONS = {"c1": 0.5, "c2": 0.3, "w": 0.9}
 """pyswarms has no defaults for these; they are those of its documentation's first example."""
 
 Solver = Callable[[Objective, int], float]
+
+
+def uniform(length: float, height: float, force: float, weight: float) -> Objective:
+    """Give f of one uniform inextensible segment."""
+    return objective_of(cut(Line([Segment(length, weight)]))[0], height, force)
 
 
 @dataclass(frozen=True)
@@ -128,7 +137,7 @@ def comparison_rows(samples: dict[str, Sample]) -> Iterator[str]:
 def comparison(seeds: int) -> Iterator[str]:
     """Yield one table a case."""
     for case, weight in WEIGHTS.items():
-        objective = objective_of(LENGTH, HEIGHT, FORCE, weight * STANDARD_GRAVITY)
+        objective = uniform(LENGTH, HEIGHT, FORCE, weight * STANDARD_GRAVITY)
         yield f"## {case[0].upper()}{case[1:]}: f in m at the end of a run, seeds 1 to {seeds}"
         yield ""
         yield (
@@ -180,7 +189,7 @@ def random_lines(
         h = draw(1.0, 1000.0)
         a = h * draw(*force)
         length = h * (1.0 + draw(scope[0] - 1.0, scope[1] - 1.0))
-        found.append(objective_of(length, h, a, 1.0))
+        found.append(uniform(length, h, a, 1.0))
     return found
 
 
@@ -215,6 +224,144 @@ def robustness(count: int) -> Iterator[str]:
     yield ""
 
 
+@dataclass(frozen=True)
+class Moored:
+    """A line, the height of its fairlead (m) and its horizontal force (N)."""
+
+    line: Line
+    height: float
+    force: float
+
+    @property
+    def objective(self) -> Objective:
+        """Give f over the places that catopt searches."""
+        return objective_of(cut(self.line)[0], self.height, self.force)
+
+
+def general_lines(count: int, *, loads: bool, elastic: bool) -> list[Moored]:
+    """Draw lines of 2 to 4 segments, their weights 1 to 30 apart, L/h 1.05 to 5, H/(w h) 0.1 to 30.
+
+    With loads, 1 or 2 clump weights of 3 to 100 % of the line's weight anywhere on it; elastic, EA
+    of 30 to 10,000 times that weight.
+    """
+    generator = np.random.default_rng(4)
+    found = []
+    for _ in range(count):
+        height = 10.0 ** generator.uniform(0.7, 2.7)
+        length = height * (1.0 + 0.05 * 80.0 ** generator.random())
+        parts = generator.uniform(0.1, 1.0, int(generator.integers(2, 5)))
+        parts *= length / parts.sum()
+        weights = 1000.0 * 30.0 ** -generator.random(len(parts))
+        total = float(parts @ weights)
+        EA = total * 10.0 ** generator.uniform(1.5, 4.0) if elastic else float("inf")
+        segments = [
+            Segment(float(part), float(w), EA) for part, w in zip(parts, weights, strict=True)
+        ]
+        places = length * generator.uniform(0.05, 0.95, int(generator.integers(1, 3)) * loads)
+        points = [
+            PointLoad(s, total * 10.0 ** generator.uniform(-1.5, 0.0)) for s in places.tolist()
+        ]
+        force = total * height / length * 10.0 ** generator.uniform(-1.0, 1.5)
+        found.append(Moored(Line(segments, points), height, force))
+    return found
+
+
+@dataclass(frozen=True)
+class OverSpan(SuspendedObjective):
+    """Search an inextensible line `within` its own bounds, but over S in place of r."""
+
+    within: Objective
+
+    @property
+    def bounds(self) -> tuple[Array, Array]:
+        """S1 (9), (10) for S."""
+        lower, upper = self.within.bounds
+        chord = float(np.sqrt(self.length**2 - self.height**2))
+        return lower, np.array([upper[0], chord])
+
+    def misses(self, places: Array) -> tuple[Array, Array]:
+        """Take off S what lies on the bed and what hangs below the last piece."""
+        slope, lengths, loads = self.within.hanging(places[:, 0])
+        lying = self.length - sum(np.broadcast_to(part, len(places)) for part in lengths)
+        reach = places[:, 1] - lying
+        for k, length in enumerate(lengths[:-1]):
+            a = self.parameters[k]
+            upper = slope + length / a
+            reach -= a * (np.arcsinh(upper) - np.arcsinh(slope))
+            slope = upper + loads[k + 1] / self.horizontal_force
+        with np.errstate(over="ignore", invalid="ignore"):
+            missed = self.within.misses(np.column_stack([places[:, 0], reach]))
+        length, height = (np.nan_to_num(part, nan=1e300, posinf=1e300) for part in missed)
+        return length, height
+
+
+def general(count: int) -> Iterator[str]:
+    """Yield how lines of segments with clump weights fare, beside the closed form."""
+    yield f"## {count} lines of 2 to 4 segments of each kind, one run each"
+    yield ""
+    yield (
+        "L/h from 1.05 to 5, H/(w h) from 0.1 to 30, weights of segments 1 to 30 apart; 1 or 2 "
+        "clump weights, each of 3 to 100 % of the line's weight; EA of 30 to 10,000 times that. "
+        "Distance from the closed form: the largest of all results, of the span as a part of L, of "
+        "the fairlead tension as a part of it."
+    )
+    yield ""
+    yield (
+        "| | f >= 1e-12 L | f >= 1e-9 L | f >= 1e-6 L | worst f / L | median ms a run "
+        "| no result | distance, span | distance, tension |"
+    )
+    yield "|---|---|---|---|---|---|---|---|---|"
+    kinds = {
+        "inextensible": general_lines(count, loads=False, elastic=False),
+        "inextensible, clump weights": general_lines(count, loads=True, elastic=False),
+        "elastic, clump weights": general_lines(count, loads=True, elastic=True),
+    }
+    for name, lines in kinds.items():
+        f, seconds = _flown(lines, [one.objective for one in lines])
+        milliseconds = f"{1e3 * float(np.median(seconds)):.1f}"
+        yield f"| {name} | {_shares(f)} | {milliseconds} | {_distances(lines)} |"
+    lines = kinds["inextensible, clump weights"]
+    own = [one.objective for one in lines]
+    f, _ = _flown(lines, [OverSpan(o.pieces, o.height, o.horizontal_force, o) for o in own])
+    yield f"| the same lines, over S in place of r | {_shares(f)} | | | | |"
+    yield ""
+
+
+def _flown(lines: list[Moored], objectives: Sequence[Objective]) -> tuple[Array, Array]:
+    """Return f / L at the end of one run a line, and its wall time, s."""
+    taken = []
+    for one, objective in zip(lines, objectives, strict=True):
+        run = optimiser(objective, SETTINGS)
+        start = time.perf_counter()
+        f = run(1).objective
+        taken.append((f / one.line.length, time.perf_counter() - start))
+    f, seconds = np.array(taken).T
+    return f, seconds
+
+
+def _shares(f: Array) -> str:
+    """Return the cells of how small f / L ends."""
+    shares = " | ".join(f"{(f >= limit).mean():.1%}" for limit in (1e-12, 1e-9, 1e-6))
+    return f"{shares} | {f.max():.1e}"
+
+
+def _distances(lines: list[Moored]) -> str:
+    """Return the cells of how far the swarm's answers are from the closed form."""
+    span, tension, without = [0.0], [0.0], 0
+    for one in lines:
+        exact = solve(one.line, height=one.height, horizontal_force=one.force)
+        try:
+            ours = solve_swarm(
+                one.line, height=one.height, horizontal_force=one.force, settings=SETTINGS
+            )
+        except NotConvergedError:
+            without += 1
+            continue
+        span.append(abs(ours.span - exact.span) / one.line.length)
+        tension.append(abs(ours.fairlead.tension / exact.fairlead.tension - 1.0))
+    return f"{without} | {max(span):.1e} | {max(tension):.1e}"
+
+
 def heading(arguments: list[str]) -> Iterator[str]:
     """Say what was run, on what."""
     yield "# The swarm method beside pyswarms"
@@ -244,6 +391,7 @@ def report(arguments: argparse.Namespace, given: list[str]) -> Iterator[str]:
     yield from comparison(arguments.seeds)
     yield from article()
     yield from robustness(arguments.lines)
+    yield from general(arguments.lines)
 
 
 def main() -> None:

@@ -59,5 +59,34 @@ def random_setting(seed: int, *, buoyant: bool = False, raised: bool | None = No
     )
 
 
+def moderate_setting(seed: int) -> Setting:
+    """Draw a line as they are built: L/h 1.05 to 5, 1 to 4 segments, 0 to 2 clump weights.
+
+    Weights of segments 1 to 30 apart, half of the lines elastic, half of them on a rough bed.
+    """
+    rng = np.random.default_rng(seed)
+    height = 10.0 ** rng.uniform(0.7, 2.7)
+    length = height * (1.0 + 0.05 * 80.0 ** rng.random())
+    parts = rng.uniform(0.1, 1.0, int(rng.integers(1, 5)))
+    parts *= length / parts.sum()
+    weights = 1000.0 * 30.0 ** -rng.random(len(parts))
+    total = float(parts @ weights)
+    EA = total * 10.0 ** rng.uniform(1.5, 4.0) if rng.random() < 0.5 else math.inf
+    segments = [
+        Segment(float(part), float(weight), EA) for part, weight in zip(parts, weights, strict=True)
+    ]
+    loads = [
+        PointLoad(float(rng.uniform(0.05, 0.95)) * length, total * 10.0 ** rng.uniform(-1.5, 0.0))
+        for _ in range(int(rng.integers(0, 3)))
+    ]
+    return Setting(
+        line=Line(segments, loads),
+        height=height,
+        anchor_height=0.0,
+        seabed_friction=float(rng.choice([0.0, rng.uniform(0.1, 1.2)])),
+        horizontal_force=total * height / length * 10.0 ** rng.uniform(-1.0, 1.5),
+    )
+
+
 def _sign(rng: np.random.Generator, buoyant: bool) -> float:
     return -1.0 if buoyant and rng.random() < 0.3 else 1.0

@@ -2,23 +2,39 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from catopt.catenary.curve import load_curve
+from catopt.catenary.curve import Curve, Mark, load_curve
 from catopt.catenary.solve import solve
-from catopt.errors import InputError, NoEquilibriumError
-from catopt.model import Line, Segment
+from catopt.errors import InputError, NoEquilibriumError, TouchesTwiceError
+from catopt.model import Line, PointLoad, Segment
 
 TANKER = Line([Segment(55.0, 2100.0, MBL=1e6)])
+SINKER = Line([Segment(55.0, 2100.0)], [PointLoad(7.0, 200e3, name="sinker")])
+
+
+def over_force(line: Line, start: float, stop: float, points: int = 20) -> Curve:
+    return load_curve(
+        line, height=20.0, over="horizontal_force", start=start, stop=stop, points=points
+    )
+
+
+def marks(curve: Curve, word: str) -> list[Mark]:
+    return [mark for mark in curve.marks if word in mark.event]
 
 
 def test_points_are_those_of_the_scalar_solve() -> None:
-    curve = load_curve(TANKER, height=20.0, over="horizontal_force", start=2e4, stop=4e5, points=20)
+    curve = over_force(TANKER, 2e4, 4e5)
     for index, force in enumerate(np.linspace(2e4, 4e5, 20)):
         one = solve(TANKER, height=20.0, horizontal_force=float(force))
         assert curve.span[index] == pytest.approx(one.span, rel=1e-13)
         assert curve.regime[index] == one.regime
+        assert curve.anchor_tension[index] == pytest.approx(one.anchor.tension, rel=1e-13)
+        assert curve.anchor_angle[index] == pytest.approx(one.anchor.angle, rel=1e-13)
 
 
 def test_the_change_of_regime_is_marked_where_the_formula_has_it() -> None:
@@ -26,11 +42,79 @@ def test_the_change_of_regime_is_marked_where_the_formula_has_it() -> None:
     curve = load_curve(
         TANKER, height=20.0, over="span", start=40.0, stop=51.0, points=30, safety_factor=5.0
     )
-    change = next(mark for mark in curve.marks if "->" in mark.event)
-    assert change.event == "grounded -> suspended"
+    (change,) = marks(curve, "->")
+    assert (change.kind, change.event) == ("regime", "grounded -> suspended")
     assert change.horizontal_force == pytest.approx(137812.5, rel=1e-9)
-    limit = next(mark for mark in curve.marks if "MBL" in mark.event)
-    assert limit.fairlead_tension == pytest.approx(1e6 / 5.0, rel=1e-9)
+
+
+def test_the_limit_of_every_segment_is_marked() -> None:
+    """The line is steepest at the top of each segment, so that its tension there is H / cos."""
+    wire = replace(TANKER.segments[0], length=25.0, MBL=1.5e6, name="wire")
+    line = Line([wire, replace(wire, length=30.0, MBL=1e6, name="")])
+    curve = load_curve(
+        line, height=20.0, over="span", start=40.0, stop=51.22, points=40, safety_factor=5.0
+    )
+    first, second = marks(curve, "MBL")
+    assert (first.event, first.kind) == ("segment 2 reaches MBL / 5", "limit")
+    assert first.fairlead_tension == pytest.approx(1e6 / 5.0, rel=1e-9)
+    assert second.event == "segment 1 (wire) reaches MBL / 5"
+    there = solve(line, height=20.0, horizontal_force=second.horizontal_force)
+    assert there.segments[0].max_tension == pytest.approx(1.5e6 / 5.0, rel=1e-9)
+
+
+def test_the_allowed_inclination_at_the_anchor_is_marked() -> None:
+    """At theta0 = 0.1: h = a (sec(theta_L) - sec(0.1)) with tan(theta_L) = tan(0.1) + L/a."""
+    curve = load_curve(
+        TANKER,
+        height=20.0,
+        over="horizontal_force",
+        start=1e5,
+        stop=4e5,
+        points=7,
+        max_anchor_angle=0.1,
+    )
+    (limit,) = marks(curve, "inclination")
+    assert limit.event == "inclination at the anchor reaches 5.73 deg"
+    a = limit.horizontal_force / 2100.0
+    t = math.tan(0.1)
+    height = a * math.hypot(1.0, t + 55.0 / a) - a / math.cos(0.1)
+    assert height == pytest.approx(20.0, rel=1e-9)
+
+
+def test_a_clump_weight_begins_to_lift_and_is_off_the_bed() -> None:
+    """Three of its states: S2's parts of the line, from the bed up to the fairlead.
+
+    While it lies, h (h + 2a) = (L - s)^2; when it is just off the bed, the part above it leaves
+    it with V = W, so that h = a (hypot(1, (W + w (L - s)) / H) - hypot(1, W / H)).
+    """
+    curve = over_force(SINKER, 1e4, 9e5, points=40)
+    begins, off = marks(curve, "clump")
+    assert begins.event == "clump weight 1 (sinker) begins to lift"
+    assert off.event == "clump weight 1 (sinker) is off the bed"
+    H = begins.horizontal_force
+    assert 20.0 * (20.0 + 2.0 * H / 2100.0) == pytest.approx(48.0**2, rel=1e-9)
+    H = off.horizontal_force
+    up = math.hypot(1.0, (200e3 + 2100.0 * 48.0) / H) - math.hypot(1.0, 200e3 / H)
+    assert H / 2100.0 * up == pytest.approx(20.0, rel=1e-9)
+
+
+def test_changes_between_two_neighbours_are_all_found() -> None:
+    """Two points, and everything happens between them."""
+    close = over_force(SINKER, 1e4, 3e6, points=200)
+    far = over_force(SINKER, 1e4, 3e6, points=2)
+    assert [mark.event for mark in far.marks] == [mark.event for mark in close.marks]
+    assert len(far.marks) == 3
+    for one, other in zip(far.marks, close.marks, strict=True):
+        assert one.horizontal_force == pytest.approx(other.horizontal_force, rel=1e-9)
+
+
+def test_buoys_and_a_raised_anchor_have_no_mark_of_lifting() -> None:
+    buoy = Line(SINKER.segments, [PointLoad(50.0, -1e3)])
+    assert marks(over_force(buoy, 1e5, 3e5), "clump") == []
+    raised = load_curve(
+        SINKER, height=20.0, over="horizontal_force", start=1e5, stop=9e5, anchor_height=2.0
+    )
+    assert marks(raised, "clump") == []
 
 
 def test_stiffness_is_the_slope_of_the_curve() -> None:
@@ -44,11 +128,50 @@ def test_stiffness_is_the_slope_of_the_curve() -> None:
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.1)
 
 
-def test_a_range_beyond_the_line_says_so() -> None:
-    with pytest.raises(NoEquilibriumError, match="too short"):
+def test_a_slack_line_has_no_force_and_no_stiffness() -> None:
+    """Slack up to L - h = 35 m: 20 m hang straight down."""
+    curve = load_curve(TANKER, height=20.0, over="span", start=30.0, stop=40.0, points=11)
+    slack = curve.span < 35.0
+    assert set(curve.regime) == {"slack", "grounded"}
+    assert not curve.horizontal_force[slack].any()
+    assert not curve.stiffness[slack].any()
+    assert curve.fairlead_tension[slack] == pytest.approx(2100.0 * 20.0, rel=1e-12)
+    assert (curve.stiffness[~slack] > 0.0).sum() >= 5
+    (change,) = marks(curve, "->")
+    assert change.event == "slack -> grounded"
+    assert change.span == pytest.approx(35.0, rel=1e-9)
+
+
+def test_a_line_on_the_bed_has_no_slope_unless_it_stretches() -> None:
+    stiff = load_curve(TANKER, height=0.0, over="horizontal_force", start=1e4, stop=2e4, points=3)
+    assert np.isnan(stiff.stiffness).all()
+    assert set(stiff.regime) == {"on-bed"}
+    elastic = Line([replace(TANKER.segments[0], EA=1e8)])
+    soft = load_curve(elastic, height=0.0, over="horizontal_force", start=1e4, stop=2e4, points=3)
+    assert soft.stiffness == pytest.approx(1e8 / 55.0, rel=1e-12)
+
+
+def test_a_range_beyond_the_line_says_by_how_much() -> None:
+    """The line reaches sqrt(L2 - h2) = 51.2348 m; at 60 m it would have to be 63.2456 m long."""
+    with pytest.raises(NoEquilibriumError) as caught:
         load_curve(TANKER, height=20.0, over="span", start=40.0, stop=60.0)
+    assert caught.value.quantity == "length"
+    assert caught.value.missing == pytest.approx(math.hypot(60.0, 20.0) - 55.0, rel=1e-12)
+    assert "at a span of 60 m: " in str(caught.value)
+    assert "let the range end below a span of 51.2348 m" in str(caught.value)
+
+
+def test_a_buoy_that_lifts_the_line_twice_is_named() -> None:
+    line = Line([Segment(100.0, 1000.0)], [PointLoad(40.0, -20e3)])
+    with pytest.raises(TouchesTwiceError, match="at a horizontal force of 1000 N: the buoy"):
+        over_force(line, 1e3, 1e5)
 
 
 def test_an_empty_range_is_refused() -> None:
-    with pytest.raises(InputError, match="2 errors"):
+    with pytest.raises(InputError) as caught:
         load_curve(TANKER, height=20.0, over="span", start=50.0, stop=40.0, points=1)
+    assert [problem.key for problem in caught.value.problems] == ["stop", "points"]
+    with pytest.raises(InputError, match=r"start: found -1 N; must be above 0 N"):
+        over_force(TANKER, -1.0, 1e5)
+    with pytest.raises(InputError, match=r"stop: found inf N"):
+        over_force(TANKER, 1.0, math.inf)

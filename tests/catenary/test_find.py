@@ -7,16 +7,17 @@ import math
 import pytest
 
 from catopt.catenary.find import (
+    find_case,
     find_clump_weight,
     find_length,
     find_limit_force,
     find_touchdown_force,
     with_segment_length,
 )
-from catopt.catenary.solve import solve
+from catopt.catenary.solve import solve, solve_case
 from catopt.constants import STANDARD_GRAVITY
-from catopt.errors import InputError, NoAnswerError
-from catopt.model import Line, PointLoad, Segment
+from catopt.errors import InputError, NoAnswerError, NoEquilibriumError
+from catopt.model import Case, Checks, Find, Line, Load, PointLoad, Segment, Site
 from tests.catenary.random_lines import random_setting
 
 TANKER = Line([Segment(55.0, 2100.0, MBL=770e3 * STANDARD_GRAVITY)])
@@ -85,6 +86,122 @@ def test_limit_force_at_a_fifth_of_the_breaking_load() -> None:
     found = find_limit_force(TANKER, height=20.0, safety_factor=5.0)
     tf = found.solution.fairlead.tension / (1e3 * STANDARD_GRAVITY)
     assert tf == pytest.approx(154.0, rel=1e-12)
+
+
+def test_limit_force_of_one_segment() -> None:
+    """A weaker segment below, and the one above that is asked for."""
+    line = Line([Segment(25.0, 2100.0, MBL=1e6), Segment(30.0, 2100.0, MBL=2e6)])
+    first = find_limit_force(line, height=20.0, safety_factor=2.0)
+    assert first.solution.segments[0].max_tension == pytest.approx(5e5, rel=1e-12)
+    assert first.condition == "a segment at MBL / 2"
+    upper = find_limit_force(line, height=20.0, safety_factor=2.0, segment=1)
+    assert upper.solution.fairlead.tension == pytest.approx(1e6, rel=1e-12)
+    assert upper.condition == "segment 2 at MBL / 2"
+    assert find_limit_force(line, height=20.0, safety_factor=2.0, segment=-2).value == first.value
+
+
+def test_limit_force_below_what_hangs() -> None:
+    """20 m hang straight down at no force at all: 42 kN, more than the MBL."""
+    with pytest.raises(NoAnswerError, match="no horizontal force gives a segment at MBL / 1"):
+        find_limit_force(Line([Segment(55.0, 2100.0, MBL=4e4)]), height=20.0)
+
+
+def test_touchdown_force_beyond_forces_under_which_the_line_touches_twice() -> None:
+    """At the anchor V = W - B - w L = 0 in the end, and from there up it is a hung line.
+
+    Height by pieces: h = (T1 - H) / w + (T2 - T3) / w with V1 = w s, V2 = wL - B and the buoy's
+    jump down to V3 = w s + B; V = 0 at the anchor.
+    """
+    line = Line([Segment(100.0, 1000.0)], [PointLoad(40.0, -20e3)])
+    found = find_touchdown_force(line, height=20.0)
+    H = found.value
+    below = math.hypot(H, 40e3) - H
+    above = math.hypot(H, 80e3) - math.hypot(H, 20e3)
+    assert (below + above) / 1000.0 == pytest.approx(20.0, rel=1e-9)
+
+
+def test_a_line_too_short_for_its_height_says_so() -> None:
+    with pytest.raises(NoEquilibriumError, match="too short"):
+        find_touchdown_force(Line([Segment(15.0, 2100.0)]), height=20.0)
+
+
+# What a case seeks. S3, Table 2, recomputed for H = 450 kN: the sinker 7 m from the anchor, its
+# weight as submerged weight, theta0 = 0; lengths in m and tensions in kN to printed digits.
+S3_SINKERS = {
+    100e3: (62.72, 506.15),
+    150e3: (53.56, 520.95),
+    200e3: (47.21, 540.35),
+    250e3: (42.73, 563.84),
+    300e3: (39.50, 590.88),
+}
+
+
+def case(find: Find, load: Load | None, line: Line = TANKER) -> Case:
+    return Case(Site(20.0), line, load, 20.0, checks=Checks(5.0), title="Tanker", find=find)
+
+
+@pytest.mark.parametrize("weight", S3_SINKERS)
+def test_the_lengths_of_s3_with_a_sinker(weight: float) -> None:
+    line = Line(TANKER.segments, [PointLoad(7.0, weight)])
+    flat = Find("length", anchor_angle=0.0)
+    solution = solve_case(case(flat, Load(horizontal_force=450e3), line))
+    length, tension = S3_SINKERS[weight]
+    assert solution.found is not None
+    assert round(solution.found.value, 2) == length
+    assert round(solution.fairlead.tension / 1e3, 2) == tension
+    assert (solution.found.number, solution.found.unit) == (1, "m")
+    assert abs(solution.found.residual) <= 1e-12
+    assert solution.title == "Tanker"
+
+
+def test_every_quantity_that_a_case_may_seek_is_that_of_its_function() -> None:
+    H, T = Load(horizontal_force=450e3), Load(fairlead_tension=500e3)
+    two = Line([Segment(30.0, 300.0), Segment(40.0, 2100.0, MBL=7e6)])
+    loaded = Line(TANKER.segments, [PointLoad(7.0, 1e3), PointLoad(20.0, 1e3)])
+    asked = [
+        (
+            case(Find("length", segment=1, anchor_angle=0.1), H, two),
+            find_length(two, height=20.0, horizontal_force=450e3, segment=0, anchor_angle=0.1),
+        ),
+        (
+            case(Find("length", grounded_length=5.0), T, two),
+            find_length(two, height=20.0, fairlead_tension=500e3, grounded_length=5.0),
+        ),
+        (
+            case(Find("clump_weight", anchor_angle=0.0), H, loaded),
+            find_clump_weight(loaded, height=20.0, horizontal_force=450e3),
+        ),
+        (
+            case(Find("clump_weight", point_load=2, anchor_angle=0.0), Load(span=50.5), loaded),
+            find_clump_weight(loaded, height=20.0, span=50.5, point_load=1),
+        ),
+        (case(Find("touchdown_force"), None), find_touchdown_force(TANKER, height=20.0)),
+        (
+            case(Find("limit_force"), None),
+            find_limit_force(TANKER, height=20.0, safety_factor=5.0),
+        ),
+        (
+            case(Find("limit_force", segment=2), None, two),
+            find_limit_force(two, height=20.0, safety_factor=5.0, segment=1),
+        ),
+    ]
+    for each, direct in asked:
+        assert find_case(each).alone() == direct.alone()
+        solved = solve_case(each)
+        assert solved.found == direct.alone()
+        assert solved.line == direct.solution.line
+
+
+def test_a_case_whose_question_does_not_fit_is_refused_with_all_that_is_wrong() -> None:
+    with pytest.raises(InputError) as caught:
+        case(Find("length", segment=2, anchor_angle=0.0), Load(span=50.0))
+    assert [problem.key for problem in caught.value.problems] == ["load.span", "find.segment"]
+    with pytest.raises(InputError, match="load: missing"):
+        case(Find("clump_weight", anchor_angle=0.0), None)
+    with pytest.raises(InputError, match="load: found span; leave it out"):
+        case(Find("touchdown_force"), Load(span=50.0))
+    with pytest.raises(InputError, match=r"line\.segments\[0\]\.MBL: missing"):
+        case(Find("limit_force", segment=1), None, Line([Segment(55.0, 2100.0)]))
 
 
 def test_length_to_angle_to_length() -> None:

@@ -61,10 +61,7 @@ def solution_document(solution: Solution, *, with_profile: bool = False) -> dict
         "warnings": list(solution.warnings),
     }
     if solution.found is not None:
-        document["found"] = {
-            **asdict(solution.found),
-            "unit": "m" if solution.found.quantity == "length" else "N",
-        }
+        document["found"] = asdict(solution.found) | {"unit": solution.found.unit}
     if solution.swarm is not None:
         document["pso"] = _swarm(solution)
     if with_profile:

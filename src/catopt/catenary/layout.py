@@ -105,7 +105,8 @@ def _descend(H: float, V: float, pieces: Pieces, touchdown: int) -> Iterator[_Ru
     for k in range(len(pieces.length) - 1, -1, -1):
         if touchdown == 2 * k:
             weight = pieces.weight[k]
-            yield _Run(k, V / weight if weight > 0.0 else 0.0, H, 0.0, 0.0, False)
+            hanging = max(V, 0.0) / weight if weight > 0.0 else 0.0
+            yield _Run(k, min(hanging, pieces.length[k]), H, 0.0, 0.0, False)
             return
         V -= pieces.weight[k] * pieces.length[k]
         yield _Run(k, pieces.length[k], H, V, 0.0, False)

@@ -186,12 +186,20 @@ class FoundQuantity:
         What it has to give, in words.
     residual : float
         By how much the condition is missed, as a part of the quantity it is put on.
+    number : int or None
+        Which segment or point load, counted from 1 at the anchor; None for a force.
     """
 
-    quantity: str
+    quantity: Literal["length", "clump_weight", "horizontal_force"]
     value: float
     condition: str
     residual: float
+    number: int | None = None
+
+    @property
+    def unit(self) -> str:
+        """Unit of the value."""
+        return "m" if self.quantity == "length" else "N"
 
 
 @dataclass(frozen=True)

@@ -6,33 +6,25 @@ import math
 
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.inverse import given_span, given_tension, least_tension
-from catopt.catenary.layout import end_of, lay_out
 from catopt.catenary.pieces import Pieces, cut
-from catopt.catenary.profile import max_tension, stretched_length
-from catopt.catenary.solution import (
-    EndState,
-    PointLoadState,
-    Residual,
-    SegmentState,
-    Solution,
-    Stretch,
-)
+from catopt.catenary.result import solution_of
+from catopt.catenary.solution import Solution
 from catopt.catenary.state import (
     CONVERGED,
     NOT_CONVERGED,
-    REGIMES,
     TOO_HEAVY,
     TOO_SHORT,
     TOUCHES_TWICE,
     State,
 )
-from catopt.catenary.walk import NO_TOUCHDOWN
-from catopt.catenary.warnings import plausibility
 from catopt.errors import NoEquilibriumError, NotConvergedError, TouchesTwiceError
 from catopt.model import Case, Line, Load
 from catopt.model.validity import Findings
 
 __all__ = ["solve", "solve_case"]
+
+LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
+"""N: beyond them products of forces leave the range of double precision."""
 
 RESIDUAL_LIMIT = 1e-9
 """How far the laid-out line may miss the fairlead, as a part of its length."""
@@ -136,6 +128,9 @@ def _check(
     found.number("height", height, "m", at_least=0.0)
     found.number("anchor_height", anchor_height, "m", at_least=0.0)
     found.number("seabed_friction", seabed_friction, "", at_least=0.0)
+    for value in (load.horizontal_force, load.fairlead_tension):
+        if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
+            found.add("load", f"{value:g} N", f"from {LEAST_FORCE:g} to {GREATEST_FORCE:g} N")
     weightless = all(segment.submerged_weight == 0.0 for segment in line.segments)
     if weightless and not line.point_loads and load.horizontal_force is None:
         found.add(
@@ -168,72 +163,24 @@ def _solution(
     anchor_height: float,
     friction: float,
 ) -> Solution:
-    stretches = lay_out(state, pieces, anchor_height, friction)
-    x, z = end_of(stretches[-1], stretches[-1].length)
     wanted = load.span if load.span is not None else state.span
-    residual = Residual(height=z - height, span=x - wanted)
-    worst = max(abs(residual.height), abs(residual.span))
+    solution = solution_of(
+        state._replace(span=wanted),
+        line,
+        pieces,
+        segment_of,
+        method="closed-form",
+        height=height,
+        anchor_height=anchor_height,
+        friction=friction,
+    )
+    worst = max(abs(solution.residual.height), abs(solution.residual.span))
     if not worst <= RESIDUAL_LIMIT * max(line.length, wanted):
         raise NotConvergedError(
             f"the line misses its fairlead by {worst:.3g} m after the last step; "
             "please report this case"
         )
-    solution = Solution(
-        line=line,
-        method="closed-form",
-        regime=REGIMES[state.regime],
-        fairlead_height=height,
-        anchor_height=anchor_height,
-        seabed_friction=friction,
-        span=wanted,
-        fairlead=_end(state.H, state.V),
-        anchor=_end(state.H_anchor, state.V_anchor),
-        grounded_length=state.grounded,
-        suspended_length=line.length - state.grounded,
-        stretched_length=math.fsum(stretched_length(stretch) for stretch in stretches),
-        segments=_segments(line, segment_of, stretches),
-        point_loads=_point_loads(line, stretches, state.touchdown != NO_TOUCHDOWN),
-        stretches=stretches,
-        residual=residual,
-    )
-    return solution.with_warnings(plausibility(solution))
-
-
-def _end(H: float, V: float) -> EndState:
-    return EndState(math.hypot(H, V), H, V, math.atan2(V, H))
-
-
-def _segments(
-    line: Line, segment_of: tuple[int, ...], stretches: tuple[Stretch, ...]
-) -> tuple[SegmentState, ...]:
-    largest = [0.0] * len(line.segments)
-    for stretch in stretches:
-        index = segment_of[stretch.piece]
-        largest[index] = max(largest[index], max_tension(stretch))
-    return tuple(
-        SegmentState(segment.name, segment.length, tension, segment.MBL)
-        for segment, tension in zip(line.segments, largest, strict=True)
-    )
-
-
-def _point_loads(
-    line: Line, stretches: tuple[Stretch, ...], touches: bool
-) -> tuple[PointLoadState, ...]:
-    states = []
-    for load in line.point_loads:
-        upper = min(
-            (stretch for stretch in stretches if stretch.length > 0.0),
-            key=lambda stretch: abs(stretch.start - load.position),
-        )
-        below = next(s for s in reversed(stretches) if s.start < upper.start and s.length > 0.0)
-        carried = 0.0
-        if abs(upper.z) <= RESIDUAL_LIMIT * line.length and touches:
-            # What the line does not lift on its two sides, the bed carries.
-            V_below = below.vertical_force + below.submerged_weight * below.length
-            lifted = 0.0 if upper.on_bed else upper.vertical_force
-            carried = load.submerged_weight - lifted + (0.0 if below.on_bed else V_below)
-        states.append(PointLoadState(load.name, load.position, upper.x, upper.z, carried))
-    return tuple(states)
+    return solution
 
 
 def _failure(

@@ -18,12 +18,15 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
     Parameters
     ----------
     case : Case
-        With a known horizontal force, the anchor on the bed and no seabed friction: S1 has no
-        other.
+        With a known horizontal force and the anchor on the bed: S1 has no other.
     progress : callable, optional
         Called after each run with the number of runs done.
     """
     found = Findings("swarm")
+    if case.find is not None:
+        found.add(
+            "find", case.find.quantity, "the swarm method seeks nothing; the closed form does"
+        )
     force = None if case.load is None else case.load.horizontal_force
     if force is None:
         found.add(
@@ -35,12 +38,6 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
             f"{case.anchor_height:g} m",
             "the swarm method has the anchor on the bed; the closed form does not need that",
         )
-    if case.site.seabed_friction != 0.0:
-        found.add(
-            "site.seabed_friction",
-            f"{case.site.seabed_friction:g}",
-            "the swarm method has no friction; the closed form has",
-        )
     found.raise_if_any()
     assert force is not None
     solution = solve_swarm(
@@ -48,6 +45,7 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
         height=case.fairlead_height,
         horizontal_force=force,
         settings=case.swarm,
+        seabed_friction=case.site.seabed_friction,
         progress=progress,
     )
     return solution.with_case(case)

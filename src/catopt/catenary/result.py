@@ -1,0 +1,113 @@
+"""The solution that belongs to a state of the kernel: the line laid out from its anchor."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from catopt.catenary.layout import end_of, lay_out
+from catopt.catenary.pieces import Pieces
+from catopt.catenary.profile import max_tension, stretched_length
+from catopt.catenary.solution import (
+    EndState,
+    PointLoadState,
+    Residual,
+    SegmentState,
+    Solution,
+    Stretch,
+)
+from catopt.catenary.state import REGIMES, State
+from catopt.catenary.walk import NO_TOUCHDOWN
+from catopt.catenary.warnings import plausibility
+from catopt.model import Line
+
+__all__ = ["solution_of"]
+
+AT_BED = 1e-9
+"""Height at which a point load counts as on the bed, as a part of the line's length."""
+
+
+def solution_of(
+    state: State,
+    line: Line,
+    pieces: Pieces,
+    segment_of: tuple[int, ...],
+    *,
+    method: Literal["closed-form", "pso"],
+    height: float,
+    anchor_height: float,
+    friction: float,
+) -> Solution:
+    """Lay out a line from its anchor and say by how much it misses `height` and `state.span`.
+
+    Parameters
+    ----------
+    state : State
+        A converged answer of the kernel; its span is the one wanted.
+    line, pieces, segment_of
+        The line, and how it was cut.
+    method : str
+        How it was solved.
+    height, anchor_height : float
+        Of fairlead and anchor above the bed, m.
+    friction : float
+        Coulomb coefficient of the bed.
+    """
+    stretches = lay_out(state, pieces, anchor_height, friction)
+    x, z = end_of(stretches[-1], stretches[-1].length)
+    solution = Solution(
+        line=line,
+        method=method,
+        regime=REGIMES[state.regime],
+        fairlead_height=height,
+        anchor_height=anchor_height,
+        seabed_friction=friction,
+        span=state.span,
+        fairlead=_end(state.H, state.V),
+        anchor=_end(state.H_anchor, state.V_anchor),
+        grounded_length=state.grounded,
+        suspended_length=line.length - state.grounded,
+        stretched_length=math.fsum(stretched_length(stretch) for stretch in stretches),
+        segments=_segments(line, segment_of, stretches),
+        point_loads=_point_loads(line, stretches, state.touchdown != NO_TOUCHDOWN),
+        stretches=stretches,
+        residual=Residual(height=z - height, span=x - state.span),
+    )
+    return solution.with_warnings(plausibility(solution))
+
+
+def _end(H: float, V: float) -> EndState:
+    return EndState(math.hypot(H, V), H, V, math.atan2(V, H))
+
+
+def _segments(
+    line: Line, segment_of: tuple[int, ...], stretches: tuple[Stretch, ...]
+) -> tuple[SegmentState, ...]:
+    largest = [0.0] * len(line.segments)
+    for stretch in stretches:
+        index = segment_of[stretch.piece]
+        largest[index] = max(largest[index], max_tension(stretch))
+    return tuple(
+        SegmentState(segment.name, segment.length, tension, segment.MBL)
+        for segment, tension in zip(line.segments, largest, strict=True)
+    )
+
+
+def _point_loads(
+    line: Line, stretches: tuple[Stretch, ...], touches: bool
+) -> tuple[PointLoadState, ...]:
+    states = []
+    for load in line.point_loads:
+        upper = min(
+            (stretch for stretch in stretches if stretch.length > 0.0),
+            key=lambda stretch: abs(stretch.start - load.position),
+        )
+        below = next(s for s in reversed(stretches) if s.start < upper.start and s.length > 0.0)
+        carried = 0.0
+        if abs(upper.z) <= AT_BED * line.length and touches:
+            # What the line does not lift on its two sides, the bed carries.
+            V_below = below.vertical_force + below.submerged_weight * below.length
+            lifted = 0.0 if upper.on_bed else upper.vertical_force
+            carried = load.submerged_weight - lifted + (0.0 if below.on_bed else V_below)
+        states.append(PointLoadState(load.name, load.position, upper.x, upper.z, carried))
+    return tuple(states)
