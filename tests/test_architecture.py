@@ -17,7 +17,7 @@ PACKAGE = Path(catopt.__file__).parent
 
 BASE = {"errors", "constants", "units", "quantities"}
 SOLVING = BASE | {"model", "catenary"}
-ALL_BUT_CLI = SOLVING | {"casefile", "schemas", "reproduce", "report"}
+ALL_BUT_CLI = SOLVING | {"casefile", "mooring", "schemas", "reproduce", "report"}
 
 MAY_IMPORT: dict[str, set[str]] = {
     "_version": set(),
@@ -29,8 +29,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "model": BASE,
     "casefile": BASE | {"model"},
     "catenary": BASE | {"model"},
-    "reproduce": SOLVING | {"casefile"},
-    "report": SOLVING | {"casefile", "schemas", "reproduce", "_version"},
+    "mooring": SOLVING,
+    "reproduce": SOLVING | {"casefile", "mooring"},
+    "report": SOLVING | {"casefile", "mooring", "schemas", "reproduce", "_version"},
     "cli": ALL_BUT_CLI | {"_version"},
     "__main__": {"cli", "errors", "_version"},
     "__init__": SOLVING | {"casefile", "_version"},

@@ -72,3 +72,18 @@ def test_the_interval_of_an_input_for_a_print(sign: float) -> None:
 def test_an_interval_outside_the_range_is_an_error() -> None:
     with pytest.raises(ValueError, match=r"does not pass 2\.95 between 5 and 6"):
         interval(lambda x: x, Printed("3.0"), (5.0, 6.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "computed", "unit", "reason"),
+    [
+        ("183.8", 506.148, "kN", "differs by +322 kN (+175.38 %)"),
+        ("47.03", 62.715, "m", "differs by +16 m (+33.35 %)"),
+        ("46.09", 47.208, "m", "differs by +1.1 m (+2.43 %)"),
+        ("1.5", 1.6, "", "differs by +0.10 (+6.67 %)"),
+    ],
+)
+def test_a_difference_has_two_digits_and_no_power_of_ten(
+    text: str, computed: float, unit: str, reason: str
+) -> None:
+    assert by_digits(Printed(text), computed, unit).reason == reason

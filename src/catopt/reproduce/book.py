@@ -36,27 +36,16 @@ def book(reproduction: Reproduction) -> str:
     str
         Markdown, ending in a newline.
     """
-    count = len(reproduction.items)
     lines = [
         "# Published figures beside catopt's",
         "",
         "Written by `catopt reproduce --out reports`; a test fails when it is out of date.",
         "A number *reproduces* when ours, rounded to the printed decimals, has every digit of it.",
-        f"{_tally(reproduction.items)} of {count} printed numbers.",
+        reproduction.tally,
     ]
     for study in reproduction.studies:
         lines += ["", *_study(study)]
     return "\n".join(lines) + "\n"
-
-
-def _tally(items: Sequence[Item]) -> str:
-    verdicts = [item.verdict for item in items]
-    parts = [
-        f"{verdicts.count('reproduces')} reproduce",
-        f"{verdicts.count('differs')} differ",
-        f"{verdicts.count('not reproducible')} cannot be reproduced",
-    ]
-    return f"{', '.join(parts[:-1])} and {parts[-1]},"
 
 
 def _study(study: Study) -> list[str]:
@@ -72,10 +61,15 @@ def _study(study: Study) -> list[str]:
     ]
     for method in dict.fromkeys(item.method for item in study.items):
         chosen = [item for item in study.items if item.method == method]
-        lines += ["", f"### {_METHODS.get(method, method)}", "", *_comparison(chosen)]
+        lines += ["", f"### {_heading(method)}", "", *_comparison(chosen)]
     lines += ["", "### What was found", ""]
     lines += [f"{number}. {text}" for number, text in enumerate(study.findings, start=1)]
     return lines
+
+
+def _heading(method: str) -> str:
+    """Name a method in words, with a capital."""
+    return _METHODS.get(method, method[:1].upper() + method[1:])
 
 
 def _comparison(items: Sequence[Item]) -> list[str]:

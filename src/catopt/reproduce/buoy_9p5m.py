@@ -42,7 +42,8 @@ def study(progress: Progress | None = None) -> Study:
         Told of the swarm runs done and wanted.
     """
     source = published(NAME)
-    by_swarm = _results(_solve_by_swarm(source, progress))
+    solution = _solve_by_swarm(source, progress)
+    by_swarm = _results(solution)
     in_closed_form = _results(_hang(source.inputs["submerged_weight_kgf_per_m"]))
     return Study(
         name=NAME,
@@ -59,7 +60,13 @@ def study(progress: Progress | None = None) -> Study:
             *_error_items(source, "fem", by_swarm),
             *_error_items(source, "analytic", by_swarm),
         ),
-        findings=(_about_the_weight(source), _about_the_tension(source), _about_the_objective()),
+        findings=(
+            _about_the_methods(),
+            _about_the_weight(source),
+            _about_the_tension(source),
+            _about_the_objective(),
+        ),
+        by_swarm=solution,
     )
 
 
@@ -88,6 +95,7 @@ def _hang(weight: float) -> Solution:
 def _solve_by_swarm(source: Published, progress: Progress | None) -> Solution:
     from catopt.catenary.swarm import solve_swarm
 
+    runs = source.swarm["runs"]
     return solve_swarm(
         _line(source.inputs["submerged_weight_kgf_per_m"]),
         height=source.inputs["water_depth_m"],
@@ -95,9 +103,9 @@ def _solve_by_swarm(source: Published, progress: Progress | None) -> Solution:
         settings=SwarmSettings(
             particles=source.swarm["particles"],
             iterations=source.swarm["iterations"],
-            runs=source.swarm["runs"],
+            runs=runs,
         ),
-        progress=progress,
+        progress=None if progress is None else lambda done: progress(done, runs),
     )
 
 
@@ -161,14 +169,15 @@ def _swarm_items(source: Published, ours: dict[str, float]) -> list[Item]:
             "objective_m", "m", "pso", "pso", table["objective_m"], ours["objective_m"], objective
         )
     )
-    wall_time = not_reproducible("the time of the authors' machine; ours is in benchmarks/")
+    wall_time = not_reproducible(
+        "the time of the authors' machine; ours is in benchmarks/results/swarm.md"
+    )
     items.append(_item("wall_time_s", "s", "pso", "", table["wall_time_s"], None, wall_time))
     return items
 
 
 def _reference_items(source: Published, method: str, ours: dict[str, float]) -> list[Item]:
     """Judge what S1 quotes from its reference [4] against the closed form."""
-    remark = "reference [4] of S1; its mesh is not printed, so held against the closed form"
     return [
         _item(
             key,
@@ -178,7 +187,6 @@ def _reference_items(source: Published, method: str, ours: dict[str, float]) -> 
             printed,
             ours[key],
             by_digits(printed, ours[key], _UNITS[key]),
-            remark if method == "fem" else "reference [4] of S1",
         )
         for key, printed in source.printed[method].items()
     ]
@@ -196,15 +204,18 @@ def _error_items(source: Published, method: str, ours: dict[str, float]) -> list
         rounded = source.printed["pso"][key].rounding(ours[key])
         error = _percent(float(rounded), reference.value)
         unrounded = printed.rounding(_percent(ours[key], reference.value))
-        remark = f"|{rounded} - {reference.text}| / {reference.text}, as printed"
+        remark = ""
         if unrounded != printed.text:
-            remark += f"; from the unrounded {_quantity(key)} of the swarm {unrounded} %"
+            remark = (
+                f"|{rounded} - {reference.text}| / {reference.text} from the printed digits; "
+                f"from the unrounded {_quantity(key)} of the swarm it would be {unrounded} %"
+            )
         items.append(
             _item(
                 f"{_quantity(key)}_error_percent",
                 "%",
                 f"pso against {method}",
-                "pso, rounded as printed",
+                "pso",
                 printed,
                 error,
                 by_digits(printed, error, "%"),
@@ -229,6 +240,14 @@ def _percent(value: float, reference: float) -> float:
 def _weights_for(key: str, printed: Printed) -> Interval:
     """Find the weights, kgf/m, for which a quantity prints so."""
     return interval(lambda weight: _results(_hang(weight))[key], printed, _WEIGHTS)
+
+
+def _about_the_methods() -> str:
+    return (
+        "The results by finite elements and the analytic ones are those of reference [4], as S1 "
+        "prints them. The mesh is not printed; both are held against catopt's closed form. The "
+        "errors of Table 3 follow from the swarm's results rounded as printed."
+    )
 
 
 def _about_the_weight(source: Published) -> str:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from catopt.reproduce.printed import Printed
 from catopt.reproduce.verdict import Judgement, Verdict
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
 
 __all__ = ["Input", "Item", "Reproduction", "Study"]
 
@@ -24,11 +27,12 @@ class Item:
     quantity : str
         With its unit, such as ``"offset_m"``.
     unit : str
-        As shown to a reader.
+        As shown to a reader; ``"-"`` for a pure number.
     method : str
-        How the source came by it: ``"pso"``, ``"fem"``, ``"analytic"``, or ``"pso against fem"``.
+        How the source came by it, or which of its tables it is in: ``"pso"``,
+        ``"pso against fem"``, ``"Table 1"``.
     computed_by : str
-        How catopt did: ``"pso"``, ``"closed-form"`` or ``"printed digits"``; empty when it did not.
+        How catopt did, such as ``"pso"`` or ``"closed-form"``; empty when it did not.
     printed : Printed
         The number as the source has it.
     computed : float or None
@@ -112,6 +116,8 @@ class Study:
         Every printed number, in the source's order.
     findings : tuple of str
         What the recomputation showed beyond the verdicts; a paragraph each.
+    by_swarm : Solution or None
+        The swarm's answer with its history, for figures; None when the study has no swarm.
     """
 
     name: str
@@ -123,6 +129,7 @@ class Study:
     inputs: tuple[Input, ...]
     items: tuple[Item, ...]
     findings: tuple[str, ...]
+    by_swarm: Solution | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""
@@ -156,6 +163,16 @@ class Reproduction:
     def items(self) -> tuple[Item, ...]:
         """Every item of every study."""
         return tuple(item for study in self.studies for item in study.items)
+
+    @property
+    def tally(self) -> str:
+        """How many numbers have which verdict, as a sentence."""
+        verdicts = [item.verdict for item in self.items]
+        return (
+            f"Of {len(verdicts)} printed numbers {verdicts.count('reproduces')} reproduce, "
+            f"{verdicts.count('differs')} differ and {verdicts.count('not reproducible')} cannot "
+            "be reproduced."
+        )
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt reproduce --json`` prints (catopt.reproduction/1)."""

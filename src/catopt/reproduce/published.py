@@ -19,16 +19,19 @@ class Published:
 
     Attributes
     ----------
-    title, where : str
-        What it is about and where in the source.
+    name, title, where : str
+        By which it is looked up, what it is about and where in the source.
     source, source_title, source_where : str
         The source's short name, title and publication.
     inputs, swarm : dict
         Numbers that went in, with the unit in the key; settings of a swarm.
+    series : dict of str to tuple of float
+        Inputs that were varied, with the unit in the key.
     printed : dict of str to dict of str to Printed
         By the source's method, then by quantity with its unit.
     """
 
+    name: str
     title: str
     where: str
     source: str
@@ -36,6 +39,7 @@ class Published:
     source_where: str
     inputs: dict[str, float]
     swarm: dict[str, int]
+    series: dict[str, tuple[float, ...]]
     printed: dict[str, dict[str, Printed]]
 
 
@@ -56,13 +60,15 @@ def published(name: str) -> Published:
     table = _data()[name]
     source = _data()["sources"][table["source"]]
     return Published(
+        name=name,
         title=table["title"],
         where=table["where"],
         source=table["source"],
         source_title=source["title"],
         source_where=source["where"],
-        inputs=table["inputs"],
-        swarm=table["swarm"],
+        inputs=table.get("inputs", {}),
+        swarm=table.get("swarm", {}),
+        series={key: tuple(values) for key, values in table.get("series", {}).items()},
         printed={
             method: {quantity: Printed(text) for quantity, text in numbers.items()}
             for method, numbers in table["printed"].items()

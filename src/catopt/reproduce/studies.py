@@ -5,14 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from catopt.errors import InputError, Problem
-from catopt.reproduce import buoy_9p5m
+from catopt.reproduce import (
+    buoy_9p5m,
+    load_sharing,
+    ship_200m,
+    tanker_20m,
+    tanker_20m_sinker,
+)
 from catopt.reproduce.items import Reproduction, Study
 
 __all__ = ["names", "reproduce"]
 
 Progress = Callable[[int, int], None]
 
-_STUDIES: dict[str, Callable[[Progress | None], Study]] = {"buoy_9p5m": buoy_9p5m.study}
+_STUDIES: dict[str, Callable[[Progress | None], Study]] = {
+    buoy_9p5m.NAME: buoy_9p5m.study,
+    ship_200m.NAME: lambda _progress: ship_200m.study(),
+    tanker_20m.NAME: lambda _progress: tanker_20m.study(),
+    tanker_20m_sinker.NAME: lambda _progress: tanker_20m_sinker.study(),
+    load_sharing.NAME: lambda _progress: load_sharing.study(),
+}
 
 
 def names() -> tuple[str, ...]:

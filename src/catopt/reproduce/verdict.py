@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -38,7 +39,14 @@ def by_digits(printed: Printed, computed: float, unit: str) -> Judgement:
         return Judgement("reproduces", text)
     difference = computed - printed.value
     relative = f" ({100.0 * difference / printed.value:+.2f} %)" if printed.value else ""
-    return Judgement("differs", text, f"differs by {difference:+.2g} {unit}{relative}")
+    amount = f"{_two_digits(difference)} {unit}".rstrip()
+    return Judgement("differs", text, f"differs by {amount}{relative}")
+
+
+def _two_digits(difference: float) -> str:
+    """Write a difference with its sign and two digits, or to whole units where it has more."""
+    decimals = 1 - math.floor(math.log10(abs(difference)))
+    return f"{difference:+.{max(decimals, 0)}f}"
 
 
 def by_order(printed: Printed, computed: float, limit: float, unit: str) -> Judgement:

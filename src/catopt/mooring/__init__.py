@@ -1,0 +1,1 @@
+"""Several lines on one body."""

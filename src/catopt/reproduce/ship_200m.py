@@ -1,0 +1,181 @@
+"""S2: 600 m of line in 200 m of water under 300 and 800 kN, without and with a sinker."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from catopt.model import Line, PointLoad, Segment
+from catopt.reproduce.comparison import compare, study_of
+from catopt.reproduce.equivalent_length import SinkerLine, sinker_line
+from catopt.reproduce.items import Input, Item, Study
+from catopt.reproduce.published import Published, published
+from catopt.units import UNITS, Dimension
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+
+__all__ = ["NAME", "study"]
+
+NAME = "ship_200m"
+
+_KN = UNITS[Dimension.FORCE]["kN"]
+
+
+def study() -> Study:
+    """Recompute S2's worked example in closed form and judge every printed number."""
+    source = published(NAME)
+    return study_of(
+        source,
+        inputs=_inputs(source),
+        items=(*_plain_items(source), *_sinker_items(source)),
+        findings=(_about_the_plain_spans(source), _about_the_span_with_the_sinker(source)),
+    )
+
+
+def _inputs(source: Published) -> tuple[Input, ...]:
+    given = source.inputs
+    return (
+        Input("water depth = fairlead height", f"{given['water_depth_m']:g}", "m"),
+        Input("line length, inextensible", f"{given['line_length_m']:g}", "m"),
+        Input("submerged weight", f"{given['submerged_weight_N_per_m']:g}", "N/m"),
+        Input("horizontal force at first", f"{given['initial_horizontal_force_kN']:g}", "kN"),
+        Input(
+            "horizontal force, loaded",
+            f"{given['loaded_horizontal_force_kN']:g}",
+            "kN",
+            "printed, as 500 kN more",
+        ),
+        Input("sinker, submerged weight", f"{given['sinker_submerged_weight_kN']:g}", "kN"),
+        Input("sinker, along the line from the anchor", f"{given['sinker_position_m']:g}", "m"),
+    )
+
+
+# ------------------------------------------------------------------ plain line
+
+
+def _hang(source: Published, force: str) -> Solution:
+    """Solve the line without sinker under one of the two horizontal forces."""
+    from catopt.catenary.solve import solve
+
+    given = source.inputs
+    line = Line([Segment(given["line_length_m"], given["submerged_weight_N_per_m"])])
+    return solve(line, height=given["water_depth_m"], horizontal_force=given[force] * _KN)
+
+
+def _plain_items(source: Published) -> tuple[Item, ...]:
+    method = "plain line"
+    first = _hang(source, "initial_horizontal_force_kN")
+    loaded = _hang(source, "loaded_horizontal_force_kN")
+    printed = source.printed[method]
+    spans = [printed[f"span_{state}_m"].text for state in ("loaded", "initial")]
+    return compare(
+        source,
+        method,
+        {
+            "grounded_length_m": first.grounded_length,
+            "suspended_length_m": first.suspended_length,
+            "span_initial_m": first.span,
+            "span_loaded_m": loaded.span,
+            "offset_m": loaded.span - first.span,
+            "fairlead_tension_kN": loaded.fairlead.tension / _KN,
+        },
+        {
+            "span_initial_m": "printed as if cut off after one decimal, see below",
+            "offset_m": f"{spans[0]} - {spans[1]} of the printed spans; to whole metres it is "
+            f"{loaded.span - first.span:.0f}",
+        },
+    )
+
+
+# ------------------------------------------------------------------ line with the sinker
+
+
+def _sinker_items(source: Published) -> tuple[Item, ...]:
+    """Shorten the line until its inclination at the anchor is 0, and judge what S2 prints of it."""
+    from catopt.catenary.find import find_length
+
+    given = source.inputs
+    position = given["sinker_position_m"]
+    line = Line(
+        [Segment(given["line_length_m"], given["submerged_weight_N_per_m"])],
+        [PointLoad(position, given["sinker_submerged_weight_kN"] * _KN)],
+    )
+    found = find_length(
+        line,
+        height=given["water_depth_m"],
+        horizontal_force=given["loaded_horizontal_force_kN"] * _KN,
+        anchor_angle=0.0,
+    )
+    return compare(
+        source,
+        "line with the sinker",
+        {
+            "span_m": found.solution.span,
+            "suspended_length_m": found.value - position,
+            "fairlead_tension_kN": found.solution.fairlead.tension / _KN,
+            "length_saved_m": given["line_length_m"] - found.value,
+        },
+        {"span_m": "rounding on the way, see below"},
+    )
+
+
+# ------------------------------------------------------------------ findings
+
+
+def _cut_off(value: float) -> float:
+    """Drop what follows the first decimal, as is done by hand."""
+    return math.floor(10.0 * value) / 10.0
+
+
+def _about_the_plain_spans(source: Published) -> str:
+    first = _hang(source, "initial_horizontal_force_kN").span
+    loaded = _hang(source, "loaded_horizontal_force_kN").span
+    table = source.printed["plain line"]
+    return (
+        f"The span under 300 kN is 200 + 300 ln 3 = {first:.3f} m. Rounded to one decimal it is "
+        f"{first:.1f} m, cut off after one decimal it is the printed {_cut_off(first):.1f} m. The "
+        f"span under 800 kN, 800 ln 2 = {loaded:.3f} m, is {loaded:.1f} m either way. The printed "
+        f"offset, {table['offset_m'].text} m, is the difference of the printed spans; unrounded "
+        f"it is {loaded - first:.3f} m."
+    )
+
+
+def _by_equivalent_length(source: Published) -> SinkerLine:
+    """Lay the line out by S2's own formulas."""
+    given = source.inputs
+    weight = given["submerged_weight_N_per_m"]
+    return sinker_line(
+        given["loaded_horizontal_force_kN"] * _KN / weight,
+        given["water_depth_m"],
+        given["sinker_position_m"],
+        given["sinker_submerged_weight_kN"] * _KN / weight,
+    )
+
+
+def _about_the_span_with_the_sinker(source: Published) -> str:
+    laid = _by_equivalent_length(source)
+    parts = (laid.x_b1, laid.x_oc, laid.x_b2)
+    cut = [_cut_off(part) for part in parts]
+    rounded = [round(part, 1) for part in parts]
+    whole = [float(round(part)) for part in parts]
+    printed = source.printed["line with the sinker"]
+    beyond = laid.length - source.inputs["sinker_position_m"]
+    return (
+        "The span with the sinker is x_b1 + x_OC - x_b2 by S2 (40): "
+        f"{laid.x_b1:.3f} + {laid.x_oc:.3f} - {laid.x_b2:.3f} = {laid.span:.3f} m. With each of "
+        f"the three rounded to one decimal it is {_sum(rounded)} m; with each cut off after one "
+        f"decimal, {_sum(cut)} m, the print. So one habit, distances cut off "
+        "after one decimal, explains both spans that differ. That S2 did so cannot be told from "
+        f"the print: its {printed['suspended_length_m'].text} m of line beyond the sinker is "
+        f"rounded, for cut off it would be {_cut_off(beyond):.1f} m, and distances rounded to "
+        f"whole metres, {_sum(whole, 0)} m, end there too."
+    )
+
+
+def _sum(parts: list[float], decimals: int = 1) -> str:
+    """Write x_b1 + x_OC - x_b2 out."""
+    first, second, less, span = (
+        f"{value:.{decimals}f}" for value in (*parts, parts[0] + parts[1] - parts[2])
+    )
+    return f"{first} + {second} - {less} = {span}"

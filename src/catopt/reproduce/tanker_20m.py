@@ -1,0 +1,114 @@
+"""S3, Table 1: a tanker on 55 m of chain in 20 m of water, and when its touchdown is gone."""
+
+from __future__ import annotations
+
+from catopt.model import Line, Segment
+from catopt.reproduce.comparison import compare, study_of
+from catopt.reproduce.items import Input, Item, Study
+from catopt.reproduce.published import Published, published
+from catopt.units import UNITS, Dimension
+
+__all__ = ["NAME", "study"]
+
+NAME = "tanker_20m"
+
+_KN = UNITS[Dimension.FORCE]["kN"]
+_TONNE_FORCE = UNITS[Dimension.FORCE]["tf"]
+_TABLE = "Table 1"
+
+
+def study() -> Study:
+    """Recompute Table 1 in closed form and judge every printed number."""
+    source = published(NAME)
+    table = _table_1(source)
+    return study_of(
+        source,
+        inputs=_inputs(source),
+        items=(
+            *compare(source, _TABLE, table, _remarks(source, table)),
+            *_safe_working(source, table),
+        ),
+        findings=(_about_the_digits(source, table),),
+    )
+
+
+def _inputs(source: Published) -> tuple[Input, ...]:
+    given = source.inputs
+    return (
+        Input("water depth = fairlead height", f"{given['water_depth_m']:g}", "m"),
+        Input("line length, inextensible", f"{given['line_length_m']:g}", "m"),
+        Input("submerged weight", f"{given['submerged_weight_N_per_m']:g}", "N/m"),
+        Input("horizontal force at first", f"{given['initial_horizontal_force_kN']:g}", "kN"),
+        Input("breaking load", f"{given['breaking_load_tf']:g}", "tf"),
+        Input("safety factor", f"{given['safety_factor']:g}", ""),
+    )
+
+
+def _table_1(source: Published) -> dict[str, float]:
+    """Solve the line at first, and under the force that brings the touchdown to the anchor."""
+    from catopt.catenary.find import find_touchdown_force
+    from catopt.catenary.solve import solve
+
+    given = source.inputs
+    line = Line([Segment(given["line_length_m"], given["submerged_weight_N_per_m"])])
+    height, force = given["water_depth_m"], given["initial_horizontal_force_kN"] * _KN
+    first = solve(line, height=height, horizontal_force=force)
+    lifting = find_touchdown_force(line, height=height)
+    lifted = lifting.solution
+    return {
+        "minimum_suspended_length_m": first.suspended_length,
+        "spare_length_m": first.grounded_length,
+        "span_suspended_m": first.span - first.grounded_length,
+        "span_total_m": first.span,
+        "fairlead_tension_kN": first.fairlead.tension / _KN,
+        "uplift_horizontal_force_kN": lifting.value / _KN,
+        "uplift_added_force_kN": (lifting.value - force) / _KN,
+        "uplift_span_m": lifted.span,
+        "uplift_offset_m": lifted.span - first.span,
+        "uplift_fairlead_tension_kN": lifted.fairlead.tension / _KN,
+    }
+
+
+def _remarks(source: Published, table: dict[str, float]) -> dict[str, str]:
+    """Say where S3 went on with more digits than it printed."""
+    printed = source.printed[_TABLE]
+    length = source.inputs["line_length_m"]
+    spare = length - printed["minimum_suspended_length_m"].value
+    total = printed["span_suspended_m"].value + printed["spare_length_m"].value
+    offset = printed["uplift_span_m"].value - printed["span_total_m"].value
+    return {
+        "spare_length_m": f"from unrounded lengths; {length:g} - "
+        f"{printed['minimum_suspended_length_m'].text} would be {spare:.4f}",
+        "span_total_m": f"from unrounded parts; {printed['span_suspended_m'].text} + "
+        f"{printed['spare_length_m'].text} would be {total:.2f}",
+        "uplift_offset_m": f"from unrounded spans; {printed['uplift_span_m'].text} - "
+        f"{printed['span_total_m'].text} would be {offset:.2f}",
+        "uplift_span_m": f"to two decimals it is {table['uplift_span_m']:.2f}",
+    }
+
+
+def _safe_working(source: Published, table: dict[str, float]) -> tuple[Item, ...]:
+    """Divide the breaking load; hold the largest tension of Table 1 against the outcome."""
+    permissible = source.inputs["breaking_load_tf"] / source.inputs["safety_factor"]
+    largest = table["uplift_fairlead_tension_kN"] * _KN / _TONNE_FORCE
+    within = "within" if largest <= permissible else "above"
+    remark = f"the largest tension of Table 1, {largest:.1f} tf, is {within} it"
+    return compare(
+        source,
+        "safe working",
+        {"permissible_tension_tf": permissible},
+        {"permissible_tension_tf": remark},
+        computed_by="T_break / SF",
+    )
+
+
+def _about_the_digits(source: Published, table: dict[str, float]) -> str:
+    printed = source.printed[_TABLE]
+    agreeing = sum(
+        each.rounding(table[quantity]) == each.text for quantity, each in printed.items()
+    )
+    return (
+        f"Of the {len(printed)} numbers of Table 1 {agreeing} have every printed digit, from "
+        "numbers that are not rounded on the way. The spare length, the total span and the offset "
+        "do not follow from the other printed numbers: S3 went on with more digits than it printed."
+    )

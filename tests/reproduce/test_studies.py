@@ -1,0 +1,80 @@
+"""What all studies have in common."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from catopt.reproduce import book, names, reproduce
+from catopt.reproduce.comparison import compare
+from catopt.reproduce.published import published
+from catopt.schemas import schema
+
+NAMES = ("buoy_9p5m", "ship_200m", "tanker_20m", "tanker_20m_sinker", "load_sharing")
+WITHOUT_SWARM = NAMES[1:]
+
+
+def test_the_names() -> None:
+    assert names() == NAMES
+
+
+@pytest.mark.parametrize("name", WITHOUT_SWARM)
+def test_the_document_keeps_to_its_schema(name: str) -> None:
+    document = reproduce(name).to_dict()
+    jsonschema.validate(document, schema("catopt.reproduction/1"))
+    assert {item["name"] for item in document["items"]} == {name}
+
+
+@pytest.mark.parametrize("name", WITHOUT_SWARM)
+def test_every_number_of_the_source_is_judged_once(name: str) -> None:
+    printed = [
+        (method, quantity)
+        for method, table in published(name).printed.items()
+        for quantity in table
+    ]
+    items = reproduce(name).items
+    assert [(item.method, item.quantity) for item in items] == printed
+    assert all(item.note for item in items if item.verdict != "reproduces")
+
+
+@pytest.mark.parametrize(
+    ("name", "tally"),
+    [
+        ("ship_200m", "Of 10 printed numbers 7 reproduce, 3 differ and 0 cannot be reproduced."),
+        ("tanker_20m", "Of 11 printed numbers 11 reproduce, 0 differ and 0 cannot be reproduced."),
+        (
+            "tanker_20m_sinker",
+            "Of 10 printed numbers 0 reproduce, 10 differ and 0 cannot be reproduced.",
+        ),
+        ("load_sharing", "Of 3 printed numbers 3 reproduce, 0 differ and 0 cannot be reproduced."),
+    ],
+)
+def test_the_tally(name: str, tally: str) -> None:
+    assert reproduce(name).tally == tally
+
+
+@pytest.mark.parametrize("name", WITHOUT_SWARM)
+def test_the_page_has_a_heading_for_each_method(name: str) -> None:
+    page = book(reproduce(name))
+    headings = re.findall(r"^### (.+)$", page, re.MULTILINE)
+    methods = [method[:1].upper() + method[1:] for method in published(name).printed]
+    assert headings == [*methods, "What was found"]
+
+
+def test_a_printed_number_that_nothing_was_computed_for_is_a_fault() -> None:
+    with pytest.raises(KeyError, match="FT_over_F_8_lines"):
+        compare(published("load_sharing"), "N/4 rule", {"FT_over_F_6_lines": 1.5})
+
+
+def test_the_documentation_counts_right() -> None:
+    page = Path(__file__).parents[2] / "docs" / "reproduction.md"
+    row = re.compile(r"^\| `(\w+)` \|.*\| (\d+) \| (\d+) \|$", re.MULTILINE)
+    counted = [
+        (study.name, len(study.items), sum(i.verdict == "reproduces" for i in study.items))
+        for study in reproduce().studies
+    ]
+    rows = row.findall(page.read_text(encoding="utf-8"))
+    assert [(name, int(all_), int(good)) for name, all_, good in rows] == counted
