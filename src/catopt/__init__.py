@@ -14,8 +14,17 @@ from catopt._version import __version__
 if TYPE_CHECKING:
     from catopt.casefile import read_case
     from catopt.catenary.batch import solve_many
+    from catopt.catenary.case import solve_case
+    from catopt.catenary.case_curve import curve_case
+    from catopt.catenary.curve import load_curve
+    from catopt.catenary.find import (
+        find_clump_weight,
+        find_length,
+        find_limit_force,
+        find_touchdown_force,
+    )
     from catopt.catenary.solution import Solution
-    from catopt.catenary.solve import solve, solve_case
+    from catopt.catenary.solve import solve
     from catopt.errors import (
         CatoptError,
         InputError,
@@ -39,6 +48,12 @@ __all__ = [
     "Solution",
     "TouchesTwiceError",
     "__version__",
+    "curve_case",
+    "find_clump_weight",
+    "find_length",
+    "find_limit_force",
+    "find_touchdown_force",
+    "load_curve",
     "read_case",
     "solve",
     "solve_case",
@@ -48,8 +63,17 @@ __all__ = [
 _HOMES = {
     "catopt.casefile": ("read_case",),
     "catopt.catenary.batch": ("solve_many",),
+    "catopt.catenary.case_curve": ("curve_case",),
+    "catopt.catenary.curve": ("load_curve",),
+    "catopt.catenary.find": (
+        "find_clump_weight",
+        "find_length",
+        "find_limit_force",
+        "find_touchdown_force",
+    ),
     "catopt.catenary.solution": ("Solution",),
-    "catopt.catenary.solve": ("solve", "solve_case"),
+    "catopt.catenary.case": ("solve_case",),
+    "catopt.catenary.solve": ("solve",),
     "catopt.errors": (
         "CatoptError",
         "InputError",

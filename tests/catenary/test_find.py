@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from catopt.catenary.case import solve_case
 from catopt.catenary.find import (
     find_case,
     find_clump_weight,
@@ -14,7 +15,7 @@ from catopt.catenary.find import (
     find_touchdown_force,
     with_segment_length,
 )
-from catopt.catenary.solve import solve, solve_case
+from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, NoAnswerError, NoEquilibriumError
 from catopt.model import Case, Checks, Find, Line, Load, PointLoad, Segment, Site

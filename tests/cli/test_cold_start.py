@@ -32,11 +32,13 @@ def loaded(*arguments: str) -> set[str]:
         (["--help"], LIGHT),
         (["--version"], LIGHT),
         (["solve", "--help"], HEAVY | {"rich"}),
+        (["curve", "--help"], HEAVY | {"pydantic", "rich"}),
+        (["curve", str(BUOY)], HEAVY - {"numpy"}),
         (["solve", str(BUOY)], HEAVY),
         (["solve", str(BUOY), "--profile"], HEAVY),
         (["solve", str(BUOY), "--json"], HEAVY | {"rich"}),
     ],
-    ids=["help", "version", "solve help", "solve", "profile", "json"],
+    ids=["help", "version", "solve help", "curve help", "curve", "solve", "profile", "json"],
 )
 def test_nothing_heavy_is_loaded(arguments: list[str], absent: set[str]) -> None:
     found = loaded(*arguments)

@@ -103,7 +103,7 @@ def test_a_fault_of_ours_is_1_and_asks_for_debug(
     def fail(_: object) -> None:
         raise error
 
-    monkeypatch.setattr("catopt.catenary.solve.solve_case", fail)
+    monkeypatch.setattr("catopt.catenary.case.solve_case", fail)
     ran = run("solve", BUOY)
     assert (ran.status, ran.out) == (1, "")
     assert "a bolt" in ran.err
@@ -125,7 +125,7 @@ def test_an_interrupt_is_130_and_one_line(run: Run, monkeypatch: pytest.MonkeyPa
     def interrupt(_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("catopt.catenary.solve.solve_case", interrupt)
+    monkeypatch.setattr("catopt.catenary.case.solve_case", interrupt)
     ran = run("solve", BUOY)
     assert (ran.status, ran.out, ran.err) == (130, "", "catopt: interrupted\n")
 

@@ -139,7 +139,7 @@ def test_schemas_are_strict_and_described(name: str) -> None:
             assert "const" in property_ or property_["description"], f"{path}/{key}"
 
 
-UNITS = {"_N": "N", "_m": "m", "_rad": "rad", "_kg": "kg"}
+UNITS = {"_N_per_m": "N/m", "_N": "N", "_m": "m", "_rad": "rad", "_kg": "kg"}
 
 
 @pytest.mark.parametrize("name", schemas.names())

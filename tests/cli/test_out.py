@@ -196,7 +196,7 @@ def test_a_file_in_the_way_is_2_before_anything_is_computed(
     def never(*_: object, **__: object) -> None:
         raise AssertionError("computed, although nothing can be written")
 
-    monkeypatch.setattr("catopt.catenary.solve.solve_case", never)
+    monkeypatch.setattr("catopt.catenary.case.solve_case", never)
     monkeypatch.setattr("catopt.reproduce.reproduce", never)
     path = tmp_path / "file"
     path.write_text("mine", encoding="utf-8")

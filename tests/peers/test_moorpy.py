@@ -1,4 +1,4 @@
-"""Beside MoorPy 1.3: its own test inputs, lines that it solves rightly, and one that it does not."""
+"""Beside MoorPy 1.3: its own test inputs, lines that it solves rightly, one that it does not."""
 
 from __future__ import annotations
 

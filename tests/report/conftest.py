@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import pytest
 
+from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution, SwarmReport
-from catopt.catenary.solve import solve, solve_case
+from catopt.catenary.solve import solve
 from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
 
 G0 = 9.80665

@@ -59,7 +59,7 @@ def test_numbers_are_numbers_in_the_format_of_their_unit(case: Case, buoy: Solut
 def test_an_inextensible_segment_says_so() -> None:
     case = buoy_case()
     assert case.line == Line(case.line.segments)
-    from catopt.catenary.solve import solve_case
+    from catopt.catenary.case import solve_case
 
     book = openpyxl.load_workbook(BytesIO(solution_workbook(case, solve_case(case))))
     values = [cell.value for row in book["Inputs"] for cell in row]

@@ -1,24 +1,43 @@
-"""The load curve of one line: span, forces and grounded length over a range of force or span."""
+"""The load curve of one line: span, forces and grounded length over a range of force or span.
+
+A curve is some fifty lines and a few closings-in on marks. The plain kernel does that in less time
+than it takes to load the compiled one; `solve_many` is for more.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import partial
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from catopt.catenary.batch import Solutions, solve_many
-from catopt.errors import InputError, NoEquilibriumError, Problem
+from catopt.catenary.equilibrium import given_force
+from catopt.catenary.inverse import given_span
+from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.catenary.state import CONVERGED, REGIMES, State
+from catopt.errors import (
+    CatoptError,
+    InputError,
+    NoEquilibriumError,
+    NotConvergedError,
+    Problem,
+    TouchesTwiceError,
+)
 from catopt.model import Line
 
-__all__ = ["Curve", "Mark", "load_curve"]
+__all__ = ["Curve", "Mark", "check_range", "load_curve"]
 
 Array = npt.NDArray[np.float64]
 Over = Literal["span", "horizontal_force"]
+MarkKind = Literal["regime", "clump_weight", "limit"]
+
+MOST_POINTS = 10_000
 
 
 @dataclass(frozen=True)
@@ -27,12 +46,15 @@ class Mark:
 
     Attributes
     ----------
+    kind : str
+        ``"regime"`` of the line, a ``"clump_weight"`` that lifts, or a ``"limit"`` reached.
     event : str
-        What happens there, in words.
+        What happens there as the force grows, in words.
     horizontal_force, span, fairlead_tension : float
         Where: N, m, N.
     """
 
+    kind: MarkKind
     event: str
     horizontal_force: float
     span: float
@@ -52,11 +74,12 @@ class Curve:
     anchor_angle : ndarray
         rad.
     stiffness : ndarray
-        Horizontal end stiffness dH/dS at a fixed height, N/m.
+        Horizontal end stiffness dH/dS at a fixed height, N/m; 0 where the line is slack, nan where
+        the span does not change with the force.
     regime : tuple of str
         At each point.
     marks : tuple of Mark
-        Changes of regime and limits reached, by rising span.
+        Changes of regime, clump weights that lift and limits reached, by rising span.
     """
 
     over: Over
@@ -82,8 +105,9 @@ def load_curve(
     seabed_friction: float = 0.0,
     anchor_height: float = 0.0,
     safety_factor: float = 1.0,
+    max_anchor_angle: float | None = None,
 ) -> Curve:
-    """Compute a line's load curve in one compiled call.
+    """Compute a line's load curve.
 
     Parameters
     ----------
@@ -96,132 +120,235 @@ def load_curve(
     start, stop : float
         Its range: m or N.
     points : int
-        At least 2.
+        From 2 to 10 000.
     safety_factor : float
-        For the limit MBL over safety factor.
+        For the limit MBL over safety factor of each segment whose MBL is known.
+    max_anchor_angle : float, optional
+        Limit of the inclination at the anchor, rad.
 
     Raises
     ------
     InputError
-        When the range is empty or there are too few points.
-    NoEquilibriumError
-        When a point of the range has no equilibrium.
+        When the range is empty or there are too few or too many points.
+    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+        When a point of the range has no answer; as `solve` has it there.
     """
-    _check(start, stop, points)
-    values = np.linspace(start, stop, points)
-
-    def at(many: Array) -> Solutions:
-        force, span = (many, None) if over == "horizontal_force" else (None, many)
-        return solve_many(
-            line,
-            height=height,
-            horizontal_force=force,
-            span=span,
-            seabed_friction=seabed_friction,
-            anchor_height=anchor_height,
-        )
-
-    found = at(values)
-    if not found.converged.all():
-        index = int(np.argmin(found.converged))
-        unit = "m" if over == "span" else "N"
-        raise NoEquilibriumError(
-            f"at {over.replace('_', ' ')} {values[index]:.6g} {unit} the line has no equilibrium: "
-            f"{found.reason(index)}. Choose a smaller range.",
-            "length",
-            math.nan,
-        )
-    marks = [*_regime_changes(at, values, found), *_limits(line, at, values, found, safety_factor)]
-    flexibility = found.flexibility
-    by_force = (
-        flexibility[:, 0, 0] - flexibility[:, 0, 1] * flexibility[:, 1, 0] / flexibility[:, 1, 1]
-    )
+    check_range(start, stop, points, "m" if over == "span" else "N")
+    way = _Way(line, cut(line)[0], height, over, seabed_friction, anchor_height)
+    values = [float(value) for value in np.linspace(start, stop, points)]
+    way.state(values[-1])  # so that a range too long is told by its end
+    states = [way.state(value) for value in values]
+    marks = [
+        *_regime_changes(way, values),
+        *_clump_weights_lift(way, values),
+        *_strength_limits(way, values, safety_factor),
+        *_anchor_limit(way, values, max_anchor_angle),
+    ]
     return Curve(
         over=over,
-        span=found.span,
-        horizontal_force=found.horizontal_force,
-        fairlead_tension=found.tension,
-        anchor_tension=found.anchor_tension,
-        anchor_angle=found.anchor_angle,
-        grounded_length=found.grounded_length,
-        stiffness=1.0 / by_force,
-        regime=tuple(str(found.regime(index)) for index in range(points)),
-        marks=tuple(sorted(marks, key=lambda mark: mark.span)),
+        span=np.array([s.span for s in states]),
+        horizontal_force=np.array([s.H for s in states]),
+        fairlead_tension=np.array([math.hypot(s.H, s.V) for s in states]),
+        anchor_tension=np.array([math.hypot(s.H_anchor, s.V_anchor) for s in states]),
+        anchor_angle=np.array([_anchor_angle(s) for s in states]),
+        grounded_length=np.array([s.grounded for s in states]),
+        stiffness=np.array([_stiffness(s) for s in states]),
+        regime=tuple(REGIMES[s.regime] for s in states),
+        marks=tuple(sorted(marks, key=lambda mark: (mark.span, mark.horizontal_force))),
     )
 
 
-def _check(start: float, stop: float, points: int) -> None:
+def check_range(start: float, stop: float, points: int, unit: str, zero: float = 0.0) -> None:
+    """Raise InputError unless a range rises above 0 in a sensible number of points.
+
+    Parameters
+    ----------
+    start, stop : float
+        m or N.
+    points : int
+        How many.
+    unit : str
+        Of the range.
+    zero : float
+        Where the user counts from, for the messages.
+    """
     problems = []
-    if not (math.isfinite(start) and math.isfinite(stop) and 0.0 < start < stop):
-        problems.append(
-            Problem("range", f"from {start:g} to {stop:g}", "rising, above 0 and finite")
-        )
-    if points < 2:
-        problems.append(Problem("points", str(points), "2 or more"))
+    for key, value in (("start", start), ("stop", stop)):
+        if not 0.0 < value < math.inf:
+            least = f"{0.0 - zero:.6g} {unit}" + (", where the span is 0" if zero else "")
+            problems.append(Problem(key, f"{value - zero:.6g} {unit}", f"must be above {least}"))
+    if not problems and not start < stop:
+        above = f"must be above the start of the range, {start - zero:.6g} {unit}"
+        problems.append(Problem("stop", f"{stop - zero:.6g} {unit}", above))
+    if not 2 <= points <= MOST_POINTS:
+        problems.append(Problem("points", str(points), f"must be from 2 to {MOST_POINTS}"))
     if problems:
-        raise InputError(problems, "load_curve")
+        raise InputError(problems, "curve")
 
 
-def _regime_changes(
-    at: Callable[[Array], Solutions], values: Array, found: Solutions
-) -> list[Mark]:
-    """Bisect every pair of neighbours that differ in regime."""
-    marks = []
-    codes = found.regime_code
-    for index in np.flatnonzero(codes[1:] != codes[:-1]):
-        is_before = partial(_has_regime, code=int(codes[index]))
-        place = _bisect(at, values[index], values[index + 1], is_before)
-        before, after = found.regime(int(index)), found.regime(int(index) + 1)
-        marks.append(_mark(at, place, f"{before} -> {after}"))
-    return marks
+def _anchor_angle(state: State) -> float:
+    return math.atan2(state.V_anchor, state.H_anchor)
 
 
-def _has_regime(many: Solutions, code: int) -> npt.NDArray[np.bool_]:
-    return np.equal(many.regime_code, code)
+def _stiffness(state: State) -> float:
+    """Slope dH/dS at a fixed height, from the derivatives of span and height by H and V; N/m."""
+    if state.H == 0.0:
+        return 0.0
+    # The height stays when V follows H by dV/dH = -z_H / z_V; nothing lifts where z_V is 0.
+    follows = state.z_H / state.z_V if state.z_V != 0.0 else 0.0
+    flexibility = state.x_H - state.x_V * follows
+    return 1.0 / flexibility if flexibility > 0.0 else math.nan
 
 
-def _limits(
-    line: Line,
-    at: Callable[[Array], Solutions],
-    values: Array,
-    found: Solutions,
-    safety_factor: float,
-) -> list[Mark]:
-    """Where the fairlead tension passes the strength of the uppermost segment."""
-    MBL = line.segments[-1].MBL
-    if MBL is None:
-        return []
-    limit = MBL / safety_factor
-    over = np.flatnonzero((found.tension[1:] > limit) & (found.tension[:-1] <= limit))
-    return [
-        _mark(
-            at,
-            _bisect(at, values[index], values[index + 1], lambda s: s.tension <= limit),
-            f"fairlead tension reaches MBL / {safety_factor:g}",
+# ------------------------------------------------------------------ the line at a value
+
+
+@dataclass(frozen=True)
+class _Way:
+    """The line along its curve: solved at any value of what is stepped."""
+
+    line: Line
+    pieces: Pieces
+    height: float
+    over: Over
+    friction: float
+    anchor_height: float
+
+    def state(self, value: float) -> State:
+        """Solve at a value; raise what `solve` raises where there is no answer."""
+        ends = (self.anchor_height, self.height, self.friction)
+        if self.over == "span":
+            state = given_span(value, self.pieces, *ends, math.nan, math.nan)
+        else:
+            state = given_force(value, self.pieces, *ends)
+        if state.status != CONVERGED:
+            raise self._failure(value)
+        return state
+
+    def solution(self, value: float) -> Solution:
+        """Solve at a value, with the whole line laid out."""
+        is_span = self.over == "span"
+        return solve(
+            self.line,
+            height=self.height,
+            horizontal_force=None if is_span else value,
+            span=value if is_span else None,
+            seabed_friction=self.friction,
+            anchor_height=self.anchor_height,
         )
-        for index in over
-    ]
+
+    def mark(self, kind: MarkKind, event: str, at: float) -> Mark:
+        """Make a mark at a value."""
+        there = self.state(at)
+        return Mark(kind, event, there.H, there.span, math.hypot(there.H, there.V))
+
+    def _failure(self, value: float) -> CatoptError:
+        """Put into words why there is no answer at a value, and how far the range may go."""
+        unit = "m" if self.over == "span" else "N"
+        head = f"at a {self.over.replace('_', ' ')} of {value:.6g} {unit}: "
+        try:
+            self.solution(value)
+        except NoEquilibriumError as stop:
+            told = f"{head}{stop}{self._farthest()}"
+            return NoEquilibriumError(told, stop.quantity, stop.missing)
+        except (TouchesTwiceError, NotConvergedError) as error:
+            return type(error)(f"{head}{error}")
+        return NotConvergedError(f"{head}the closed form did not converge; please report this case")
+
+    def _farthest(self) -> str:
+        rise = self.height - self.anchor_height
+        room = self.line.length**2 - rise**2
+        is_stiff = all(math.isinf(segment.EA) for segment in self.line.segments)
+        if self.over != "span" or room <= 0.0 or not is_stiff:
+            return ""
+        return f" Or let the range end below a span of {math.sqrt(room):.6g} m."
 
 
-def _bisect(
-    at: Callable[[Array], Solutions],
-    low: float,
-    high: float,
-    is_before: Callable[[Solutions], npt.NDArray[np.bool_]],
-) -> float:
-    """Last value before a change, by sections into 64 at once, to 1e-12 of the value."""
-    while high - low > 1e-12 * high:
-        parts = np.linspace(low, high, 65)
-        after = np.flatnonzero(~is_before(at(parts)))
-        first = int(after[0]) if after.size else 64
-        if first == 0:
-            return low
-        low, high = float(parts[first - 1]), float(parts[first])
-    return 0.5 * (low + high)
+# ------------------------------------------------------------------ where something changes
 
 
-def _mark(at: Callable[[Array], Solutions], value: float, event: str) -> Mark:
-    there = at(np.array([value]))
-    return Mark(
-        event, float(there.horizontal_force[0]), float(there.span[0]), float(there.tension[0])
-    )
+def _regime_changes(way: _Way, values: list[float]) -> Iterator[Mark]:
+    for place, before, after in _changes(way, values, lambda state: state.regime):
+        yield way.mark("regime", f"{REGIMES[before]} -> {REGIMES[after]}", place)
+
+
+def _clump_weights_lift(way: _Way, values: list[float]) -> Iterator[Mark]:
+    """Find where a clump weight begins to lift and where it is off the bed.
+
+    Only with the anchor on the bed, where the grounded length tells the touchdown: while a clump
+    weight lifts, the line leaves the bed at it.
+    """
+    if way.anchor_height > 0.0:
+        return
+    tolerance = 1e-12 * way.line.length
+    for number, load in enumerate(way.line.point_loads, start=1):
+        if load.submerged_weight <= 0.0:
+            continue
+
+        def stage(state: State, position: float = load.position) -> int:
+            hanging = position - state.grounded
+            return (hanging > -tolerance) + (hanging > tolerance)
+
+        name = f"clump weight {number}" + (f" ({load.name})" if load.name else "")
+        for place, _, after in _changes(way, values, stage):
+            event = f"{name} begins to lift" if after == 1 else f"{name} is off the bed"
+            yield way.mark("clump_weight", event, place)
+
+
+def _strength_limits(way: _Way, values: list[float], safety_factor: float) -> Iterator[Mark]:
+    """Find where the largest tension of a segment passes its MBL over the safety factor."""
+    for index, segment in enumerate(way.line.segments):
+        if segment.MBL is None:
+            continue
+
+        def is_beyond(value: float, index: int = index, MBL: float = segment.MBL) -> int:
+            return way.solution(value).segments[index].max_tension > MBL / safety_factor
+
+        name = f"segment {index + 1}" + (f" ({segment.name})" if segment.name else "")
+        for place, _, after in _crossings(values, is_beyond):
+            if after:
+                yield way.mark("limit", f"{name} reaches MBL / {safety_factor:g}", place)
+
+
+def _anchor_limit(way: _Way, values: list[float], limit: float | None) -> Iterator[Mark]:
+    """Find where the inclination at the anchor passes its limit."""
+    if limit is None:
+        return
+    for place, _, after in _changes(way, values, lambda state: _anchor_angle(state) > limit):
+        if after:
+            event = f"inclination at the anchor reaches {math.degrees(limit):.4g} deg"
+            yield way.mark("limit", event, place)
+
+
+def _changes(
+    way: _Way, values: list[float], code: Callable[[State], int]
+) -> Iterator[tuple[float, int, int]]:
+    """Yield where a code of the state changes, as `_crossings` does."""
+    return _crossings(values, lambda value: code(way.state(value)))
+
+
+def _crossings(
+    values: list[float], code: Callable[[float], int]
+) -> Iterator[tuple[float, int, int]]:
+    """Yield every change of a code between neighbours: where, and the code before and after.
+
+    Several changes between the same neighbours are found one after the other.
+    """
+    codes = [code(value) for value in values]
+    for (low, high), (now, last) in zip(pairwise(values), pairwise(codes), strict=True):
+        before = low
+        while now != last:
+            before, after = _last_before(before, high, code, now)
+            new = code(after)
+            yield 0.5 * (before + after), now, new
+            before, now = after, new
+
+
+def _last_before(
+    low: float, high: float, code: Callable[[float], int], now: int
+) -> tuple[float, float]:
+    """Bisect to the last value with the code `now`, to 1e-13 of itself, and the first without."""
+    while high - low > 1e-13 * high:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if code(middle) == now else (low, middle)
+    return low, high

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from catopt.catenary.solution import EndState, Solution
+if TYPE_CHECKING:
+    from catopt.catenary.solution import EndState, Solution
 
 __all__ = ["solution_document"]
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from typing import Literal
 
 from catopt.catenary.solution import FoundQuantity, Solution
 from catopt.catenary.solve import solve
@@ -18,8 +19,9 @@ from catopt.errors import (
     NoEquilibriumError,
     NotConvergedError,
     Problem,
+    TouchesTwiceError,
 )
-from catopt.model import Case, Find, Line, Load, PointLoad
+from catopt.model import Case, Line, Load, PointLoad
 
 __all__ = [
     "Found",
@@ -46,11 +48,11 @@ class Found(FoundQuantity):
         The line with this value.
     """
 
-    solution: Solution
+    solution: Solution = field(kw_only=True)
 
     def alone(self) -> FoundQuantity:
         """Return the quantity without its line."""
-        return FoundQuantity(self.quantity, self.value, self.condition, self.residual)
+        return FoundQuantity(self.quantity, self.value, self.condition, self.residual, self.number)
 
 
 def find_length(
@@ -111,7 +113,8 @@ def find_length(
         miss = _grounded_miss(grounded_length)
     shortest = _shortest(line, index, abs(height - anchor_height))
     start = max(line.segments[index].length, shortest * (1.0 + 1e-6))
-    return _find("length", condition, at, miss, start, shortest, falls=True)
+    sought = _Sought("length", condition, at, miss, falls=True, number=index + 1)
+    return _find(sought, start, shortest)
 
 
 def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 0.0) -> Found:
@@ -131,15 +134,8 @@ def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 
     def at(force: float) -> Solution:
         return solve(line, height=height, horizontal_force=force, seabed_friction=seabed_friction)
 
-    return _find(
-        "horizontal_force",
-        "touchdown at the anchor",
-        at,
-        _angle_miss(0.0),
-        abs(line.submerged_weight),
-        0.0,
-        falls=False,
-    )
+    sought = _Sought("horizontal_force", "touchdown at the anchor", at, _angle_miss(0.0))
+    return _find(sought, abs(line.submerged_weight), 0.0)
 
 
 def find_clump_weight(
@@ -197,7 +193,8 @@ def find_clump_weight(
             f"{math.degrees(anchor_angle):.4g} deg asked for"
         )
     size = max(abs(line.submerged_weight), 1e-3 * without.fairlead.tension)
-    return _find("clump_weight", condition, at, miss, size, 0.0, falls=True)
+    sought = _Sought("clump_weight", condition, at, miss, falls=True, number=index + 1)
+    return _find(sought, size, 0.0)
 
 
 def find_limit_force(
@@ -205,25 +202,36 @@ def find_limit_force(
     *,
     height: float,
     safety_factor: float = 1.0,
+    segment: int | None = None,
     seabed_friction: float = 0.0,
     anchor_height: float = 0.0,
 ) -> Found:
-    """Find the horizontal force at which the first segment reaches MBL over the safety factor.
+    """Find the horizontal force at which a segment reaches MBL over the safety factor.
 
     Parameters
     ----------
     line : Line
-        At least one segment has an MBL.
+        With the MBL of the segments in question.
     height, seabed_friction, anchor_height
         As for `solve`.
     safety_factor : float
         At least 1.
+    segment : int, optional
+        Which segment, counted from 0 at the anchor; whichever reaches its limit first when left
+        out.
+
+    Raises
+    ------
+    NoAnswerError
+        When what hangs from the fairlead takes a segment beyond its limit at any force.
     """
-    if all(segment.MBL is None for segment in line.segments):
-        raise InputError(
-            [Problem("segments[].MBL", "none", "at least one segment needs its MBL")],
-            "find_limit_force",
-        )
+    count = len(line.segments)
+    chosen = range(count) if segment is None else [_index("segment", segment, count)]
+    MBL = {k: line.segments[k].MBL for k in chosen}
+    limits = {k: load / safety_factor for k, load in MBL.items() if load is not None}
+    if not limits:
+        which = "at least one segment" if segment is None else f"segment {segment}"
+        raise InputError([Problem("MBL", "none", f"{which} needs its MBL")], "find_limit_force")
 
     def at(force: float) -> Solution:
         return solve(
@@ -235,12 +243,12 @@ def find_limit_force(
         )
 
     def miss(solution: Solution) -> tuple[float, float]:
-        used = [state.utilisation(safety_factor) for state in solution.segments]
-        return max(value for value in used if value is not None) - 1.0, 1.0
+        used = [solution.segments[k].max_tension / limit for k, limit in limits.items()]
+        return max(used) - 1.0, 1.0
 
-    condition = f"tension of the first segment at MBL / {safety_factor:g}"
-    start = min(s.MBL for s in line.segments if s.MBL is not None) / safety_factor
-    return _find("horizontal_force", condition, at, miss, 0.5 * start, 0.0, falls=False)
+    which = "a segment" if segment is None else f"segment {chosen[0] + 1}"
+    sought = _Sought("horizontal_force", f"{which} at MBL / {safety_factor:g}", at, miss)
+    return _find(sought, 0.5 * min(limits.values()), 0.0)
 
 
 def with_segment_length(line: Line, segment: int, length: float) -> Line:
@@ -282,22 +290,21 @@ def find_case(case: Case) -> Found:
     assert case.find is not None
     find = case.find
     load = case.load or Load(horizontal_force=1.0)
-    _check_load(find, load)
     ends: dict[str, float] = {"height": case.fairlead_height}
     bed: dict[str, float] = {"seabed_friction": case.site.seabed_friction}
     if find.quantity == "touchdown_force":
-        _check_anchor(case)
         return find_touchdown_force(case.line, **ends, **bed)
     ends["anchor_height"] = case.anchor_height
     if find.quantity == "limit_force":
         factor = case.checks.safety_factor
-        return find_limit_force(case.line, safety_factor=factor, **ends, **bed)
+        which = None if find.segment is None else find.segment - 1
+        return find_limit_force(case.line, safety_factor=factor, segment=which, **ends, **bed)
     if find.quantity == "length":
         return find_length(
             case.line,
             horizontal_force=load.horizontal_force,
             fairlead_tension=load.fairlead_tension,
-            segment=find.segment - 1,
+            segment=-1 if find.segment is None else find.segment - 1,
             anchor_angle=find.anchor_angle,
             grounded_length=find.grounded_length,
             **ends,
@@ -309,27 +316,11 @@ def find_case(case: Case) -> Found:
         horizontal_force=load.horizontal_force,
         span=load.span,
         fairlead_tension=load.fairlead_tension,
-        point_load=find.point_load - 1,
+        point_load=(find.point_load or 1) - 1,
         anchor_angle=find.anchor_angle,
         **ends,
         **bed,
     )
-
-
-def _check_load(find: Find, load: Load) -> None:
-    if find.quantity == "length" and load.span is not None:
-        problem = Problem(
-            "load.span", f"{load.span:g} m", "a length is sought under a force or a tension"
-        )
-        raise InputError([problem], "find")
-
-
-def _check_anchor(case: Case) -> None:
-    if case.anchor_height > 0.0:
-        problem = Problem(
-            "line.anchor_height", f"{case.anchor_height:g} m", "the anchor must be on the bed"
-        )
-        raise InputError([problem], "find")
 
 
 Miss = Callable[[Solution], tuple[float, float]]
@@ -362,56 +353,84 @@ def _grounded_miss(length: float) -> Miss:
     return miss
 
 
-def _find(
-    quantity: str,
-    condition: str,
-    at: Callable[[float], Solution],
-    miss: Miss,
-    start: float,
-    least: float,
-    *,
-    falls: bool,
-) -> Found:
+@dataclass(frozen=True)
+class _Sought:
+    """An unknown, and how the condition put on it depends on it.
+
+    Attributes
+    ----------
+    quantity, condition, number
+        As in `FoundQuantity`.
+    at : callable
+        The line with a value of the unknown.
+    miss : callable
+        What is missing of the condition.
+    falls : bool
+        Whether what is missing falls as the unknown grows.
+    """
+
+    quantity: Literal["length", "clump_weight", "horizontal_force"]
+    condition: str
+    at: Callable[[float], Solution]
+    miss: Miss
+    falls: bool = False
+    number: int | None = None
+
+    def error(self, value: float) -> float:
+        """Say what is missing at a value, with the sign that makes it rise with the value."""
+        try:
+            missing = self.miss(self.at(value))[0]
+        except NoEquilibriumError as stop:
+            if self.quantity == "horizontal_force":
+                raise  # no force mends what is missing
+            # Too short a line pulls without bound; too little tension lifts nothing.
+            missing = math.inf if stop.quantity == "length" else -math.inf
+        except TouchesTwiceError:
+            if self.quantity != "horizontal_force":
+                raise
+            missing = -math.inf  # too little force to lift what lies between the touchdowns
+        return -missing if self.falls else missing
+
+    def none(self) -> NoAnswerError:
+        """Say that no value meets the condition."""
+        return NoAnswerError(f"no {self.quantity.replace('_', ' ')} gives {self.condition}")
+
+
+def _find(sought: _Sought, start: float, least: float) -> Found:
     """Bracket the root by growing strides away from `least`, then close in on it."""
     from scipy.optimize import brentq
 
-    def error(value: float) -> float:
-        try:
-            found = miss(at(value))[0]
-        except NoEquilibriumError as stop:
-            # Too short a line pulls without bound; too little tension lifts nothing.
-            found = math.inf if stop.quantity == "length" else -math.inf
-        return -found if falls else found
-
-    low, high = _bracket(error, start, least, quantity, condition)
-    value = float(brentq(error, low, high, xtol=ROUNDING * high, rtol=ROUNDING))
-    solution = at(value)
-    left, size = miss(solution)
+    low, high = _bracket(sought, start, least)
+    value = float(brentq(sought.error, low, high, xtol=ROUNDING * high, rtol=ROUNDING))
+    solution = sought.at(value)
+    left, size = sought.miss(solution)
     if abs(left) > 1e-8 * size:
         raise NotConvergedError(
-            f"the search for the {quantity} stopped where the {condition} is missed by {left:.3g}"
+            f"the search for the {sought.quantity.replace('_', ' ')} stopped where the condition, "
+            f"{sought.condition}, is missed by {left / size:.3g}"
         )
-    return Found(quantity, value, condition, left / size, solution)
+    return Found(
+        sought.quantity, value, sought.condition, left / size, sought.number, solution=solution
+    )
 
 
-def _bracket(
-    error: Callable[[float], float], start: float, least: float, quantity: str, condition: str
-) -> tuple[float, float]:
+def _bracket(sought: _Sought, start: float, least: float) -> tuple[float, float]:
     """Values with the error below and above 0, both finite."""
+    error = sought.error
     high = start
     while error(high) < 0.0:
         high = least + 2.0 * (high - least)
         if high > FAR * max(start, 1.0):
-            raise NoAnswerError(f"no {quantity.replace('_', ' ')} gives {condition}")
+            raise sought.none()
     low = start
     while error(low) > 0.0:
         low = least + 0.5 * (low - least)
         if low - least < start / FAR:
-            raise NoAnswerError(f"no {quantity.replace('_', ' ')} gives {condition}")
+            raise sought.none()
     while math.isinf(error(low)):
         middle = 0.5 * (low + high)
         if not low < middle < high:
-            raise NoAnswerError(f"no {quantity.replace('_', ' ')} gives {condition}")
+            raise sought.none()
         low, high = (middle, high) if error(middle) <= 0.0 else (low, middle)
     return low, high
 

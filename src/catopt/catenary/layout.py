@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from catopt.catenary.piece import piece_reach
 from catopt.catenary.pieces import Pieces, flip, total_weight
-from catopt.catenary.solution import Stretch
 from catopt.catenary.state import SLACK, State
+from catopt.catenary.stretch import Stretch
 from catopt.catenary.walk import NO_TOUCHDOWN
 
 __all__ = ["end_of", "lay_out"]

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 from catopt.catenary.layout import end_of
-from catopt.catenary.solution import Profile, Stretch
+from catopt.catenary.stretch import Profile, Stretch
 
 __all__ = ["max_tension", "sample", "stretched_length", "tension_at"]
 

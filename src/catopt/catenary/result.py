@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Literal
 
 from catopt.catenary.layout import end_of, lay_out
@@ -14,14 +15,14 @@ from catopt.catenary.solution import (
     Residual,
     SegmentState,
     Solution,
-    Stretch,
 )
 from catopt.catenary.state import REGIMES, State
+from catopt.catenary.stretch import Stretch
 from catopt.catenary.walk import NO_TOUCHDOWN
-from catopt.catenary.warnings import plausibility
-from catopt.model import Line
+from catopt.catenary.warnings import above_water, plausibility
+from catopt.model import Case, Line
 
-__all__ = ["solution_of"]
+__all__ = ["solution_of", "under_case"]
 
 AT_BED = 1e-9
 """Height at which a point load counts as on the bed, as a part of the line's length."""
@@ -74,6 +75,16 @@ def solution_of(
         residual=Residual(height=z - height, span=x - state.span),
     )
     return solution.with_warnings(plausibility(solution))
+
+
+def under_case(solution: Solution, case: Case) -> Solution:
+    """Return the same answer under a case's title, safety factor and water depth."""
+    return replace(
+        solution,
+        title=case.title,
+        safety_factor=case.checks.safety_factor,
+        warnings=(*solution.warnings, *above_water(solution, case.site.water_depth)),
+    )
 
 
 def _end(H: float, V: float) -> EndState:

@@ -5,17 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from catopt.model import Case, Line
+from catopt.catenary.document import solution_document
+from catopt.catenary.profile import sample
+from catopt.catenary.stretch import Profile, Stretch
+from catopt.model import Line
 
 __all__ = [
     "EndState",
     "FoundQuantity",
     "PointLoadState",
-    "Profile",
     "Residual",
     "SegmentState",
     "Solution",
-    "Stretch",
     "SwarmReport",
 ]
 
@@ -73,54 +74,6 @@ class PointLoadState:
     x: float
     z: float
     seabed_reaction: float
-
-
-@dataclass(frozen=True)
-class Stretch:
-    """A uniform part of the line that either hangs or lies on the bed throughout.
-
-    Attributes
-    ----------
-    start, length : float
-        Unstretched arc length of its lower-s end, and its unstretched length, m.
-    submerged_weight, compliance : float
-        N/m and 1/EA in 1/N.
-    x, z : float
-        Where its lower-s end is, m (z above the seabed).
-    horizontal_force, vertical_force : float
-        On its lower-s end, N.
-    friction : float
-        What its tension gains per unstretched length towards the fairlead by bed friction, N/m.
-    on_bed : bool
-        Whether it lies on the bed.
-    piece : int
-        Which piece of the line it belongs to, counted from the anchor.
-    gathered : float
-        Distance over length: 1, or less where a slack line lies in bights on the bed.
-    """
-
-    start: float
-    length: float
-    submerged_weight: float
-    compliance: float
-    x: float
-    z: float
-    horizontal_force: float
-    vertical_force: float
-    friction: float
-    on_bed: bool
-    piece: int = 0
-    gathered: float = 1.0
-
-
-@dataclass(frozen=True)
-class Profile:
-    """The line's shape and effective tension at rising unstretched arc lengths; m and N."""
-
-    s: tuple[float, ...]
-    x: tuple[float, ...]
-    z: tuple[float, ...]
-    tension: tuple[float, ...]
 
 
 @dataclass(frozen=True)
@@ -279,26 +232,11 @@ class Solution:
         points : int
             About how many, evenly along the arc; every joint and touchdown is always among them.
         """
-        from catopt.catenary.profile import sample
-
         return sample(self.stretches, points)
 
     def to_dict(self, *, profile: bool = False) -> dict[str, Any]:
         """Build the document that ``catopt solve --json`` prints (schema catopt.solution/1)."""
-        from catopt.catenary.document import solution_document
-
         return solution_document(self, with_profile=profile)
-
-    def with_case(self, case: Case) -> Solution:
-        """Return the same answer under a case's title, safety factor and water depth."""
-        from catopt.catenary.warnings import above_water
-
-        return replace(
-            self,
-            title=case.title,
-            safety_factor=case.checks.safety_factor,
-            warnings=(*self.warnings, *above_water(self, case.site.water_depth)),
-        )
 
     def with_found(self, found: FoundQuantity) -> Solution:
         """Return the same answer with what was sought."""

@@ -18,10 +18,10 @@ from catopt.catenary.state import (
     State,
 )
 from catopt.errors import NoEquilibriumError, NotConvergedError, TouchesTwiceError
-from catopt.model import Case, Line, Load
+from catopt.model import Line, Load
 from catopt.model.validity import Findings
 
-__all__ = ["solve", "solve_case"]
+__all__ = ["solve"]
 
 LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
 """N: beyond them products of forces leave the range of double precision."""
@@ -91,34 +91,6 @@ def solve(
     if state.status != CONVERGED:
         raise _failure(state.status, line, load, pieces, height, anchor_height, seabed_friction)
     return _solution(state, line, pieces, segment_of, load, height, anchor_height, seabed_friction)
-
-
-def solve_case(case: Case) -> Solution:
-    """Solve a case in closed form; errors as for `solve`.
-
-    When the case seeks something (`case.find`), the answer is the line with what was found.
-
-    Parameters
-    ----------
-    case : Case
-        As read by `catopt.read_case`.
-    """
-    if case.find is not None:
-        from catopt.catenary.find import find_case
-
-        found = find_case(case)
-        return found.solution.with_case(case).with_found(found.alone())
-    assert case.load is not None
-    solution = solve(
-        case.line,
-        height=case.fairlead_height,
-        horizontal_force=case.load.horizontal_force,
-        span=case.load.span,
-        fairlead_tension=case.load.fairlead_tension,
-        seabed_friction=case.site.seabed_friction,
-        anchor_height=case.anchor_height,
-    )
-    return solution.with_case(case)
 
 
 def _check(

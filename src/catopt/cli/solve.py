@@ -113,16 +113,14 @@ def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
 
 
 def _solved(case: Case, method: Method, output: Output) -> Solution:
+    from catopt.catenary.case import solve_case
+
     if method is Method.CLOSED_FORM:
-        from catopt.catenary.solve import solve_case
-
         return solve_case(case)
-    from catopt.catenary.swarm.case import solve_case_by_swarm
-
     runs = case.swarm.runs
     with output.progress("Swarm runs") as tell:
-        return solve_case_by_swarm(
-            case, progress=None if tell is None else lambda done: tell(done, runs)
+        return solve_case(
+            case, "pso", progress=None if tell is None else lambda done: tell(done, runs)
         )
 
 

@@ -9,11 +9,12 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+    from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution
     from catopt.model import Case
     from catopt.reproduce import Reproduction
 
-__all__ = ["reproduction_bundle", "solution_bundle"]
+__all__ = ["curve_bundle", "reproduction_bundle", "solution_bundle"]
 
 
 def solution_bundle(case: Case, solution: Solution) -> dict[str, bytes]:
@@ -62,6 +63,20 @@ def _swarm(solution: Solution, name: str) -> dict[str, bytes]:
         f"{name}_history.csv": _csv(tables.swarm_history(swarm)),
         **_figure(f"{name}_fitness", plots.fitness(swarm)),
         **_figure(f"{name}_tension", plots.swarm_tension(swarm, exact)),
+    }
+
+
+def curve_bundle(result: CaseCurve) -> dict[str, bytes]:
+    """Make the files of ``catopt curve CASE --out DIR``: document, tables, workbook and figure."""
+    from catopt.report import plots, tables
+    from catopt.report.workbook import curve_workbook
+
+    return {
+        "curve.json": _json(result.to_dict()),
+        "curve.xlsx": curve_workbook(result),
+        "curve.csv": _csv(tables.curve_points(result)),
+        "curve_marks.csv": _csv(tables.curve_marks(result)),
+        **_figure("curve", plots.load_curve(result)),
     }
 
 

@@ -6,7 +6,7 @@ Nothing here touches pyplot, so that no window, backend or global figure list is
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from io import BytesIO
 from itertools import pairwise
 from textwrap import wrap
@@ -17,14 +17,27 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.report.load_curve import FAIRLEAD_TENSION, FORCE, OFFSET, SPAN
 from catopt.report.summary import in_tonne_force, named
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from catopt.catenary.solution import Solution, Stretch, SwarmReport
+    from catopt.catenary.case_curve import CaseCurve
+    from catopt.catenary.curve import Mark
+    from catopt.catenary.solution import Solution, SwarmReport
+    from catopt.catenary.stretch import Stretch
 
-__all__ = ["DPI", "SIZE", "fitness", "line_in_water", "render", "swarm_tension", "tension"]
+__all__ = [
+    "DPI",
+    "SIZE",
+    "fitness",
+    "line_in_water",
+    "load_curve",
+    "render",
+    "swarm_tension",
+    "tension",
+]
 
 DPI = 200
 SIZE = (7.2, 4.4)
@@ -228,6 +241,100 @@ def _capacities(axes: Axes, solution: Solution, largest: float) -> None:
                 text = f"{what}{of}: {level:.4g} {quantity.field_unit}, off the scale"
                 axes.plot([], [], linestyle="none", label=text)
         start = end
+
+
+# ------------------------------------------------------------------ the load curve
+
+
+def load_curve(result: CaseCurve) -> Figure:
+    """Draw horizontal force and fairlead tension over the span, or the offset, with the marks."""
+    x = OFFSET if result.over == "offset" else SPAN
+    zero = result.reference.span if result.over == "offset" else 0.0
+    marks = result.curve.marks
+    # Each mark takes a line of the legend.
+    figure, axes = _blank((SIZE[0], SIZE[1] + 0.21 * len(marks)), x, named("tension", "Force", ""))
+    spans, forces, tensions = result.outline()
+    places = [x.to_field(span - zero) for span in spans]
+    for quantity, values, colour, dashes in (
+        (FORCE, forces, _BLUE, (1, 0)),
+        (FAIRLEAD_TENSION, tensions, _ORANGE, (5, 1.5)),
+    ):
+        levels = [quantity.to_field(value) for value in values]
+        axes.plot(places, levels, color=colour, dashes=dashes, label=quantity.label)
+    _the_case(axes, result, x.to_field(result.reference.span - zero))
+    axes.margins(x=0.03)
+    axes.set_ylim(0.0, 1.08 * FORCE.to_field(max(tensions)))
+    highest = max(tensions)
+    for number, (mark, level) in enumerate(zip(marks, _levels(marks, highest), strict=True), 1):
+        force = FORCE.format(mark.horizontal_force, unit=True)
+        label = f"{wrap(mark.event, 64, max_lines=1, placeholder=' ...')[0]}: H {force}"
+        _numbered(axes, number, (x.to_field(mark.span - zero), level), label)
+    _second_force_axis(axes, named("tension", "Force", ""))
+    _title(axes, _folded(result.case.title))
+    _legend_below(figure, 1)
+    return figure
+
+
+def _the_case(axes: Axes, result: CaseCurve, x: float) -> None:
+    """Show where the case itself is, if that is in the range."""
+    reference = result.reference
+    if not result.curve.span[0] <= reference.span <= result.curve.span[-1]:
+        return
+    axes.plot(
+        [x, x],
+        [FORCE.to_field(reference.horizontal_force), FORCE.to_field(reference.fairlead.tension)],
+        linestyle="none",
+        marker="o",
+        markersize=7,
+        markerfacecolor="white",
+        markeredgecolor="black",
+        clip_on=False,
+        zorder=5,
+        label=f"The case: H {FORCE.format(reference.horizontal_force, unit=True)}",
+    )
+
+
+def _levels(marks: Sequence[Mark], highest: float) -> Iterator[float]:
+    """Where in the frame the numbers of marks go, 0 to 1: staggered, and clear of the curves.
+
+    Those on the steep part of the curves go to the bottom, the others to the top.
+    """
+    above, below = 0, 0
+    for mark in marks:
+        if mark.fairlead_tension > 0.35 * highest:
+            yield 0.05 + 0.06 * (below % 6)
+            below += 1
+        else:
+            yield 0.96 - 0.06 * (above % 6)
+            above += 1
+
+
+def _numbered(axes: Axes, number: int, place: tuple[float, float], label: str) -> None:
+    """Mark a place by a line with a number in the frame, which the legend explains."""
+    x, level = place
+    axes.axvline(x, color="#606060", linewidth=0.9, dashes=(1, 2), zorder=1)
+    axes.plot(
+        [x],
+        [level],
+        linestyle="none",
+        marker="s",
+        markersize=12,
+        markerfacecolor="white",
+        markeredgecolor="#606060",
+        transform=axes.get_xaxis_transform(),
+        zorder=6,
+    )
+    axes.plot(
+        [x],
+        [level],
+        linestyle="none",
+        marker=f"${number}$",
+        markersize=7,
+        color="black",
+        transform=axes.get_xaxis_transform(),
+        zorder=7,
+        label=label,
+    )
 
 
 # ------------------------------------------------------------------ the swarm

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.report.load_curve import at_marks, at_points
 from catopt.report.summary import columns, found, given, in_tonne_force, named, residuals, results
 
 if TYPE_CHECKING:
+    from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution, SwarmReport
     from catopt.model import Case, Line
     from catopt.reproduce import Reproduction
 
 __all__ = [
+    "curve_marks",
+    "curve_points",
     "inputs",
     "point_load_inputs",
     "point_loads",
@@ -98,6 +102,8 @@ def summary(solution: Solution) -> pd.DataFrame:
     if solution.found is not None:
         words["Condition"] = solution.found.condition
     values = columns((*found(solution), *results(solution), *residuals(solution)))
+    if solution.found is not None:
+        values["Residual of the condition, relative (-)"] = solution.found.residual
     return pd.DataFrame([{**words, **values, "Warnings": "; ".join(solution.warnings)}])
 
 
@@ -154,6 +160,26 @@ def profile(solution: Solution, points: int = 101) -> pd.DataFrame:
             **_column("tension", shape.tension),
         }
     )
+
+
+def curve_points(result: CaseCurve) -> pd.DataFrame:
+    """Tabulate a load curve, a row each point by rising span."""
+    laid: dict[str, Any] = {}
+    for quantity, values in at_points(result):
+        laid |= _column(quantity, values)
+    return pd.DataFrame({**laid, "Regime": result.curve.regime})
+
+
+def curve_marks(result: CaseCurve) -> pd.DataFrame:
+    """Tabulate where something changes along a load curve, a row each by rising span."""
+    marks = result.curve.marks
+    laid: dict[str, Any] = {
+        "Kind": [mark.kind for mark in marks],
+        "What happens": [mark.event for mark in marks],
+    }
+    for quantity, values in at_marks(result):
+        laid |= _column(quantity, values)
+    return pd.DataFrame(laid)
 
 
 def swarm_runs(swarm: SwarmReport) -> pd.DataFrame:

@@ -17,11 +17,12 @@ if TYPE_CHECKING:
     from xlsxwriter.workbook import Workbook
     from xlsxwriter.worksheet import Worksheet
 
+    from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution, SwarmReport
     from catopt.model import Case
     from catopt.reproduce import Reproduction
 
-__all__ = ["reproduction_workbook", "solution_workbook"]
+__all__ = ["curve_workbook", "reproduction_workbook", "solution_workbook"]
 
 _SCIENTIFIC = tuple(q.name.lower() for q in QUANTITIES.values() if q.notation == "scientific")
 _DIGITS = {q.field_unit: q.digits for q in sorted(QUANTITIES.values(), key=lambda q: q.digits)}
@@ -32,7 +33,11 @@ _WIDEST = 60
 _HEADING_HEIGHT = 33
 """Points: two lines of bold text, to which a heading may fold."""
 _CHART = {"width": 620, "height": 380}
-_LINE = {"color": "#0072B2", "width": 1.75}
+_LINES = (
+    {"color": "#0072B2", "width": 1.75},
+    {"color": "#D55E00", "width": 1.75, "dash_type": "dash"},
+)
+"""Of the first and of the second curve in a chart."""
 
 
 def solution_workbook(case: Case, solution: Solution) -> bytes:
@@ -56,6 +61,27 @@ def solution_workbook(case: Case, solution: Solution) -> bytes:
     _line_shape(book, solution)
     if solution.swarm is not None:
         _swarm(book, solution.swarm)
+    return book.close()
+
+
+def curve_workbook(result: CaseCurve) -> bytes:
+    """Lay out a load curve, its marks, and the case that it belongs to.
+
+    Returns
+    -------
+    bytes
+        An .xlsx file with the sheets Inputs, Results, Curve and Marks.
+    """
+    book = _Book(result.case.title)
+    _inputs(book, result.case, result.reference)
+    _results(book, result.reference)
+    frame = tables.curve_points(result)
+    sheet = book.sheet("Curve")
+    sheet.table(frame)
+    span, _, force, tension, *_ = frame.columns
+    place = (1, len(frame.columns) + 1)
+    sheet.chart(frame, span, force, result.case.title, place=place, further=(tension,))
+    book.sheet("Marks").table(tables.curve_marks(result))
     return book.close()
 
 
@@ -222,6 +248,7 @@ class _Sheet:
         *,
         place: tuple[int, int],
         log: tuple[float, float] | None = None,
+        further: tuple[str, ...] = (),
     ) -> None:
         """Draw a column of a table that starts in the first row and column over another.
 
@@ -237,19 +264,27 @@ class _Sheet:
             Row and column of its upper left corner.
         log : tuple of float, optional
             Ends of a logarithmic y axis.
+        further : tuple of str
+            Headings of more columns for the same y axis; a legend then tells which is which.
         """
         chart = self.book.workbook.add_chart({"type": "scatter", "subtype": "straight"})
-        columns = [frame.columns.get_loc(name) for name in (x, y)]
-        cells = [[self.worksheet.name, 1, column, len(frame), column] for column in columns]
-        chart.add_series({"name": y, "categories": cells[0], "values": cells[1], "line": _LINE})
-        y_axis: dict[str, Any] = {"name": y, "major_gridlines": {"visible": True}}
+        for name, line in zip((y, *further), _LINES, strict=False):
+            columns = [frame.columns.get_loc(each) for each in (x, name)]
+            cells = [[self.worksheet.name, 1, column, len(frame), column] for column in columns]
+            chart.add_series(
+                {"name": name, "categories": cells[0], "values": cells[1], "line": line}
+            )
+        y_axis: dict[str, Any] = {
+            "name": " and ".join((y, *further)),
+            "major_gridlines": {"visible": True},
+        }
         if log is not None:
             y_axis |= {"log_base": 10, "min": log[0], "max": log[1], "crossing": log[0]}
             y_axis |= {"num_format": "0E+00"}
         chart.set_title({"name": title, "name_font": {"size": 12}})
         chart.set_x_axis({"name": x, "label_position": "low"})
         chart.set_y_axis(y_axis)
-        chart.set_legend({"none": True})
+        chart.set_legend({"position": "bottom"} if further else {"none": True})
         chart.set_size(_CHART)
         self.worksheet.insert_chart(*place, chart)
 

@@ -40,7 +40,7 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
         )
     found.raise_if_any()
     assert force is not None
-    solution = solve_swarm(
+    return solve_swarm(
         case.line,
         height=case.fairlead_height,
         horizontal_force=force,
@@ -48,4 +48,3 @@ def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = 
         seabed_friction=case.site.seabed_friction,
         progress=progress,
     )
-    return solution.with_case(case)
