@@ -76,6 +76,13 @@ def given_span(
     low, high = _bracket(span, pieces, anchor_height, fairlead_height, friction, H_guess)
     if not low < high:
         return failed(NOT_CONVERGED)
+    state = _close_in(BY_SPAN, span, pieces, anchor_height, fairlead_height, friction, low, high)
+    if state.status != TOUCHES_TWICE:
+        return state
+    # It may touch twice between two ranges of force in which it does not: look at each range.
+    low, high = _bracket_by_scan(span, pieces, anchor_height, fairlead_height, friction)
+    if not low < high:
+        return state
     return _close_in(BY_SPAN, span, pieces, anchor_height, fairlead_height, friction, low, high)
 
 
@@ -340,6 +347,28 @@ def _bracket(
             return math.nan, math.nan
         factor = min(factor * factor, 1e8)
     return low, high
+
+
+def _bracket_by_scan(
+    span: float,
+    pieces: Pieces,
+    anchor_height: float,
+    fairlead_height: float,
+    friction: float,
+) -> tuple[float, float]:
+    """Neighbouring forces of a scan, both with an answer, whose spans lie on both sides; or nan."""
+    H = 1e-6 * max(abs(total_weight(pieces)), 1e-9)
+    below = math.nan
+    for _ in range(150):
+        state = given_force(H, pieces, anchor_height, fairlead_height, friction)
+        if state.status != CONVERGED:
+            below = math.nan
+        elif state.span < span:
+            below = H
+        elif not math.isnan(below):
+            return below, H
+        H *= 1.25
+    return math.nan, math.nan
 
 
 def _close_in(
