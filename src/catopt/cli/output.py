@@ -96,7 +96,9 @@ class Output:
         self.line()
 
     def note(self, message: str) -> None:
-        """Say something beside the answer, on standard error."""
+        """Say something beside the answer, on standard error; folded only on a terminal."""
+        if sys.stderr.isatty() and not self.debug:
+            message = "\n".join(_folded(line) for line in message.splitlines())
         _write(sys.stderr, message + "\n")
 
     @contextmanager
@@ -147,6 +149,18 @@ class Output:
         console.width = max(console.width, LEAST_WIDTH)
         self._consoles[stream] = console
         return console
+
+
+def _folded(line: str) -> str:
+    """Fold a line to the terminal, its later lines set in; a path or a number stays in one piece."""
+    from shutil import get_terminal_size
+    from textwrap import fill
+
+    margin = " " * (len(line) - len(line.lstrip()) + 4)
+    width = max(get_terminal_size().columns, LEAST_WIDTH)
+    return fill(
+        line, width, subsequent_indent=margin, break_long_words=False, break_on_hyphens=False
+    )
 
 
 def _encoding(stream: TextIO) -> str:
