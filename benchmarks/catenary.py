@@ -26,9 +26,10 @@ import numpy as np
 
 from catopt.catenary.batch import solve_many
 from catopt.catenary.compiled import compiled
-from catopt.catenary.inverse import given_span
 from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.setting import Setting
 from catopt.catenary.solve import solve
+from catopt.catenary.span import given_span
 from catopt.model import Line, Segment
 
 DEPTH = 71.4
@@ -110,11 +111,11 @@ def _warm(n: int) -> Callable[[], float]:
     kernel = compiled(given_span)
     pieces = Pieces(*(np.array(column) for column in cut(LEG)[0]))
 
-    @numba.njit  # type: ignore[untyped-decorator]
+    @numba.njit
     def follow(pieces: Any, n: int) -> float:
         H, V = math.nan, math.nan
         for i in range(n):
-            state = kernel(1070.0 + 1e-3 * (i % 15000), pieces, 0.0, DEPTH, 0.0, H, V)
+            state = kernel(1070.0 + 1e-3 * (i % 15000), Setting(pieces, 0.0, DEPTH, 0.0), H, V)
             H, V = state.H, state.V
         return H
 

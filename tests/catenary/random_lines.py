@@ -11,7 +11,7 @@ from catopt.model import Line, PointLoad, Segment
 
 
 @dataclass(frozen=True)
-class Setting:
+class RandomLine:
     """A line and where it is moored."""
 
     line: Line
@@ -21,7 +21,7 @@ class Setting:
     horizontal_force: float
 
 
-def random_setting(seed: int, *, buoyant: bool = False, raised: bool | None = None) -> Setting:
+def random_setting(seed: int, *, buoyant: bool = False, raised: bool | None = None) -> RandomLine:
     """Draw a line: 1 to 5 segments, 0 to 3 point loads, weights of neighbours 1 to 1000 apart."""
     rng = np.random.default_rng(seed)
     count = int(rng.integers(1, 6))
@@ -50,7 +50,7 @@ def random_setting(seed: int, *, buoyant: bool = False, raised: bool | None = No
     anchor_height = float(rng.uniform(0.0, 0.4)) * length if is_raised else 0.0
     if is_raised and rng.random() < 0.3:
         height, anchor_height = anchor_height, min(height, 0.9 * length)
-    return Setting(
+    return RandomLine(
         line=Line(segments, loads),
         height=height,
         anchor_height=anchor_height,
@@ -59,7 +59,7 @@ def random_setting(seed: int, *, buoyant: bool = False, raised: bool | None = No
     )
 
 
-def moderate_setting(seed: int) -> Setting:
+def moderate_setting(seed: int) -> RandomLine:
     """Draw a line as they are built: L/h 1.05 to 5, 1 to 4 segments, 0 to 2 clump weights.
 
     Weights of segments 1 to 30 apart, half of the lines elastic, half of them on a rough bed.
@@ -79,7 +79,7 @@ def moderate_setting(seed: int) -> Setting:
         PointLoad(float(rng.uniform(0.05, 0.95)) * length, total * 10.0 ** rng.uniform(-1.5, 0.0))
         for _ in range(int(rng.integers(0, 3)))
     ]
-    return Setting(
+    return RandomLine(
         line=Line(segments, loads),
         height=height,
         anchor_height=0.0,

@@ -57,7 +57,7 @@ def test_the_limit_of_every_segment_is_marked() -> None:
     first, second = marks(curve, "MBL")
     assert (first.event, first.kind) == ("segment 2 reaches MBL / 5", "limit")
     assert first.fairlead_tension == pytest.approx(1e6 / 5.0, rel=1e-9)
-    assert second.event == "segment 1 (wire) reaches MBL / 5"
+    assert second.event == "segment 1 reaches MBL / 5 (wire)"
     there = solve(line, height=20.0, horizontal_force=second.horizontal_force)
     assert there.segments[0].max_tension == pytest.approx(1.5e6 / 5.0, rel=1e-9)
 
@@ -89,8 +89,8 @@ def test_a_clump_weight_begins_to_lift_and_is_off_the_bed() -> None:
     """
     curve = over_force(SINKER, 1e4, 9e5, points=40)
     begins, off = marks(curve, "clump")
-    assert begins.event == "clump weight 1 (sinker) begins to lift"
-    assert off.event == "clump weight 1 (sinker) is off the bed"
+    assert begins.event == "clump weight 1 begins to lift (sinker)"
+    assert off.event == "clump weight 1 is off the bed (sinker)"
     H = begins.horizontal_force
     assert 20.0 * (20.0 + 2.0 * H / 2100.0) == pytest.approx(48.0**2, rel=1e-9)
     H = off.horizontal_force

@@ -57,7 +57,7 @@ def test_force_to_tension_to_force(block: int, buoyant: bool) -> None:
     """To 1e-10, or to twenty roundings of a tension that hardly knows the force.
 
     A line that hangs below its anchor or carries a buoy may have the same tension at a larger
-    force; then that one is the answer (inverse.given_tension).
+    force; then that one is the answer (tension.given_tension).
     """
     for seed in range(100 * block, 100 * block + 100):
         found = _there(seed, buoyant=buoyant)

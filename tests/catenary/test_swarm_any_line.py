@@ -12,6 +12,7 @@ from catopt.catenary.find import find_length
 from catopt.catenary.layout import lay_out
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
+from catopt.catenary.setting import Setting
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.state import REGIMES
@@ -27,7 +28,7 @@ from catopt.catenary.swarm.optimiser import optimiser
 from catopt.errors import NoEquilibriumError, NotConvergedError, TouchesTwiceError
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, SwarmSettings
 from tests.catenary.quadrature import misfit
-from tests.catenary.random_lines import Setting, moderate_setting, random_setting
+from tests.catenary.random_lines import RandomLine, moderate_setting, random_setting
 
 ROUNDING = 1e-13
 """Of the line's length or of the fairlead tension: a swarm at rest at f = 0 leaves some 1e-15."""
@@ -101,12 +102,9 @@ def test_at_any_place_f_is_what_quadrature_says(buoyant: bool) -> None:
         solution = solution_of(
             state._replace(span=span),
             lengthened,
-            there.pieces,
+            Setting(there.pieces, 0.0, there.height, 0.0),
             segment_of,
             method="pso",
-            height=there.height,
-            anchor_height=0.0,
-            friction=0.0,
         )
         found = misfit(solution)
         assert max(found.x, found.z) < 1e-9, seed
@@ -296,7 +294,7 @@ class Compared:
     quadrature: float
 
 
-def compared(s: Setting) -> Compared:
+def compared(s: RandomLine) -> Compared:
     """Solve a line both ways; infinite f where the swarm has no result."""
     try:
         ours = swarm(s.line, s.height, s.horizontal_force, s.seabed_friction)

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from catopt.catenary.closing import BY_SPAN, BY_TENSION
 from catopt.catenary.compiled import compiled
-from catopt.catenary.inverse import BY_SPAN, BY_TENSION
 from catopt.catenary.many import BY_FORCE, COLUMNS, fill
 from catopt.catenary.pieces import Pieces
 from catopt.catenary.state import CONVERGED, REASONS, REGIMES

@@ -21,7 +21,7 @@ from catopt.quantities import QUANTITIES
 __all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]
 
 Stepped = Literal["force", "span", "offset"]
-STEPPED: tuple[str, ...] = get_args(Stepped)
+STEPPED: tuple[Stepped, ...] = get_args(Stepped)
 
 BEYOND = 1.05
 LEAST = 0.01

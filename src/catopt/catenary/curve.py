@@ -16,13 +16,13 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.inverse import given_span
 from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.setting import Setting
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
+from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, REGIMES, State
 from catopt.errors import (
-    CatoptError,
     InputError,
     NoEquilibriumError,
     NotConvergedError,
@@ -136,7 +136,7 @@ def load_curve(
     check_range(start, stop, points, "m" if over == "span" else "N")
     way = _Way(line, cut(line)[0], height, over, seabed_friction, anchor_height)
     values = [float(value) for value in np.linspace(start, stop, points)]
-    way.state(values[-1])  # so that a range too long is told by its end
+    way.solution(values[-1])  # checks the arguments, and tells a range too long by its end
     states = [way.state(value) for value in values]
     marks = [
         *_regime_changes(way, values),
@@ -216,44 +216,42 @@ class _Way:
 
     def state(self, value: float) -> State:
         """Solve at a value; raise what `solve` raises where there is no answer."""
-        ends = (self.anchor_height, self.height, self.friction)
+        setting = Setting(self.pieces, self.anchor_height, self.height, self.friction)
         if self.over == "span":
-            state = given_span(value, self.pieces, *ends, math.nan, math.nan)
+            state = given_span(value, setting, math.nan, math.nan)
         else:
-            state = given_force(value, self.pieces, *ends)
+            state = given_force(value, setting)
         if state.status != CONVERGED:
-            raise self._failure(value)
+            self.solution(value)  # raises, with the reason
+            raise NotConvergedError(f"{self._at(value)}the closed form did not converge")
         return state
 
     def solution(self, value: float) -> Solution:
-        """Solve at a value, with the whole line laid out."""
+        """Solve at a value, with the whole line laid out; errors say at which value they arose."""
         is_span = self.over == "span"
-        return solve(
-            self.line,
-            height=self.height,
-            horizontal_force=None if is_span else value,
-            span=value if is_span else None,
-            seabed_friction=self.friction,
-            anchor_height=self.anchor_height,
-        )
+        try:
+            return solve(
+                self.line,
+                height=self.height,
+                horizontal_force=None if is_span else value,
+                span=value if is_span else None,
+                seabed_friction=self.friction,
+                anchor_height=self.anchor_height,
+            )
+        except NoEquilibriumError as stop:
+            told = f"{self._at(value)}{stop}{self._farthest()}"
+            raise NoEquilibriumError(told, stop.quantity, stop.missing) from stop
+        except (TouchesTwiceError, NotConvergedError) as stop:
+            raise type(stop)(f"{self._at(value)}{stop}") from stop
 
     def mark(self, kind: MarkKind, event: str, at: float) -> Mark:
         """Make a mark at a value."""
         there = self.state(at)
         return Mark(kind, event, there.H, there.span, math.hypot(there.H, there.V))
 
-    def _failure(self, value: float) -> CatoptError:
-        """Put into words why there is no answer at a value, and how far the range may go."""
+    def _at(self, value: float) -> str:
         unit = "m" if self.over == "span" else "N"
-        head = f"at a {self.over.replace('_', ' ')} of {value:.6g} {unit}: "
-        try:
-            self.solution(value)
-        except NoEquilibriumError as stop:
-            told = f"{head}{stop}{self._farthest()}"
-            return NoEquilibriumError(told, stop.quantity, stop.missing)
-        except (TouchesTwiceError, NotConvergedError) as error:
-            return type(error)(f"{head}{error}")
-        return NotConvergedError(f"{head}the closed form did not converge; please report this case")
+        return f"at a {self.over.replace('_', ' ')} of {value:.6g} {unit}: "
 
     def _farthest(self) -> str:
         rise = self.height - self.anchor_height
@@ -289,9 +287,9 @@ def _clump_weights_lift(way: _Way, values: list[float]) -> Iterator[Mark]:
             hanging = position - state.grounded
             return (hanging > -tolerance) + (hanging > tolerance)
 
-        name = f"clump weight {number}" + (f" ({load.name})" if load.name else "")
         for place, _, after in _changes(way, values, stage):
-            event = f"{name} begins to lift" if after == 1 else f"{name} is off the bed"
+            what = "begins to lift" if after == 1 else "is off the bed"
+            event = f"clump weight {number} {what}{_named(load.name)}"
             yield way.mark("clump_weight", event, place)
 
 
@@ -304,10 +302,10 @@ def _strength_limits(way: _Way, values: list[float], safety_factor: float) -> It
         def is_beyond(value: float, index: int = index, MBL: float = segment.MBL) -> int:
             return way.solution(value).segments[index].max_tension > MBL / safety_factor
 
-        name = f"segment {index + 1}" + (f" ({segment.name})" if segment.name else "")
+        event = f"segment {index + 1} reaches MBL / {safety_factor:g}{_named(segment.name)}"
         for place, _, after in _crossings(values, is_beyond):
             if after:
-                yield way.mark("limit", f"{name} reaches MBL / {safety_factor:g}", place)
+                yield way.mark("limit", event, place)
 
 
 def _anchor_limit(way: _Way, values: list[float], limit: float | None) -> Iterator[Mark]:
@@ -318,6 +316,10 @@ def _anchor_limit(way: _Way, values: list[float], limit: float | None) -> Iterat
         if after:
             event = f"inclination at the anchor reaches {math.degrees(limit):.4g} deg"
             yield way.mark("limit", event, place)
+
+
+def _named(name: str) -> str:
+    return f" ({name})" if name else ""
 
 
 def _changes(

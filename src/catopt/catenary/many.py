@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
-from catopt.catenary.equilibrium import failed, given_force
-from catopt.catenary.inverse import given_span, given_tension
+from catopt.catenary.closing import BY_SPAN
+from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import Pieces, split
-from catopt.catenary.state import INVALID
+from catopt.catenary.setting import Setting
+from catopt.catenary.span import given_span
+from catopt.catenary.state import INVALID, failed
+from catopt.catenary.tension import given_tension
 
 __all__ = ["BY_FORCE", "COLUMNS", "fill"]
 
 BY_FORCE: Final = 2
-"""What is known of each line, beside inverse.BY_SPAN (0) and inverse.BY_TENSION (1)."""
+"""What is known of each line, beside closing.BY_SPAN (0) and closing.BY_TENSION (1)."""
 
 COLUMNS: Final = (
     "H",
@@ -89,16 +92,15 @@ def fill(
                 owner,
             )
             is_valid = _is_sound(pieces)
+        setting = Setting(pieces, anchor_height[i], height[i], friction[i])
         if not is_valid:
             state = failed(INVALID)
         elif known == BY_FORCE:
-            state = given_force(wanted[i], pieces, anchor_height[i], height[i], friction[i])
-        elif known == 0:
-            state = given_span(
-                wanted[i], pieces, anchor_height[i], height[i], friction[i], nan, nan
-            )
+            state = given_force(wanted[i], setting)
+        elif known == BY_SPAN:
+            state = given_span(wanted[i], setting, nan, nan)
         else:
-            state = given_tension(wanted[i], pieces, anchor_height[i], height[i], friction[i])
+            state = given_tension(wanted[i], setting)
         status[i] = state.status
         regime[i] = state.regime
         out[i, 0] = state.H

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Literal
 
 from catopt.catenary.layout import end_of, lay_out
-from catopt.catenary.pieces import Pieces
 from catopt.catenary.profile import max_tension, stretched_length
+from catopt.catenary.setting import Setting
 from catopt.catenary.solution import (
     EndState,
     PointLoadState,
@@ -31,38 +31,31 @@ AT_BED = 1e-9
 def solution_of(
     state: State,
     line: Line,
-    pieces: Pieces,
+    setting: Setting,
     segment_of: tuple[int, ...],
     *,
     method: Literal["closed-form", "pso"],
-    height: float,
-    anchor_height: float,
-    friction: float,
 ) -> Solution:
-    """Lay out a line from its anchor and say by how much it misses `height` and `state.span`.
+    """Lay out a line from its anchor and say by how much it misses its fairlead.
 
     Parameters
     ----------
     state : State
         A converged answer of the kernel; its span is the one wanted.
-    line, pieces, segment_of
-        The line, and how it was cut.
+    line, setting, segment_of
+        The line, where it is moored, and how it was cut.
     method : str
         How it was solved.
-    height, anchor_height : float
-        Of fairlead and anchor above the bed, m.
-    friction : float
-        Coulomb coefficient of the bed.
     """
-    stretches = lay_out(state, pieces, anchor_height, friction)
+    stretches = lay_out(state, setting.pieces, setting.anchor_height, setting.friction)
     x, z = end_of(stretches[-1], stretches[-1].length)
     solution = Solution(
         line=line,
         method=method,
         regime=REGIMES[state.regime],
-        fairlead_height=height,
-        anchor_height=anchor_height,
-        seabed_friction=friction,
+        fairlead_height=setting.fairlead_height,
+        anchor_height=setting.anchor_height,
+        seabed_friction=setting.friction,
         span=state.span,
         fairlead=_end(state.H, state.V),
         anchor=_end(state.H_anchor, state.V_anchor),
@@ -72,7 +65,7 @@ def solution_of(
         segments=_segments(line, segment_of, stretches),
         point_loads=_point_loads(line, stretches, state.touchdown != NO_TOUCHDOWN),
         stretches=stretches,
-        residual=Residual(height=z - height, span=x - state.span),
+        residual=Residual(height=z - setting.fairlead_height, span=x - state.span),
     )
     return solution.with_warnings(plausibility(solution))
 

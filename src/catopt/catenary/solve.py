@@ -1,23 +1,19 @@
-"""Solve one line in closed form: the public calls, and the words for what cannot be."""
+"""Solve one line in closed form."""
 
 from __future__ import annotations
 
 import math
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.inverse import given_span, given_tension, least_tension
-from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.pieces import cut
+from catopt.catenary.refusal import refusal
 from catopt.catenary.result import solution_of
+from catopt.catenary.setting import Setting
 from catopt.catenary.solution import Solution
-from catopt.catenary.state import (
-    CONVERGED,
-    NOT_CONVERGED,
-    TOO_HEAVY,
-    TOO_SHORT,
-    TOUCHES_TWICE,
-    State,
-)
-from catopt.errors import NoEquilibriumError, NotConvergedError, TouchesTwiceError
+from catopt.catenary.span import given_span
+from catopt.catenary.state import CONVERGED, State
+from catopt.catenary.tension import given_tension
+from catopt.errors import NotConvergedError
 from catopt.model import Line, Load
 from catopt.model.validity import Findings
 
@@ -87,10 +83,18 @@ def solve(
     load = Load(horizontal_force, span, fairlead_tension)
     _check(line, load, height, anchor_height, seabed_friction)
     pieces, segment_of = cut(line)
-    state = _solve(load, pieces, anchor_height, height, seabed_friction)
+    setting = Setting(pieces, anchor_height, height, seabed_friction)
+    state = _solve(load, setting)
     if state.status != CONVERGED:
-        raise _failure(state.status, line, load, pieces, height, anchor_height, seabed_friction)
-    return _solution(state, line, pieces, segment_of, load, height, anchor_height, seabed_friction)
+        raise refusal(state.status, line, load, setting)
+    solution = solution_of(state, line, setting, segment_of, method="closed-form")
+    worst = max(abs(solution.residual.height), abs(solution.residual.span))
+    if not worst <= RESIDUAL_LIMIT * max(line.length, solution.span):
+        raise NotConvergedError(
+            f"the line misses its fairlead by {worst:.3g} m after the last step; "
+            "please report this case"
+        )
+    return solution
 
 
 def _check(
@@ -113,102 +117,12 @@ def _check(
     found.raise_if_any()
 
 
-def _solve(
-    load: Load, pieces: Pieces, anchor_height: float, height: float, friction: float
-) -> State:
+def _solve(load: Load, setting: Setting) -> State:
     if load.horizontal_force is not None:
-        return given_force(load.horizontal_force, pieces, anchor_height, height, friction)
+        return given_force(load.horizontal_force, setting)
     if load.span is not None:
-        nan = math.nan
-        return given_span(load.span, pieces, anchor_height, height, friction, nan, nan)
+        state = given_span(load.span, setting, math.nan, math.nan)
+        # The solver's own span misses the one asked for by rounding: the residual keeps that.
+        return state._replace(span=load.span) if state.status == CONVERGED else state
     assert load.fairlead_tension is not None
-    return given_tension(load.fairlead_tension, pieces, anchor_height, height, friction)
-
-
-def _solution(
-    state: State,
-    line: Line,
-    pieces: Pieces,
-    segment_of: tuple[int, ...],
-    load: Load,
-    height: float,
-    anchor_height: float,
-    friction: float,
-) -> Solution:
-    wanted = load.span if load.span is not None else state.span
-    solution = solution_of(
-        state._replace(span=wanted),
-        line,
-        pieces,
-        segment_of,
-        method="closed-form",
-        height=height,
-        anchor_height=anchor_height,
-        friction=friction,
-    )
-    worst = max(abs(solution.residual.height), abs(solution.residual.span))
-    if not worst <= RESIDUAL_LIMIT * max(line.length, wanted):
-        raise NotConvergedError(
-            f"the line misses its fairlead by {worst:.3g} m after the last step; "
-            "please report this case"
-        )
-    return solution
-
-
-def _failure(
-    status: int,
-    line: Line,
-    load: Load,
-    pieces: Pieces,
-    height: float,
-    anchor_height: float,
-    friction: float,
-) -> Exception:
-    """Say what stops the line, and by how much."""
-    rise = height - anchor_height
-    if status == TOO_SHORT:
-        distance = math.hypot(load.span or 0.0, rise)
-        return NoEquilibriumError(
-            _too_short(line.length, distance, load), "length", distance - line.length
-        )
-    if status == TOO_HEAVY:
-        assert load.fairlead_tension is not None
-        at_least, _ = least_tension(load.fairlead_tension, pieces, anchor_height, height, friction)
-        least = math.hypot(at_least.H, at_least.V)
-        missing = least - load.fairlead_tension
-        return NoEquilibriumError(
-            f"the fairlead tension of {load.fairlead_tension:.6g} N is {missing:.6g} N too small: "
-            f"with this line it is never below {least:.6g} N, which the part that hangs from the "
-            "fairlead weighs. Give at least that much, or a lighter line.",
-            "force",
-            missing,
-        )
-    if status == TOUCHES_TWICE:
-        return TouchesTwiceError(
-            f"{_first_buoyant(line)} lifts the line off the bed between two stretches that lie on "
-            "it. The closed form holds for one stretch on the bed; move the buoyant part towards "
-            "the fairlead, make it smaller, or pull harder."
-        )
-    assert status == NOT_CONVERGED
-    return NotConvergedError("the closed form did not converge; please report this case")
-
-
-def _too_short(length: float, distance: float, load: Load) -> str:
-    missing = distance - length
-    where = "up to the fairlead" if load.span is None else "from the anchor to the fairlead"
-    head = f"the line is {length:.6g} m long and the straight way {where} is {distance:.6g} m"
-    if missing > 0.0:
-        return f"{head}: it is {missing:.6g} m too short. Give it more than that."
-    return f"{head}: just as long, so that no finite force draws it straight. Give it some slack."
-
-
-def _first_buoyant(line: Line) -> str:
-    for index, load in enumerate(line.point_loads):
-        if load.submerged_weight < 0.0:
-            name = f" ({load.name})" if load.name else ""
-            return f"the buoy line.point_loads[{index}]{name} at {load.position:g} m"
-    for index, segment in enumerate(line.segments):
-        if segment.submerged_weight < 0.0:
-            name = f" ({segment.name})" if segment.name else ""
-            return f"the buoyant segment line.segments[{index}]{name}"
-    return "a buoyant part"
+    return given_tension(load.fairlead_tension, setting)

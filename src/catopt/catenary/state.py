@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final, NamedTuple
 
 __all__ = [
@@ -20,6 +21,7 @@ __all__ = [
     "TOO_SHORT",
     "TOUCHES_TWICE",
     "State",
+    "failed",
 ]
 
 # Status of a solve; only CONVERGED carries an answer.
@@ -94,3 +96,9 @@ class State(NamedTuple):
     x_V: float
     z_H: float
     z_V: float
+
+
+def failed(status: int) -> State:
+    """Return a state that carries no answer."""
+    nan = math.nan
+    return State(status, 0, nan, nan, nan, nan, nan, nan, nan, 0, 0, nan, nan, nan, nan)

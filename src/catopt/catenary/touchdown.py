@@ -13,7 +13,10 @@ from catopt.catenary.lift import vertical_force
 from catopt.catenary.pieces import Pieces
 from catopt.catenary.walk import drop
 
-__all__ = ["next_touchdown"]
+__all__ = ["CLEARANCE", "clump_weight", "is_heavy", "next_touchdown"]
+
+CLEARANCE = 1e-9
+"""How far below the bed, as a part of the length, a hanging line may seem to pass by rounding."""
 
 _NONE = (-1, math.nan)
 
@@ -61,3 +64,16 @@ def _weight_above(pieces: Pieces, code: int) -> float:
     for j in range(k + 1, len(pieces.length)):
         weight += pieces.load[j] + pieces.weight[j] * pieces.length[j]
     return weight
+
+
+def clump_weight(pieces: Pieces, touchdown: int) -> float:
+    """Weight of the clump weight at a touchdown, N; 0 when the touchdown is inside a piece."""
+    return pieces.load[touchdown // 2] if touchdown % 2 == 1 else 0.0
+
+
+def is_heavy(pieces: Pieces, upper: int, lower: int) -> bool:
+    """Whether everything between two pieces that lie on the bed is heavy enough to lie there."""
+    for k in range(lower, upper + 1):
+        if pieces.weight[k] < 0.0 or (k > lower and pieces.load[k] < 0.0):
+            return False
+    return True

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
+from catopt.catenary.setting import Setting
 from catopt.catenary.solution import Solution, SwarmReport
 from catopt.catenary.solve import solve
 from catopt.catenary.swarm.objective import Objective, objective_of
@@ -100,12 +101,9 @@ def solve_swarm(
     solution = solution_of(
         state._replace(span=state.span + excess),
         line,
-        pieces,
+        Setting(pieces, 0.0, height, seabed_friction),
         segment_of,
         method="pso",
-        height=height,
-        anchor_height=0.0,
-        friction=seabed_friction,
     )
     difference = _less(solution, closed_form)
     return replace(solution, swarm=_report(objective, runs, settings, excess, difference))

@@ -1,0 +1,33 @@
+"""A line with all that its equilibrium depends on, save the load."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from catopt.catenary.pieces import Pieces, has_buoyancy
+
+__all__ = ["Setting", "is_plain"]
+
+
+class Setting(NamedTuple):
+    """A line, where its ends are, and the bed.
+
+    Attributes
+    ----------
+    pieces : Pieces
+        The line.
+    anchor_height, fairlead_height : float
+        Above the bed, m.
+    friction : float
+        Coulomb coefficient of the bed.
+    """
+
+    pieces: Pieces
+    anchor_height: float
+    fairlead_height: float
+    friction: float
+
+
+def is_plain(setting: Setting) -> bool:
+    """Whether nothing floats and the anchor lies on the bed: then one walk tells all."""
+    return setting.anchor_height == 0.0 and not has_buoyancy(setting.pieces)
