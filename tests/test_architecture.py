@@ -17,7 +17,8 @@ PACKAGE = Path(catopt.__file__).parent
 
 BASE = {"errors", "constants", "units", "quantities"}
 SOLVING = BASE | {"model", "catenary"}
-ALL_BUT_CLI = SOLVING | {"casefile", "mooring", "schemas", "reproduce", "report"}
+READING = {"catalogue", "casefile"}
+ALL_BUT_CLI = SOLVING | READING | {"mooring", "schemas", "reproduce", "report"}
 
 MAY_IMPORT: dict[str, set[str]] = {
     "_version": set(),
@@ -27,14 +28,15 @@ MAY_IMPORT: dict[str, set[str]] = {
     "quantities": {"errors", "constants", "units"},
     "schemas": {"errors"},
     "model": BASE,
-    "casefile": BASE | {"model"},
+    "catalogue": BASE | {"model"},
+    "casefile": BASE | {"model", "catalogue"},
     "catenary": BASE | {"model"},
     "mooring": SOLVING,
-    "reproduce": SOLVING | {"casefile", "mooring"},
-    "report": SOLVING | {"casefile", "mooring", "schemas", "reproduce", "_version"},
+    "reproduce": SOLVING | READING | {"mooring"},
+    "report": SOLVING | READING | {"mooring", "schemas", "reproduce", "_version"},
     "cli": ALL_BUT_CLI | {"_version"},
     "__main__": {"cli", "errors", "_version"},
-    "__init__": SOLVING | {"casefile", "_version"},
+    "__init__": SOLVING | READING | {"_version"},
 }
 """What each part may import beside itself; a part is a module or a folder of catopt."""
 

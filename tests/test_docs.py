@@ -1,118 +1,31 @@
-"""What the documentation shows is what happens: its snippets run, its links lead somewhere.
-
-A fenced block marked ``sh run`` or ``python run`` is run in a folder of its own that holds a copy
-of ``cases/``. A ``text`` block that follows it at once, with nothing but blank lines between, is
-its output, character for character.
-"""
+"""What the documentation shows is what happens: its snippets run, its links lead somewhere."""
 
 from __future__ import annotations
 
-import contextlib
-import io
-import os
 import re
-import shlex
-import shutil
-import subprocess
-import sys
-from dataclasses import dataclass
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
-PAGES = sorted(
-    [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "reports").rglob("*.md")]
-)
-README = ROOT / "README.md"
-
-FENCE = re.compile(r"^```(?P<info>[^\n`]*)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
+from catopt.catenary.solution import Regime
+from tests.snippets import FENCE, PAGES, README, ROOT, Block, blocks, produce, shown
 
 
-@dataclass(frozen=True)
-class Block:
-    """A fenced block, and the output shown after it (None when none is shown)."""
-
-    page: Path
-    line: int
-    info: str
-    body: str
-    output: str | None
-
-    def __str__(self) -> str:
-        return f"{self.page.relative_to(ROOT).as_posix()}:{self.line}"
-
-
-def blocks(page: Path) -> list[Block]:
-    """Every fenced block of a page with the output that follows it."""
-    text = page.read_text(encoding="utf-8")
-    found = list(FENCE.finditer(text))
-    result = []
-    for index, match in enumerate(found):
-        output = None
-        if index + 1 < len(found):
-            after = found[index + 1]
-            between = text[match.end() : after.start()]
-            if after["info"] == "text" and not between.strip():
-                output = after["body"]
-        line = text.count("\n", 0, match.start()) + 1
-        result.append(Block(page, line, match["info"].strip(), match["body"], output))
-    return result
-
-
-def marked(info: str) -> list[Block]:
-    return [block for page in PAGES for block in blocks(page) if block.info == info]
-
-
-@pytest.fixture
-def workplace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Make a folder with a copy of the cases and work there."""
-    shutil.copytree(ROOT / "cases", tmp_path / "cases")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def run_catopt(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    """Run one line ``catopt ...`` as somebody with a terminal of 80 columns would."""
-    program, *arguments = shlex.split(command, comments=True)
-    assert program == "catopt", f"{command!r} is not a catopt command"
-    environment = {k: v for k, v in os.environ.items() if k not in {"FORCE_COLOR", "NO_COLOR"}}
-    return subprocess.run(
-        [sys.executable, "-m", "catopt", *arguments],
-        cwd=folder,
-        env={**environment, "COLUMNS": "80", "PYTHONUTF8": "1"},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-        timeout=120,
-    )
-
-
-@pytest.mark.parametrize("block", marked("sh run"), ids=str)
-def test_every_shown_command_prints_what_is_shown(block: Block, workplace: Path) -> None:
-    printed = ""
-    for command in block.body.splitlines():
-        run = run_catopt(command, workplace)
-        assert run.returncode == 0, f"{command}\n{run.stderr}"
-        printed += run.stdout
+@pytest.mark.parametrize("block", shown(), ids=str)
+def test_what_is_shown_runs_and_prints_what_is_shown(block: Block, tmp_path: Path) -> None:
+    printed = produce(block, tmp_path)
     if block.output is not None:
-        assert printed.strip("\n") == block.output.strip("\n")
+        fresh = "write it anew: python -m tests.snippets"
+        assert block.output.strip("\n") == printed.strip("\n"), fresh
 
 
-@pytest.mark.parametrize("block", marked("python run"), ids=str)
-@pytest.mark.usefixtures("workplace")
-def test_every_shown_python_runs_and_prints_what_is_shown(block: Block) -> None:
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed):
-        exec(compile(block.body, str(block), "exec"), {"__name__": "__main__"})
-    if block.output is not None:
-        assert printed.getvalue().strip("\n") == block.output.strip("\n")
-
-
-def test_readme_shows_commands_and_python_that_run() -> None:
-    """The two tests above have something to do."""
-    infos = [block.info for block in blocks(README)]
-    assert {"sh run", "python run"} <= set(infos)
+def test_readme_shows_what_the_first_command_prints_and_python_that_runs() -> None:
+    """The test above has these to do."""
+    install, *others = blocks(README)
+    assert install.code == "catopt reproduce buoy_9p5m\n"
+    assert install.output is not None
+    assert {"sh", "python"} <= {block.language for block in others}
 
 
 def test_readme_gives_exactly_the_two_commands() -> None:
@@ -123,13 +36,16 @@ def test_readme_gives_exactly_the_two_commands() -> None:
     ]
 
 
-def test_readme_shows_what_the_first_command_prints(tmp_path: Path) -> None:
-    (block,) = [b for b in blocks(README) if b.body.startswith("pip install . && ")]
-    command = block.body.strip().removeprefix("pip install . && ")
-    run = run_catopt(command, tmp_path)
-    assert run.returncode == 0, run.stderr
-    assert block.output is not None
-    assert run.stdout.strip("\n") == block.output.strip("\n")
+def test_a_wrong_output_and_a_failing_command_are_caught(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "```python run\nprint(6 * 7)\n```\n\n```text\n43\n```\n"
+        "```sh run\ncatopt solve gone.toml\n```\n```python\nnot run\n```\n"
+    )
+    wrong, failing = blocks(page)
+    assert (wrong.output, produce(wrong, tmp_path / "a")) == ("43\n", "42\n")
+    with pytest.raises(AssertionError, match=r"catopt solve gone\.toml ended with 2"):
+        produce(failing, tmp_path / "b")
 
 
 LINK = re.compile(r"(?<!!)\[[^\]]*\]\((?P<target>[^)\s]+)\)")
@@ -179,3 +95,9 @@ def test_a_broken_link_is_caught(tmp_path: Path) -> None:
 def test_the_index_names_every_page(page: Path) -> None:
     index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
     assert f"({page.relative_to(ROOT / 'docs').as_posix()})" in index
+
+
+def test_every_regime_is_explained() -> None:
+    text = (ROOT / "docs" / "regimes.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `([a-z-]+)` \|", text, re.MULTILINE)
+    assert rows == list(get_args(Regime))

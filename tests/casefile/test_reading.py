@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from catopt.casefile import parse_case, read_case
 from catopt.errors import InputError
-from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.model import Case, Checks, Find, Line, Load, PointLoad, Segment, Site, SwarmSettings
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -90,6 +90,13 @@ inertia = 0.7
 boundary = "reflective"
 """
 
+FIND = """
+[find]
+quantity = "clump_weight"
+point_load = 3
+anchor_angle = "3 deg"
+"""
+
 
 def problems_of(text: str) -> list[str]:
     with pytest.raises(InputError) as caught:
@@ -136,6 +143,63 @@ def test_every_key_arrives_in_si() -> None:
     assert parse_case(FULL) == expected
 
 
+def test_what_is_sought_arrives_in_si() -> None:
+    case = parse_case(FULL + FIND)
+    assert case.find == Find("clump_weight", point_load=3, anchor_angle=3 * (math.pi / 180))
+    assert case.load == Load(fairlead_tension=1.2e6)
+    (_, load) = SHORTEST.split("[load]")
+    assert load.strip() == "span = 17.4"
+    bare = SHORTEST.replace("[load]\nspan = 17.4", '[find]\nquantity = "touchdown_force"')
+    case = parse_case(bare)
+    assert (case.load, case.find) == (None, Find("touchdown_force"))
+
+
+def test_the_tanker_of_s3_seeks_its_length() -> None:
+    """S3: h = 20 m, w = 2100 N/m, H = 450 kN, a clump weight 7 m from the anchor."""
+    case = read_case(CASES / "tanker-20m-find-length" / "case.toml")
+    assert case.find == Find("length", segment=1, anchor_angle=0.0)
+    assert case.load == Load(horizontal_force=450e3)
+    assert case.line.point_loads[0] == PointLoad(7.0, 200e3, name="sinker")
+    assert case.line.segments[0].MBL == pytest.approx(770e3 * 9.80665, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        '[find]\nquantity = "spam"',
+        "[find]",
+        "find = 3",
+        '[fnd]\nquantity = "touchdown_force"',
+    ],
+)
+def test_a_load_is_not_missed_where_it_is_unclear_what_is_sought(written: str) -> None:
+    """One mistake, one message: with a sound [find] there might be no load."""
+    bare = SHORTEST.replace("[load]\nspan = 17.4\n", "")
+    text = written + bare if "=" in written.splitlines()[0] else bare + written
+    assert len(problems_of(text)) == 1
+
+
+def test_a_load_under_another_name_is_not_missed_too() -> None:
+    """Neither when it is misspelt nor when a later version's section stands for it."""
+    for name in ("laod", "system"):
+        (problem,) = problems_of(SHORTEST.replace("[load]", f"[{name}]"))
+        assert problem.startswith(f"{name}: ")
+
+
+def test_the_line_is_not_judged_where_it_is_unclear() -> None:
+    """A number beyond segments that cannot be read, or that may be there, is not reported."""
+    find = '[find]\nquantity = "{}"\n{} = 2\nanchor_angle = 0\n'
+    force = SHORTEST.replace("span = 17.4", "horizontal_force = 5")
+    first = "[[line.segments]]\nlength = 20\nsubmerged_weight = 93.163175"
+    segment = find.format("length", "segment")
+    assert len(problems_of(force.replace(first, "[line]\nsegments = 5") + segment)) == 1
+    assert len(problems_of(force.replace("line.segments", "line.segmnts") + segment)) == 1
+    buoys = "[[line.point_lods]]\nposition = 7\nsubmerged_weight = 5\n"
+    assert len(problems_of(force + buoys + find.format("clump_weight", "point_load"))) == 1
+    limit = SHORTEST.replace("[load]\nspan = 17.4", '[find]\nquantity = "limit_force"')
+    assert len(problems_of(limit.replace("length = 20", "length = 20\nmbl = 5"))) == 1
+
+
 def test_the_buoy_of_the_article() -> None:
     """S1's figures; w = 9.5 kgf/m is not printed there."""
     case = read_case(CASES / "buoy-9.5m" / "case.toml")
@@ -144,6 +208,7 @@ def test_the_buoy_of_the_article() -> None:
     assert (segment.length, segment.EA) == (20.0, math.inf)
     # One product of two rounded factors each.
     assert segment.submerged_weight == pytest.approx(93.163175, rel=sys.float_info.epsilon)
+    assert case.load is not None
     assert case.load.horizontal_force == pytest.approx(3363.68095, rel=sys.float_info.epsilon)
     assert (case.swarm.particles, case.swarm.iterations) == (200, 200)
 
@@ -228,6 +293,8 @@ def test_a_key_with_odd_characters_is_quoted_in_its_path() -> None:
         ("[site]", "EA", "move it to [[line.segments]]"),
         ("[site]", "mass", "move it to [[line.segments]] or [[line.point_loads]]"),
         ("[load]", "segments", "move it to [[line.segments]]"),
+        ("[load]", "segment", "move it to [find]"),
+        ("[site]", "wind", "allowed here: water_depth, seabed_friction, water_density"),
         ("[load]", "xyz", "allowed here: horizontal_force, span, fairlead_tension"),
     ],
 )
@@ -258,7 +325,7 @@ JUNK = [
 @given(st.data())
 @settings(deadline=None)  # the first example builds the schema
 def test_any_value_anywhere_is_read_or_refused(data: st.DataObject) -> None:
-    lines = FULL.splitlines()
+    lines = (FULL + FIND).splitlines()
     assignments = [index for index, line in enumerate(lines) if " = " in line]
     changed = data.draw(st.lists(st.sampled_from(assignments), min_size=1, max_size=4))
     for index in changed:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from catopt.casefile import parse_case, write_case
-from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.model import Case, Checks, Find, Line, Load, PointLoad, Segment, Site, SwarmSettings
 from catopt.model.case import BOUNDARY_HANDLINGS
+from catopt.model.find import FIND_QUANTITIES
 
 POSITIVE = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
 NOT_NEGATIVE = st.floats(min_value=0.0, allow_infinity=False)
@@ -65,18 +67,44 @@ def lines(draw: st.DrawFn) -> Line:
 
 
 @st.composite
+def questions(draw: st.DrawFn, line: Line) -> tuple[Line, Load | None, Find | None]:
+    """Draw a line with a load, or with something sought and the load that goes with it."""
+    quantity = draw(st.sampled_from([None, *FIND_QUANTITIES]))
+    segment = draw(st.none() | st.integers(1, len(line.segments)))
+    angle = draw(st.floats(0.0, math.pi / 2.0))
+    if quantity == "length":
+        load = draw(LOADS.filter(lambda load: load.span is None))
+        on_bed = draw(st.none() | POSITIVE)
+        condition = (angle, None) if on_bed is None else (None, on_bed)
+        return line, load, Find("length", segment, None, *condition)
+    if quantity == "clump_weight" and line.point_loads:
+        number = draw(st.none() | st.integers(1, len(line.point_loads)))
+        return line, draw(LOADS), Find("clump_weight", point_load=number, anchor_angle=angle)
+    if quantity == "touchdown_force":
+        return line, None, Find("touchdown_force")
+    if quantity == "limit_force":
+        strong = Line([replace(part, MBL=draw(POSITIVE)) for part in line.segments])
+        return strong, None, Find("limit_force", segment=segment)
+    return line, draw(LOADS), None
+
+
+@st.composite
 def cases(draw: st.DrawFn) -> Case:
     anchor, fairlead = sorted([draw(NOT_NEGATIVE), draw(NOT_NEGATIVE)])
+    line, load, find = draw(questions(draw(lines())))
+    if find is not None and find.quantity == "touchdown_force":
+        anchor = 0.0
     return Case(
         site=Site(draw(POSITIVE), draw(NOT_NEGATIVE), draw(POSITIVE)),
-        line=draw(lines()),
-        load=draw(LOADS),
+        line=line,
+        load=load,
         fairlead_height=fairlead,
         anchor_height=anchor,
         checks=draw(CHECKS),
         swarm=draw(SWARMS),
         title=draw(TEXT),
         source=draw(TEXT),
+        find=find,
     )
 
 
@@ -136,3 +164,16 @@ def test_the_written_file_reads_like_one_by_hand() -> None:
         "inertia = 0.5\n"
         'boundary = "nearest"\n'
     )
+
+
+def test_what_is_sought_is_written_where_the_load_would_be() -> None:
+    case = Case(
+        site=Site(20.0),
+        line=Line([Segment(55.0, 2100.0, MBL=7.5e6)]),
+        load=None,
+        fairlead_height=20.0,
+        find=Find("limit_force", segment=1),
+    )
+    text = write_case(case)
+    assert "[load]" not in text
+    assert '\n[find]\nquantity = "limit_force"\nsegment = 1\n\n[checks]\n' in text

@@ -17,6 +17,7 @@ from catopt.casefile.fields import Kind, Measured, OneOf, Text, Whole
 from catopt.casefile.schema import (
     CaseTable,
     ChecksTable,
+    FindTable,
     LineTable,
     LoadTable,
     PointLoadTable,
@@ -27,7 +28,7 @@ from catopt.casefile.schema import (
     entries,
 )
 from catopt.errors import InputError
-from catopt.model import Case, Checks, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.model import Case, Checks, Find, Load, PointLoad, Segment, Site, SwarmSettings
 from catopt.units import UNITS, Dimension
 
 PAGE = (Path(__file__).parents[2] / "docs" / "case-file.md").read_text(encoding="utf-8")
@@ -52,16 +53,37 @@ MODEL: dict[type[Table], tuple[Callable[..., object], dict[str, Any]]] = {
     SegmentTable: (Segment, {"length": 20.0, "submerged_weight": 93.0}),
     PointLoadTable: (PointLoad, {"position": 7.0, "submerged_weight": 490.0}),
     LoadTable: (Load, {}),
+    FindTable: (Find, {"quantity": "length"}),
     ChecksTable: (Checks, {}),
     PsoTable: (SwarmSettings, {}),
 }
 """For each table the model's class and what it needs at least."""
 
+BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
+    (FindTable, "quantity"): {"anchor_angle": 0.0},
+    (FindTable, "segment"): {"anchor_angle": 0.0},
+    (FindTable, "point_load"): {"quantity": "clump_weight", "anchor_angle": 0.0},
+}
+"""What some keys need beside them."""
+
 NOT_IN_THE_MODEL = {(PointLoadTable, "density")}
 NARROWER = {(ChecksTable, "max_anchor_uplift_angle")}
 """Limited to a right angle, because a bare 5 is more likely meant in degrees."""
 
-PROBES = [-1, -5e-324, 0, 5e-324, 0.5, 1, 2, 3, 4, math.nextafter(4.0, 5.0), 1e300, "", "nearest"]
+PROBES: list[float | str] = [
+    -1,
+    -5e-324,
+    0,
+    5e-324,
+    0.5,
+    1,
+    2,
+    3,
+    4,
+    math.nextafter(4.0, 5.0),
+    1e300,
+]
+PROBES += ["", "nearest", "length"]
 
 
 def accepts(function: Callable[..., object], *args: object, **kwargs: object) -> bool:
@@ -82,6 +104,7 @@ def keys_with_a_value() -> Iterator[tuple[type[Table], str, Kind]]:
 @pytest.mark.parametrize(("table", "key", "kind"), list(keys_with_a_value()))
 def test_the_ranges_are_those_of_the_model(table: type[Table], key: str, kind: Kind) -> None:
     build, needed = MODEL[table]
+    needed = needed | BESIDE.get((table, key), {})
     textual = isinstance(kind, Text | OneOf)
     whole = isinstance(kind, Whole)
     probes = [p for p in PROBES if isinstance(p, str) == textual]

@@ -11,6 +11,7 @@ import catopt.casefile
 from catopt.casefile import TEMPLATES, parse_case, read_case, template
 from catopt.casefile.schema import entries
 from catopt.errors import InputError
+from catopt.model import Find
 from tests.casefile.test_schema import tables
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -33,14 +34,15 @@ def test_every_key_is_there_and_is_commented(name: str) -> None:
 
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_what_is_commented_out_is_right_too(name: str) -> None:
-    """With its comment marks off every optional key is read; three are given another way."""
-    text = re.sub(r"^# (?=\[\[|\w+ = )", "", template(name), flags=re.MULTILINE)
-    for other in ("span", "fairlead_tension", "density"):
+    """With its comment marks off every optional key is read; five are given another way."""
+    text = re.sub(r"^# (?=\[|\w+ = )", "", template(name), flags=re.MULTILINE)
+    for other in ("span", "fairlead_tension", "density", "point_load", "grounded_length"):
         assert re.search(rf"^{other} = ", text, re.MULTILINE)
         text = re.sub(rf"^{other} = .*\n", "", text, flags=re.MULTILINE)
     case = parse_case(text)
     assert case.line.segments[0].MBL is not None
     assert case.line.point_loads[0].mass is not None
+    assert case.find == Find("length", segment=1, anchor_angle=0.0)
     assert case.checks.max_anchor_uplift_angle == 0.0
 
 

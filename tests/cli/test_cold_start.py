@@ -32,7 +32,7 @@ def loaded(*arguments: str) -> set[str]:
         (["--help"], LIGHT),
         (["--version"], LIGHT),
         (["solve", "--help"], HEAVY | {"rich"}),
-        (["curve", "--help"], HEAVY | {"pydantic", "rich"}),
+        (["curve", "--help"], HEAVY | {"rich"}),
         (["curve", str(BUOY)], HEAVY - {"numpy"}),
         (["solve", str(BUOY)], HEAVY),
         (["solve", str(BUOY), "--profile"], HEAVY),

@@ -193,9 +193,9 @@ def test_the_answer_in_words(run: Run) -> None:
         "Found length of segment 1: 47.208 m, for the inclination at the anchor 0 deg.",
         "Offset 0 is at a span of 41.906 m.",
         "20 of 50 points",
-        "clump weight 1 (sinker) begins to lift",
+        "clump weight 1 begins to lift (sinker)",
         "grounded -> suspended 0.000 450.000 540.354",
-        "segment 1 (chain 105 mm) reaches MBL / 5",
+        "segment 1 reaches MBL / 5 (chain 105 mm)",
     ):
         assert part in plain
     assert max(map(len, shown.splitlines())) <= 80
@@ -246,7 +246,7 @@ def test_the_workbook_holds_the_points_and_a_native_chart(run: Run, tmp_path: Pa
     assert column(book["Curve"], "Span S (m)") == pytest.approx(document["span_m"], rel=1e-15)
     tensions = [tension / 1e3 for tension in document["fairlead_tension_N"]]
     assert column(book["Curve"], "Fairlead tension T (kN)") == pytest.approx(tensions, rel=1e-15)
-    assert column(book["Marks"], "What happens")[0].endswith("begins to lift")
+    assert column(book["Marks"], "What happens")[0].endswith("begins to lift (sinker)")
     with zipfile.ZipFile(tmp_path / "curve.xlsx") as package:
         (chart,) = [name for name in package.namelist() if "charts/chart" in name]
         text = package.read(chart).decode("utf-8")

@@ -14,14 +14,16 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.transforms import Bbox
 
+from catopt.catenary.case_curve import STEPPED, CaseCurve, Stepped, curve_case
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.model import Line, Segment
+from catopt.model import Case, Line, Load, PointLoad, Segment, Site
 from catopt.report.plots import (
     DPI,
     SIZE,
     fitness,
     line_in_water,
+    load_curve,
     render,
     swarm_tension,
     tension,
@@ -39,6 +41,15 @@ def short(height: float, force: float) -> Solution:
     return solve(Line([Segment(30.0, 1e3)]), height=height, horizontal_force=force)
 
 
+def many_marks(over: Stepped) -> CaseCurve:
+    """Compute the curve of a line on which much happens, with long names."""
+    loads = [PointLoad(7.0 + k, 4e4, name=LONG) for k in range(4)]
+    line = Line([Segment(55.0, 2100.0, MBL=7.5e6, name=LONG)], loads)
+    return curve_case(
+        Case(Site(20.0), line, Load(horizontal_force=3e5), 20.0, title=LONG), over=over
+    )
+
+
 def figures(buoy: Solution, leg: Solution) -> Iterator[tuple[str, Figure]]:
     """One of each kind, and the line in the water from flat to upright."""
     report = report_with((1.0, 1e-3, 3.55e-15, 0.0))
@@ -51,6 +62,8 @@ def figures(buoy: Solution, leg: Solution) -> Iterator[tuple[str, Figure]]:
     yield "tension of a leg", tension(leg)
     yield "fitness", fitness(report)
     yield "swarm tension", swarm_tension(report, 4376.8)
+    for over in STEPPED:
+        yield f"load curve over {over}", load_curve(many_marks(over))
 
 
 def boxes(figure: Figure) -> dict[str, Bbox]:

@@ -145,8 +145,16 @@ class OneOf(Kind):
     def read(self, value: object) -> str:
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise _refused(value, self.wanted)
+            raise _refused(value, self.wanted + self._meant(value))
         return value
+
+    def _meant(self, value: object) -> str:
+        if not isinstance(value, str):
+            return ""
+        from difflib import get_close_matches
+
+        close = get_close_matches(value.casefold(), self.words, n=1)
+        return f"; did you mean {close[0]}?" if close else ""
 
 
 def _out_of_range(

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from catopt.errors import Problem
 
-__all__ = ["Finding", "Path", "dotted", "header", "in_order_of"]
+__all__ = ["Finding", "Path", "dotted", "header", "in_order_of", "parts"]
 
 Path = tuple[str | int, ...]
 """Keys and array indices from the top of the file: ``("line", "segments", 0, "length")``."""
@@ -36,6 +36,12 @@ def dotted(path: Path) -> str:
         else:
             text += ("." if text else "") + (part if _BARE_KEY.fullmatch(part) else repr(part))
     return text
+
+
+def parts(key: str) -> Path:
+    """Read ``line.segments[0].length`` as a path; for the model's own keys, which are bare."""
+    found = re.findall(r"\[(\d+)\]|([^.\[\]]+)", key)
+    return tuple(int(index) if index else name for index, name in found)
 
 
 def header(path: Path, *, array: bool = False) -> str:

@@ -7,10 +7,13 @@ from collections.abc import Iterator
 from catopt.casefile.location import Path, header
 from catopt.casefile.schema import CaseTable, Table, entries
 
-__all__ = ["hint", "nearest"]
+__all__ = ["hint", "nearest", "stands_for"]
 
 _SIMILAR = 0.6
 """Share of letters in common (difflib's ratio) from which a key counts as misspelt."""
+
+_SHORT = 4
+"""Letters of a word that is another word when its first letter is another: wind is not find."""
 
 
 def nearest(table: type[Table], key: str) -> str | None:
@@ -25,8 +28,15 @@ def nearest(table: type[Table], key: str) -> str | None:
         return None  # right elsewhere, so hardly a misspelling
     from difflib import get_close_matches
 
-    close = get_close_matches(_plain(key), list(by_plain), n=1, cutoff=_SIMILAR)
+    plain = _plain(key)
+    likely = [known for known in by_plain if len(plain) > _SHORT or known[1:] != plain[1:]]
+    close = get_close_matches(plain, likely, n=1, cutoff=_SIMILAR)
     return by_plain[close[0]] if close else None
+
+
+def stands_for(table: type[Table], key: str) -> str | None:
+    """Return the key of `table` that a key it does not have was to give, if any."""
+    return table.later[key] if key in table.later else nearest(table, key)
 
 
 def hint(table: type[Table], key: str) -> str:

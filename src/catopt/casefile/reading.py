@@ -8,13 +8,13 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from catopt.casefile.consistency import consistency_findings
-from catopt.casefile.location import in_order_of
+from catopt.casefile.location import Finding, in_order_of
 from catopt.casefile.schema import CaseTable, LineTable, PointLoadTable, SegmentTable, SiteTable
 from catopt.casefile.structure import structure_findings
 from catopt.casefile.syntax import parse_toml, read_text
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
-from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.model import Case, Checks, Find, Line, Load, PointLoad, Segment, Site, SwarmSettings
 
 __all__ = ["parse_case", "read_case"]
 
@@ -62,12 +62,13 @@ def parse_case(text: str, source: str = "") -> Case:
         With every problem of the text, in its order.
     """
     document = parse_toml(text, source)
-    findings = consistency_findings(document)
+    findings: list[Finding] = []
     table: CaseTable | None = None
     try:
         table = CaseTable.model_validate(document)
     except ValidationError as error:
         findings += structure_findings(error.errors(include_url=False))
+    findings += consistency_findings(document)
     if table is None or findings:
         problems = [finding.as_problem() for finding in in_order_of(document, findings)]
         raise InputError(problems, source)
@@ -79,13 +80,14 @@ def _case(table: CaseTable) -> Case:
     return Case(
         site=site,
         line=_line(table.line, site),
-        load=Load(**table.load.given()),
+        load=Load(**table.load.given()) if table.load else None,
         fairlead_height=_or_else(table.line.fairlead_height, site.water_depth),
         anchor_height=_or_else(table.line.anchor_height, 0.0),
         checks=Checks(**table.checks.given()) if table.checks else Checks(),
         swarm=SwarmSettings(**table.pso.given()) if table.pso else SwarmSettings(),
         title=table.title or "",
         source=table.source or "",
+        find=Find(**table.find.given()) if table.find else None,
     )
 
 

@@ -15,12 +15,14 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from catopt.casefile.fields import Kind, Measured, OneOf, Text, Whole
 from catopt.model.case import BOUNDARY_HANDLINGS
+from catopt.model.find import FIND_QUANTITIES
 from catopt.units import Dimension
 
 __all__ = [
     "CaseTable",
     "ChecksTable",
     "Entry",
+    "FindTable",
     "LineTable",
     "LoadTable",
     "PointLoadTable",
@@ -115,6 +117,20 @@ class LoadTable(Table):
     fairlead_tension: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
 
 
+class FindTable(Table):
+    """What is sought, in place of how the line hangs."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"theta0": "anchor_angle"}
+
+    quantity: Annotated[str, OneOf(FIND_QUANTITIES)]
+    segment: Annotated[int, Whole(at_least=1, example=1)] | None = None
+    point_load: Annotated[int, Whole(at_least=1, example=1)] | None = None
+    anchor_angle: (
+        Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)] | None
+    ) = None
+    grounded_length: Annotated[float, Measured(Dimension.LENGTH, above=0.0)] | None = None
+
+
 class ChecksTable(Table):
     """Limits a design has to keep."""
 
@@ -158,7 +174,8 @@ class CaseTable(Table):
     source: Annotated[str, Text()] | None = None
     site: SiteTable
     line: LineTable
-    load: LoadTable
+    load: LoadTable | None = None
+    find: FindTable | None = None
     checks: ChecksTable | None = None
     pso: PsoTable | None = None
 

@@ -8,7 +8,7 @@ from pydantic_core import ErrorDetails
 
 from catopt.casefile.fields import REFUSED
 from catopt.casefile.location import Finding, Path, header
-from catopt.casefile.names import hint, nearest
+from catopt.casefile.names import hint, stands_for
 from catopt.casefile.schema import CaseTable, Entry, LoadTable, Table, entries
 from catopt.units import as_written
 
@@ -52,8 +52,7 @@ def _unknown(path: Path, given: object) -> Finding:
 
 def _stands_for(path: Path) -> str:
     """Return the key that an unknown key was to give."""
-    table, key = _table(path[:-1]), str(path[-1])
-    return table.later[key] if key in table.later else nearest(table, key) or ""
+    return stands_for(_table(path[:-1]), str(path[-1])) or ""
 
 
 def _wanted(path: Path) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
-from catopt.model import Case, PointLoad, Segment
+from catopt.model import Case, Find, Load, PointLoad, Segment
 
 __all__ = ["write_case"]
 
@@ -39,7 +39,8 @@ def write_case(case: Case) -> str:
         ("[line]", _ends(case)),
         *(("[[line.segments]]", _segment(segment)) for segment in case.line.segments),
         *(("[[line.point_loads]]", _point_load(load)) for load in case.line.point_loads),
-        ("[load]", _load(case)),
+        *((("[load]", _load(case.load)),) if case.load else ()),
+        *((("[find]", _find(case.find)),) if case.find else ()),
         ("[checks]", _checks(case)),
         ("[pso]", _swarm(case)),
     ]
@@ -77,10 +78,18 @@ def _point_load(load: PointLoad) -> Iterator[str]:
     yield from _measured("mass", load.mass, "kg")
 
 
-def _load(case: Case) -> Iterator[str]:
-    yield from _measured("horizontal_force", case.load.horizontal_force, "N")
-    yield from _measured("span", case.load.span, "m")
-    yield from _measured("fairlead_tension", case.load.fairlead_tension, "N")
+def _load(load: Load) -> Iterator[str]:
+    yield from _measured("horizontal_force", load.horizontal_force, "N")
+    yield from _measured("span", load.span, "m")
+    yield from _measured("fairlead_tension", load.fairlead_tension, "N")
+
+
+def _find(find: Find) -> Iterator[str]:
+    yield from _text("quantity", find.quantity)
+    yield from _whole("segment", find.segment)
+    yield from _whole("point_load", find.point_load)
+    yield from _measured("anchor_angle", find.anchor_angle, "rad")
+    yield from _measured("grounded_length", find.grounded_length, "m")
 
 
 def _checks(case: Case) -> Iterator[str]:
@@ -91,7 +100,7 @@ def _checks(case: Case) -> Iterator[str]:
 def _swarm(case: Case) -> Iterator[str]:
     swarm = case.swarm
     for key in ("particles", "iterations", "runs", "seed"):
-        yield f"{key} = {int(getattr(swarm, key))}"
+        yield from _whole(key, getattr(swarm, key))
     yield from _measured("cognitive", swarm.cognitive)
     yield from _measured("social", swarm.social)
     yield from _measured("inertia", swarm.inertia)
@@ -102,6 +111,11 @@ def _measured(key: str, value: float | None, unit: str = "") -> Iterator[str]:
     if value is not None:
         digits = repr(float(value))  # the shortest text that reads back as the same number
         yield f'{key} = "{digits} {unit}"' if unit else f"{key} = {digits}"
+
+
+def _whole(key: str, value: int | None) -> Iterator[str]:
+    if value is not None:
+        yield f"{key} = {int(value)}"
 
 
 def _text(key: str, text: str) -> Iterator[str]:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 __all__ = ["show_solution"]
 
 _PROFILE_POINTS = 21
+_NO_LENGTH = 1e-9
+"""Part of the line below which what lies on the bed is rounding."""
 
 
 def show_solution(output: Output, case: Case, solution: Solution, *, with_profile: bool) -> None:
@@ -34,7 +36,7 @@ def show_solution(output: Output, case: Case, solution: Solution, *, with_profil
         Whether to add a table of the shape.
     """
     output.text(case.title or "Mooring line", bold=True)
-    output.text(f"Solved by {METHODS[solution.method]}; {REGIMES[solution.regime]}.")
+    output.text(f"Solved by {METHODS[solution.method]}; {_hangs(solution)}.")
     output.line()
     _list(output, "Given", [entry for entry in given(case) if entry.value is not None])
     _segments_given(output, case)
@@ -54,6 +56,14 @@ def show_solution(output: Output, case: Case, solution: Solution, *, with_profil
         output.text(f"Residual of the {name}, laid out from the anchor: {value}")
     for warning in solution.warnings:
         output.text(f"Warning: {warning}.", bold=True)
+
+
+def _hangs(solution: Solution) -> str:
+    """Say how the line hangs; with the touchdown at its anchor nothing of it lies on the bed."""
+    at_anchor = solution.grounded_length <= _NO_LENGTH * solution.line.length
+    if solution.regime == "grounded" and at_anchor:
+        return "the whole line hangs, just level at its anchor"
+    return REGIMES[solution.regime]
 
 
 def _list(output: Output, title: str, entries: Iterable[Entry]) -> None:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Literal, get_args
 
-from catopt.model.find import Find
+from catopt.model.find import Find, misfits
 from catopt.model.line import Line
 from catopt.model.load import Load
 from catopt.model.site import Site
@@ -125,13 +125,13 @@ class Case:
 
     def __post_init__(self) -> None:
         found = Findings("Case")
-        seeks_force = self.find is not None and self.find.takes_no_condition
-        if self.load is None and not seeks_force:
-            found.add(
-                "load", "", "exactly one of horizontal_force, span and fairlead_tension is wanted"
-            )
-        if self.load is not None and seeks_force:
-            found.add("load", "a load", "leave it out: find.quantity is the force itself")
         found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
         found.number("anchor_height", self.anchor_height, "m", at_least=0.0)
+        found.problems += misfits(
+            self.find,
+            load=None if self.load is None else self.load.given,
+            MBL_known=[segment.MBL is not None for segment in self.line.segments],
+            point_loads=len(self.line.point_loads),
+            anchor_height=self.anchor_height,
+        )
         found.raise_if_any()

@@ -7,7 +7,10 @@ from dataclasses import dataclass
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 
-__all__ = ["Load"]
+__all__ = ["LOADS", "Load"]
+
+LOADS = ("horizontal_force", "span", "fairlead_tension")
+"""The quantities of which one is known."""
 
 
 @dataclass(frozen=True)
@@ -53,3 +56,8 @@ class Load:
         for key, (value, unit) in given.items():
             found.number(key, value, unit, above=0.0)
         found.raise_if_any()
+
+    @property
+    def given(self) -> tuple[str, ...]:
+        """Name of the known quantity; one, for a sound load has no more."""
+        return tuple(key for key in LOADS if getattr(self, key) is not None)

@@ -1,0 +1,54 @@
+"""Values with units that are given as options."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from catopt.units import Dimension
+
+__all__ = ["in_si"]
+
+
+def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]:
+    """Read options, each a bare number in SI or a number with a unit.
+
+    Parameters
+    ----------
+    given : mapping of str to (str or None, Dimension)
+        By the option's name: its text, None when it was left out, and what is wanted.
+
+    Returns
+    -------
+    dict of str to float
+        In SI, those that were given.
+
+    Raises
+    ------
+    InputError
+        With every one that is wrong.
+    """
+    from catopt.errors import InputError, Problem
+    from catopt.units import to_si
+
+    values: dict[str, float] = {}
+    problems: list[Problem] = []
+    for option, (text, dimension) in given.items():
+        if text is None:
+            continue
+        try:
+            values[option] = to_si(_bare(text), dimension, option)
+        except InputError as error:
+            problems += error.problems
+    if problems:
+        raise InputError(problems, "options")
+    return values
+
+
+def _bare(text: str) -> str | float:
+    """Return the number of a text without a unit, which is SI; else the text."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
