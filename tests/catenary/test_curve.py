@@ -175,3 +175,13 @@ def test_an_empty_range_is_refused() -> None:
         over_force(TANKER, -1.0, 1e5)
     with pytest.raises(InputError, match=r"stop: found inf N"):
         over_force(TANKER, 1.0, math.inf)
+
+
+def test_arguments_are_checked_as_by_solve() -> None:
+    with pytest.raises(InputError, match=r"height: found -1\.0; must be 0 m or more"):
+        load_curve(TANKER, height=-1.0, over="span", start=40.0, stop=50.0)
+    weightless = Line([Segment(55.0, 0.0)])
+    with pytest.raises(InputError, match=r"needs load\.horizontal_force"):
+        load_curve(weightless, height=20.0, over="span", start=40.0, stop=50.0)
+    straight = math.sqrt(55.0**2 - 20.0**2)
+    assert over_force(weightless, 1e3, 2e3, 3).span == pytest.approx(straight, rel=1e-14)

@@ -10,7 +10,7 @@ import pytest
 from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import NoEquilibriumError
-from catopt.model import Line, Segment
+from catopt.model import Line, PointLoad, Segment
 
 # S1: 9.5 m of water, 20 m of chain, 0.343 tf. w = 9.5 kgf/m is identified, not printed.
 W = 9.5 * STANDARD_GRAVITY
@@ -182,3 +182,17 @@ def test_stretched_length_is_the_length_of_the_shape(EA: float, force: float) ->
     chords = math.fsum(math.dist(p, q) for p, q in pairwise(pairs))
     assert chords == pytest.approx(solution.stretched_length, rel=1e-5)
     assert solution.stretched_length >= chords
+
+
+def test_a_buoy_does_not_pull_an_anchor_on_the_bed_down() -> None:
+    """100 m with a buoy at 40 m: V is 0 at the anchor from the force at which all of it hangs.
+
+    A hair below that force a few millimetres lie on the bed; the anchor is never pulled down.
+    """
+    line = Line([Segment(100.0, 1000.0)], [PointLoad(40.0, -20000.0)])
+    regimes = []
+    for force in (182000.0, 182500.0, 182520.0, 182530.0, 183000.0, 190000.0):
+        solution = solve(line, height=20.0, horizontal_force=force)
+        assert solution.anchor.vertical_force >= 0.0
+        regimes.append(solution.regime)
+    assert regimes == ["grounded"] * 4 + ["suspended"] * 2

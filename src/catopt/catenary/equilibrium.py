@@ -18,7 +18,13 @@ import math
 
 from catopt.catenary.between import between_state
 from catopt.catenary.lift import SETTLED, grounded_guess, suspended_guess, vertical_force
-from catopt.catenary.pieces import Pieces, is_inextensible, length_below, total_length
+from catopt.catenary.pieces import (
+    Pieces,
+    is_inextensible,
+    length_below,
+    total_length,
+    total_weight,
+)
 from catopt.catenary.setting import Setting, is_plain
 from catopt.catenary.state import (
     BELOW_ANCHOR,
@@ -59,9 +65,13 @@ def given_force(H: float, setting: Setting) -> State:
     V = vertical_force(H, rise, pieces, NO_TOUCHDOWN, guess, -math.inf, 0.0)
     if math.isnan(V):
         return failed(NOT_CONVERGED)
-    if setting.fairlead_height + lowest(H, V, pieces, NO_TOUCHDOWN) >= -CLEARANCE * length:
+    is_clear = setting.fairlead_height + lowest(H, V, pieces, NO_TOUCHDOWN) >= -CLEARANCE * length
+    dips = setting.anchor_height == 0.0 and V < total_weight(pieces)
+    state = failed(TOUCHES_TWICE) if is_clear and not dips else _touching(H, setting)
+    if state.status == TOUCHES_TWICE and is_clear:
+        # Clear of the bed; or so little below it, next to the anchor, that nothing lies there.
         return hung_state(H, V, pieces, rise, setting.friction, NO_TOUCHDOWN)
-    return _touching(H, setting)
+    return state
 
 
 def _plain(H: float, pieces: Pieces, height: float, friction: float) -> State:
@@ -102,7 +112,8 @@ def hung_state(
         return failed(NOT_CONVERGED)
     hung = walk(H, V, pieces, touchdown)
     if hung.touchdown == NO_TOUCHDOWN:
-        regime = BELOW_ANCHOR if hung.V < 0.0 else SUSPENDED
+        # An anchor pulled down by less than the rounding of V is not pulled down.
+        regime = BELOW_ANCHOR if hung.V < -1e-12 * (H + abs(V)) else SUSPENDED
         grounded, bed_x, bed_x_H, H_anchor, V_anchor = 0.0, 0.0, 0.0, H, hung.V
     else:
         regime = GROUNDED if V > 0.0 else ON_BED
