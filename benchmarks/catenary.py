@@ -84,7 +84,9 @@ def _tasks() -> list[Task]:
         Task("4-segment leg, span given, after a small move", _warm(n), "MoorPy", _subsystem()),
         Task(
             "50-point load curve of the leg",
-            lambda: _per_line(lambda: solve_many(LEG, height=DEPTH, span=curve), 1),
+            lambda: _per_line(
+                lambda: [solve_many(LEG, height=DEPTH, span=curve) for _ in range(50)], 50
+            ),
             "MoorPy",
             _subsystem_curve(),
         ),

@@ -93,6 +93,10 @@ def _length(key: str, name: str, symbol: str) -> Quantity:
     return Quantity(key, name, symbol, "m", "m", 1.0, 3)
 
 
+def _diameter(key: str, name: str, symbol: str) -> Quantity:
+    return Quantity(key, name, symbol, "m", "mm", 1e-3, 1)
+
+
 def _force(key: str, name: str, symbol: str) -> Quantity:
     return Quantity(key, name, symbol, "N", "kN", 1e3, 3)
 
@@ -104,7 +108,13 @@ _TABLE = (
     _force("point_weight", "Submerged weight", "W"),
     _force("seabed_reaction", "Seabed reaction", "R"),
     Quantity("MBL", "Minimum breaking load", "MBL", "N", "kN", 1e3, 1),
+    Quantity("proof_load", "Proof load", "", "N", "kN", 1e3, 1),
     Quantity("EA", "Axial stiffness", "EA", "N", "MN", 1e6, 2),
+    _diameter("nominal_diameter", "Nominal diameter", "d"),
+    _diameter("volume_diameter", "Volume-equivalent diameter", ""),
+    _diameter("drag_diameter", "Drag diameter", ""),
+    Quantity("coefficient", "Coefficient", "", "-", "-", 1.0, 3),
+    Quantity("price", "Price", "", "USD/m", "USD/m", 1.0, 2),
     _length("span", "Span", "S"),
     _length("offset", "Offset", ""),
     _length("height", "Height", "h"),

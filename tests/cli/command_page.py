@@ -9,7 +9,10 @@ import os
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+
+import typer
 
 from catopt.cli.app import app
 
@@ -19,11 +22,20 @@ _BLOCK = re.compile(r"```text\n\$ (catopt[a-z ]*) --help\n(.*?)```", re.DOTALL)
 
 
 def commands() -> list[str]:
-    """Every command that has a help of its own, as it is typed."""
-    names = [
-        info.name or info.callback.__name__ for info in app.registered_commands if info.callback
-    ]
-    return ["catopt", *(f"catopt {name}" for name in names)]
+    """Every command that has a help of its own, as it is typed; a group before its commands."""
+    return list(_commands_below(app, "catopt"))
+
+
+def _commands_below(group: typer.Typer, typed: str) -> Iterator[str]:
+    yield typed
+    for info in group.registered_commands:
+        if info.callback:
+            yield f"{typed} {info.name or info.callback.__name__}"
+    for below in group.registered_groups:
+        if below.typer_instance:
+            yield from _commands_below(
+                below.typer_instance, f"{typed} {below.typer_instance.info.name}"
+            )
 
 
 def help_of(command: str) -> str:

@@ -34,11 +34,24 @@ def loaded(*arguments: str) -> set[str]:
         (["solve", "--help"], HEAVY | {"rich"}),
         (["curve", "--help"], HEAVY | {"rich"}),
         (["curve", str(BUOY)], HEAVY - {"numpy"}),
+        (["catalog", "show", "polyester", "--diameter", "0.2"], HEAVY),
+        (["catalog", "search", "--mbl", "500 kN", "--json"], HEAVY | {"rich"}),
         (["solve", str(BUOY)], HEAVY),
         (["solve", str(BUOY), "--profile"], HEAVY),
         (["solve", str(BUOY), "--json"], HEAVY | {"rich"}),
     ],
-    ids=["help", "version", "solve help", "curve help", "curve", "solve", "profile", "json"],
+    ids=[
+        "help",
+        "version",
+        "solve help",
+        "curve help",
+        "curve",
+        "catalog",
+        "catalog json",
+        "solve",
+        "profile",
+        "json",
+    ],
 )
 def test_nothing_heavy_is_loaded(arguments: list[str], absent: set[str]) -> None:
     found = loaded(*arguments)

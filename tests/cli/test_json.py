@@ -139,7 +139,16 @@ def test_schemas_are_strict_and_described(name: str) -> None:
             assert "const" in property_ or property_["description"], f"{path}/{key}"
 
 
-UNITS = {"_N_per_m": "N/m", "_N": "N", "_m": "m", "_rad": "rad", "_kg": "kg"}
+UNITS = {
+    "_N_per_m": "N/m",
+    "_kg_per_m": "kg/m",
+    "_USD_per_m": "USD/m",
+    "_N": "N",
+    "_m": "m",
+    "_rad": "rad",
+    "_kg": "kg",
+}
+"""Units by the ends of keys; the first that fits."""
 
 
 @pytest.mark.parametrize("name", schemas.names())

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
 
@@ -16,7 +16,8 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.pieces import cut
+from catopt.catenary.result import solution_of
 from catopt.catenary.setting import Setting
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
@@ -134,7 +135,9 @@ def load_curve(
         When a point of the range has no answer; as `solve` has it there.
     """
     check_range(start, stop, points, "m" if over == "span" else "N")
-    way = _Way(line, cut(line)[0], height, over, seabed_friction, anchor_height)
+    pieces, segment_of = cut(line)
+    setting = Setting(pieces, anchor_height, height, seabed_friction)
+    way = _Way(line, setting, segment_of, over)
     values = [float(value) for value in np.linspace(start, stop, points)]
     way.solution(values[-1])  # checks the arguments, and tells a range too long by its end
     states = [way.state(value) for value in values]
@@ -205,22 +208,31 @@ def _stiffness(state: State) -> float:
 
 @dataclass(frozen=True)
 class _Way:
-    """The line along its curve: solved at any value of what is stepped."""
+    """The line along its curve: solved at any value of what is stepped, once at each."""
 
     line: Line
-    pieces: Pieces
-    height: float
+    setting: Setting
+    segment_of: tuple[int, ...]
     over: Over
-    friction: float
-    anchor_height: float
+    known: dict[float, State] = field(default_factory=dict)
 
     def state(self, value: float) -> State:
         """Solve at a value; raise what `solve` raises where there is no answer."""
-        setting = Setting(self.pieces, self.anchor_height, self.height, self.friction)
+        if value not in self.known:
+            self.known[value] = self._solved(value)
+        return self.known[value]
+
+    def largest_tension(self, value: float, segment: int) -> float:
+        """Largest tension in a segment at a value, N."""
+        state = self.state(value)
+        laid = solution_of(state, self.line, self.setting, self.segment_of, method="closed-form")
+        return laid.segments[segment].max_tension
+
+    def _solved(self, value: float) -> State:
         if self.over == "span":
-            state = given_span(value, setting, math.nan, math.nan)
+            state = given_span(value, self.setting, math.nan, math.nan)
         else:
-            state = given_force(value, setting)
+            state = given_force(value, self.setting)
         if state.status != CONVERGED:
             self.solution(value)  # raises, with the reason
             raise NotConvergedError(f"{self._at(value)}the closed form did not converge")
@@ -232,11 +244,11 @@ class _Way:
         try:
             return solve(
                 self.line,
-                height=self.height,
+                height=self.setting.fairlead_height,
                 horizontal_force=None if is_span else value,
                 span=value if is_span else None,
-                seabed_friction=self.friction,
-                anchor_height=self.anchor_height,
+                seabed_friction=self.setting.friction,
+                anchor_height=self.setting.anchor_height,
             )
         except NoEquilibriumError as stop:
             told = f"{self._at(value)}{stop}{self._farthest()}"
@@ -254,7 +266,7 @@ class _Way:
         return f"at a {self.over.replace('_', ' ')} of {value:.6g} {unit}: "
 
     def _farthest(self) -> str:
-        rise = self.height - self.anchor_height
+        rise = self.setting.fairlead_height - self.setting.anchor_height
         room = self.line.length**2 - rise**2
         is_stiff = all(math.isinf(segment.EA) for segment in self.line.segments)
         if self.over != "span" or room <= 0.0 or not is_stiff:
@@ -276,7 +288,7 @@ def _clump_weights_lift(way: _Way, values: list[float]) -> Iterator[Mark]:
     Only with the anchor on the bed, where the grounded length tells the touchdown: while a clump
     weight lifts, the line leaves the bed at it.
     """
-    if way.anchor_height > 0.0:
+    if way.setting.anchor_height > 0.0:
         return
     tolerance = 1e-12 * way.line.length
     for number, load in enumerate(way.line.point_loads, start=1):
@@ -300,7 +312,7 @@ def _strength_limits(way: _Way, values: list[float], safety_factor: float) -> It
             continue
 
         def is_beyond(value: float, index: int = index, MBL: float = segment.MBL) -> int:
-            return way.solution(value).segments[index].max_tension > MBL / safety_factor
+            return way.largest_tension(value, index) > MBL / safety_factor
 
         event = f"segment {index + 1} reaches MBL / {safety_factor:g}{_named(segment.name)}"
         for place, _, after in _crossings(values, is_beyond):

@@ -7,6 +7,8 @@ from typing import Annotated
 import typer
 
 from catopt._version import __version__
+from catopt.cli.catalog import catalog
+from catopt.cli.curve import curve
 from catopt.cli.new import new
 from catopt.cli.output import Output
 from catopt.cli.reproduce import reproduce
@@ -50,5 +52,6 @@ def catopt(
     context.ensure_object(Output).debug = debug
 
 
-for _command in (solve, reproduce, new):
+for _command in (solve, curve, reproduce, new):
     app.command()(_command)
+app.add_typer(catalog)

@@ -97,10 +97,14 @@ def curve(
 def _curve(case: Case, over: Over, start: str | None, stop: str | None, points: int) -> CaseCurve:
     """Compute the curve; what is wrong with the range is told by the options' names."""
     from catopt.catenary.case_curve import curve_case
+    from catopt.cli.values import in_si
     from catopt.errors import InputError
+    from catopt.units import Dimension
 
+    dimension = Dimension.FORCE if over is Over.FORCE else Dimension.LENGTH
     texts = {"start": start, "stop": stop}
-    values = _in_si(over, {key: text for key, text in texts.items() if text is not None})
+    read = in_si({_OPTIONS[key]: (text, dimension) for key, text in texts.items()})
+    values = {key: read[_OPTIONS[key]] for key in texts if _OPTIONS[key] in read}
     try:
         return curve_case(case, over=over.value, points=points, **values)
     except InputError as error:
@@ -111,29 +115,3 @@ def _curve(case: Case, over: Over, start: str | None, stop: str | None, points: 
             for each in error.problems
         ]
         raise InputError(problems, "options") from error
-
-
-def _in_si(over: Over, texts: dict[str, str]) -> dict[str, float]:
-    """Read values with units; every one that is wrong is told at once."""
-    from catopt.errors import InputError, Problem
-    from catopt.units import Dimension, to_si
-
-    dimension = Dimension.FORCE if over is Over.FORCE else Dimension.LENGTH
-    values: dict[str, float] = {}
-    problems: list[Problem] = []
-    for key, text in texts.items():
-        try:
-            values[key] = to_si(_bare(text), dimension, _OPTIONS[key])
-        except InputError as error:
-            problems += error.problems
-    if problems:
-        raise InputError(problems, "options")
-    return values
-
-
-def _bare(text: str) -> str | float:
-    """Return the number of a text without a unit, which is SI; else the text."""
-    try:
-        return float(text)
-    except ValueError:
-        return text

@@ -152,7 +152,7 @@ class Output:
 
 
 def _folded(line: str) -> str:
-    """Fold a line to the terminal, its later lines set in; a path or a number stays in one piece."""
+    """Fold a line to the terminal, its later lines set in; paths and numbers stay whole."""
     from shutil import get_terminal_size
     from textwrap import fill
 

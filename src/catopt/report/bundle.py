@@ -9,12 +9,13 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
+    from catopt.catalogue.document import Answer
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution
     from catopt.model import Case
     from catopt.reproduce import Reproduction
 
-__all__ = ["curve_bundle", "reproduction_bundle", "solution_bundle"]
+__all__ = ["catalogue_bundle", "curve_bundle", "reproduction_bundle", "solution_bundle"]
 
 
 def solution_bundle(case: Case, solution: Solution) -> dict[str, bytes]:
@@ -96,6 +97,19 @@ def reproduction_bundle(result: Reproduction) -> dict[str, bytes]:
         if study.by_swarm is not None:
             files |= _swarm(study.by_swarm, study.name)
     return files
+
+
+def catalogue_bundle(answer: Answer) -> dict[str, bytes]:
+    """Make the files of ``catopt catalog ... --out DIR``: document, tables and workbook."""
+    from catopt.report.catalogue import catalogue_tables
+    from catopt.report.workbook import catalogue_workbook
+
+    frames = catalogue_tables(answer)
+    return {
+        "catalog.json": _json(answer.to_dict()),
+        "catalog.xlsx": catalogue_workbook(frames),
+        **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
+    }
 
 
 def _json(document: dict[str, Any]) -> bytes:

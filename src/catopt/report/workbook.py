@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.reproduce import Reproduction
 
-__all__ = ["curve_workbook", "reproduction_workbook", "solution_workbook"]
+__all__ = ["catalogue_workbook", "curve_workbook", "reproduction_workbook", "solution_workbook"]
 
 _SCIENTIFIC = tuple(q.name.lower() for q in QUANTITIES.values() if q.notation == "scientific")
 _DIGITS = {q.field_unit: q.digits for q in sorted(QUANTITIES.values(), key=lambda q: q.digits)}
@@ -114,6 +115,25 @@ def reproduction_workbook(result: Reproduction) -> bytes:
         ),
         wrap=True,
     )
+    return book.close()
+
+
+def catalogue_workbook(frames: Mapping[str, pd.DataFrame]) -> bytes:
+    """Lay out an answer out of the catalogue.
+
+    Parameters
+    ----------
+    frames : mapping of str to DataFrame
+        Its tables by name.
+
+    Returns
+    -------
+    bytes
+        An .xlsx file with a sheet for each table.
+    """
+    book = _Book("Components with the source of every figure")
+    for name, frame in frames.items():
+        book.sheet(name.capitalize()).table(frame, wrap=True)
     return book.close()
 
 

@@ -1,0 +1,223 @@
+"""Chain, wire and fibre rope by nominal diameter, every figure with source and confidence.
+
+Confidence is A (read in the primary or official document), B (in two independent secondary
+sources, or in one and checked by numbers), C (in one secondary source) or R (recalled, read in no
+document; used only when asked for). Diameters are nominal and in m; all else is SI.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from functools import cache
+
+from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue
+from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Provenance
+from catopt.catalogue.family import Family, Sizes
+from catopt.catalogue.figure import Figure, Source
+from catopt.catalogue.names import ComponentName
+from catopt.constants import SEA_WATER_DENSITY
+
+__all__ = [
+    "ALL",
+    "Alternative",
+    "Catalogue",
+    "Component",
+    "ComponentName",
+    "Family",
+    "Figure",
+    "Hydrodynamic",
+    "Provenance",
+    "Sizes",
+    "Source",
+    "component",
+    "families",
+    "parse_name",
+    "read_families",
+    "search",
+    "standard",
+]
+
+
+@cache
+def standard() -> Catalogue:
+    """Return the catalogue that comes with catopt; it is read once."""
+    from catopt.catalogue.reading import read_standard
+
+    return read_standard()
+
+
+def families(among: Catalogue | None = None) -> tuple[Family, ...]:
+    """List the families of a catalogue.
+
+    Parameters
+    ----------
+    among : Catalogue, optional
+        Instead of catopt's own.
+    """
+    return (among or standard()).families
+
+
+def component(
+    family: str,
+    diameter: float,
+    *,
+    grade: str | None = None,
+    variants: Mapping[str, str] = NO_VARIANTS,
+    water_density: float = SEA_WATER_DENSITY,
+    allow_recalled: bool = False,
+    among: Catalogue | None = None,
+) -> Component:
+    """Look a component up.
+
+    Parameters
+    ----------
+    family : str
+        A family, with or without its grade: ``"chain studless"``, ``"chain studless R3"``.
+    diameter : float
+        Nominal diameter in m: of the bar of a chain's links, or of the rope as sold. Any within
+        the range of the family, whether or not it is a size that is sold.
+    grade : str, optional
+        When it is not in the name.
+    variants : mapping of str to str, optional
+        Where sources disagree, which one to follow: ``{"EA": "orcaflex"}`` by quantity, or
+        ``{"all": "orcaflex"}`` for every quantity that has a variant of that name.
+    water_density : float
+        For the submerged weight, kg/m3.
+    allow_recalled : bool
+        Whether figures that were read in no document (confidence R) may be used.
+    among : Catalogue, optional
+        Instead of catopt's own.
+
+    Returns
+    -------
+    Component
+        With the source and the confidence of every figure.
+
+    Raises
+    ------
+    InputError
+        With every problem: no such family, grade or variant, or a diameter outside the range in
+        which its figures hold.
+    """
+    return (among or standard()).component(
+        family,
+        diameter,
+        grade=grade,
+        variants=variants,
+        water_density=water_density,
+        allow_recalled=allow_recalled,
+    )
+
+
+def parse_name(name: object, among: Catalogue | None = None) -> ComponentName:
+    """Read the name of a component: ``"chain studless R3"`` is ``("chain studless", "R3")``.
+
+    Parameters
+    ----------
+    name : object
+        Capitals, hyphens and the order of the words do not matter.
+    among : Catalogue, optional
+        Instead of catopt's own.
+
+    Returns
+    -------
+    ComponentName
+        Family and grade; the grade is None when the name has none.
+
+    Raises
+    ------
+    InputError
+        There is none of that name; the message gives the nearest.
+    """
+    return (among or standard()).parse_name(name)
+
+
+def read_families(path: str | os.PathLike[str]) -> Catalogue:
+    """Read a user's own families, in the format of catopt's own data files.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, TOML in UTF-8. Its figures may name catopt's sources beside their own.
+
+    Returns
+    -------
+    Catalogue
+        Those families alone; ``standard().with_families(...)`` joins them to catopt's.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, or with every problem of what it says, by key path.
+    """
+    from catopt.catalogue import reading
+
+    known = {s.key: s for f in standard().families for figure in f.figures for s in figure.sources}
+    return reading.read_families(path, known)
+
+
+def search(
+    *,
+    MBL_at_least: float | None = None,
+    proof_load_at_least: float | None = None,
+    mass_at_most: float | None = None,
+    price_at_most: float | None = None,
+    diameter_at_least: float | None = None,
+    diameter_at_most: float | None = None,
+    family: str | Sequence[str] | None = None,
+    grade: str | Sequence[str] | None = None,
+    variants: Mapping[str, str] = NO_VARIANTS,
+    water_density: float = SEA_WATER_DENSITY,
+    allow_recalled: bool = False,
+    all_sizes: bool = False,
+    among: Catalogue | None = None,
+) -> tuple[Component, ...]:
+    """Find components, in the sizes that are sold, that meet every limit.
+
+    Parameters
+    ----------
+    MBL_at_least, proof_load_at_least : float, optional
+        N. The MBL is that in water, which for nylon is less than the dry one.
+    mass_at_most : float, optional
+        In air, kg/m.
+    price_at_most : float, optional
+        USD/m. A component without price does not meet it.
+    diameter_at_least, diameter_at_most : float, optional
+        Nominal, m.
+    family, grade : str or sequence of str, optional
+        Only these.
+    variants, water_density, allow_recalled
+        As for `component`; a family that lacks a variant keeps its default.
+    all_sizes : bool
+        Every size that meets the limits, instead of the smallest of each family and grade.
+    among : Catalogue, optional
+        Instead of catopt's own.
+
+    Returns
+    -------
+    tuple of Component
+        From the lightest in air to the heaviest; empty when there is none.
+
+    Raises
+    ------
+    InputError
+        With every problem of the limits, names and variants.
+    """
+    from catopt.catalogue.searching import search_in
+
+    return search_in(
+        among or standard(),
+        MBL_at_least=MBL_at_least,
+        proof_load_at_least=proof_load_at_least,
+        mass_at_most=mass_at_most,
+        price_at_most=price_at_most,
+        diameter_at_least=diameter_at_least,
+        diameter_at_most=diameter_at_most,
+        family=family,
+        grade=grade,
+        variants=variants,
+        water_density=water_density,
+        allow_recalled=allow_recalled,
+        all_sizes=all_sizes,
+    )

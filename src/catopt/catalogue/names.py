@@ -1,0 +1,88 @@
+"""Names of components as users write them: ``"chain studless R3"``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from catopt.catalogue.family import Family
+from catopt.errors import InputError, Problem
+from catopt.units import as_written
+
+__all__ = ["ComponentName", "find_name", "nearest", "shared_names"]
+
+_SIMILAR = 0.6
+"""Share of letters in common (difflib's ratio) from which a name counts as misspelt."""
+
+
+class ComponentName(NamedTuple):
+    """A family and one of its grades; None for a family without grades, or when it is left out."""
+
+    family: str
+    grade: str | None
+
+
+def find_name(name: object, families: Iterable[Family]) -> ComponentName:
+    """Read a name. Capitals, hyphens and the order of the words do not matter.
+
+    Parameters
+    ----------
+    name : object
+        Family, or family and grade.
+    families : iterable of Family
+        Those to choose from.
+
+    Raises
+    ------
+    InputError
+        There is none of that name; the message gives the nearest.
+    """
+    names = list(_names(families))
+    found = {plain: stands_for for plain, _, stands_for in reversed(names)}
+    if isinstance(name, str) and _plain(name) in found:
+        return found[_plain(name)]
+    near = nearest(name, [shown for _, shown, _ in names]) if isinstance(name, str) else None
+    wanted = f'a component is wanted, such as "{names[0][1]}"' if names else "there are none"
+    allowed = f'did you mean "{near}"?' if near else f"{wanted}; catopt catalog list has them"
+    raise InputError([Problem("component", as_written(name), allowed)])
+
+
+def shared_names(families: Sequence[Family]) -> list[tuple[str, str]]:
+    """List names that two families would share, each with the family that has it already."""
+    owners: dict[tuple[str, ...], int] = {}
+    shared = []
+    for index, family in enumerate(families):
+        for name in family.names:
+            owner = owners.setdefault(_plain(name), index)
+            if owner != index:
+                shared.append((name, families[owner].name))
+    return shared
+
+
+def nearest(word: str, words: Iterable[str]) -> str | None:
+    """Find the one of some words that a word is a misspelling of, if any."""
+    from difflib import get_close_matches
+
+    by_plain = {_letters(each): each for each in words}
+    close = get_close_matches(_letters(word), by_plain, n=1, cutoff=_SIMILAR)
+    return by_plain[close[0]] if close else None
+
+
+def _names(families: Iterable[Family]) -> Iterator[tuple[tuple[str, ...], str, ComponentName]]:
+    """List every name, comparable and as shown, with what it stands for."""
+    for family in families:
+        for name in family.names:
+            yield _plain(name), name, ComponentName(family.name, None)
+            for grade in family.grades:
+                full = f"{name} {grade}"
+                yield _plain(full), full, ComponentName(family.name, grade)
+
+
+def _plain(name: str) -> tuple[str, ...]:
+    """Bring a name to a form that is the same for all spellings."""
+    return tuple(sorted(_letters(name).split()))
+
+
+def _letters(name: str) -> str:
+    return re.sub(r"[\s_-]+", " ", name.casefold()).strip()

@@ -1,0 +1,139 @@
+"""Searches a catalogue for components that are strong or light enough."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+
+from catopt.catalogue.collection import NO_VARIANTS, Catalogue
+from catopt.catalogue.components import Component
+from catopt.catalogue.family import Family
+from catopt.catalogue.figure import SPECS
+from catopt.constants import SEA_WATER_DENSITY
+from catopt.errors import InputError, Problem
+from catopt.model.validity import Findings
+from catopt.units import as_written
+
+__all__ = ["search_in"]
+
+Condition = Callable[[Component], bool]
+
+
+def search_in(
+    catalogue: Catalogue,
+    *,
+    MBL_at_least: float | None = None,
+    proof_load_at_least: float | None = None,
+    mass_at_most: float | None = None,
+    price_at_most: float | None = None,
+    diameter_at_least: float | None = None,
+    diameter_at_most: float | None = None,
+    family: str | Sequence[str] | None = None,
+    grade: str | Sequence[str] | None = None,
+    variants: Mapping[str, str] = NO_VARIANTS,
+    water_density: float = SEA_WATER_DENSITY,
+    allow_recalled: bool = False,
+    all_sizes: bool = False,
+) -> tuple[Component, ...]:
+    """Find components in the sizes that are sold; see `catopt.catalogue.search`."""
+    limits = {
+        "MBL_at_least": (MBL_at_least, "N"),
+        "proof_load_at_least": (proof_load_at_least, "N"),
+        "mass_at_most": (mass_at_most, "kg/m"),
+        "price_at_most": (price_at_most, "USD/m"),
+        "diameter_at_least": (diameter_at_least, "m"),
+        "diameter_at_most": (diameter_at_most, "m"),
+    }
+    check = Findings("search")
+    for key, (limit, unit) in limits.items():
+        if limit is not None:
+            check.number(key, limit, unit, at_least=0.0)
+    check.number("water_density", water_density, "kg/m3", above=0.0)
+    wanted = list(_wanted(check, catalogue, _several(family), _several(grade)))
+    _check_variants(check, wanted, variants)
+    check.raise_if_any()
+
+    def meets(component: Component) -> bool:
+        return (
+            _at_least(component.MBL_in_water, MBL_at_least)
+            and _at_least(component.proof_load, proof_load_at_least)
+            and _at_most(component.mass, mass_at_most)
+            and _at_most(component.price, price_at_most)
+            and _at_least(component.nominal_diameter, diameter_at_least)
+            and _at_most(component.nominal_diameter, diameter_at_most)
+        )
+
+    found: list[Component] = []
+    for each, its_grade in wanted:
+        components = catalogue.sold(
+            each.name,
+            grade=its_grade,
+            variants=_those_of(each, its_grade, variants),
+            water_density=water_density,
+            allow_recalled=allow_recalled,
+        )
+        fitting = [component for component in components if meets(component)]
+        found += fitting if all_sizes else fitting[:1]
+    return tuple(sorted(found, key=lambda component: component.mass))
+
+
+def _several(names: str | Sequence[str] | None) -> Sequence[str] | None:
+    return [names] if isinstance(names, str) else names
+
+
+def _wanted(
+    check: Findings,
+    catalogue: Catalogue,
+    families: Sequence[str] | None,
+    grades: Sequence[str] | None,
+) -> Iterator[tuple[Family, str | None]]:
+    """List families with their grades, as far as they were asked for."""
+    named: list[tuple[Family, str | None]] = []
+    for name in families or ():
+        try:
+            parsed = catalogue.parse_name(name)
+        except InputError as error:
+            check.problems += [Problem("family", p.found, p.allowed) for p in error.problems]
+            continue
+        named.append((catalogue.family(parsed.family), parsed.grade))
+    if families is None:
+        named = [(family, None) for family in catalogue.families]
+    possible = {grade.casefold(): grade for family, _ in named for grade in family.grades}
+    for grade in grades or ():
+        if grade.casefold() not in possible:
+            listed = f"one of {', '.join(possible.values())} is wanted" if possible else "no grades"
+            check.add("grade", as_written(grade), listed)
+    asked = None if grades is None else {grade.casefold() for grade in grades}
+    for family, of_name in named:
+        for each in [of_name] if of_name else (family.grades or (None,)):
+            if asked is None or (each is not None and each.casefold() in asked):
+                yield family, each
+
+
+def _check_variants(
+    check: Findings, wanted: Iterable[tuple[Family, str | None]], variants: Mapping[str, str]
+) -> None:
+    """Note a problem for each variant that none of the families has."""
+    for quantity, variant in variants.items():
+        if not any(_those_of(family, grade, {quantity: variant}) for family, grade in wanted):
+            known = quantity in SPECS or quantity == "all"
+            what = "none of these families has it" if known else f"one of {', '.join(SPECS)}"
+            check.add(f"variants.{quantity}", as_written(variant), what)
+
+
+def _those_of(family: Family, grade: str | None, variants: Mapping[str, str]) -> dict[str, str]:
+    """Keep the variants that a family has; the others keep their defaults."""
+    own = {(f.quantity, f.variant) for q in SPECS for f in family.alternatives(q, grade)}
+    names = {variant for _, variant in own}
+    return {
+        quantity: variant
+        for quantity, variant in variants.items()
+        if (quantity, variant) in own or (quantity == "all" and variant in names)
+    }
+
+
+def _at_least(value: float | None, limit: float | None) -> bool:
+    return limit is None or (value is not None and value >= limit)
+
+
+def _at_most(value: float | None, limit: float | None) -> bool:
+    return limit is None or (value is not None and value <= limit)
