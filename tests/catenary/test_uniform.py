@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from itertools import pairwise
 
 import pytest
 
 from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
-from catopt.errors import NoEquilibriumError
+from catopt.errors import NoAnswerError, NoEquilibriumError
 from catopt.model import Line, PointLoad, Segment
 
 # S1: 9.5 m of water, 20 m of chain, 0.343 tf. w = 9.5 kgf/m is identified, not printed.
@@ -196,3 +197,18 @@ def test_a_buoy_does_not_pull_an_anchor_on_the_bed_down() -> None:
         assert solution.anchor.vertical_force >= 0.0
         regimes.append(solution.regime)
     assert regimes == ["grounded"] * 4 + ["suspended"] * 2
+
+
+def test_a_span_that_friction_above_one_jumps_over_is_named() -> None:
+    """Raised anchor, mu = 1.16: 1 - mu dV/dH at the anchor changes sign, so the line slides.
+
+    By the force the span is seen to jump: neighbouring forces have spans on both sides of it.
+    """
+    line = Line([Segment(20.0, 1.0)])
+    at = partial(solve, line, height=0.2, anchor_height=0.4, seabed_friction=1.16)
+    with pytest.raises(NoAnswerError, match=r"no equilibrium has just this span.*slides"):
+        at(span=19.65)
+    spans = [at(horizontal_force=0.01 * 1.001**k).span for k in range(8000)]
+    below = max(span for span in spans if span < 19.65)
+    above = min(span for span in spans if span > 19.65)
+    assert above - below > 0.05

@@ -76,31 +76,43 @@ def _anchor_side(
     """Find the forces at a raised anchor and the touchdown there, after friction on the bed.
 
     The bed carries what neither end does, R = W - V - V_down, so H_anchor = H - mu R, not below 0.
-    V_down rises with H_anchor: a bracketed root.
+    What H_anchor exceeds that by is below 0 at no force and above 0 at H: a bracketed root.
 
     Returns
     -------
     H_anchor, V_down, touchdown
         N, N (downwards on the anchor), code counted from the fairlead; -1 when there is none.
     """
-    weight, friction = total_weight(setting.pieces), setting.friction
-    floor = 1e-12 * max(H, abs(weight))
-    low, high = floor, H
-    V_down, other = _ranked_touchdown(high, setting.anchor_height, flipped, rank)
-    if other < 0 or friction == 0.0:
+    height, friction = setting.anchor_height, setting.friction
+    weight = total_weight(setting.pieces) - V
+    low, high = 1e-12 * max(H, abs(weight)), H
+    V_down, other = _ranked_touchdown(high, height, flipped, rank)
+    excess_high = friction * max(weight - V_down, 0.0)
+    if other < 0 or excess_high == 0.0:
         return H, V_down, other
+    V_down, other = _ranked_touchdown(low, height, flipped, rank)
+    excess_low = low - H + friction * max(weight - V_down, 0.0)
+    if other < 0 or excess_low >= 0.0:
+        return 0.0, V_down, other
+    # False position; the end that stays where it is counts half (Illinois).
+    stayed = 0
+    H_anchor = low
     for _ in range(200):
-        middle = 0.5 * (low + high)
-        V_down, other = _ranked_touchdown(middle, setting.anchor_height, flipped, rank)
-        if other < 0:
-            return H, V_down, other
-        if middle > H - friction * max(weight - V - V_down, 0.0):
-            high = middle
-        else:
-            low = middle
-        if high - low <= 2.3e-16 * H:
+        H_anchor = high - excess_high * (high - low) / (excess_high - excess_low)
+        if not low < H_anchor < high:
+            H_anchor = 0.5 * (low + high)
+        V_down, other = _ranked_touchdown(H_anchor, height, flipped, rank)
+        excess = H_anchor - H + friction * max(weight - V_down, 0.0)
+        if other < 0 or abs(excess) <= 2.3e-16 * H or high - low <= 2.3e-16 * H:
             break
-    H_anchor = high if high > 2.0 * floor else 0.0
+        if excess > 0.0:
+            high, excess_high = H_anchor, excess
+            excess_low *= 0.5 if stayed > 0 else 1.0
+            stayed = 1
+        else:
+            low, excess_low = H_anchor, excess
+            excess_high *= 0.5 if stayed < 0 else 1.0
+            stayed = -1
     return H_anchor, V_down, other
 
 

@@ -12,7 +12,7 @@ from catopt.catenary.equilibrium import given_force, hung_state
 from catopt.catenary.lift import SETTLED
 from catopt.catenary.pieces import total_length
 from catopt.catenary.setting import Setting
-from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOUCHES_TWICE, State, failed
+from catopt.catenary.state import CONVERGED, JUMPS, NOT_CONVERGED, TOUCHES_TWICE, State, failed
 from catopt.catenary.walk import FIRST_TOUCHDOWN
 
 __all__ = ["BY_SPAN", "BY_TENSION", "close_in", "newton", "tension_of"]
@@ -96,7 +96,9 @@ def close_in(
             break
     if best_error <= 1e-9 * size:
         return best
-    return failed(TOUCHES_TWICE if twice else NOT_CONVERGED)
+    if twice:
+        return failed(TOUCHES_TWICE)
+    return failed(JUMPS if high - low <= 1e-12 * high else NOT_CONVERGED)
 
 
 def _between_bounds(

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.setting import Setting
-from catopt.catenary.state import NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, TOUCHES_TWICE
+from catopt.catenary.state import JUMPS, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, TOUCHES_TWICE
 from catopt.catenary.tension import least_tension
 from catopt.errors import (
     CatoptError,
+    NoAnswerError,
     NoEquilibriumError,
     NotConvergedError,
     TouchesTwiceError,
@@ -51,6 +52,13 @@ def refusal(status: int, line: Line, load: Load, setting: Setting) -> CatoptErro
             f"{_first_buoyant(line)} lifts the line off the bed between two stretches that lie on "
             "it. The closed form holds for one stretch on the bed; move the buoyant part towards "
             "the fairlead, make it smaller, or pull harder."
+        )
+    if status == JUMPS:
+        return NoAnswerError(
+            "no equilibrium has just this "
+            f"{'span' if load.span is not None else 'fairlead tension'}: with a seabed friction of "
+            f"{setting.friction:g} the line between its raised anchor and the bed slides from one "
+            "side of it to the other. Give the horizontal force, or a friction below 1."
         )
     assert status == NOT_CONVERGED
     return NotConvergedError("the closed form did not converge; please report this case")

@@ -11,6 +11,7 @@ __all__ = [
     "GROUNDED",
     "GROUNDED_BETWEEN",
     "INVALID",
+    "JUMPS",
     "NOT_CONVERGED",
     "ON_BED",
     "REASONS",
@@ -31,6 +32,7 @@ TOO_HEAVY: Final = 2
 TOUCHES_TWICE: Final = 3
 NOT_CONVERGED: Final = 4
 INVALID: Final = 5
+JUMPS: Final = 6
 REASONS: Final = (
     None,
     "too short: the line does not reach from the anchor to the fairlead",
@@ -38,6 +40,7 @@ REASONS: Final = (
     "touches twice: a buoyant part lifts the line off the bed between two stretches on it",
     "not converged",
     "invalid input: a number is missing, not finite or out of range",
+    "jumps: the line slides on the bed from one side of the span or tension given to the other",
 )
 
 # Regime: how the line hangs (docs/regimes.md); an index into REGIMES.
