@@ -125,3 +125,32 @@ def test_stiffness_is_the_inverse_of_the_flexibility() -> None:
     many = solve_many(LEG, height=71.4, span=[1040.0, 1070.0])
     identity = many.stiffness @ many.flexibility
     np.testing.assert_allclose(identity, np.broadcast_to(np.eye(2), (2, 2, 2)), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"positions": [[900.0], [1082.0]]},
+        {"positions": [[900.0], [1e4]]},
+        {"positions": [[900.0], [-1.0]]},
+        {"lengths": [[750.0, 194.0, 138.0], [750.0, -194.0, 1138.0]]},
+        {"submerged_weights": [[298.1, 1345.5, 1524.0], [298.1, math.nan, 1524.0]]},
+        {"EA": [[382e6, 721e6, 801e6], [382e6, -721e6, 801e6]]},
+        {"point_weights": [[5e4], [math.inf]]},
+    ],
+    ids=lambda wrong: next(iter(wrong)),
+)
+def test_a_line_that_cannot_be_is_marked_and_never_mended(wrong: dict[str, Any]) -> None:
+    """The second of two lines is none: beyond its end, of negative length, not a number."""
+    at: Any = partial(solve_many, LEG, height=71.4, horizontal_force=8e5)
+    many = at(**wrong)
+    assert many.converged.tolist() == [True, False]
+    assert "invalid input" in str(many.reason(1))
+
+
+def test_point_loads_out_of_order_are_marked() -> None:
+    line = Line([Segment(1082.0, 298.1)], [PointLoad(100.0, 1e3), PointLoad(200.0, 1e3)])
+    many = solve_many(
+        line, height=71.4, horizontal_force=8e5, positions=[[100.0, 200.0], [200.0, 100.0]]
+    )
+    assert many.converged.tolist() == [True, False]

@@ -81,17 +81,26 @@ def fill(
             and friction[i] >= 0.0
             and not math.isinf(wanted[i] + height[i] + anchor_height[i] + friction[i])
         )
+        row_length = length[i if length.shape[0] > 1 else 0]
+        row_weight = weight[i if weight.shape[0] > 1 else 0]
+        row_compliance = compliance[i if compliance.shape[0] > 1 else 0]
+        row_position = position[i if position.shape[0] > 1 else 0]
+        row_point_weight = point_weight[i if point_weight.shape[0] > 1 else 0]
+        is_valid = (
+            is_valid
+            and _are_segments(row_length, row_weight, row_compliance)
+            and _are_point_loads(row_position, row_point_weight, row_length)
+        )
         if is_valid:
             split(
-                length[i if length.shape[0] > 1 else 0],
-                weight[i if weight.shape[0] > 1 else 0],
-                compliance[i if compliance.shape[0] > 1 else 0],
-                position[i if position.shape[0] > 1 else 0],
-                point_weight[i if point_weight.shape[0] > 1 else 0],
+                row_length,
+                row_weight,
+                row_compliance,
+                row_position,
+                row_point_weight,
                 pieces,
                 owner,
             )
-            is_valid = _is_sound(pieces)
         setting = Setting(pieces, anchor_height[i], height[i], friction[i])
         if not is_valid:
             state = failed(INVALID)
@@ -116,12 +125,26 @@ def fill(
         out[i, 10] = state.z_V
 
 
-def _is_sound(pieces: Pieces) -> bool:
-    """Whether a line's numbers are usable: a length, finite weights, stiffness above 0."""
-    total = 0.0
-    for k in range(len(pieces.length)):
-        number = pieces.length[k] + abs(pieces.weight[k]) + abs(pieces.load[k])
-        if not number < math.inf or not 0.0 <= pieces.compliance[k] < math.inf:
+def _are_segments(length: Any, weight: Any, compliance: Any) -> bool:
+    """Whether every segment has a length, a finite weight and a stiffness above 0."""
+    for k in range(len(length)):
+        if not 0.0 < length[k] < math.inf or not abs(weight[k]) < math.inf:
             return False
-        total += pieces.length[k]
-    return total > 0.0
+        if not 0.0 <= compliance[k] < math.inf:
+            return False
+    return True
+
+
+def _are_point_loads(position: Any, point_weight: Any, length: Any) -> bool:
+    """Whether the point loads have finite weights and rise from the anchor, inside the line."""
+    end = 0.0
+    for k in range(len(length)):
+        end += length[k]
+    below = 0.0
+    for k in range(len(position)):
+        if not 0.0 < position[k] < end or not position[k] >= below:
+            return False
+        if not abs(point_weight[k]) < math.inf:
+            return False
+        below = position[k]
+    return True
