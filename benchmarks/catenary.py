@@ -25,11 +25,11 @@ from typing import Any
 import numpy as np
 
 from catopt.catenary.batch import solve_many
-from catopt.catenary.compiled import compiled
 from catopt.catenary.pieces import Pieces, cut
 from catopt.catenary.setting import Setting
 from catopt.catenary.solve import solve
 from catopt.catenary.span import given_span
+from catopt.compiled import compiled
 from catopt.model import Line, Segment
 
 DEPTH = 71.4

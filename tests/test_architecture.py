@@ -15,7 +15,7 @@ import catopt
 
 PACKAGE = Path(catopt.__file__).parent
 
-BASE = {"errors", "constants", "units", "quantities"}
+BASE = {"errors", "constants", "units", "quantities", "compiled"}
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile"}
 ALL_BUT_CLI = SOLVING | READING | {"mooring", "schemas", "reproduce", "report"}
@@ -26,6 +26,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "constants": set(),
     "units": {"errors", "constants"},
     "quantities": {"errors", "constants", "units"},
+    "compiled": set(),
     "schemas": {"errors"},
     "model": BASE,
     "catalogue": BASE | {"model"},

@@ -11,10 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.catenary.closing import BY_SPAN, BY_TENSION
-from catopt.catenary.compiled import compiled
 from catopt.catenary.many import BY_FORCE, COLUMNS, fill
 from catopt.catenary.pieces import Pieces
 from catopt.catenary.state import CONVERGED, REASONS, REGIMES
+from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
 from catopt.model import Line
 

@@ -40,6 +40,7 @@ from catopt.catenary.state import (
 )
 from catopt.catenary.touchdown import CLEARANCE, clump_weight, is_heavy, next_touchdown
 from catopt.catenary.walk import FIRST_TOUCHDOWN, NO_TOUCHDOWN, lie, lowest, walk
+from catopt.compiled import inlined
 
 __all__ = ["given_force", "hung_state"]
 
@@ -74,6 +75,7 @@ def given_force(H: float, setting: Setting) -> State:
     return state
 
 
+@inlined
 def _plain(H: float, pieces: Pieces, height: float, friction: float) -> State:
     """State of a line without buoyant parts, anchored on the bed."""
     if height == 0.0:
@@ -104,6 +106,7 @@ def _touching(H: float, setting: Setting) -> State:
     return failed(TOUCHES_TWICE)
 
 
+@inlined
 def hung_state(
     H: float, V: float, pieces: Pieces, rise: float, friction: float, touchdown: int
 ) -> State:

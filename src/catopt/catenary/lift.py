@@ -6,6 +6,7 @@ import math
 
 from catopt.catenary.pieces import Pieces, total_length, total_weight
 from catopt.catenary.walk import FIRST_TOUCHDOWN, drop
+from catopt.compiled import inlined
 
 __all__ = ["SETTLED", "grounded_guess", "suspended_guess", "top_weight", "vertical_force"]
 
@@ -77,6 +78,7 @@ def vertical_force(
     return math.nan
 
 
+@inlined
 def _step(H: float, V: float, error: float, z_V: float, is_grounded: bool) -> float:
     """Newton's next V; inf where the height does not answer.
 
@@ -93,6 +95,7 @@ def _step(H: float, V: float, error: float, z_V: float, is_grounded: bool) -> fl
     return math.sqrt(square) if square > 0.0 else 0.5 * V
 
 
+@inlined
 def grounded_guess(H: float, pieces: Pieces, rise: float) -> float:
     """V at the fairlead of a uniform line of the same mean weight, touchdown or not."""
     weight = total_weight(pieces)

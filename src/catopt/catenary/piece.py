@@ -14,10 +14,11 @@ Plain functions of floats: they serve one line as they are and thousands of line
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
+
+from catopt.compiled import inlined
 
 __all__ = ["PieceReach", "atanh_excess", "piece_reach", "rise_by_V"]
-
-from typing import NamedTuple
 
 
 class PieceReach(NamedTuple):
@@ -34,6 +35,7 @@ class PieceReach(NamedTuple):
     z_V: float
 
 
+@inlined
 def piece_reach(
     H: float, V1: float, V2: float, T1: float, T2: float, length: float, compliance: float
 ) -> PieceReach:
@@ -63,6 +65,7 @@ def piece_reach(
     )
 
 
+@inlined
 def atanh_excess(H: float, V1: float, V2: float, T1: float, T2: float, y: float) -> float:
     """Evaluate atanh(y)/y - 1 for y = (V2 - V1)/(T1 + T2), which lies between -1 and 1."""
     if abs(y) < 0.15:
@@ -80,6 +83,7 @@ def atanh_excess(H: float, V1: float, V2: float, T1: float, T2: float, y: float)
     return 0.5 * math.log((T1 + T2 + (upper - lower)) / rest) / abs(y) - 1.0
 
 
+@inlined
 def rise_by_V(H: float, V1: float, V2: float, m: float, TT: float, length: float) -> float:
     """Evaluate dz/dV = (V2/T2 - V1/T1)/w of the inextensible piece, without cancelling, m/N.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from catopt.compiled import inlined
 from catopt.model import Line
 
 __all__ = [
@@ -40,6 +41,7 @@ class Pieces(NamedTuple):
     load: Any
 
 
+@inlined
 def total_length(pieces: Pieces) -> float:
     """Unstretched length, m."""
     total = 0.0
@@ -48,6 +50,7 @@ def total_length(pieces: Pieces) -> float:
     return total
 
 
+@inlined
 def total_weight(pieces: Pieces) -> float:
     """Submerged weight of line and point loads, N."""
     total = 0.0
@@ -56,6 +59,7 @@ def total_weight(pieces: Pieces) -> float:
     return total
 
 
+@inlined
 def has_buoyancy(pieces: Pieces) -> bool:
     """Whether any piece or point load floats."""
     for k in range(len(pieces.length)):
@@ -64,6 +68,7 @@ def has_buoyancy(pieces: Pieces) -> bool:
     return False
 
 
+@inlined
 def is_inextensible(pieces: Pieces) -> bool:
     """Whether no piece stretches."""
     for k in range(len(pieces.length)):
@@ -72,6 +77,7 @@ def is_inextensible(pieces: Pieces) -> bool:
     return True
 
 
+@inlined
 def length_below(pieces: Pieces, piece: int, rest: float) -> float:
     """Unstretched length from the anchor to the place `rest` above the lower end of a piece, m."""
     below = rest

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from catopt.catenary.pieces import Pieces, has_buoyancy
+from catopt.compiled import inlined
 
 __all__ = ["Setting", "is_plain"]
 
@@ -28,6 +29,7 @@ class Setting(NamedTuple):
     friction: float
 
 
+@inlined
 def is_plain(setting: Setting) -> bool:
     """Whether nothing floats and the anchor lies on the bed: then one walk tells all."""
     return setting.anchor_height == 0.0 and not has_buoyancy(setting.pieces)

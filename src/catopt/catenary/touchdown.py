@@ -12,6 +12,7 @@ import math
 from catopt.catenary.lift import vertical_force
 from catopt.catenary.pieces import Pieces
 from catopt.catenary.walk import drop
+from catopt.compiled import inlined
 
 __all__ = ["CLEARANCE", "clump_weight", "is_heavy", "next_touchdown"]
 
@@ -66,6 +67,7 @@ def _weight_above(pieces: Pieces, code: int) -> float:
     return weight
 
 
+@inlined
 def clump_weight(pieces: Pieces, touchdown: int) -> float:
     """Weight of the clump weight at a touchdown, N; 0 when the touchdown is inside a piece."""
     return pieces.load[touchdown // 2] if touchdown % 2 == 1 else 0.0

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from catopt.catenary.piece import piece_reach, rise_by_V
 from catopt.catenary.pieces import Pieces
+from catopt.compiled import inlined
 
 __all__ = ["FIRST_TOUCHDOWN", "NO_TOUCHDOWN", "Bed", "Walk", "drop", "lie", "lowest", "walk"]
 
@@ -61,6 +62,7 @@ class Bed(NamedTuple):
     H: float
 
 
+@inlined
 def drop(H: float, V: float, pieces: Pieces, touchdown: int) -> tuple[float, float]:
     """Height of the fairlead above the end of the walk, and its derivative by V.
 
@@ -101,6 +103,7 @@ def drop(H: float, V: float, pieces: Pieces, touchdown: int) -> tuple[float, flo
     return z, z_V
 
 
+@inlined
 def walk(H: float, V: float, pieces: Pieces, touchdown: int) -> Walk:
     """Reach of the hanging part with all derivatives; parameters as for `drop`."""
     x = 0.0
@@ -133,6 +136,7 @@ def walk(H: float, V: float, pieces: Pieces, touchdown: int) -> Walk:
     return Walk(x, z, x_H, z_H, z_V, NO_TOUCHDOWN, 0, 0.0, V)
 
 
+@inlined
 def lie(
     H: float,
     pieces: Pieces,
