@@ -18,7 +18,8 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {"errors", "constants", "units", "quantities", "compiled"}
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile"}
-ALL_BUT_CLI = SOLVING | READING | {"mooring", "schemas", "reproduce", "report"}
+DESIGNING = {"checks", "design"}
+ALL_BUT_CLI = SOLVING | READING | DESIGNING | {"mooring", "schemas", "reproduce", "report"}
 
 MAY_IMPORT: dict[str, set[str]] = {
     "_version": set(),
@@ -33,11 +34,13 @@ MAY_IMPORT: dict[str, set[str]] = {
     "casefile": BASE | {"model", "catalogue"},
     "catenary": BASE | {"model"},
     "mooring": SOLVING,
+    "checks": SOLVING | {"catalogue"},
+    "design": SOLVING | {"catalogue", "mooring", "checks"},
     "reproduce": SOLVING | READING | {"mooring"},
-    "report": SOLVING | READING | {"mooring", "schemas", "reproduce", "_version"},
+    "report": SOLVING | READING | DESIGNING | {"mooring", "schemas", "reproduce", "_version"},
     "cli": ALL_BUT_CLI | {"_version"},
     "__main__": {"cli", "errors", "_version"},
-    "__init__": SOLVING | READING | {"_version"},
+    "__init__": SOLVING | READING | DESIGNING | {"_version"},
 }
 """What each part may import beside itself; a part is a module or a folder of catopt."""
 

@@ -1,19 +1,35 @@
 """What is moored, as frozen values in SI: no input, no output, no solving."""
 
-from catopt.model.case import Case, Checks, SwarmSettings
+from catopt.model.anchor import Anchor
+from catopt.model.buoy import Buoy
+from catopt.model.case import Case, SwarmSettings
+from catopt.model.catalogue_choice import CatalogueChoice
+from catopt.model.checks import Checks
+from catopt.model.design import ClumpWeightChoice, Design, SegmentChoice, SinkerChoice
 from catopt.model.find import Find
 from catopt.model.line import Line, PointLoad, Segment
 from catopt.model.load import Load
+from catopt.model.load_case import LoadCase
+from catopt.model.service import Service
 from catopt.model.site import Site
 
 __all__ = [
+    "Anchor",
+    "Buoy",
     "Case",
+    "CatalogueChoice",
     "Checks",
+    "ClumpWeightChoice",
+    "Design",
     "Find",
     "Line",
     "Load",
+    "LoadCase",
     "PointLoad",
     "Segment",
+    "SegmentChoice",
+    "Service",
+    "SinkerChoice",
     "Site",
     "SwarmSettings",
 ]

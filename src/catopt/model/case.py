@@ -2,49 +2,26 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal, get_args
 
+from catopt.model.anchor import Anchor
+from catopt.model.buoy import Buoy
+from catopt.model.catalogue_choice import CatalogueChoice
+from catopt.model.checks import Checks
+from catopt.model.design import Design
 from catopt.model.find import Find, misfits
 from catopt.model.line import Line
 from catopt.model.load import Load
+from catopt.model.load_case import LoadCase
+from catopt.model.service import Service
 from catopt.model.site import Site
 from catopt.model.validity import Findings
 
-__all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "Checks", "SwarmSettings"]
+__all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "SwarmSettings"]
 
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
 BOUNDARY_HANDLINGS: tuple[str, ...] = get_args(Boundary)
-
-
-@dataclass(frozen=True)
-class Checks:
-    """Limits a design has to keep.
-
-    Attributes
-    ----------
-    safety_factor : float
-        Tension times this factor may reach the MBL. 1 when none is asked for.
-    max_anchor_uplift_angle : float or None
-        Largest inclination of the line at the anchor, rad; None when not checked.
-    """
-
-    safety_factor: float = 1.0
-    max_anchor_uplift_angle: float | None = None
-
-    def __post_init__(self) -> None:
-        found = Findings("Checks")
-        found.number("safety_factor", self.safety_factor, "", at_least=1.0)
-        if self.max_anchor_uplift_angle is not None:
-            found.number(
-                "max_anchor_uplift_angle",
-                self.max_anchor_uplift_angle,
-                "rad",
-                at_least=0.0,
-                at_most=math.pi / 2.0,
-            )
-        found.raise_if_any()
 
 
 @dataclass(frozen=True)
@@ -99,7 +76,8 @@ class Case:
     line : Line
         The mooring line.
     load : Load or None
-        What is known at the fairlead; None only where `find` seeks the force itself.
+        What is known at the fairlead; None where `find` seeks the force itself, or where there
+        are load cases.
     fairlead_height, anchor_height : float
         Above the seabed, m.
     checks : Checks
@@ -110,6 +88,18 @@ class Case:
         Free text.
     find : Find or None
         What is sought instead, if anything.
+    load_cases : tuple of LoadCase
+        The states that checks and designs are made for; empty: the load alone.
+    service : Service or None
+        Life and wear; None: the line stays as new.
+    buoy : Buoy or None
+        What the line pulls down on, when its buoyancy is to be checked.
+    anchor : Anchor or None
+        What holds the line, when that is to be checked.
+    catalogue : CatalogueChoice
+        Where components come from.
+    design : Design or None
+        What may vary.
     """
 
     site: Site
@@ -122,6 +112,12 @@ class Case:
     title: str = ""
     source: str = ""
     find: Find | None = None
+    load_cases: tuple[LoadCase, ...] = ()
+    service: Service | None = None
+    buoy: Buoy | None = None
+    anchor: Anchor | None = None
+    catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
+    design: Design | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Case")
@@ -133,5 +129,38 @@ class Case:
             MBL_known=[segment.MBL is not None for segment in self.line.segments],
             point_loads=len(self.line.point_loads),
             anchor_height=self.anchor_height,
+            has_load_cases=bool(self.load_cases),
         )
+        self._check_load_cases(found)
         found.raise_if_any()
+
+    def _check_load_cases(self, found: Findings) -> None:
+        names = [state.name for state in self.load_cases]
+        lowest = min(self.site.water_depth, self.fairlead_height)
+        for index, state in enumerate(self.load_cases):
+            if state.name in names[:index]:
+                found.add(f"load_cases[{index}].name", state.name, "another has this name")
+            if not state.water_level > -lowest:
+                found.add(
+                    f"load_cases[{index}].water_level",
+                    f"{state.water_level:g} m",
+                    f"must leave the fairlead above the seabed: above {-lowest:g} m",
+                )
+
+    def under(self, state: LoadCase) -> Case:
+        """Return the case in one of its states, with the fairlead at its water level.
+
+        Parameters
+        ----------
+        state : LoadCase
+            Need not be one of the case's own.
+        """
+        depth = self.site.water_depth + state.water_level
+        return replace(
+            self,
+            site=replace(self.site, water_depth=depth),
+            fairlead_height=self.fairlead_height + state.water_level,
+            load=Load(horizontal_force=state.horizontal_force),
+            load_cases=(),
+            find=None,
+        )

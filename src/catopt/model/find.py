@@ -94,6 +94,7 @@ def misfits(
     MBL_known: Sequence[bool],
     point_loads: int,
     anchor_height: float,
+    has_load_cases: bool = False,
 ) -> list[Problem]:
     """List what does not fit between what is sought and the rest of a case.
 
@@ -109,6 +110,8 @@ def misfits(
         How many the line has.
     anchor_height : float
         Above the seabed, m.
+    has_load_cases : bool
+        Whether there are any; they stand in for a load where nothing is sought.
 
     Returns
     -------
@@ -118,7 +121,7 @@ def misfits(
     found = Findings("")
     seeks_force = find is not None and find.seeks_force
     seeks_length = find is not None and find.quantity == "length"
-    if load is None and not seeks_force:
+    if load is None and not seeks_force and not (has_load_cases and find is None):
         keys = "horizontal_force, fairlead_tension" if seeks_length else ", ".join(LOADS)
         found.add("load", "", f"missing; a table [load] with one of {keys} is wanted")
     if find is None:

@@ -30,6 +30,16 @@ class Segment:
         Minimum breaking load, N; None when not known.
     name : str
         Free text, for tables.
+    component : str
+        Family and grade in the catalogue; empty when the figures are the user's own.
+    nominal_diameter : float or None
+        Of the bar of a chain's links, or of the rope as sold, m; None when not known.
+    proof_load : float or None
+        N; None when not known.
+    price : float or None
+        Material only, USD/m; None when not known.
+    wear_rate : float or None
+        Loss of nominal diameter, m/s; None: that of the case's service.
     """
 
     length: float
@@ -38,6 +48,11 @@ class Segment:
     mass: float | None = None
     MBL: float | None = None
     name: str = ""
+    component: str = ""
+    nominal_diameter: float | None = None
+    proof_load: float | None = None
+    price: float | None = None
+    wear_rate: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Segment")
@@ -48,6 +63,14 @@ class Segment:
             found.number("mass", self.mass, "kg/m", at_least=0.0)
         if self.MBL is not None:
             found.number("MBL", self.MBL, "N", above=0.0)
+        if self.nominal_diameter is not None:
+            found.number("nominal_diameter", self.nominal_diameter, "m", above=0.0)
+        if self.proof_load is not None:
+            found.number("proof_load", self.proof_load, "N", above=0.0)
+        if self.price is not None:
+            found.number("price", self.price, "USD/m", at_least=0.0)
+        if self.wear_rate is not None:
+            found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
         found.raise_if_any()
 
 

@@ -1,0 +1,89 @@
+"""By how much a limit is overrun: the one formula of each check.
+
+The report of a line and the search for designs call the same functions, the search compiled and
+millions of times. Each gives a pure number: 0 at the limit, negative inside it, and of the size of
+1 for a line that is far off, so that the excesses of different checks may be compared. A check is
+passed when its excess is at most `ROUNDING`.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from catopt.compiled import inlined
+
+__all__ = [
+    "ROUNDING",
+    "buoyancy_excess",
+    "grounded_excess",
+    "holding_excess",
+    "offset_excess",
+    "sinker_needed",
+    "sliding_excess",
+    "tension_excess",
+    "uplift_angle_excess",
+    "uplift_force_excess",
+]
+
+ROUNDING: Final = 1e-9
+"""What rounding may add to an excess: a thousand times the error of a solved line."""
+
+
+@inlined
+def tension_excess(tension: float, allowed: float) -> float:
+    """Largest tension of a segment beside the allowed one, strength over factor; N."""
+    return tension / allowed - 1.0
+
+
+@inlined
+def uplift_angle_excess(angle: float, limit: float) -> float:
+    """Inclination at the anchor beside the largest allowed one; rad, and the excess per rad."""
+    return angle - limit
+
+
+@inlined
+def uplift_force_excess(vertical: float, horizontal: float, limit: float) -> float:
+    """Vertical pull at the anchor beside the largest allowed one; N.
+
+    Measured by the limit or by the horizontal force, whichever is larger, for the limit may be 0.
+    """
+    return (vertical - limit) / max(limit, horizontal)
+
+
+@inlined
+def grounded_excess(grounded: float, wanted: float) -> float:
+    """Length on the bed short of what is wanted, by what is wanted; m. `wanted` is above 0."""
+    return 1.0 - grounded / wanted
+
+
+@inlined
+def offset_excess(span: float, limit: float) -> float:
+    """Span beside the largest allowed one; m."""
+    return span / limit - 1.0
+
+
+@inlined
+def buoyancy_excess(vertical: float, reserve: float) -> float:
+    """Vertical pull at the fairlead beside the reserve buoyancy; N."""
+    return vertical / reserve - 1.0
+
+
+@inlined
+def sinker_needed(horizontal: float, vertical: float, friction: float, factor: float) -> float:
+    """Weight in water of a sinker that just does not slide: V + SF H / mu; N.
+
+    From mu (W - V) >= SF H with the forces of the line on the sinker, V positive where it lifts.
+    """
+    return vertical + factor * horizontal / friction
+
+
+@inlined
+def sliding_excess(needed: float, weight: float) -> float:
+    """Weight in water that a sinker needs (`sinker_needed`) beside its own; N."""
+    return needed / weight - 1.0
+
+
+@inlined
+def holding_excess(horizontal: float, factor: float, capacity: float) -> float:
+    """Pull on a drag anchor times its factor beside its ultimate holding capacity; N."""
+    return factor * horizontal / capacity - 1.0

@@ -1,0 +1,120 @@
+"""What a check says: demand, capacity, utilisation and where the criterion comes from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from catopt.catenary.solution import Solution
+from catopt.checks.excess import ROUNDING
+
+__all__ = ["CheckReport", "CheckResult", "CheckSource"]
+
+Confidence = Literal["A", "B", "C", "R"]
+
+
+@dataclass(frozen=True)
+class CheckSource:
+    """Where a criterion comes from.
+
+    Attributes
+    ----------
+    code : str
+        Name of the profile; ``"user"`` for the case's own numbers.
+    document, clause : str
+        What to open, and where in it; empty for the case's own numbers.
+    confidence : {"A", "B", "C", "R"} or None
+        How well it was read; None for the case's own numbers.
+    """
+
+    code: str
+    document: str = ""
+    clause: str = ""
+    confidence: Confidence | None = None
+
+    @property
+    def text(self) -> str:
+        """One line for tables: ``"UFC 4-159-03 (2005), Table 3-7 [A]"``."""
+        if self.confidence is None:
+            return "case file"
+        where = ", ".join(part for part in (self.document, self.clause) if part)
+        return f"{where} [{self.confidence}]"
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """One criterion in one load case.
+
+    Attributes
+    ----------
+    name : str
+        What is checked, with the place: ``"tension, segment 2 (chain studless R3 76 mm)"``.
+    kind : str
+        Key of the criterion: ``tension``, ``uplift_angle``, ``uplift_force``,
+        ``grounded_length``, ``offset``, ``buoyancy``, ``sliding`` or ``holding``.
+    load_case : str
+        Name of the load case.
+    demand, capacity : float
+        SI. For a least grounded length the demand is what is wanted, the capacity what lies there.
+    unit : str
+        SI unit of both.
+    excess : float
+        By how much the limit is overrun (`catopt.checks.excess`); the check is passed when it is
+        at most ROUNDING.
+    source : CheckSource
+        Of the criterion.
+    note : str
+        What went into the capacity: factor, strength, diameter at the end of life.
+    """
+
+    name: str
+    kind: str
+    load_case: str
+    demand: float
+    capacity: float
+    unit: str
+    excess: float
+    source: CheckSource
+    note: str = ""
+
+    @property
+    def utilisation(self) -> float | None:
+        """Demand over capacity; None where the capacity is 0 or less."""
+        return self.demand / self.capacity if self.capacity > 0.0 else None
+
+    @property
+    def passes(self) -> bool:
+        """Whether the limit is kept."""
+        return self.excess <= ROUNDING
+
+
+@dataclass(frozen=True)
+class CheckReport:
+    """All checks of a line under all its load cases.
+
+    Attributes
+    ----------
+    title : str
+        Of the case.
+    results : tuple of CheckResult
+        By load case, then by check.
+    solutions : mapping as a tuple of (str, Solution)
+        The equilibrium in each load case, by its name.
+    warnings : tuple of str
+        What an engineer should know: recalled criteria, no check at all.
+    """
+
+    title: str
+    results: tuple[CheckResult, ...]
+    solutions: tuple[tuple[str, Solution], ...]
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def passes(self) -> bool:
+        """Whether every check is passed."""
+        return all(result.passes for result in self.results)
+
+    @property
+    def governing(self) -> CheckResult | None:
+        """The check that is nearest to its limit, or furthest beyond it; None without checks."""
+        return max(self.results, key=lambda result: result.excess, default=None)

@@ -1,0 +1,66 @@
+"""What holds the line at the bed: a sinker by its weight, or an anchor that digs in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from catopt.model.validity import Findings
+
+__all__ = ["ANCHOR_KINDS", "Anchor"]
+
+AnchorKind = Literal["sinker", "drag"]
+ANCHOR_KINDS: tuple[str, ...] = get_args(AnchorKind)
+
+
+@dataclass(frozen=True)
+class Anchor:
+    """A sinker (deadweight anchor) or a drag anchor.
+
+    Attributes
+    ----------
+    kind : {"sinker", "drag"}
+        Held by its weight and its friction on the soil, or by what its flukes dig into.
+    submerged_weight : float or None
+        Of a sinker, N; None for a drag anchor.
+    friction : float or None
+        Of a sinker on the soil, tan(delta); None for a drag anchor.
+    holding_capacity : float or None
+        Ultimate horizontal holding capacity of a drag anchor, N; None for a sinker.
+    safety_factor : float or None
+        On sliding or on the holding capacity; None: that of the codes that are checked.
+    mass : float or None
+        In air, kg; None when not known.
+    """
+
+    kind: AnchorKind
+    submerged_weight: float | None = None
+    friction: float | None = None
+    holding_capacity: float | None = None
+    safety_factor: float | None = None
+    mass: float | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("Anchor")
+        if self.kind not in ANCHOR_KINDS:
+            found.add("kind", repr(self.kind), "one of " + ", ".join(ANCHOR_KINDS))
+            found.raise_if_any()
+        wanted = {
+            "sinker": {"submerged_weight": "N", "friction": ""},
+            "drag": {"holding_capacity": "N"},
+        }
+        units = wanted["sinker"] | wanted["drag"]
+        for key, unit in units.items():
+            value = getattr(self, key)
+            if key in wanted[self.kind]:
+                if value is None:
+                    found.add(key, "", f"missing; a {self.kind} needs it")
+                else:
+                    found.number(key, value, unit, above=0.0)
+            elif value is not None:
+                found.add(key, f"{value:g}", f"does not go with a {self.kind}; leave it out")
+        if self.safety_factor is not None:
+            found.number("safety_factor", self.safety_factor, "", at_least=1.0)
+        if self.mass is not None:
+            found.number("mass", self.mass, "kg", above=0.0)
+        found.raise_if_any()

@@ -1,0 +1,32 @@
+"""Which catalogue a case takes its components from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+__all__ = ["CatalogueChoice"]
+
+
+@dataclass(frozen=True)
+class CatalogueChoice:
+    """Where components come from, and which of disagreeing figures to follow.
+
+    Attributes
+    ----------
+    file : str
+        Full path of a file with families of one's own; empty when there is none.
+    allow_recalled : bool
+        Whether figures that were read in no document (confidence R) may be used.
+    variants : tuple of (str, str)
+        Quantity, or "all", and the variant of it to follow.
+    """
+
+    file: str = ""
+    allow_recalled: bool = False
+    variants: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def by_quantity(self) -> Mapping[str, str]:
+        """The variants as a mapping."""
+        return dict(self.variants)

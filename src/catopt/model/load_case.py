@@ -1,0 +1,47 @@
+"""Load cases: the same mooring at several water levels and under several forces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from catopt.model.validity import Findings
+
+__all__ = ["LOAD_CASE_KINDS", "LoadCase"]
+
+LoadCaseKind = Literal["extreme", "reference"]
+LOAD_CASE_KINDS: tuple[str, ...] = get_args(LoadCaseKind)
+
+
+@dataclass(frozen=True)
+class LoadCase:
+    """One state of the sea that the line has to meet.
+
+    Attributes
+    ----------
+    name : str
+        As tables show it; no two of a case are the same.
+    horizontal_force : float
+        At the fairlead, N.
+    water_level : float
+        Above the level that the site's water depth is given for, m; negative below it. The
+        fairlead goes up and down with it.
+    kind : {"extreme", "reference"}
+        What the line has to withstand, or the everyday state that excursions start from. Codes
+        that tell normal from extreme loads take their normal factors for the reference.
+    """
+
+    name: str
+    horizontal_force: float
+    water_level: float = 0.0
+    kind: LoadCaseKind = "extreme"
+
+    def __post_init__(self) -> None:
+        found = Findings("LoadCase")
+        if not self.name.strip():
+            found.add("name", repr(self.name), "a name is wanted")
+        found.number("horizontal_force", self.horizontal_force, "N", above=0.0)
+        found.number("water_level", self.water_level, "m")
+        if self.kind not in LOAD_CASE_KINDS:
+            found.add("kind", repr(self.kind), "one of " + ", ".join(LOAD_CASE_KINDS))
+        found.raise_if_any()

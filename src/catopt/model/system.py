@@ -1,0 +1,270 @@
+"""A moored body: lines around it, and what pushes it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from catopt.errors import InputError
+from catopt.model.line import Line
+from catopt.model.validity import Findings
+
+__all__ = ["Leg", "System"]
+
+
+@dataclass(frozen=True)
+class Leg:
+    """One mooring line of a body: what it is made of, and where its two ends are.
+
+    Directions are counter-clockwise from x. The body's own axes lie along x and y when its yaw
+    is 0.
+
+    Attributes
+    ----------
+    line : Line
+        From the anchor to the fairlead.
+    azimuth : float
+        Direction from the origin to the anchor, rad.
+    anchor_radius : float
+        Horizontal distance from the origin to the anchor, m.
+    fairlead_height, anchor_height : float
+        Above the seabed, m.
+    fairlead_radius : float
+        Horizontal distance from the body's origin to the fairlead, m.
+    fairlead_azimuth : float
+        Direction from the body's origin to the fairlead, rad; that of the line when left out.
+    name : str
+        Free text, for tables.
+    """
+
+    line: Line
+    azimuth: float
+    anchor_radius: float
+    fairlead_height: float
+    anchor_height: float = 0.0
+    fairlead_radius: float = 0.0
+    fairlead_azimuth: float = math.nan
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.fairlead_azimuth, float) and math.isnan(self.fairlead_azimuth):
+            object.__setattr__(self, "fairlead_azimuth", self.azimuth)
+        found = Findings("Leg")
+        found.number("azimuth", self.azimuth, "rad")
+        found.number("anchor_radius", self.anchor_radius, "m", above=0.0)
+        found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
+        found.number("anchor_height", self.anchor_height, "m", at_least=0.0)
+        found.number("fairlead_radius", self.fairlead_radius, "m", at_least=0.0)
+        if self.azimuth == self.azimuth:
+            found.number("fairlead_azimuth", self.fairlead_azimuth, "rad")
+        if not self.line.point_loads and not any(s.submerged_weight for s in self.line.segments):
+            found.add(
+                "line.segments",
+                "no submerged weight in any of them",
+                "a line of a system needs weight: without it its shape does not tell the force",
+            )
+        found.raise_if_any()
+
+    @classmethod
+    def between(
+        cls,
+        line: Line,
+        *,
+        anchor: tuple[float, float],
+        fairlead: tuple[float, float] = (0.0, 0.0),
+        fairlead_height: float,
+        anchor_height: float = 0.0,
+        name: str = "",
+    ) -> Leg:
+        """Place a line by the positions of its ends.
+
+        Parameters
+        ----------
+        line : Line
+            From the anchor to the fairlead.
+        anchor : (float, float)
+            x and y of the anchor, m.
+        fairlead : (float, float)
+            x and y of the fairlead in the body's axes, m.
+        fairlead_height, anchor_height : float
+            Above the seabed, m.
+        name : str
+            Free text.
+        """
+        radius = math.hypot(*fairlead)
+        return cls(
+            line,
+            azimuth=math.atan2(anchor[1], anchor[0]),
+            anchor_radius=math.hypot(*anchor),
+            fairlead_height=fairlead_height,
+            anchor_height=anchor_height,
+            fairlead_radius=radius,
+            fairlead_azimuth=math.atan2(fairlead[1], fairlead[0]) if radius > 0.0 else math.nan,
+            name=name,
+        )
+
+    @property
+    def anchor(self) -> tuple[float, float]:
+        """x and y of the anchor, m."""
+        return (
+            self.anchor_radius * math.cos(self.azimuth),
+            self.anchor_radius * math.sin(self.azimuth),
+        )
+
+    @property
+    def fairlead(self) -> tuple[float, float]:
+        """x and y of the fairlead in the body's axes, m."""
+        return (
+            self.fairlead_radius * math.cos(self.fairlead_azimuth),
+            self.fairlead_radius * math.sin(self.fairlead_azimuth),
+        )
+
+
+@dataclass(frozen=True)
+class System:
+    """A body moored by several lines, free to move in x and y and, where it can, to yaw.
+
+    Attributes
+    ----------
+    legs : tuple of Leg
+        At least one; any iterable is taken.
+    force : (float, float)
+        On the body's origin, along x and y, N.
+    moment : float
+        On the body about the vertical, counter-clockwise, N m.
+    seabed_friction : float
+        Coulomb coefficient of what lies on the bed, along the line.
+    yaw_free : bool or None
+        Whether the body turns. None: it does where a fairlead lies off the body's origin.
+    """
+
+    legs: tuple[Leg, ...]
+    force: tuple[float, float] = (0.0, 0.0)
+    moment: float = 0.0
+    seabed_friction: float = 0.0
+    yaw_free: bool | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "legs", tuple(self.legs))
+        object.__setattr__(self, "force", tuple(self.force))
+        self._check()
+
+    def _check(self) -> None:
+        found = Findings("System")
+        if not self.legs:
+            found.add("legs", "none", "a system has at least one line")
+        if len(self.force) != 2:
+            found.add("force", f"{len(self.force)} numbers", "two are wanted: along x and y")
+        for axis, value in zip("xy", self.force, strict=False):
+            found.number(f"force ({axis})", value, "N")
+        found.number("moment", self.moment, "N m")
+        found.number("seabed_friction", self.seabed_friction, "", at_least=0.0)
+        if self.yaw_free and not self.has_arms:
+            found.add(
+                "yaw_free",
+                "True",
+                "no fairlead lies off the body's origin, so that nothing holds the body in yaw; "
+                "give a fairlead radius or leave yaw held",
+            )
+        if not found.problems and self.moment != 0.0 and not self.turns:
+            found.add(
+                "moment",
+                f"{self.moment:g} N m",
+                "must be 0 where the body does not yaw: the lines feel nothing of it",
+            )
+        if found.problems:
+            raise InputError(found.problems, "System")
+
+    @classmethod
+    def around(
+        cls,
+        line: Line,
+        *,
+        azimuths: Sequence[float],
+        anchor_radius: float,
+        fairlead_height: float,
+        fairlead_radius: float = 0.0,
+        anchor_height: float = 0.0,
+        seabed_friction: float = 0.0,
+        force: tuple[float, float] = (0.0, 0.0),
+        moment: float = 0.0,
+        yaw_free: bool | None = None,
+    ) -> System:
+        """Put equal lines around a body.
+
+        Parameters
+        ----------
+        line : Line
+            Of which each mooring line is made.
+        azimuths : sequence of float
+            Direction from the body to each anchor, counter-clockwise from x, rad.
+        anchor_radius : float
+            From the body's origin to the anchors, horizontally, m.
+        fairlead_height, anchor_height : float
+            Above the seabed, m.
+        fairlead_radius : float
+            From the body's origin to the fairleads, each in the direction of its line, m.
+        seabed_friction, force, moment, yaw_free
+            As in System.
+
+        Examples
+        --------
+        >>> from math import radians
+        >>> from catopt import Line, Segment, System
+        >>> chain = Line([Segment(1082.0, 900.0, EA=6e8)])
+        >>> azimuths = [radians(angle) for angle in (0.0, 120.0, 240.0)]
+        >>> len(System.around(chain, azimuths=azimuths, anchor_radius=1056.0,
+        ...                   fairlead_height=71.4).legs)
+        3
+        """
+        legs = [
+            Leg(
+                line,
+                azimuth=azimuth,
+                anchor_radius=anchor_radius,
+                fairlead_height=fairlead_height,
+                anchor_height=anchor_height,
+                fairlead_radius=fairlead_radius,
+            )
+            for azimuth in azimuths
+        ]
+        return cls(tuple(legs), force, moment, seabed_friction, yaw_free)
+
+    @property
+    def has_arms(self) -> bool:
+        """Whether any fairlead lies off the body's origin."""
+        return any(leg.fairlead_radius > 0.0 for leg in self.legs)
+
+    @property
+    def turns(self) -> bool:
+        """Whether the body is free in yaw."""
+        return self.has_arms if self.yaw_free is None else self.yaw_free
+
+    def under(self, force: tuple[float, float], moment: float = 0.0) -> System:
+        """Return the same system under another load: N along x and y, N m."""
+        return replace(self, force=force, moment=moment)
+
+    def without(self, legs: Iterable[int]) -> System:
+        """Return the system with some lines gone, counted from 0.
+
+        The body's freedom in yaw stays as it was, unless no fairlead is left off its origin.
+
+        Raises
+        ------
+        InputError
+            When no line is left.
+        """
+        gone = set(legs)
+        left = tuple(leg for index, leg in enumerate(self.legs) if index not in gone)
+        has_arms = any(leg.fairlead_radius > 0.0 for leg in left)
+        return replace(self, legs=left, yaw_free=self.turns and has_arms)
+
+    def raised(self, by: float) -> System:
+        """Return the system at another water level, the body floating `by` metres higher."""
+        return replace(
+            self,
+            legs=tuple(
+                replace(leg, fairlead_height=leg.fairlead_height + by) for leg in self.legs
+            ),
+        )
