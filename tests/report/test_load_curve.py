@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 from catopt.catenary.case_curve import CaseCurve, curve_case
 from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
 from catopt.report import tables
-from catopt.report.plots import load_curve, render
+from catopt.report.figures import render
+from catopt.report.plots import load_curve
 
 LINE = Line(
     [Segment(55.0, 2100.0, MBL=7.5e6, name="chain")],

@@ -122,6 +122,6 @@ def _csv(frame: pd.DataFrame) -> bytes:
 
 
 def _figure(name: str, figure: Figure) -> dict[str, bytes]:
-    from catopt.report.plots import render
+    from catopt.report.figures import render
 
     return {f"{name}.png": render(figure, "png"), f"{name}.svg": render(figure, "svg")}

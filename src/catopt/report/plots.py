@@ -6,19 +6,36 @@ Nothing here touches pyplot, so that no window, backend or global figure list is
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
-from io import BytesIO
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from textwrap import wrap
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING
 
 from matplotlib import rc_context
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.report.figures import (
+    BELOW,
+    BLUE,
+    GREEN,
+    LEFT,
+    ORANGE,
+    PURPLE,
+    RIGHT,
+    SIZE,
+    STYLE,
+    blank,
+    folded,
+    label_axes,
+    legend_below,
+    second_force_axis,
+    set_title,
+    water_and_bed,
+)
 from catopt.report.load_curve import FAIRLEAD_TENSION, FORCE, OFFSET, SPAN
-from catopt.report.summary import in_tonne_force, named
+from catopt.report.summary import named
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,52 +46,18 @@ if TYPE_CHECKING:
     from catopt.catenary.stretch import Stretch
 
 __all__ = [
-    "DPI",
-    "SIZE",
     "fitness",
     "line_in_water",
     "load_curve",
-    "render",
     "swarm_tension",
     "tension",
 ]
-
-DPI = 200
-SIZE = (7.2, 4.4)
-"""Width and height in inches: the text width of an A4 page."""
-
-_BLUE, _SKY, _ORANGE, _GREEN, _PURPLE = "#0072B2", "#CFE8F7", "#D55E00", "#009E73", "#CC79A7"
-"""From the palette of Okabe and Ito, which every kind of colour vision tells apart."""
-_BED, _BED_EDGE = "#E4DACB", "#7A6A55"
-
-_STYLE: Any = {
-    "font.size": 10,
-    "axes.grid": True,
-    "grid.color": "#D0D0D0",
-    "grid.linewidth": 0.6,
-    "axes.axisbelow": True,
-    "axes.spines.top": False,
-    "lines.linewidth": 1.8,
-    "svg.hashsalt": "catopt",
-}
-
-_LEFT, _RIGHT, _BELOW = 0.75, 0.15, 1.25
-"""Inches around the frame of the line in the water; three rows of legend fit below it."""
 
 _FAR_OFF_SCALE = 2.5
 """A capacity above this many tensions is named, not drawn: it would flatten the curve."""
 
 _CONVERGED = 1e-9
 """m: a run that ends with f below it counts as converged."""
-
-
-def render(figure: Figure, kind: Literal["png", "svg"]) -> bytes:
-    """Turn a figure into the bytes of a file, the same for the same figure."""
-    stream = BytesIO()
-    metadata = {"Date": None} if kind == "svg" else {"Software": None}
-    with rc_context(_STYLE):
-        figure.savefig(stream, format=kind, dpi=DPI, metadata=metadata)
-    return stream.getvalue()
 
 
 # ------------------------------------------------------------------ the line in the water
@@ -92,12 +75,12 @@ def line_in_water(solution: Solution, water_depth: float) -> Figure:
     """
     shape = solution.profile(401)
     left, right, top = min(shape.x), max(shape.x), max(water_depth, *shape.z)
-    figure, axes = _blank_to_scale(left, right, top, _folded(solution.title))
-    _water_and_bed(axes, water_depth)
+    figure, axes = _blank_to_scale(left, right, top, folded(solution.title))
+    water_and_bed(axes, water_depth)
     axes.plot(shape.x, shape.z, color="black", label="Line")
     _grounded_parts(axes, solution)
     _marks(axes, solution)
-    _legend_below(figure, 4)
+    legend_below(figure, 4)
     return figure
 
 
@@ -107,31 +90,22 @@ def _blank_to_scale(left: float, right: float, top: float, title: str) -> tuple[
     The frame is laid out in inches, so that neither a flat line nor a steep one squeezes the
     labels, the title or the legend.
     """
-    width = SIZE[0] - _LEFT - _RIGHT
+    width = SIZE[0] - LEFT - RIGHT
     share = 1.25 * top / (1.12 * (right - left)) if right > left else math.inf
     height = min(max(width * share, 2.1), 5.5)
     above = 0.15 + 0.2 * (title.count("\n") + 1)
-    full = height + _BELOW + above
+    full = height + BELOW + above
     scale = max(1.12 * (right - left) / width, 1.25 * top / height)
     spare_x, spare_z = 0.5 * (scale * width - (right - left)), scale * height - top
-    with rc_context(_STYLE):
+    with rc_context(STYLE):
         figure = Figure(figsize=(SIZE[0], full))
         FigureCanvasAgg(figure)
-        axes = figure.add_axes((_LEFT / SIZE[0], _BELOW / full, width / SIZE[0], height / full))
-    _label(axes, QUANTITIES["x"], QUANTITIES["z"])
+        axes = figure.add_axes((LEFT / SIZE[0], BELOW / full, width / SIZE[0], height / full))
+    label_axes(axes, QUANTITIES["x"], QUANTITIES["z"])
     axes.set_xlim(left - spare_x, right + spare_x)
     axes.set_ylim(-0.4 * spare_z, top + 0.6 * spare_z)
-    _title(axes, title)
+    set_title(axes, title)
     return figure, axes
-
-
-def _water_and_bed(axes: Axes, water_depth: float) -> None:
-    low, _ = axes.get_ylim()
-    axes.axhspan(0.0, water_depth, color=_SKY, linewidth=0.0, zorder=0.5)
-    axes.axhspan(low, 0.0, color=_BED, linewidth=0.0, zorder=0.5)
-    axes.axhline(water_depth, color=_BLUE, linewidth=1.4, dashes=(6, 2), label="Still water")
-    axes.axhline(0.0, color=_BED_EDGE, linewidth=1.4, label="Seabed")
-    axes.grid(False)
 
 
 def _ends(solution: Solution) -> list[tuple[Stretch, float]]:
@@ -144,7 +118,7 @@ def _grounded_parts(axes: Axes, solution: Solution) -> None:
     label = "On the bed"
     for stretch, end in _ends(solution):
         if stretch.on_bed and stretch.length > 0.0:
-            axes.plot([stretch.x, end], [0.0, 0.0], color=_ORANGE, linewidth=3.6, label=label)
+            axes.plot([stretch.x, end], [0.0, 0.0], color=ORANGE, linewidth=3.6, label=label)
             label = "_"
 
 
@@ -178,8 +152,8 @@ def _marks(axes: Axes, solution: Solution) -> None:
     mark([(x, 0.0) for x, _ in _touchdowns(solution)], "|", "black", "Touchdown")
     mark([(0.0, solution.anchor_height)], "v", "black", "Anchor")
     mark([(solution.span, solution.fairlead_height)], "o", "white", "Fairlead")
-    mark([(load.x, load.z) for load in heavy], "s", _PURPLE, "Clump weight")
-    mark([(load.x, load.z) for load in light], "D", _GREEN, "Buoy")
+    mark([(load.x, load.z) for load in heavy], "s", PURPLE, "Clump weight")
+    mark([(load.x, load.z) for load in light], "D", GREEN, "Buoy")
 
 
 # ------------------------------------------------------------------ tension along the line
@@ -189,7 +163,7 @@ def tension(solution: Solution) -> Figure:
     """Draw the effective tension over the arc length, with what the segments may carry."""
     quantity, along = QUANTITIES["tension"], QUANTITIES["s"]
     shape = solution.profile(401)
-    figure, axes = _blank(SIZE, along, quantity)
+    figure, axes = blank(SIZE, along, quantity)
     axes.plot(
         [along.to_field(s) for s in shape.s],
         [quantity.to_field(value) for value in shape.tension],
@@ -210,9 +184,9 @@ def tension(solution: Solution) -> Figure:
     axes.set_ylim(bottom=0.0)
     axes.margins(y=0.1)
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
-    _second_force_axis(axes, quantity)
-    _title(axes, _folded(solution.title))
-    _legend_below(figure, 3)
+    second_force_axis(axes, quantity)
+    set_title(axes, folded(solution.title))
+    legend_below(figure, 3)
     return figure
 
 
@@ -234,7 +208,7 @@ def _capacities(axes: Axes, solution: Solution, largest: float) -> None:
             level = quantity.to_field(capacity)
             if capacity <= _FAR_OFF_SCALE * largest:
                 label = "_" if drawn else what
-                axes.plot([start, end], [level] * 2, color=_ORANGE, dashes=(5, 1.5), label=label)
+                axes.plot([start, end], [level] * 2, color=ORANGE, dashes=(5, 1.5), label=label)
                 drawn = True
             else:
                 of = "" if len(solution.segments) == 1 else f" of segment {number}"
@@ -252,12 +226,12 @@ def load_curve(result: CaseCurve) -> Figure:
     zero = result.reference.span if result.over == "offset" else 0.0
     marks = result.curve.marks
     # Each mark takes a line of the legend.
-    figure, axes = _blank((SIZE[0], SIZE[1] + 0.21 * len(marks)), x, named("tension", "Force", ""))
+    figure, axes = blank((SIZE[0], SIZE[1] + 0.21 * len(marks)), x, named("tension", "Force", ""))
     spans, forces, tensions = result.outline()
     places = [x.to_field(span - zero) for span in spans]
     for quantity, values, colour, dashes in (
-        (FORCE, forces, _BLUE, (1, 0)),
-        (FAIRLEAD_TENSION, tensions, _ORANGE, (5, 1.5)),
+        (FORCE, forces, BLUE, (1, 0)),
+        (FAIRLEAD_TENSION, tensions, ORANGE, (5, 1.5)),
     ):
         levels = [quantity.to_field(value) for value in values]
         axes.plot(places, levels, color=colour, dashes=dashes, label=quantity.label)
@@ -269,9 +243,9 @@ def load_curve(result: CaseCurve) -> Figure:
         force = FORCE.format(mark.horizontal_force, unit=True)
         label = f"{wrap(mark.event, 64, max_lines=1, placeholder=' ...')[0]}: H {force}"
         _numbered(axes, number, (x.to_field(mark.span - zero), level), label)
-    _second_force_axis(axes, named("tension", "Force", ""))
-    _title(axes, _folded(result.case.title))
-    _legend_below(figure, 1)
+    second_force_axis(axes, named("tension", "Force", ""))
+    set_title(axes, folded(result.case.title))
+    legend_below(figure, 1)
     return figure
 
 
@@ -359,13 +333,13 @@ def fitness(swarm: SwarmReport) -> Figure:
     axes.set_ylim(min(levels) / 3.0, max(levels) * 3.0)
     if shows_limit:
         axes.axhline(
-            _CONVERGED, color=_GREEN, linewidth=1.2, dashes=(5, 2), label="Converged: f < 1e-9 m"
+            _CONVERGED, color=GREEN, linewidth=1.2, dashes=(5, 2), label="Converged: f < 1e-9 m"
         )
     above = [value if value > 0.0 else math.nan for value in history]
-    axes.plot(numbers, above, color=_BLUE, label=f"f of run {swarm.best_run}, the best")
+    axes.plot(numbers, above, color=BLUE, label=f"f of run {swarm.best_run}, the best")
     if zeros:
         _foot(axes, zeros, min(levels), max(levels) * 3.0)
-    _legend_below(figure, 2)
+    legend_below(figure, 2)
     return figure
 
 
@@ -380,7 +354,7 @@ def _foot(axes: Axes, zeros: Sequence[int], least: float, top: float) -> None:
         marker="o",
         markersize=4 if len(zeros) > 10 else 7,
         markerfacecolor="white",
-        markeredgecolor=_ORANGE,
+        markeredgecolor=ORANGE,
         clip_on=False,
         markevery=max(1, len(zeros) // 40),
         label="f = 0 exactly",
@@ -414,7 +388,7 @@ def swarm_tension(swarm: SwarmReport, closed_form: float) -> Figure:
     figure, axes = _blank_over_iterations(quantity, swarm)
     axes.axhline(
         quantity.to_field(closed_form),
-        color=_ORANGE,
+        color=ORANGE,
         linewidth=1.2,
         dashes=(5, 4),
         zorder=3,
@@ -423,36 +397,19 @@ def swarm_tension(swarm: SwarmReport, closed_form: float) -> Figure:
     axes.plot(
         range(1, len(history) + 1),
         [quantity.to_field(value) for value in history],
-        color=_BLUE,
+        color=BLUE,
         label=f"Best particle of run {swarm.best_run}",
     )
     axes.ticklabel_format(axis="y", useOffset=False)
     axes.margins(y=0.15)
-    _second_force_axis(axes, quantity)
-    _legend_below(figure, 2)
+    second_force_axis(axes, quantity)
+    legend_below(figure, 2)
     return figure
-
-
-# ------------------------------------------------------------------ what all have in common
-
-
-def _blank(size: tuple[float, float], x: Quantity, y: Quantity) -> tuple[Figure, Axes]:
-    with rc_context(_STYLE):
-        figure = Figure(figsize=size, layout="constrained")
-        FigureCanvasAgg(figure)
-        axes = figure.add_subplot()
-    _label(axes, x, y)
-    return figure, axes
-
-
-def _label(axes: Axes, x: Quantity, y: Quantity) -> None:
-    axes.set_xlabel(x.heading)
-    axes.set_ylabel(y.heading)
 
 
 def _blank_over_iterations(y: Quantity, swarm: SwarmReport) -> tuple[Figure, Axes]:
     """Make axes over all iterations of a run and mark where it stopped before the last."""
-    figure, axes = _blank(SIZE, QUANTITIES["s"], y)
+    figure, axes = blank(SIZE, QUANTITIES["s"], y)
     flown = len(swarm.best_objective_history)
     axes.set_xlabel("Iteration")
     axes.set_xlim(0, max(swarm.iterations, 2))
@@ -460,34 +417,3 @@ def _blank_over_iterations(y: Quantity, swarm: SwarmReport) -> tuple[Figure, Axe
         label = "Stopped: f cannot fall further"
         axes.axvline(flown, color="#606060", linewidth=1.0, dashes=(1, 2), label=label)
     return figure, axes
-
-
-def _second_force_axis(axes: Axes, quantity: Quantity) -> None:
-    """Read a force in tf at the right."""
-    tonnes = in_tonne_force(quantity)
-    there: Callable[[Any], Any] = lambda kN: tonnes.to_field(quantity.to_si(kN))  # noqa: E731
-    back: Callable[[Any], Any] = lambda tf: quantity.to_field(tonnes.to_si(tf))  # noqa: E731
-    second = axes.secondary_yaxis("right", functions=(there, back))
-    second.set_ylabel(tonnes.heading)
-    second.ticklabel_format(useOffset=False)
-
-
-def _folded(title: str) -> str:
-    """Fold a title to two lines of the page at most."""
-    return "\n".join(wrap(title, 78, max_lines=2, placeholder=" ..."))
-
-
-def _title(axes: Axes, title: str) -> None:
-    """Set a title as text, never as mathematics."""
-    axes.set_title(title, fontsize=11, loc="left", parse_math=False)
-
-
-def _legend_below(figure: Figure, most_columns: int) -> None:
-    """Set the legend under the axis label, in the middle."""
-    handles, labels = figure.axes[0].get_legend_handles_labels()
-    place: dict[str, Any] = {"loc": "outside lower center"}
-    if figure.get_layout_engine() is None:
-        top = (_BELOW - 0.45) / figure.get_size_inches()[1]
-        place = {"loc": "upper center", "bbox_to_anchor": (0.5, top)}
-    columns = min(most_columns, len(labels))
-    figure.legend(handles, labels, ncols=columns, handlelength=2.6, frameon=False, **place)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from catopt.reproduce import Reproduction
 
 __all__ = [
+    "column",
     "curve_marks",
     "curve_points",
     "inputs",
@@ -50,11 +51,11 @@ def segment_inputs(line: Line) -> pd.DataFrame:
         {
             "Segment": range(1, len(parts) + 1),
             "Name": [segment.name for segment in parts],
-            **_column("length", (segment.length for segment in parts)),
-            **_column("submerged_weight", (segment.submerged_weight for segment in parts)),
-            **_column("EA", (segment.EA for segment in parts)),
-            **_column("mass_per_length", (segment.mass for segment in parts)),
-            **_column("MBL", (segment.MBL for segment in parts)),
+            **column("length", (segment.length for segment in parts)),
+            **column("submerged_weight", (segment.submerged_weight for segment in parts)),
+            **column("EA", (segment.EA for segment in parts)),
+            **column("mass_per_length", (segment.mass for segment in parts)),
+            **column("MBL", (segment.MBL for segment in parts)),
         }
     )
 
@@ -66,9 +67,9 @@ def point_load_inputs(line: Line) -> pd.DataFrame:
         {
             "Point load": range(1, len(parts) + 1),
             "Name": [load.name for load in parts],
-            **_column("position", (load.position for load in parts)),
-            **_column("point_weight", (load.submerged_weight for load in parts)),
-            **_column("mass", (load.mass for load in parts)),
+            **column("position", (load.position for load in parts)),
+            **column("point_weight", (load.submerged_weight for load in parts)),
+            **column("mass", (load.mass for load in parts)),
         }
     )
 
@@ -116,12 +117,12 @@ def segments(solution: Solution) -> pd.DataFrame:
         {
             "Segment": range(1, len(parts) + 1),
             "Name": [segment.name for segment in parts],
-            **_column("length", (segment.length for segment in parts)),
-            **_column(_LARGEST, tensions),
-            **_column(in_tonne_force(_LARGEST), tensions),
-            **_column("MBL", (segment.MBL for segment in parts)),
-            **_column("safety_factor", [factor] * len(parts)),
-            **_column("utilisation", (segment.utilisation(factor) for segment in parts)),
+            **column("length", (segment.length for segment in parts)),
+            **column(_LARGEST, tensions),
+            **column(in_tonne_force(_LARGEST), tensions),
+            **column("MBL", (segment.MBL for segment in parts)),
+            **column("safety_factor", [factor] * len(parts)),
+            **column("utilisation", (segment.utilisation(factor) for segment in parts)),
         }
     )
 
@@ -133,10 +134,10 @@ def point_loads(solution: Solution) -> pd.DataFrame:
         {
             "Point load": range(1, len(parts) + 1),
             "Name": [load.name for load in parts],
-            **_column("position", (load.position for load in parts)),
-            **_column("x", (load.x for load in parts)),
-            **_column("z", (load.z for load in parts)),
-            **_column("seabed_reaction", (load.seabed_reaction for load in parts)),
+            **column("position", (load.position for load in parts)),
+            **column("x", (load.x for load in parts)),
+            **column("z", (load.z for load in parts)),
+            **column("seabed_reaction", (load.seabed_reaction for load in parts)),
         }
     )
 
@@ -154,10 +155,10 @@ def profile(solution: Solution, points: int = 101) -> pd.DataFrame:
     shape = solution.profile(points)
     return pd.DataFrame(
         {
-            **_column("s", shape.s),
-            **_column("x", shape.x),
-            **_column("z", shape.z),
-            **_column("tension", shape.tension),
+            **column("s", shape.s),
+            **column("x", shape.x),
+            **column("z", shape.z),
+            **column("tension", shape.tension),
         }
     )
 
@@ -166,7 +167,7 @@ def curve_points(result: CaseCurve) -> pd.DataFrame:
     """Tabulate a load curve, a row each point by rising span."""
     laid: dict[str, Any] = {}
     for quantity, values in at_points(result):
-        laid |= _column(quantity, values)
+        laid |= column(quantity, values)
     return pd.DataFrame({**laid, "Regime": result.curve.regime})
 
 
@@ -178,7 +179,7 @@ def curve_marks(result: CaseCurve) -> pd.DataFrame:
         "What happens": [mark.event for mark in marks],
     }
     for quantity, values in at_marks(result):
-        laid |= _column(quantity, values)
+        laid |= column(quantity, values)
     return pd.DataFrame(laid)
 
 
@@ -188,7 +189,7 @@ def swarm_runs(swarm: SwarmReport) -> pd.DataFrame:
     return pd.DataFrame(
         {
             "Run": numbers,
-            **_column("objective", swarm.objectives),
+            **column("objective", swarm.objectives),
             "Iterations flown": swarm.iterations_flown or [swarm.iterations] * len(numbers),
             "Best run": ["yes" if number == swarm.best_run else "" for number in numbers],
         }
@@ -201,9 +202,9 @@ def swarm_history(swarm: SwarmReport) -> pd.DataFrame:
     return pd.DataFrame(
         {
             "Iteration": range(1, len(tensions) + 1),
-            **_column(named("objective", "Best objective"), swarm.best_objective_history),
-            **_column(_FAIRLEAD, tensions),
-            **_column(in_tonne_force(_FAIRLEAD), tensions),
+            **column(named("objective", "Best objective"), swarm.best_objective_history),
+            **column(_FAIRLEAD, tensions),
+            **column(in_tonne_force(_FAIRLEAD), tensions),
         }
     )
 
@@ -227,9 +228,7 @@ def reproduction(result: Reproduction) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=list(headings)).rename(columns=headings)
 
 
-def _column(
-    quantity: Quantity | str, values: Iterable[float | None]
-) -> dict[str, pd.Series[float]]:
+def column(quantity: Quantity | str, values: Iterable[float | None]) -> dict[str, pd.Series[float]]:
     """Give values in SI the heading and the unit of a quantity; what is not known stays empty."""
     known = QUANTITIES[quantity] if isinstance(quantity, str) else quantity
     in_field = [math.nan if value is None else known.to_field(value) for value in values]
