@@ -16,7 +16,7 @@ from functools import cache
 from types import MappingProxyType
 from typing import Any
 
-from catopt.constants import STANDARD_GRAVITY
+from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.errors import InputError, Problem
 
 __all__ = ["UNITS", "Dimension", "as_written", "to_si"]
@@ -41,11 +41,13 @@ class Dimension(Enum):
     MASS = ("a mass", "kg", '"5 t"')
     MASS_PER_LENGTH = ("a mass per length", "kg/m", '"10.9 kg/m"')
     DENSITY = ("a density", "kg/m^3", '"1025 kg/m^3"')
+    MOMENT = ("a moment", "N*m", '"5 MN*m"')
     ANGLE = ("an angle", "rad", '"5 deg"')
     SPEED = ("a speed", "m/s", '"1.2 m/s"')
     TIME = ("a time", "s", '"8 s"')
     AREA = ("an area", "m^2", '"380 mm^2"')
     PRESSURE = ("a pressure or modulus", "Pa", '"56 GPa"')
+    PRICE_PER_LENGTH = ("a price per length", "USD/m", '"120 USD/m"')
     NUMBER = ("a pure number", "", "0.5")
 
     def __init__(self, noun: str, si_unit: str, example: str) -> None:
@@ -56,10 +58,18 @@ class Dimension(Enum):
 
 _TONNE = 1000.0
 _KNOT = 1852.0 / 3600.0
+_SHOT = 27.5
 
 UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
     {
-        Dimension.LENGTH: {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3},
+        Dimension.LENGTH: {
+            "m": 1.0,
+            "mm": 1e-3,
+            "cm": 1e-2,
+            "km": 1e3,
+            "shot": _SHOT,
+            "shots": _SHOT,
+        },
         Dimension.FORCE: {
             "N": 1.0,
             "kN": 1e3,
@@ -76,9 +86,22 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
         Dimension.MASS: {"kg": 1.0, "t": _TONNE},
         Dimension.MASS_PER_LENGTH: {"kg/m": 1.0, "t/m": _TONNE},
         Dimension.DENSITY: {"kg/m^3": 1.0, "t/m^3": _TONNE, "g/cm^3": 1e3},
+        Dimension.MOMENT: {
+            "N*m": 1.0,
+            "kN*m": 1e3,
+            "MN*m": 1e6,
+            "tf*m": _TONNE * STANDARD_GRAVITY,
+        },
         Dimension.ANGLE: {"rad": 1.0, "deg": math.pi / 180.0},
-        Dimension.SPEED: {"m/s": 1.0, "cm/s": 1e-2, "km/h": 1.0 / 3.6, "kn": _KNOT, "knot": _KNOT},
-        Dimension.TIME: {"s": 1.0, "min": 60.0, "h": 3600.0},
+        Dimension.SPEED: {
+            "m/s": 1.0,
+            "cm/s": 1e-2,
+            "km/h": 1.0 / 3.6,
+            "kn": _KNOT,
+            "knot": _KNOT,
+            "mm/year": 1e-3 / YEAR,
+        },
+        Dimension.TIME: {"s": 1.0, "min": 60.0, "h": 3600.0, "year": YEAR, "years": YEAR},
         Dimension.AREA: {"m^2": 1.0, "cm^2": 1e-4, "mm^2": 1e-6},
         Dimension.PRESSURE: {
             "Pa": 1.0,
@@ -89,10 +112,14 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
             "kN/m^2": 1e3,
             "N/mm^2": 1e6,
         },
+        Dimension.PRICE_PER_LENGTH: {"USD/m": 1.0},
         Dimension.NUMBER: {"%": 1e-2},
     }
 )
-"""SI units in one of each unit that is read without the units library; a knot is 1852 m/h."""
+"""SI units in one of each unit that is read without the units library.
+
+A knot is 1852 m/h, a shot of chain 27.5 m, a year the Julian one.
+"""
 
 _AMBIGUOUS = {
     "ton": "ambiguous; write t (1000 kg) or tf (9.80665 kN)",
@@ -292,7 +319,9 @@ def _by_library(unit: str) -> tuple[Dimension | None, float]:
 def _registry() -> Any:
     import pint
 
-    return pint.UnitRegistry()
+    registry: Any = pint.UnitRegistry()
+    registry.define("USD = [currency]")
+    return registry
 
 
 def _as_float(number: float) -> float:

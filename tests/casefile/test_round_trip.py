@@ -4,29 +4,74 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from catopt.casefile import parse_case, write_case
-from catopt.model import Case, Checks, Find, Line, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.model import (
+    Anchor,
+    Buoy,
+    Case,
+    CatalogueChoice,
+    Checks,
+    ClumpWeightChoice,
+    Design,
+    Find,
+    Line,
+    Load,
+    LoadCase,
+    PointLoad,
+    Segment,
+    SegmentChoice,
+    Service,
+    SinkerChoice,
+    Site,
+    SwarmSettings,
+)
 from catopt.model.case import BOUNDARY_HANDLINGS
+from catopt.model.design import OBJECTIVES, SEARCH_METHODS
 from catopt.model.find import FIND_QUANTITIES
+from catopt.model.load_case import LOAD_CASE_KINDS
 
 POSITIVE = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
 NOT_NEGATIVE = st.floats(min_value=0.0, allow_infinity=False)
 ANY = st.floats(allow_nan=False, allow_infinity=False)
 TEXT = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
+NAME = TEXT.filter(str.strip)
 LENGTHS = st.floats(min_value=1e-3, max_value=1e5)
+FACTOR = st.floats(min_value=1.0, allow_infinity=False)
 
-SEGMENTS = st.builds(
-    Segment,
-    length=LENGTHS,
-    submerged_weight=ANY,
-    EA=POSITIVE | st.just(math.inf),
-    mass=st.none() | NOT_NEGATIVE,
-    MBL=st.none() | POSITIVE,
-    name=TEXT,
+SEGMENTS = st.one_of(
+    st.builds(
+        Segment,
+        length=LENGTHS,
+        submerged_weight=ANY,
+        EA=POSITIVE | st.just(math.inf),
+        mass=st.none() | NOT_NEGATIVE,
+        MBL=st.none() | POSITIVE,
+        name=TEXT,
+        nominal_diameter=st.none() | POSITIVE,
+        proof_load=st.none() | POSITIVE,
+        price=st.none() | NOT_NEGATIVE,
+        wear_rate=st.none() | NOT_NEGATIVE,
+    ),
+    # Of a component, with figures of one's own before those of the catalogue.
+    st.builds(
+        Segment,
+        length=LENGTHS,
+        submerged_weight=ANY,
+        EA=POSITIVE,
+        mass=NOT_NEGATIVE,
+        MBL=POSITIVE,
+        name=TEXT,
+        component=st.sampled_from(["chain studless R3", "chain stud-link U2"]),
+        nominal_diameter=st.floats(0.02, 0.12),
+        proof_load=POSITIVE,
+        price=NOT_NEGATIVE,
+        wear_rate=st.none() | NOT_NEGATIVE,
+    ),
 )
 LOADS = st.one_of(
     *(
@@ -36,9 +81,97 @@ LOADS = st.one_of(
 )
 CHECKS = st.builds(
     Checks,
-    safety_factor=st.floats(min_value=1.0, allow_infinity=False),
+    safety_factor=FACTOR,
     max_anchor_uplift_angle=st.none() | st.floats(0.0, math.pi / 2.0),
+    codes=st.lists(NAME, max_size=3, unique=True).map(tuple),
+    proof_load_factor=st.none() | FACTOR,
+    max_anchor_uplift_force=st.none() | NOT_NEGATIVE,
+    min_grounded_length=st.none() | NOT_NEGATIVE,
+    max_offset=st.none() | POSITIVE,
+    allow_recalled=st.booleans(),
 )
+SERVICES = st.builds(Service, life=NOT_NEGATIVE, wear_rate=NOT_NEGATIVE)
+BUOYS = st.builds(Buoy, reserve_buoyancy=POSITIVE)
+ANCHORS = st.one_of(
+    st.builds(
+        Anchor,
+        kind=st.just("sinker"),
+        submerged_weight=POSITIVE,
+        friction=POSITIVE,
+        safety_factor=st.none() | FACTOR,
+        mass=st.none() | POSITIVE,
+    ),
+    st.builds(
+        Anchor,
+        kind=st.just("drag"),
+        holding_capacity=POSITIVE,
+        safety_factor=st.none() | FACTOR,
+        mass=st.none() | POSITIVE,
+    ),
+)
+CHOICES = st.builds(CatalogueChoice, allow_recalled=st.booleans())
+
+
+def values(
+    least: float = 1e-300, most: float = 1e300, *, size: int = 1
+) -> st.SearchStrategy[tuple[float, ...]]:
+    drawn = st.lists(st.floats(least, most), min_size=size, max_size=20, unique=True)
+    return drawn.map(lambda each: tuple(sorted(each)))
+
+
+@st.composite
+def designs(draw: st.DrawFn, line: Line, references: int) -> Design:
+    made = st.builds(
+        SegmentChoice,
+        lengths=values(1e3, 1e5),
+        components=st.sampled_from(
+            [("chain studless R3",), ("chain studless R4", "chain stud-link U3")]
+        ),
+        diameters=values(0.02, 0.12),
+        optional=st.booleans(),
+        name=TEXT,
+    )
+    sold = st.builds(
+        SegmentChoice,
+        lengths=values(1e3, 1e5),
+        components=st.just(("chain studless R3",)),
+        diameter_min=st.none() | st.floats(0.01, 0.06),
+        diameter_max=st.none() | st.floats(0.07, 1e3),
+        name=TEXT,
+    )
+    as_it_is = st.builds(SegmentChoice, lengths=values(1e3, 1e5), name=TEXT)
+    segments = [
+        draw(sold if index else made.filter(lambda each: not each.optional))
+        if draw(st.booleans()) or index >= len(line.segments)
+        else draw(as_it_is)
+        for index in range(draw(st.integers(1, 3)))
+    ]
+    weight = {"masses": values(), "density": POSITIVE, "optional": st.booleans(), "name": TEXT}
+    weights = [st.builds(ClumpWeightChoice, positions=values(1e-3, 900.0), **weight)]
+    if len(segments) > 1:
+        joints = st.integers(1, len(segments) - 1)
+        weights.append(st.builds(ClumpWeightChoice, joint=joints, **weight))
+    sinker = st.builds(
+        SinkerChoice,
+        masses=values(),
+        density=st.floats(1e6, 1e9),
+        friction=POSITIVE,
+        safety_factor=st.none() | FACTOR,
+    )
+    named = [name for name in OBJECTIVES if name != "excursion" or references == 1]
+    return Design(
+        tuple(segments),
+        tuple(draw(st.lists(st.one_of(weights), max_size=3))),
+        draw(st.none() | sinker),
+        tuple(draw(st.permutations(named)))[: draw(st.integers(2, 3))],
+        draw(st.sampled_from(SEARCH_METHODS)),
+        draw(st.integers(1, 10**9)),
+        draw(st.integers(4, 10**9)),
+        draw(st.integers(0, 2**63 - 1)),
+        draw(st.integers(1, 10**9)),
+    )
+
+
 SWARMS = st.builds(
     SwarmSettings,
     particles=st.integers(2, 10**9),
@@ -94,8 +227,22 @@ def cases(draw: st.DrawFn) -> Case:
     line, load, find = draw(questions(draw(lines())))
     if find is not None and find.quantity == "touchdown_force":
         anchor = 0.0
+    depth = draw(POSITIVE)
+    state = st.builds(
+        LoadCase,
+        name=NAME,
+        horizontal_force=POSITIVE,
+        water_level=NOT_NEGATIVE,
+        kind=st.sampled_from(LOAD_CASE_KINDS),
+    )
+    states = draw(st.lists(state, max_size=3, unique_by=lambda each: each.name))
+    if min(depth, fairlead) == 0.0:
+        states = []  # the fairlead is on the bed
+    if states and find is None and draw(st.booleans()):
+        load = None
+    references = sum(each.kind == "reference" for each in states)
     return Case(
-        site=Site(draw(POSITIVE), draw(NOT_NEGATIVE), draw(POSITIVE)),
+        site=Site(depth, draw(NOT_NEGATIVE), draw(st.floats(1e-3, 1e5))),
         line=line,
         load=load,
         fairlead_height=fairlead,
@@ -105,11 +252,17 @@ def cases(draw: st.DrawFn) -> Case:
         title=draw(TEXT),
         source=draw(TEXT),
         find=find,
+        load_cases=tuple(states),
+        service=draw(st.none() | SERVICES),
+        buoy=draw(st.none() | BUOYS),
+        anchor=draw(st.none() | ANCHORS),
+        catalogue=draw(CHOICES),
+        design=draw(st.none() | designs(line, references)),
     )
 
 
 @given(cases())
-@settings(deadline=None)  # the first example builds the schema
+@settings(deadline=None)  # the first example builds the schema and reads the catalogue
 def test_a_written_case_is_read_back_exactly(case: Case) -> None:
     assert parse_case(write_case(case)) == case
 
@@ -177,3 +330,42 @@ def test_what_is_sought_is_written_where_the_load_would_be() -> None:
     text = write_case(case)
     assert "[load]" not in text
     assert '\n[find]\nquantity = "limit_force"\nsegment = 1\n\n[checks]\n' in text
+
+
+def test_the_catalogue_that_was_chosen_is_written_with_its_full_path(tmp_path: Path) -> None:
+    (tmp_path / "own.toml").write_text('schema = "catopt.families/1"\n', encoding="utf-8")
+    text = """
+[site]
+water_depth = 20
+[[line.segments]]
+length = 100
+component = "chain studless R4"
+diameter = "76 mm"
+[load]
+span = 90
+[catalogue]
+file = "own.toml"
+allow_recalled = true
+[catalogue.variants]
+EA = "orcaflex"
+"""
+    case = parse_case(text, folder=str(tmp_path))
+    full = str(tmp_path / "own.toml")
+    assert case.catalogue == CatalogueChoice(full, True, (("EA", "orcaflex"),))
+    assert parse_case(write_case(case)) == case
+    assert write_case(case).count("orcaflex") == 1
+
+
+def test_a_long_array_is_written_on_several_lines() -> None:
+    lengths = tuple(20.0 + 0.5 * k for k in range(60))
+    design = Design((SegmentChoice(lengths),))
+    case = Case(
+        site=Site(20.0),
+        line=Line([Segment(55.0, 2100.0)]),
+        load=Load(horizontal_force=1e5),
+        fairlead_height=20.0,
+        design=design,
+    )
+    text = write_case(case)
+    assert max(map(len, text.splitlines())) <= 100
+    assert parse_case(text) == case

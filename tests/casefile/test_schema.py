@@ -13,22 +13,54 @@ from typing import Any, NamedTuple
 import pytest
 
 from catopt.casefile import parse_case
-from catopt.casefile.fields import Kind, Measured, OneOf, Text, Whole
+from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.casefile.schema import (
+    AnchorTable,
+    BuoyTable,
     CaseTable,
+    CatalogueTable,
     ChecksTable,
+    ClumpWeightChoiceTable,
+    DesignTable,
     FindTable,
     LineTable,
+    LoadCaseTable,
     LoadTable,
     PointLoadTable,
     PsoTable,
+    SegmentChoiceTable,
     SegmentTable,
+    ServiceTable,
+    SinkerChoiceTable,
     SiteTable,
     Table,
+    VariantsTable,
     entries,
 )
+from catopt.catalogue import ALL
+from catopt.catalogue.figure import SPECS
 from catopt.errors import InputError
-from catopt.model import Case, Checks, Find, Load, PointLoad, Segment, Site, SwarmSettings
+from catopt.model import (
+    Anchor,
+    Buoy,
+    Case,
+    CatalogueChoice,
+    Checks,
+    ClumpWeightChoice,
+    Design,
+    Find,
+    Load,
+    LoadCase,
+    PointLoad,
+    Segment,
+    SegmentChoice,
+    Service,
+    SinkerChoice,
+    Site,
+    SwarmSettings,
+)
+from catopt.model.anchor import ANCHOR_KINDS
+from catopt.model.design import OBJECTIVES
 from catopt.units import UNITS, Dimension
 
 PAGE = (Path(__file__).parents[2] / "docs" / "case-file.md").read_text(encoding="utf-8")
@@ -54,7 +86,19 @@ MODEL: dict[type[Table], tuple[Callable[..., object], dict[str, Any]]] = {
     PointLoadTable: (PointLoad, {"position": 7.0, "submerged_weight": 490.0}),
     LoadTable: (Load, {}),
     FindTable: (Find, {"quantity": "length"}),
+    LoadCaseTable: (LoadCase, {"name": "storm", "horizontal_force": 5e4}),
     ChecksTable: (Checks, {}),
+    ServiceTable: (Service, {"life": 3e8}),
+    BuoyTable: (Buoy, {"reserve_buoyancy": 1e4}),
+    AnchorTable: (Anchor, {"kind": "sinker", "submerged_weight": 3e4, "friction": 0.5}),
+    CatalogueTable: (CatalogueChoice, {}),
+    DesignTable: (Design, {"segments": (SegmentChoice((20.0,)),)}),
+    SegmentChoiceTable: (SegmentChoice, {"lengths": (20.0,)}),
+    ClumpWeightChoiceTable: (
+        ClumpWeightChoice,
+        {"masses": (500.0,), "density": 2400.0, "positions": (7.0,)},
+    ),
+    SinkerChoiceTable: (SinkerChoice, {"masses": (500.0,), "density": 2400.0, "friction": 0.5}),
     PsoTable: (SwarmSettings, {}),
 }
 """For each table the model's class and what it needs at least."""
@@ -63,12 +107,43 @@ BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
     (FindTable, "quantity"): {"anchor_angle": 0.0},
     (FindTable, "segment"): {"anchor_angle": 0.0},
     (FindTable, "point_load"): {"quantity": "clump_weight", "anchor_angle": 0.0},
+    (AnchorTable, "holding_capacity"): {
+        "kind": "drag",
+        "submerged_weight": None,
+        "friction": None,
+    },
+    (ClumpWeightChoiceTable, "joint"): {"positions": ()},
 }
 """What some keys need beside them."""
 
-NOT_IN_THE_MODEL = {(PointLoadTable, "density")}
-NARROWER = {(ChecksTable, "max_anchor_uplift_angle")}
-"""Limited to a right angle, because a bare 5 is more likely meant in degrees."""
+RENAMED: dict[tuple[type[Table], str], str] = {(SegmentTable, "diameter"): "nominal_diameter"}
+"""Keys whose attribute has another name."""
+
+NOT_IN_THE_MODEL = {
+    (PointLoadTable, "density"),
+    (AnchorTable, "density"),
+    (ChecksTable, "code"),
+    (SegmentChoiceTable, "component"),
+    (SegmentChoiceTable, "diameter"),
+    *((SegmentChoiceTable, f"length{end}") for end in ("", "_min", "_max", "_step")),
+    *((ClumpWeightChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
+    *((ClumpWeightChoiceTable, f"position{end}") for end in ("", "_min", "_max", "_step")),
+    *((SinkerChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
+}
+"""Keys from which the model's own attributes are worked out."""
+
+NARROWER = {
+    (ChecksTable, "max_anchor_uplift_angle"),
+    (SegmentTable, "component"),
+    (SegmentChoiceTable, "components"),
+    (ChecksTable, "codes"),
+    (CatalogueTable, "file"),
+}
+"""An angle is limited to a right one, because a bare 5 is more likely meant in degrees; a name that
+is blank is no name."""
+
+WORDS = {(DesignTable, "objectives"): OBJECTIVES, (AnchorTable, "kind"): ANCHOR_KINDS}
+"""Words that need others beside them, or other keys, so that the model refuses them alone."""
 
 PROBES: list[float | str] = [
     -1,
@@ -83,7 +158,7 @@ PROBES: list[float | str] = [
     math.nextafter(4.0, 5.0),
     1e300,
 ]
-PROBES += ["", "nearest", "length"]
+PROBES += ["", "nearest", "length", "drag", "sinker", "reference", "mass", "auto"]
 
 
 def accepts(function: Callable[..., object], *args: object, **kwargs: object) -> bool:
@@ -105,12 +180,20 @@ def keys_with_a_value() -> Iterator[tuple[type[Table], str, Kind]]:
 def test_the_ranges_are_those_of_the_model(table: type[Table], key: str, kind: Kind) -> None:
     build, needed = MODEL[table]
     needed = needed | BESIDE.get((table, key), {})
+    attribute = RENAMED.get((table, key), key)
     textual = isinstance(kind, Text | OneOf)
     whole = isinstance(kind, Whole)
+    if (table, key) in WORDS:
+        assert kind == OneOf(WORDS[table, key])
+        return
+    if isinstance(kind, Flag):
+        assert (accepts(kind.read, True), accepts(kind.read, 1)) == (True, False)
+        return
     probes = [p for p in PROBES if isinstance(p, str) == textual]
     for probe in (p for p in probes if not whole or isinstance(p, int)):
         by_file = accepts(kind.read, probe)
-        by_model = accepts(build, **{**needed, key: probe})
+        value = (probe,) if entries(table)[key].array else probe
+        by_model = accepts(build, **{**needed, attribute: value})
         if (table, key) in NARROWER:
             assert by_model or not by_file, probe
         else:
@@ -128,13 +211,17 @@ def test_every_attribute_of_the_model_has_its_key() -> None:
     for table, (build, _) in MODEL.items():
         assert isinstance(build, type)
         attributes = {f.name for f in fields(build)}
-        extra = {key for owner, key in NOT_IN_THE_MODEL if owner is table}
-        assert set(entries(table)) == attributes | extra
+        keys = {k for k in entries(table) if (table, k) not in NOT_IN_THE_MODEL}
+        assert {RENAMED.get((table, k), k) for k in keys} == attributes
     renamed = {"pso": "swarm"}
     lifted = {"fairlead_height", "anchor_height"}
     assert {renamed.get(k, k) for k in entries(CaseTable)} == {
         f.name for f in fields(Case)
     } - lifted
+
+
+def test_the_variants_are_of_the_quantities_of_the_catalogue() -> None:
+    assert list(entries(VariantsTable)) == [ALL, *SPECS]
 
 
 # The page: every key, and none that is not there.
@@ -181,11 +268,13 @@ def test_unit_range_default_and_example_are_right(table: type[Table], key: str, 
     assert row.si == (
         entry.kind.dimension.si_unit or "-" if isinstance(entry.kind, Measured) else "-"
     )
-    assert row.range == range_of(entry.kind)
+    assert row.range == range_of(entry.kind) + (", each" if entry.array else "")
     assert (row.default == "required") == entry.required
     assert row.meaning
     example = parse_value(row.example)
-    assert accepts(entry.kind.read, example)
+    assert isinstance(example, list) == entry.array
+    for value in example if isinstance(example, list) else [example]:
+        assert accepts(entry.kind.read, value)
 
 
 def parse_value(text: str) -> object:
@@ -195,7 +284,9 @@ def parse_value(text: str) -> object:
 def range_of(kind: Kind) -> str:
     """Write a range as the page does."""
     if isinstance(kind, Text):
-        return "text"
+        return "text, not empty" if kind.filled else "text"
+    if isinstance(kind, Flag):
+        return "true or false"
     if isinstance(kind, OneOf):
         return "one of " + ", ".join(kind.words)
     if isinstance(kind, Whole):
@@ -217,11 +308,19 @@ def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
             continue
         build, _ = MODEL[table]
         for field in fields(build):  # type: ignore[arg-type]
-            if field.default in (MISSING, None, math.inf, ""):
+            if field.default in (MISSING, None, math.inf, "", ()):
                 continue
-            assert rows[field.name].default == str(field.default), field.name
+            assert rows[field.name].default == default_of(field.default), field.name
             compared += 1
-    assert compared == 2 + 1 + 8  # site, checks, pso
+    # site, load cases, checks, service, catalogue, design with segments and clump weights, pso
+    assert compared == 2 + 2 + 2 + 1 + 1 + (6 + 1 + 1) + 8
+
+
+def default_of(default: object) -> str:
+    """Write a default as the page does."""
+    if isinstance(default, bool):
+        return str(default).lower()
+    return ", ".join(default) if isinstance(default, tuple) else str(default)
 
 
 def test_the_units_on_the_page_are_those_of_the_table() -> None:
@@ -240,8 +339,9 @@ def test_the_units_on_the_page_are_those_of_the_table() -> None:
 
 
 def test_the_example_on_the_page_is_a_case_and_its_mistakes_are_told_as_shown() -> None:
-    (example,) = re.findall(r"^```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+    example, design = re.findall(r"^```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
     assert parse_case(example).title == "Marker buoy, 9.5 m"
+    assert parse_case(design).design is not None
     shown = re.findall(r"^```text\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
     wrong = (
         example.replace("water_depth", "watr_depth")

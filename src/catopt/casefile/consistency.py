@@ -7,46 +7,68 @@ find their mistakes beside those of the single keys, not after them.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from catopt.casefile.document import Place, as_in_file, misspelt, number, table, tables, text
 from catopt.casefile.location import Finding, Path, parts
-from catopt.casefile.names import stands_for
+from catopt.casefile.ranges import duplicates
 from catopt.casefile.schema import (
+    AnchorTable,
     CaseTable,
+    ChecksTable,
     FindTable,
     LineTable,
+    LoadCaseTable,
     LoadTable,
     PointLoadTable,
     SegmentTable,
+    SiteTable,
+    SystemTable,
     Table,
     entries,
 )
+from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError
-from catopt.model import Find, Load
+from catopt.model import Anchor, Find, Load
+from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
-from catopt.units import as_written
+from catopt.model.system import system_misfits
+from catopt.units import Dimension, as_written
 
-__all__ = ["consistency_findings"]
+if TYPE_CHECKING:
+    from catopt.catalogue import Component
+
+__all__ = ["consistency_findings", "sinks_findings"]
 
 
-def consistency_findings(document: dict[str, Any]) -> list[Finding]:
+def consistency_findings(
+    document: dict[str, Any], components: Mapping[Path, Component]
+) -> list[Finding]:
     """List what contradicts itself in a document.
 
     Parameters
     ----------
     document : dict
         As the TOML reader returns it.
+    components : mapping of Path to Component
+        Those of the line's segments that were found in the catalogue, by the segment's path.
     """
-    line = _table(document, "line")
+    line = table(document, "line")
+    loads = tables(line, "line", "point_loads")
     return [
         *_load(document),
         *_find(document),
-        *_misfits(document, line),
-        *(f for path, load in _array(line, "point_loads") for f in _weight(path, load)),
+        *_misfits(document, line, components),
+        *(f for place in tables(line, "line", "segments") for f in _segment(place)),
+        *(f for place in loads for f in _weight(PointLoadTable, place)),
         *_positions(line),
+        *_load_cases(document),
+        *_system(document),
+        *_codes(table(document, "checks")),
+        *_anchor(document),
     ]
 
 
@@ -56,7 +78,7 @@ def _load(document: dict[str, Any]) -> Iterator[Finding]:
     if not isinstance(load, dict) or (sought is not None and sought.seeks_force):
         return
     known = [key for key in entries(LoadTable) if key in load]
-    if not known and _misspelt(LoadTable, entries(LoadTable), load):
+    if not known and misspelt(LoadTable, entries(LoadTable), load):
         return
     try:
         Load(**dict.fromkeys(known, 1.0))
@@ -67,8 +89,8 @@ def _load(document: dict[str, Any]) -> Iterator[Finding]:
 
 def _find(document: dict[str, Any]) -> Iterator[Finding]:
     """Find conditions too few or too many, and keys that go with another quantity."""
-    find = _table(document, "find")
-    if _sought(document) is None or _misspelt(FindTable, entries(FindTable), find):
+    find = table(document, "find")
+    if _sought(document) is None or misspelt(FindTable, entries(FindTable), find):
         return
     given: dict[str, Any] = {key: 1 for key in entries(FindTable) if key in find}
     try:
@@ -76,35 +98,47 @@ def _find(document: dict[str, Any]) -> Iterator[Finding]:
     except InputError as error:
         for problem in error.problems:
             path = ("find", problem.key) if problem.key in find else ("find",)
-            yield _as_written(document, Finding(path, problem.found, problem.allowed))
+            yield as_in_file(document, Finding(path, problem.found, problem.allowed))
 
 
-def _misfits(document: dict[str, Any], line: dict[str, Any]) -> Iterator[Finding]:
+def _misfits(
+    document: dict[str, Any], line: dict[str, Any], components: Mapping[Path, Component]
+) -> Iterator[Finding]:
     """Find what does not fit between what is sought, the load and the line, as the model has it."""
     sought, load = _sought(document), document.get("load")
-    if sought is None and ("find" in document or _misspelt(CaseTable, ["find"], document)):
+    if sought is None and ("find" in document or misspelt(CaseTable, ["find"], document)):
         return
-    segments, loads = _array(line, "segments"), _array(line, "point_loads")
+    segments = tables(line, "line", "segments")
+    loads = tables(line, "line", "point_loads")
     problems = misfits(
         sought,
-        load=None if load is None else list(_table(document, "load")),
-        MBL_known=["MBL" in s or _misspelt(SegmentTable, ["MBL"], s) for _, s in segments],
+        load=None if load is None else list(table(document, "load")),
+        MBL_known=[_has_MBL(segment, components.get(path)) for path, segment in segments],
         point_loads=len(loads),
-        anchor_height=_number(LineTable, "anchor_height", line) or 0.0,
+        anchor_height=number(LineTable, "anchor_height", line) or 0.0,
+        has_load_cases="load_cases" in document or "system" in document,
     )
-    unsure = _misspelt(LineTable, entries(LineTable), line) or ("point_loads" in line and not loads)
+    unsure = misspelt(LineTable, entries(LineTable), line) or ("point_loads" in line and not loads)
     for problem in problems:
         about_load = problem.key.startswith("load")
-        if about_load and load is None and _misspelt(CaseTable, ["load"], document):
+        if about_load and load is None and misspelt(CaseTable, ["load", "load_cases"], document):
             continue
         if about_load or (segments and not unsure):
-            finding = Finding(parts(problem.key), problem.found, problem.allowed)
-            yield _as_written(document, finding)
+            either = about_load and sought is None
+            allowed = problem.allowed + (", or [[load_cases]]" if either else "")
+            yield as_in_file(document, Finding(parts(problem.key), problem.found, allowed))
+
+
+def _has_MBL(segment: dict[str, Any], component: Component | None) -> bool:
+    """Whether a segment's strength is given, or may be for all that is clear."""
+    if "MBL" in segment or misspelt(SegmentTable, ["MBL"], segment):
+        return True
+    return component.MBL is not None if component else "component" in segment
 
 
 def _sought(document: dict[str, Any]) -> Find | None:
     """Return what is sought, with a condition that fits; None when nothing is or it is unclear."""
-    find = _table(document, "find")
+    find = table(document, "find")
     quantity: Any = find.get("quantity")
     if quantity not in FIND_QUANTITIES:
         return None
@@ -116,26 +150,31 @@ def _sought(document: dict[str, Any]) -> Find | None:
     return sought
 
 
-def _as_written(document: dict[str, Any], finding: Finding) -> Finding:
-    """Show what the file has at the place of a finding, where that is a single value."""
-    place: Any = document
-    for part in finding.path:
-        inside = part in place if isinstance(place, dict) else isinstance(part, int)
-        place = place[part] if inside else None
-    if place is None or isinstance(place, dict):
-        return finding
-    return finding._replace(found=as_written(place))
+def _segment(place: Place) -> Iterator[Finding]:
+    """Find a segment without weight or component, and a component without its diameter."""
+    path, segment = place
+    if "component" in segment:
+        if "diameter" not in segment and not misspelt(SegmentTable, ["diameter"], segment):
+            yield Finding((*path, "diameter"), "", "missing; a component needs its diameter")
+    elif not (
+        "submerged_weight" in segment
+        or misspelt(SegmentTable, ["submerged_weight", "component"], segment)
+    ):
+        example = Dimension.FORCE_PER_LENGTH.example
+        wanted = f"a weight per length is wanted, such as {example}, or a component"
+        yield Finding((*path, "submerged_weight"), "", f"missing; {wanted}")
 
 
-def _weight(path: Path, load: dict[str, Any]) -> Iterator[Finding]:
-    """Find a point load whose weight is not given, or given both itself and by its density."""
+def _weight(schema: type[Table], place: Place) -> Iterator[Finding]:
+    """Find a body whose weight is not given, or given both itself and by its density."""
+    path, body = place
     keys = ("submerged_weight", "mass", "density")
-    if _misspelt(PointLoadTable, keys, load):
+    if misspelt(schema, keys, body):
         return
-    weight, mass, density = (key in load for key in keys)
+    weight, mass, density = (key in body for key in keys)
     wanted = "submerged_weight, or mass with density, is wanted"
     if density and not mass:
-        found = as_written(load["density"])
+        found = as_written(body["density"])
         yield Finding((*path, "density"), found, "density goes with mass, which is missing")
     elif weight and density:
         found = "submerged_weight, mass and density"
@@ -148,13 +187,14 @@ def _weight(path: Path, load: dict[str, Any]) -> Iterator[Finding]:
 
 def _positions(line: dict[str, Any]) -> Iterator[Finding]:
     """Find point loads beyond the end of the line."""
-    lengths = [_number(SegmentTable, "length", s) for _, s in _array(line, "segments")]
+    segments = tables(line, "line", "segments")
+    lengths = [number(SegmentTable, "length", segment) for _, segment in segments]
     known = [length for length in lengths if length is not None]
     if not known or len(known) < len(lengths):
         return
     total = math.fsum(known)
-    for path, load in _array(line, "point_loads"):
-        position = _number(PointLoadTable, "position", load)
+    for path, load in tables(line, "line", "point_loads"):
+        position = number(PointLoadTable, "position", load)
         if position is not None and not position < total:
             found = as_written(load["position"])
             yield Finding(
@@ -162,32 +202,103 @@ def _positions(line: dict[str, Any]) -> Iterator[Finding]:
             )
 
 
-def _misspelt(schema: type[Table], keys: Collection[str], table: dict[str, Any]) -> bool:
-    """Whether one of the keys is there under another name, which is reported already."""
-    unknown = [key for key in table if key not in entries(schema)]
-    return any(stands_for(schema, key) in keys for key in unknown)
+def _load_cases(document: dict[str, Any]) -> Iterator[Finding]:
+    """Find names used twice, and water levels that leave no water."""
+    depth = number(SiteTable, "water_depth", table(document, "site"))
+    line = table(document, "line")
+    height = number(LineTable, "fairlead_height", line)
+    given = "fairlead_height" in line or misspelt(LineTable, ["fairlead_height"], line)
+    unclear = depth is None or (given and height is None)
+    lowest = min(depth or 0.0, height if height is not None else depth or 0.0)
+    names: list[str] = []
+    for path, state in tables(document, "load_cases"):
+        name = text(LoadCaseTable, "name", state)
+        if name in names:
+            yield Finding((*path, "name"), as_written(name), "another load case has this name")
+        names += [name] if name is not None else []
+        level = number(LoadCaseTable, "water_level", state)
+        if level is not None and not unclear and not level > -lowest:
+            allowed = f"must leave the fairlead above the seabed: above {-lowest:g} m"
+            yield Finding((*path, "water_level"), as_written(state["water_level"]), allowed)
 
 
-def _table(document: dict[str, Any], key: str) -> dict[str, Any]:
-    table = document.get(key)
-    return table if isinstance(table, dict) else {}
+def _system(document: dict[str, Any]) -> Iterator[Finding]:
+    """Find what does not go with a system, and a load in yaw on a body that cannot turn."""
+    if "system" not in document:
+        return
+    others: dict[str, object] = {k: 1 for k in ("load", "load_cases", "find") if k in document}
+    for problem in system_misfits(others):
+        yield Finding((problem.key,), problem.found, problem.allowed)
+    system = table(document, "system")
+    if misspelt(SystemTable, entries(SystemTable), system):
+        return
+    radius = number(SystemTable, "fairlead_radius", system)
+    unclear = "fairlead_radius" in system and radius is None
+    has_arms = unclear or bool(radius)
+    yaw_free = system.get("yaw_free", has_arms)
+    if yaw_free is True and not has_arms:
+        allowed = "must be false, or fairlead_radius above 0: nothing else holds the body in yaw"
+        yield Finding(("system", "yaw_free"), "true", allowed)
+    elif yaw_free is False and number(SystemTable, "moment", system):
+        allowed = "must be 0 where the body does not yaw: give fairlead_radius, or leave it out"
+        yield Finding(("system", "moment"), as_written(system["moment"]), allowed)
 
 
-def _array(line: dict[str, Any], key: str) -> list[tuple[Path, dict[str, Any]]]:
-    """Tables of an array of ``[line]``, each with its path; empty when one of them is no table."""
-    array = line.get(key)
-    if not isinstance(array, list) or not all(isinstance(table, dict) for table in array):
-        return []
-    return [(("line", key, index), table) for index, table in enumerate(array)]
+def _codes(checks: dict[str, Any]) -> Iterator[Finding]:
+    """Find codes given in two ways, or twice."""
+    if "code" in checks and "codes" in checks:
+        yield Finding(("checks",), "code and codes", "put all of them into codes")
+    yield from duplicates(ChecksTable, (("checks",), checks), "codes")
 
 
-def _number(schema: type[Table], key: str, table: dict[str, Any]) -> float | None:
-    """Return a value in SI; None when it is missing or wrong in itself."""
-    kind = entries(schema)[key].kind
-    if kind is None or key not in table:
-        return None
+def _anchor(document: dict[str, Any]) -> Iterator[Finding]:
+    """Find what does not go with the kind of anchor, as the model has it."""
+    anchor, path = table(document, "anchor"), ("anchor",)
+    kind: Any = anchor.get("kind")
+    if kind not in ANCHOR_KINDS:
+        return
+    given: dict[str, Any] = {
+        key: 1.0 for key in entries(AnchorTable) if key in anchor and key not in {"kind", "density"}
+    }
+    if kind == "sinker":
+        yield from _weight(AnchorTable, (path, anchor))
+        yield from sinks_findings(document, AnchorTable, (path, anchor))
+        given["submerged_weight"] = 1.0
+    elif "density" in anchor:
+        allowed = "does not go with a drag anchor; leave it out"
+        yield Finding((*path, "density"), as_written(anchor["density"]), allowed)
     try:
-        value = kind.read(table[key])
-    except InputError:
-        return None
-    return value if isinstance(value, float) else None
+        Anchor(**given | {"kind": kind})
+    except InputError as error:
+        for problem in error.problems:
+            missing = problem.key not in anchor
+            if not (missing and misspelt(AnchorTable, [problem.key], anchor)):
+                finding = Finding((*path, problem.key), problem.found, problem.allowed)
+                yield as_in_file(document, finding)
+
+
+def sinks_findings(
+    document: dict[str, Any], schema: type[Table], place: Place
+) -> Iterator[Finding]:
+    """Find a sinker that floats.
+
+    Parameters
+    ----------
+    document : dict
+        For the density of the water.
+    schema : type of Table
+        Of the sinker's table.
+    place : (path, dict)
+        The sinker's table.
+    """
+    path, body = place
+    site = table(document, "site")
+    water = number(SiteTable, "water_density", site)
+    if water is None:
+        if "water_density" in site:
+            return
+        water = SEA_WATER_DENSITY
+    density = number(schema, "density", body)
+    if density is not None and not density > water:
+        allowed = f"must be above {water:g} kg/m^3, the density of the water, for a sinker to sink"
+        yield Finding((*path, "density"), as_written(body["density"]), allowed)

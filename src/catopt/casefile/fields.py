@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from pydantic import GetCoreSchemaHandler
@@ -13,7 +13,7 @@ from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.units import Dimension, as_written, to_si
 
-__all__ = ["REFUSED", "Kind", "Measured", "OneOf", "Text", "Whole"]
+__all__ = ["REFUSED", "Flag", "Kind", "Measured", "OneOf", "Text", "Whole"]
 
 REFUSED = "refused"
 """Type of the pydantic errors that carry our own ``found`` and ``allowed``."""
@@ -58,21 +58,30 @@ class Measured(Kind):
         What it measures.
     above, at_least, at_most : float or None
         Bounds in SI: exclusive below, inclusive below, inclusive above.
+    example : str
+        For messages, where that of the dimension is not to the point.
     """
 
     dimension: Dimension
     above: float | None = None
     at_least: float | None = None
     at_most: float | None = None
+    example: str = ""
 
     @property
     def wanted(self) -> str:
         """What is wanted, with an example."""
-        return f"{self.dimension.noun} is wanted, such as {self.dimension.example}"
+        return f"{self.dimension.noun} is wanted, such as {self.example or self.dimension.example}"
 
     def read(self, value: object) -> float:
         """Return the value in SI."""
-        si = to_si(value, self.dimension)
+        try:
+            si = to_si(value, self.dimension)
+        except InputError as error:
+            (problem,) = error.problems
+            example = self.example or self.dimension.example
+            allowed = problem.allowed.replace(self.dimension.example, example)
+            raise InputError([replace(problem, allowed=allowed)]) from None
         unit = self.dimension.si_unit
         beyond = _out_of_range(si, unit, self.above, self.at_least, self.at_most)
         if beyond is not None:
@@ -117,16 +126,43 @@ class Whole(Kind):
 
 @dataclass(frozen=True)
 class Text(Kind):
-    """Free text."""
+    """Free text.
+
+    Attributes
+    ----------
+    filled : bool
+        Whether it must have more than blanks.
+    example : str
+        For messages, where an example helps.
+    """
+
+    filled: bool = False
+    example: str = ""
+
+    @property
+    def wanted(self) -> str:
+        """What is wanted, with the example if there is one."""
+        return "text in quotes is wanted" + (f", such as {self.example}" if self.example else "")
+
+    def read(self, value: object) -> str:
+        """Return the text."""
+        if not isinstance(value, str) or (self.filled and not value.strip()):
+            raise _refused(value, self.wanted)
+        return value
+
+
+@dataclass(frozen=True)
+class Flag(Kind):
+    """Yes or no."""
 
     @property
     def wanted(self) -> str:
         """What is wanted."""
-        return "text in quotes is wanted"
+        return "true or false is wanted, without quotes"
 
-    def read(self, value: object) -> str:
-        """Return the text."""
-        if not isinstance(value, str):
+    def read(self, value: object) -> bool:
+        """Return it."""
+        if not isinstance(value, bool):
             raise _refused(value, self.wanted)
         return value
 

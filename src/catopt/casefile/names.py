@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from catopt.casefile.location import Path, header
-from catopt.casefile.schema import CaseTable, Table, entries
+from catopt.casefile.schema import CaseTable, Table, VariantsTable, entries
 
 __all__ = ["hint", "nearest", "stands_for"]
 
@@ -24,11 +24,14 @@ def nearest(table: type[Table], key: str) -> str | None:
     by_plain = {_plain(known): known for known in own}
     if _plain(key) in by_plain:
         return by_plain[_plain(key)]
+    plain = _plain(key)
+    longer = [known for known in own if known.endswith(f"_{plain}")]
+    if len(longer) == 1:
+        return longer[0]  # friction for seabed_friction
     if any(_elsewhere(key)):
         return None  # right elsewhere, so hardly a misspelling
     from difflib import get_close_matches
 
-    plain = _plain(key)
     likely = [known for known in by_plain if len(plain) > _SHORT or known[1:] != plain[1:]]
     close = get_close_matches(plain, likely, n=1, cutoff=_SIMILAR)
     return by_plain[close[0]] if close else None
@@ -46,7 +49,8 @@ def hint(table: type[Table], key: str) -> str:
         return f"did you mean {near}?"
     places = list(_elsewhere(key))
     if places:
-        return "move it to " + " or ".join(places)
+        *others, last = places
+        return "move it to " + " or ".join([*([", ".join(others)] if others else []), last])
     return "allowed here: " + ", ".join(entries(table))
 
 
@@ -60,6 +64,8 @@ def _elsewhere(
     """List the tables in which `key` would be right, by the lines that open them."""
     for name, entry in entries(table).items():
         below = (*path, name)
+        if table is VariantsTable:
+            continue  # its keys are names of quantities
         if name == key:
             is_table = entry.table is not None
             yield header(below, array=entry.array) if is_table else header(path, array=array)

@@ -9,29 +9,60 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from catopt.casefile.fields import Kind, Measured, OneOf, Text, Whole
+from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
+from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.case import BOUNDARY_HANDLINGS
+from catopt.model.design import OBJECTIVES, SEARCH_METHODS
 from catopt.model.find import FIND_QUANTITIES
+from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.units import Dimension
 
 __all__ = [
+    "AnchorTable",
+    "BuoyTable",
     "CaseTable",
+    "CatalogueTable",
     "ChecksTable",
+    "ClumpWeightChoiceTable",
+    "DesignTable",
     "Entry",
     "FindTable",
     "LineTable",
+    "LoadCaseTable",
     "LoadTable",
     "PointLoadTable",
     "PsoTable",
+    "SegmentChoiceTable",
     "SegmentTable",
+    "ServiceTable",
+    "SinkerChoiceTable",
     "SiteTable",
+    "SystemTable",
     "Table",
+    "VariantsTable",
     "entries",
 ]
+
+Component = Annotated[str, Text(filled=True, example='"chain studless R3"')]
+Length = Annotated[float, Measured(Dimension.LENGTH, above=0.0)]
+Mass = Annotated[float, Measured(Dimension.MASS, above=0.0)]
+Density = Annotated[float, Measured(Dimension.DENSITY, above=0.0)]
+Friction = Annotated[float, Measured(Dimension.NUMBER, above=0.0)]
+Factor = Annotated[float, Measured(Dimension.NUMBER, at_least=1.0)]
+WearRate = Annotated[float, Measured(Dimension.SPEED, at_least=0.0, example='"0.4 mm/year"')]
+Code = Annotated[str, Text(filled=True, example='"break/5"')]
+Name = Annotated[str, Text()]
+Angle = Annotated[float, Measured(Dimension.ANGLE)]
+Force = Annotated[float, Measured(Dimension.FORCE)]
+Variant = Annotated[str, Text(filled=True)]
+Lengths = Annotated[list[Length], Field(min_length=1)]
+Masses = Annotated[list[Mass], Field(min_length=1)]
 
 
 class Table(BaseModel):
@@ -62,23 +93,33 @@ class SiteTable(Table):
         "rho": "water_density",
     }
 
-    water_depth: Annotated[float, Measured(Dimension.LENGTH, above=0.0)]
+    water_depth: Length
     seabed_friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    water_density: Annotated[float, Measured(Dimension.DENSITY, above=0.0)] | None = None
+    water_density: Density | None = None
 
 
 class SegmentTable(Table):
     """A uniform stretch of the line."""
 
-    later: ClassVar[Mapping[str, str]] = {"component": "submerged_weight", "diameter": ""}
-    symbols: ClassVar[Mapping[str, str]] = {"L": "length", "w": "submerged_weight", "m": "mass"}
+    symbols: ClassVar[Mapping[str, str]] = {
+        "L": "length",
+        "w": "submerged_weight",
+        "m": "mass",
+        "d": "diameter",
+        "nominal_diameter": "diameter",
+    }
 
-    name: Annotated[str, Text()] | None = None
-    length: Annotated[float, Measured(Dimension.LENGTH, above=0.0)]
-    submerged_weight: Annotated[float, Measured(Dimension.FORCE_PER_LENGTH)]
+    name: Name | None = None
+    length: Length
+    component: Component | None = None
+    diameter: Length | None = None
+    submerged_weight: Annotated[float, Measured(Dimension.FORCE_PER_LENGTH)] | None = None
     mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
     EA: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
     MBL: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    proof_load: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
+    wear_rate: WearRate | None = None
 
 
 class PointLoadTable(Table):
@@ -86,11 +127,11 @@ class PointLoadTable(Table):
 
     symbols: ClassVar[Mapping[str, str]] = {"s": "position", "W": "submerged_weight", "m": "mass"}
 
-    name: Annotated[str, Text()] | None = None
-    position: Annotated[float, Measured(Dimension.LENGTH, above=0.0)]
+    name: Name | None = None
+    position: Length
     submerged_weight: Annotated[float, Measured(Dimension.FORCE)] | None = None
     mass: Annotated[float, Measured(Dimension.MASS, at_least=0.0)] | None = None
-    density: Annotated[float, Measured(Dimension.DENSITY, above=0.0)] | None = None
+    density: Density | None = None
 
 
 class LineTable(Table):
@@ -105,7 +146,6 @@ class LineTable(Table):
 class LoadTable(Table):
     """The one known quantity at the fairlead."""
 
-    later: ClassVar[Mapping[str, str]] = {"code": ""}
     symbols: ClassVar[Mapping[str, str]] = {
         "H": "horizontal_force",
         "S": "span",
@@ -113,8 +153,30 @@ class LoadTable(Table):
     }
 
     horizontal_force: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
-    span: Annotated[float, Measured(Dimension.LENGTH, above=0.0)] | None = None
+    span: Length | None = None
     fairlead_tension: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+
+
+class LoadCaseTable(Table):
+    """A state of the sea that the line has to meet."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"H": "horizontal_force"}
+
+    name: Annotated[str, Text(filled=True, example='"storm"')]
+    horizontal_force: Annotated[float, Measured(Dimension.FORCE, above=0.0)]
+    water_level: Annotated[float, Measured(Dimension.LENGTH)] | None = None
+    kind: Annotated[str, OneOf(LOAD_CASE_KINDS)] | None = None
+
+
+class SystemTable(Table):
+    """A body moored by several lines, each like [line], and what pushes it."""
+
+    anchor_radius: Length
+    fairlead_radius: Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)] | None = None
+    azimuths: Annotated[list[Angle], Field(min_length=1)]
+    force: Annotated[list[Force], Field(min_length=2, max_length=2)] | None = None
+    moment: Annotated[float, Measured(Dimension.MOMENT)] | None = None
+    yaw_free: Annotated[bool, Flag()] | None = None
 
 
 class FindTable(Table):
@@ -128,18 +190,151 @@ class FindTable(Table):
     anchor_angle: (
         Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)] | None
     ) = None
-    grounded_length: Annotated[float, Measured(Dimension.LENGTH, above=0.0)] | None = None
+    grounded_length: Length | None = None
 
 
 class ChecksTable(Table):
     """Limits a design has to keep."""
 
-    later: ClassVar[Mapping[str, str]] = {"code": ""}
+    symbols: ClassVar[Mapping[str, str]] = {
+        "SF": "safety_factor",
+        "factor_of_safety": "safety_factor",
+    }
 
-    safety_factor: Annotated[float, Measured(Dimension.NUMBER, at_least=1.0)] | None = None
+    safety_factor: Factor | None = None
+    code: Code | None = None
+    codes: Annotated[list[Code], Field(min_length=1)] | None = None
+    proof_load_factor: Factor | None = None
     max_anchor_uplift_angle: (
         Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)] | None
     ) = None
+    max_anchor_uplift_force: Annotated[float, Measured(Dimension.FORCE, at_least=0.0)] | None = None
+    min_grounded_length: Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)] | None = None
+    max_offset: Length | None = None
+    allow_recalled: Annotated[bool, Flag()] | None = None
+
+
+class ServiceTable(Table):
+    """How long the line is to last, and how fast it wears."""
+
+    life: Annotated[float, Measured(Dimension.TIME, at_least=0.0, example='"10 years"')]
+    wear_rate: WearRate | None = None
+
+
+class BuoyTable(Table):
+    """The floating body that the line pulls down on."""
+
+    reserve_buoyancy: Annotated[float, Measured(Dimension.FORCE, above=0.0)]
+
+
+class AnchorTable(Table):
+    """What holds the line at the bed."""
+
+    symbols: ClassVar[Mapping[str, str]] = {
+        "W": "submerged_weight",
+        "m": "mass",
+        "SF": "safety_factor",
+    }
+
+    kind: Annotated[str, OneOf(ANCHOR_KINDS)]
+    submerged_weight: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    mass: Mass | None = None
+    density: Density | None = None
+    friction: Friction | None = None
+    holding_capacity: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    safety_factor: Factor | None = None
+
+
+class VariantsTable(Table):
+    """Which of disagreeing figures to follow, by quantity of the catalogue."""
+
+    all: Variant | None = None
+    mass: Variant | None = None
+    volume_diameter: Variant | None = None
+    MBL: Variant | None = None
+    proof_load: Variant | None = None
+    wet_strength_factor: Variant | None = None
+    EA: Variant | None = None
+    EA_dynamic: Variant | None = None
+    drag_normal: Variant | None = None
+    drag_axial: Variant | None = None
+    added_mass_normal: Variant | None = None
+    added_mass_axial: Variant | None = None
+    price: Variant | None = None
+
+
+class CatalogueTable(Table):
+    """Where components come from."""
+
+    file: Annotated[str, Text(filled=True)] | None = None
+    allow_recalled: Annotated[bool, Flag()] | None = None
+    variants: VariantsTable | None = None
+
+
+class SegmentChoiceTable(Table):
+    """What one segment of a design may be."""
+
+    name: Name | None = None
+    component: Component | None = None
+    components: Annotated[list[Component], Field(min_length=1)] | None = None
+    diameter: Length | None = None
+    diameters: Lengths | None = None
+    diameter_min: Length | None = None
+    diameter_max: Length | None = None
+    length: Length | None = None
+    lengths: Lengths | None = None
+    length_min: Length | None = None
+    length_max: Length | None = None
+    length_step: Length | None = None
+    optional: Annotated[bool, Flag()] | None = None
+
+
+class ClumpWeightChoiceTable(Table):
+    """What one clump weight of a design may be."""
+
+    name: Name | None = None
+    mass: Mass | None = None
+    masses: Masses | None = None
+    mass_min: Mass | None = None
+    mass_max: Mass | None = None
+    mass_step: Mass | None = None
+    density: Density
+    position: Length | None = None
+    positions: Lengths | None = None
+    position_min: Length | None = None
+    position_max: Length | None = None
+    position_step: Length | None = None
+    joint: Annotated[int, Whole(at_least=1, example=1)] | None = None
+    optional: Annotated[bool, Flag()] | None = None
+
+
+class SinkerChoiceTable(Table):
+    """Sinkers at the anchor to choose from."""
+
+    mass: Mass | None = None
+    masses: Masses | None = None
+    mass_min: Mass | None = None
+    mass_max: Mass | None = None
+    mass_step: Mass | None = None
+    density: Density
+    friction: Friction
+    safety_factor: Factor | None = None
+
+
+class DesignTable(Table):
+    """What may vary, and what it is to be best in."""
+
+    objectives: Annotated[list[Annotated[str, OneOf(OBJECTIVES)]], Field(min_length=1)] | None = (
+        None
+    )
+    method: Annotated[str, OneOf(SEARCH_METHODS)] | None = None
+    evaluations: Annotated[int, Whole(at_least=1, example=10_000)] | None = None
+    population: Annotated[int, Whole(at_least=4, example=100)] | None = None
+    seed: Annotated[int, Whole(at_least=0, example=1)] | None = None
+    max_enumerated: Annotated[int, Whole(at_least=1, example=5_000_000)] | None = None
+    segments: Annotated[list[SegmentChoiceTable], Field(min_length=1)]
+    clump_weights: list[ClumpWeightChoiceTable] = []
+    sinker: SinkerChoiceTable | None = None
 
 
 class PsoTable(Table):
@@ -161,22 +356,28 @@ class CaseTable(Table):
     """A whole case file."""
 
     later: ClassVar[Mapping[str, str]] = {
-        "system": "load",
-        "design": "",
         "waves": "",
         "current": "",
         "dynamics": "",
         "verify": "",
         "environment": "",
     }
+    symbols: ClassVar[Mapping[str, str]] = {"catalog": "catalogue"}
 
-    title: Annotated[str, Text()] | None = None
-    source: Annotated[str, Text()] | None = None
+    title: Name | None = None
+    source: Name | None = None
     site: SiteTable
     line: LineTable
     load: LoadTable | None = None
+    load_cases: Annotated[list[LoadCaseTable], Field(min_length=1)] | None = None
+    system: SystemTable | None = None
     find: FindTable | None = None
     checks: ChecksTable | None = None
+    service: ServiceTable | None = None
+    buoy: BuoyTable | None = None
+    anchor: AnchorTable | None = None
+    catalogue: CatalogueTable | None = None
+    design: DesignTable | None = None
     pso: PsoTable | None = None
 
 
@@ -187,11 +388,11 @@ class Entry:
     Attributes
     ----------
     kind : Kind or None
-        For a single value.
+        For a single value, and for each of an array of values.
     table : type of Table or None
         For a table or an array of tables.
     array : bool
-        Whether it is an array of tables.
+        Whether it is an array, of values or of tables.
     required : bool
         Whether it has to be there.
     """
@@ -202,7 +403,8 @@ class Entry:
     required: bool
 
 
-def entries(table: type[Table]) -> dict[str, Entry]:
+@cache
+def entries(table: type[Table]) -> Mapping[str, Entry]:
     """List the keys of a table, in order, with what each holds."""
     listed = {}
     for key, field in table.model_fields.items():
@@ -210,7 +412,7 @@ def entries(table: type[Table]) -> dict[str, Entry]:
         kind = next((part for part in parts if isinstance(part, Kind)), None)
         inner = next((p for p in parts if isinstance(p, type) and issubclass(p, Table)), None)
         listed[key] = Entry(kind, inner, list in parts, field.is_required())
-    return listed
+    return MappingProxyType(listed)
 
 
 def _parts(annotation: Any) -> list[Any]:

@@ -60,7 +60,7 @@ def _wanted(path: Path) -> str:
         return "a table is wanted"
     entry = _entry(path)
     if entry.kind is not None:
-        return entry.kind.wanted
+        return entry.kind.wanted + (", in brackets" if entry.array else "")
     line = header(path, array=entry.array)
     if entry.array:
         return f"write {line}, in double brackets, once for each"

@@ -5,19 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
-from catopt.model import Case, Find, Load, PointLoad, Segment
+from catopt.casefile.design_writing import design_sections
+from catopt.casefile.toml_text import flag, measured, measures, text, texts, whole
+from catopt.errors import InputError, Problem
+from catopt.model import (
+    Anchor,
+    Buoy,
+    Case,
+    CatalogueChoice,
+    Find,
+    Load,
+    LoadCase,
+    PointLoad,
+    Segment,
+    Service,
+    System,
+)
 
 __all__ = ["write_case"]
-
-_ESCAPES = {
-    '"': '\\"',
-    "\\": "\\\\",
-    "\b": "\\b",
-    "\t": "\\t",
-    "\n": "\\n",
-    "\f": "\\f",
-    "\r": "\\r",
-}
 
 
 def write_case(case: Case) -> str:
@@ -32,7 +37,8 @@ def write_case(case: Case) -> str:
     -------
     str
         Text that `parse_case` reads back as an equal case, to the last digit. What has no value
-        (an EA of an inextensible segment, an unknown mass) is left out.
+        (an EA of an inextensible segment, an unknown mass) is left out; a segment of a component
+        takes it from the catalogue again. Paths are absolute.
     """
     sections: list[tuple[str, Iterable[str]]] = [
         ("[site]", _site(case)),
@@ -40,90 +46,149 @@ def write_case(case: Case) -> str:
         *(("[[line.segments]]", _segment(segment)) for segment in case.line.segments),
         *(("[[line.point_loads]]", _point_load(load)) for load in case.line.point_loads),
         *((("[load]", _load(case.load)),) if case.load else ()),
+        *(("[[load_cases]]", _load_case(state)) for state in case.load_cases),
+        *((("[system]", _system(case, case.system)),) if case.system else ()),
         *((("[find]", _find(case.find)),) if case.find else ()),
         ("[checks]", _checks(case)),
+        *((("[service]", _service(case.service)),) if case.service else ()),
+        *((("[buoy]", _buoy(case.buoy)),) if case.buoy else ()),
+        *((("[anchor]", _anchor(case.anchor)),) if case.anchor else ()),
+        *_catalogue(case.catalogue),
+        *(design_sections(case.design) if case.design else ()),
         ("[pso]", _swarm(case)),
     ]
-    head = [*_text("title", case.title), *_text("source", case.source)]
+    head = [*text("title", case.title), *text("source", case.source)]
     blocks = [head] if head else []
     blocks += [[opening, *lines] for opening, lines in sections]
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
 def _site(case: Case) -> Iterator[str]:
-    yield from _measured("water_depth", case.site.water_depth, "m")
-    yield from _measured("seabed_friction", case.site.seabed_friction)
-    yield from _measured("water_density", case.site.water_density, "kg/m^3")
+    yield from measured("water_depth", case.site.water_depth, "m")
+    yield from measured("seabed_friction", case.site.seabed_friction)
+    yield from measured("water_density", case.site.water_density, "kg/m^3")
 
 
 def _ends(case: Case) -> Iterator[str]:
-    yield from _measured("fairlead_height", case.fairlead_height, "m")
-    yield from _measured("anchor_height", case.anchor_height, "m")
+    yield from measured("fairlead_height", case.fairlead_height, "m")
+    yield from measured("anchor_height", case.anchor_height, "m")
 
 
 def _segment(segment: Segment) -> Iterator[str]:
-    yield from _text("name", segment.name)
-    yield from _measured("length", segment.length, "m")
-    yield from _measured("submerged_weight", segment.submerged_weight, "N/m")
-    yield from _measured("mass", segment.mass, "kg/m")
+    # A component would give its own name to a segment without one.
+    yield from text("name", segment.name, empty=bool(segment.component))
+    yield from measured("length", segment.length, "m")
+    yield from text("component", segment.component)
+    yield from measured("diameter", segment.nominal_diameter, "m")
+    yield from measured("submerged_weight", segment.submerged_weight, "N/m")
+    yield from measured("mass", segment.mass, "kg/m")
     if math.isfinite(segment.EA):
-        yield from _measured("EA", segment.EA, "N")
-    yield from _measured("MBL", segment.MBL, "N")
+        yield from measured("EA", segment.EA, "N")
+    yield from measured("MBL", segment.MBL, "N")
+    yield from measured("proof_load", segment.proof_load, "N")
+    yield from measured("price", segment.price, "USD/m")
+    yield from measured("wear_rate", segment.wear_rate, "m/s")
 
 
 def _point_load(load: PointLoad) -> Iterator[str]:
-    yield from _text("name", load.name)
-    yield from _measured("position", load.position, "m")
-    yield from _measured("submerged_weight", load.submerged_weight, "N")
-    yield from _measured("mass", load.mass, "kg")
+    yield from text("name", load.name)
+    yield from measured("position", load.position, "m")
+    yield from measured("submerged_weight", load.submerged_weight, "N")
+    yield from measured("mass", load.mass, "kg")
 
 
 def _load(load: Load) -> Iterator[str]:
-    yield from _measured("horizontal_force", load.horizontal_force, "N")
-    yield from _measured("span", load.span, "m")
-    yield from _measured("fairlead_tension", load.fairlead_tension, "N")
+    yield from measured("horizontal_force", load.horizontal_force, "N")
+    yield from measured("span", load.span, "m")
+    yield from measured("fairlead_tension", load.fairlead_tension, "N")
+
+
+def _load_case(state: LoadCase) -> Iterator[str]:
+    yield from text("name", state.name)
+    yield from measured("horizontal_force", state.horizontal_force, "N")
+    yield from measured("water_level", state.water_level, "m")
+    yield from text("kind", state.kind)
+
+
+def _system(case: Case, system: System) -> Iterator[str]:
+    """Write a system of equal lines, each like the case's; InputError for any other."""
+    first, *_ = system.legs
+    around = System.around(
+        case.line,
+        azimuths=[leg.azimuth for leg in system.legs],
+        anchor_radius=first.anchor_radius,
+        fairlead_radius=first.fairlead_radius,
+        fairlead_height=case.fairlead_height,
+        anchor_height=case.anchor_height,
+        seabed_friction=case.site.seabed_friction,
+        force=system.force,
+        moment=system.moment,
+        yaw_free=system.yaw_free,
+    )
+    if around != system:
+        allowed = "a case file holds equal lines, each like the case's own, around the body"
+        raise InputError([Problem("system", "lines of their own", allowed)], "write_case")
+    yield from measured("anchor_radius", first.anchor_radius, "m")
+    yield from measured("fairlead_radius", first.fairlead_radius, "m")
+    yield from measures("azimuths", [leg.azimuth for leg in system.legs], "rad")
+    yield from measures("force", system.force, "N")
+    yield from measured("moment", system.moment, "N*m")
+    if system.yaw_free is not None:
+        yield f"yaw_free = {'true' if system.yaw_free else 'false'}"
 
 
 def _find(find: Find) -> Iterator[str]:
-    yield from _text("quantity", find.quantity)
-    yield from _whole("segment", find.segment)
-    yield from _whole("point_load", find.point_load)
-    yield from _measured("anchor_angle", find.anchor_angle, "rad")
-    yield from _measured("grounded_length", find.grounded_length, "m")
+    yield from text("quantity", find.quantity)
+    yield from whole("segment", find.segment)
+    yield from whole("point_load", find.point_load)
+    yield from measured("anchor_angle", find.anchor_angle, "rad")
+    yield from measured("grounded_length", find.grounded_length, "m")
 
 
 def _checks(case: Case) -> Iterator[str]:
-    yield from _measured("safety_factor", case.checks.safety_factor)
-    yield from _measured("max_anchor_uplift_angle", case.checks.max_anchor_uplift_angle, "rad")
+    checks = case.checks
+    yield from measured("safety_factor", checks.safety_factor)
+    yield from texts("codes", checks.codes)
+    yield from measured("proof_load_factor", checks.proof_load_factor)
+    yield from measured("max_anchor_uplift_angle", checks.max_anchor_uplift_angle, "rad")
+    yield from measured("max_anchor_uplift_force", checks.max_anchor_uplift_force, "N")
+    yield from measured("min_grounded_length", checks.min_grounded_length, "m")
+    yield from measured("max_offset", checks.max_offset, "m")
+    yield from flag("allow_recalled", checks.allow_recalled)
+
+
+def _service(service: Service) -> Iterator[str]:
+    yield from measured("life", service.life, "s")
+    yield from measured("wear_rate", service.wear_rate, "m/s")
+
+
+def _buoy(buoy: Buoy) -> Iterator[str]:
+    yield from measured("reserve_buoyancy", buoy.reserve_buoyancy, "N")
+
+
+def _anchor(anchor: Anchor) -> Iterator[str]:
+    yield from text("kind", anchor.kind)
+    yield from measured("submerged_weight", anchor.submerged_weight, "N")
+    yield from measured("mass", anchor.mass, "kg")
+    yield from measured("friction", anchor.friction)
+    yield from measured("holding_capacity", anchor.holding_capacity, "N")
+    yield from measured("safety_factor", anchor.safety_factor)
+
+
+def _catalogue(choice: CatalogueChoice) -> Iterator[tuple[str, Iterable[str]]]:
+    own = [*text("file", choice.file), *flag("allow_recalled", choice.allow_recalled)]
+    if own:
+        yield "[catalogue]", own
+    if choice.variants:
+        lines = (line for quantity, name in choice.variants for line in text(quantity, name))
+        yield "[catalogue.variants]", lines
 
 
 def _swarm(case: Case) -> Iterator[str]:
     swarm = case.swarm
     for key in ("particles", "iterations", "runs", "seed"):
-        yield from _whole(key, getattr(swarm, key))
-    yield from _measured("cognitive", swarm.cognitive)
-    yield from _measured("social", swarm.social)
-    yield from _measured("inertia", swarm.inertia)
-    yield from _text("boundary", swarm.boundary)
-
-
-def _measured(key: str, value: float | None, unit: str = "") -> Iterator[str]:
-    if value is not None:
-        digits = repr(float(value))  # the shortest text that reads back as the same number
-        yield f'{key} = "{digits} {unit}"' if unit else f"{key} = {digits}"
-
-
-def _whole(key: str, value: int | None) -> Iterator[str]:
-    if value is not None:
-        yield f"{key} = {int(value)}"
-
-
-def _text(key: str, text: str) -> Iterator[str]:
-    if text:
-        yield f'{key} = "{"".join(_escaped(character) for character in text)}"'
-
-
-def _escaped(character: str) -> str:
-    if character in _ESCAPES:
-        return _ESCAPES[character]
-    return character if character >= " " and character != "\x7f" else f"\\u{ord(character):04x}"
+        yield from whole(key, getattr(swarm, key))
+    yield from measured("cognitive", swarm.cognitive)
+    yield from measured("social", swarm.social)
+    yield from measured("inertia", swarm.inertia)
+    yield from text("boundary", swarm.boundary)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from typing import NamedTuple
 
 from catopt.catalogue.family import Family
@@ -79,8 +80,12 @@ def _names(families: Iterable[Family]) -> Iterator[tuple[tuple[str, ...], str, C
                 yield _plain(full), full, ComponentName(family.name, grade)
 
 
+@cache
 def _plain(name: str) -> tuple[str, ...]:
-    """Bring a name to a form that is the same for all spellings."""
+    """Bring a name to a form that is the same for all spellings.
+
+    Remembered: a design search looks hundreds of components up, each among all names.
+    """
     return tuple(sorted(_letters(name).split()))
 
 

@@ -13,7 +13,7 @@ from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.units import as_written
 
-__all__ = ["search_in"]
+__all__ = ["held_by", "search_in"]
 
 Condition = Callable[[Component], bool]
 
@@ -67,7 +67,7 @@ def search_in(
         components = catalogue.sold(
             each.name,
             grade=its_grade,
-            variants=_those_of(each, its_grade, variants),
+            variants=held_by(each, its_grade, variants),
             water_density=water_density,
             allow_recalled=allow_recalled,
         )
@@ -114,13 +114,13 @@ def _check_variants(
 ) -> None:
     """Note a problem for each variant that none of the families has."""
     for quantity, variant in variants.items():
-        if not any(_those_of(family, grade, {quantity: variant}) for family, grade in wanted):
+        if not any(held_by(family, grade, {quantity: variant}) for family, grade in wanted):
             known = quantity in SPECS or quantity == "all"
             what = "none of these families has it" if known else f"one of {', '.join(SPECS)}"
             check.add(f"variants.{quantity}", as_written(variant), what)
 
 
-def _those_of(family: Family, grade: str | None, variants: Mapping[str, str]) -> dict[str, str]:
+def held_by(family: Family, grade: str | None, variants: Mapping[str, str]) -> dict[str, str]:
     """Keep the variants that a family has; the others keep their defaults."""
     own = {(f.quantity, f.variant) for q in SPECS for f in family.alternatives(q, grade)}
     names = {variant for _, variant in own}

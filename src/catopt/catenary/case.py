@@ -1,4 +1,4 @@
-"""Solve a case: by the method wanted, or for what it seeks."""
+"""Solve a case: by the method wanted, under its load, or for what it seeks."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from catopt.catenary.find import find_case
 from catopt.catenary.result import under_case
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
+from catopt.errors import InputError, Problem
 from catopt.model import Case
 
-__all__ = ["Method", "solve_case"]
+__all__ = ["Method", "solve_case", "under_a_load"]
 
 Method = Literal["closed-form", "pso"]
 
@@ -24,7 +25,8 @@ def solve_case(
 ) -> Solution:
     """Solve a case; errors as for `solve`.
 
-    When the case seeks something (`case.find`), the answer is the line with what was found.
+    When the case seeks something (`case.find`), the answer is the line with what was found. A case
+    without load is solved under its first load case, with a warning that says so.
 
     Parameters
     ----------
@@ -35,6 +37,37 @@ def solve_case(
     progress : callable, optional
         Called after each run of the swarm with the number of runs done.
     """
+    case, warnings = under_a_load(case)
+    return _solved(case, method, progress).with_warnings(warnings)
+
+
+def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
+    """Return the case under its first load case where it has no load, with the warning to give.
+
+    Parameters
+    ----------
+    case : Case
+        Returned as it is, without warning, where it has a load or seeks something.
+    """
+    if case.load is not None or case.find is not None:
+        return case, ()
+    if case.system is not None:
+        wanted = "this case is a body with several lines: catopt system solves it"
+        raise InputError([Problem("system", "instead of [load]", wanted)])
+    first, *others = case.load_cases
+    if not others:
+        return case.under(first), ()
+    names = ", ".join(f'"{each.name}"' for each in others)
+    verb = "is" if len(others) == 1 else "are"
+    warning = (
+        f'solved under the first load case, "{first.name}"; there {verb} also {names} '
+        "(--load-case NAME)"
+    )
+    return case.under(first), (warning,)
+
+
+def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) -> Solution:
+    """Solve a case that has a load or seeks something."""
     if method == "pso":
         from catopt.catenary.swarm.case import solve_case_by_swarm
 

@@ -9,7 +9,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from catopt.catenary.case import solve_case
+from catopt.catenary.case import solve_case, under_a_load
 from catopt.catenary.curve import Array, Curve, Over, check_range, load_curve
 from catopt.catenary.find import find_limit_force
 from catopt.catenary.solution import Solution
@@ -164,7 +164,8 @@ def curve_case(
     """
     if over not in STEPPED:
         raise InputError([Problem("over", repr(over), "one of " + ", ".join(STEPPED))], "curve")
-    reference = solve_case(case)
+    case, warnings = under_a_load(case)
+    reference = solve_case(case).with_warnings(warnings)
     zero = reference.span if over == "offset" else 0.0
     first = None if start is None else start + zero
     last = None if stop is None else stop + zero

@@ -89,8 +89,11 @@ def _segments(
 ) -> tuple[SegmentState, ...]:
     largest = [0.0] * len(line.segments)
     for stretch in stretches:
-        index = segment_of[stretch.piece]
-        largest[index] = max(largest[index], max_tension(stretch))
+        # A point load on the upper joint of a segment leaves a stretch of no length above it,
+        # which bears the tension of the next segment.
+        if stretch.length > 0.0:
+            index = segment_of[stretch.piece]
+            largest[index] = max(largest[index], max_tension(stretch))
     return tuple(
         SegmentState(segment.name, segment.length, tension, segment.MBL)
         for segment, tension in zip(line.segments, largest, strict=True)

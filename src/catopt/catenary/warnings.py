@@ -17,7 +17,10 @@ def plausibility(solution: Solution) -> tuple[str, ...]:
 
 def above_water(solution: Solution, water_depth: float) -> tuple[str, ...]:
     """Warn when the line rises above both the water and its fairlead."""
-    top = max(solution.profile(201).z)
+    # Only a buoyant part can rise above both of its ends.
+    floats = any(stretch.submerged_weight < 0.0 for stretch in solution.stretches)
+    ends = (solution.fairlead_height, *(stretch.z for stretch in solution.stretches))
+    top = max(solution.profile(201).z) if floats else max(ends)
     limit = max(water_depth, solution.fairlead_height)
     if top <= limit * (1.0 + 1e-9):
         return ()

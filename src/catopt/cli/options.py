@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-__all__ = ["JsonOption", "OutOption"]
+__all__ = ["CaseArgument", "DesignOption", "JsonOption", "OutOption"]
 
 JsonOption = Annotated[
     bool,
@@ -24,5 +24,22 @@ OutOption = Annotated[
         metavar="DIR",
         help="Also write tables (CSV and one .xlsx), figures and the JSON document here. "
         "Files of the same name are replaced.",
+    ),
+]
+
+CaseArgument = Annotated[
+    Path,
+    typer.Argument(
+        metavar="CASE",
+        help="Case file (TOML); with --design a directory that catopt design --out wrote.",
+    ),
+]
+
+DesignOption = Annotated[
+    int | None,
+    typer.Option(
+        "--design",
+        metavar="K",
+        help="Take design K of the front in the result directory CASE, by its number there.",
     ),
 ]

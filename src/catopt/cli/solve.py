@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption, OutOption
+from catopt.cli.options import CaseArgument, DesignOption, JsonOption, OutOption
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -27,7 +27,7 @@ class Method(StrEnum):
 
 def solve(
     context: typer.Context,
-    case: Annotated[Path, typer.Argument(metavar="CASE", help="Case file (TOML).")],
+    case: CaseArgument,
     method: Annotated[
         Method,
         typer.Option(
@@ -56,6 +56,15 @@ def solve(
             "random, intermediate or periodic; overrides the case.",
         ),
     ] = None,
+    load_case: Annotated[
+        str | None,
+        typer.Option(
+            "--load-case",
+            metavar="NAME",
+            help="Solve under this load case; when left out under [load], or else the first one.",
+        ),
+    ] = None,
+    design: DesignOption = None,
     profile: Annotated[
         bool, typer.Option("--profile", help="Add the shape and the tension along the line.")
     ] = False,
@@ -67,7 +76,7 @@ def solve(
     Prints the inclination at the anchor, the span, the tensions and how the line lies, with the
     residuals of the equilibrium. Forces are shown in kN and tf, the JSON document is in SI.
     """
-    from catopt.casefile import read_case
+    from catopt.casefile.design_directory import read_case_or_design
 
     output: Output = context.obj
     if out is not None:
@@ -82,8 +91,9 @@ def solve(
         "boundary": boundary,
     }
     given = {key: value for key, value in settings.items() if value is not None}
-    read = _with_settings(read_case(case), given, method)
+    read = _with_settings(_under(read_case_or_design(case, design), load_case), given, method)
     solution = _solved(read, method, output)
+    read = _as_solved(read)
     if out is not None:
         _write(read, solution, out, output)
     if as_json:
@@ -92,6 +102,24 @@ def solve(
     from catopt.cli.solution_view import show_solution
 
     show_solution(output, read, solution, with_profile=profile)
+
+
+def _under(case: Case, name: str | None) -> Case:
+    """Return the case in the state that was asked for, if any."""
+    from catopt.errors import InputError, Problem
+    from catopt.units import as_written
+
+    if name is None:
+        return case
+    states = {state.name: state for state in case.load_cases}
+    if name in states and case.find is None:
+        return case.under(states[name])
+    allowed = "the case has no [[load_cases]]"
+    if name in states and case.find is not None:
+        allowed = f"the case seeks something, {case.find.quantity}; leave out the option or [find]"
+    elif states:
+        allowed = f"one of {', '.join(states)} is wanted"
+    raise InputError([Problem("--load-case", as_written(name), allowed)], "options")
 
 
 def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
@@ -122,6 +150,13 @@ def _solved(case: Case, method: Method, output: Output) -> Solution:
         return solve_case(
             case, "pso", progress=None if tell is None else lambda done: tell(done, runs)
         )
+
+
+def _as_solved(case: Case) -> Case:
+    """Return the case with the load under which it was solved."""
+    from catopt.catenary.case import under_a_load
+
+    return under_a_load(case)[0]
 
 
 def _write(case: Case, solution: Solution, directory: Path, output: Output) -> None:

@@ -12,6 +12,7 @@ from catopt.model.load import Load
 from catopt.model.load_case import LoadCase
 from catopt.model.service import Service
 from catopt.model.site import Site
+from catopt.model.system import Leg, System
 
 __all__ = [
     "Anchor",
@@ -22,6 +23,7 @@ __all__ = [
     "ClumpWeightChoice",
     "Design",
     "Find",
+    "Leg",
     "Line",
     "Load",
     "LoadCase",
@@ -32,4 +34,5 @@ __all__ = [
     "SinkerChoice",
     "Site",
     "SwarmSettings",
+    "System",
 ]

@@ -49,16 +49,17 @@ class Anchor:
             "sinker": {"submerged_weight": "N", "friction": ""},
             "drag": {"holding_capacity": "N"},
         }
+        noun = {"sinker": "sinker", "drag": "drag anchor"}[self.kind]
         units = wanted["sinker"] | wanted["drag"]
         for key, unit in units.items():
             value = getattr(self, key)
             if key in wanted[self.kind]:
                 if value is None:
-                    found.add(key, "", f"missing; a {self.kind} needs it")
+                    found.add(key, "", f"missing; a {noun} needs it")
                 else:
                     found.number(key, value, unit, above=0.0)
             elif value is not None:
-                found.add(key, f"{value:g}", f"does not go with a {self.kind}; leave it out")
+                found.add(key, f"{value:g}", f"does not go with a {noun}; leave it out")
         if self.safety_factor is not None:
             found.number("safety_factor", self.safety_factor, "", at_least=1.0)
         if self.mass is not None:

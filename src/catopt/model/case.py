@@ -16,6 +16,7 @@ from catopt.model.load import Load
 from catopt.model.load_case import LoadCase
 from catopt.model.service import Service
 from catopt.model.site import Site
+from catopt.model.system import System, system_misfits
 from catopt.model.validity import Findings
 
 __all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "SwarmSettings"]
@@ -100,6 +101,8 @@ class Case:
         Where components come from.
     design : Design or None
         What may vary.
+    system : System or None
+        A body moored by several lines like `line`, in the place of a load.
     """
 
     site: Site
@@ -118,6 +121,7 @@ class Case:
     anchor: Anchor | None = None
     catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
     design: Design | None = None
+    system: System | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Case")
@@ -129,8 +133,12 @@ class Case:
             MBL_known=[segment.MBL is not None for segment in self.line.segments],
             point_loads=len(self.line.point_loads),
             anchor_height=self.anchor_height,
-            has_load_cases=bool(self.load_cases),
+            has_load_cases=bool(self.load_cases) or self.system is not None,
         )
+        if self.system is not None:
+            found.problems += system_misfits(
+                {"load": self.load, "load_cases": self.load_cases, "find": self.find}
+            )
         self._check_load_cases(found)
         found.raise_if_any()
 

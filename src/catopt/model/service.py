@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from catopt.constants import YEAR
 from catopt.model.validity import Findings
 
 __all__ = ["YEAR", "Service"]
-
-YEAR = 365.25 * 86400.0
-"""A Julian year, s."""
 
 
 @dataclass(frozen=True)

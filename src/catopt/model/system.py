@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from catopt.errors import InputError
+from catopt.errors import InputError, Problem
 from catopt.model.line import Line
 from catopt.model.validity import Findings
 
-__all__ = ["Leg", "System"]
+__all__ = ["Leg", "System", "system_misfits"]
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ class Leg:
 
     @property
     def anchor(self) -> tuple[float, float]:
-        """x and y of the anchor, m."""
+        """X and y of the anchor, m."""
         return (
             self.anchor_radius * math.cos(self.azimuth),
             self.anchor_radius * math.sin(self.azimuth),
@@ -114,7 +114,7 @@ class Leg:
 
     @property
     def fairlead(self) -> tuple[float, float]:
-        """x and y of the fairlead in the body's axes, m."""
+        """X and y of the fairlead in the body's axes, m."""
         return (
             self.fairlead_radius * math.cos(self.fairlead_azimuth),
             self.fairlead_radius * math.sin(self.fairlead_azimuth),
@@ -264,7 +264,22 @@ class System:
         """Return the system at another water level, the body floating `by` metres higher."""
         return replace(
             self,
-            legs=tuple(
-                replace(leg, fairlead_height=leg.fairlead_height + by) for leg in self.legs
-            ),
+            legs=tuple(replace(leg, fairlead_height=leg.fairlead_height + by) for leg in self.legs),
         )
+
+
+def system_misfits(others: Mapping[str, object]) -> list[Problem]:
+    """List the parts of a case that do not go with a system.
+
+    Parameters
+    ----------
+    others : mapping of str to object
+        ``load``, ``load_cases`` and ``find``, empty or None where the case has none.
+    """
+    return [
+        Problem(
+            key, "beside a system", f"leave out {key} or system: a system has a load of its own"
+        )
+        for key, value in others.items()
+        if value
+    ]

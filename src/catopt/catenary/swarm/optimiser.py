@@ -23,7 +23,7 @@ with without_logging():
     from pyswarms.backend.swarms import Swarm
     from pyswarms.backend.topology import Star
 
-__all__ = ["PATIENCE", "Run", "optimiser"]
+__all__ = ["PATIENCE", "Run", "optimiser", "velocity"]
 
 PATIENCE = 25
 """Iterations without a better place after which a run that is down to rounding stops."""
@@ -82,7 +82,7 @@ def optimiser(objective: Objective, settings: SwarmSettings) -> Callable[[int], 
             places.append(swarm.best_pos.copy())
             if len(objectives) >= settings.iterations or _settled(objectives, objective.rounding):
                 break
-            swarm.velocity = _velocity(swarm, generator.random((2, *swarm.position.shape)))
+            swarm.velocity = velocity(swarm, generator.random((2, *swarm.position.shape)))
             # pyswarms' handlers may miss a bound by rounding.
             moved = star.compute_position(swarm, (lower, upper), handler)
             swarm.position = np.clip(moved, lower, upper, out=moved)
@@ -109,8 +109,11 @@ def _scatter(
     return swarm
 
 
-def _velocity(swarm: Swarm, draws: Array) -> Array:
-    """Apply the velocity rule, with draws of 0 to 1 of shape (2, particles, unknowns)."""
+def velocity(swarm: Swarm, draws: Array) -> Array:
+    """Apply the velocity rule, with draws of 0 to 1 of shape (2, particles, unknowns).
+
+    The best place that the swarm follows may be one for all or one for each particle.
+    """
     options = swarm.options
     cognitive = options["c1"] * draws[0] * (swarm.pbest_pos - swarm.position)
     social = options["c2"] * draws[1] * (swarm.best_pos - swarm.position)

@@ -1,0 +1,199 @@
+"""What must hold between the keys of ``[design]``, and between them and the line."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from catopt.casefile.components import SIZES
+from catopt.casefile.consistency import sinks_findings
+from catopt.casefile.document import Place, as_in_file, misspelt, number, table, tables, value
+from catopt.casefile.location import Finding, parts
+from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, duplicates
+from catopt.casefile.schema import (
+    CaseTable,
+    ClumpWeightChoiceTable,
+    DesignTable,
+    LineTable,
+    SegmentChoiceTable,
+    SegmentTable,
+    SinkerChoiceTable,
+)
+from catopt.errors import InputError
+from catopt.model import ClumpWeightChoice, Design, SegmentChoice
+from catopt.units import as_written
+
+__all__ = ["design_findings"]
+
+_COMPONENTS = ("components", "component")
+
+
+def design_findings(document: dict[str, Any]) -> list[Finding]:
+    """List what contradicts itself in the design of a document.
+
+    Parameters
+    ----------
+    document : dict
+        As the TOML reader returns it.
+    """
+    design = table(document, "design")
+    if not design:
+        return []
+    line = _Line(document)
+    sinker: Place = (("design", "sinker"), table(design, "sinker"))
+    segments = tables(design, "design", "segments")
+    weights = tables(design, "design", "clump_weights")
+    return [
+        *(f for index, place in enumerate(segments) for f in _segment(place, index, line)),
+        *(f for place in weights for f in _clump_weight(place)),
+        *_positions(segments, weights, line),
+        *(_sinker(document, sinker) if sinker[1] else ()),
+        *_as_the_model_has_it(document, segments, weights),
+        *_excursion(document),
+    ]
+
+
+class _Line:
+    """What the segments of a design may take over from the line."""
+
+    def __init__(self, document: dict[str, Any]) -> None:
+        line = table(document, "line")
+        self.segments = [segment for _, segment in tables(line, "line", "segments")]
+        self.is_clear = bool(self.segments) and not misspelt(LineTable, ["segments"], line)
+
+    def at(self, index: int) -> dict[str, Any] | None:
+        """Return the segment at a place, counted from 0; None when there is none."""
+        return self.segments[index] if index < len(self.segments) else None
+
+    def lacks(self, index: int) -> bool:
+        """Whether there is certainly no segment at a place."""
+        return self.is_clear and self.at(index) is None
+
+    def length(self, index: int) -> float | None:
+        """Return the length of the segment at a place; None when it is not clear."""
+        return number(SegmentTable, "length", self.at(index) or {})
+
+
+def _segment(place: Place, index: int, line: _Line) -> Iterator[Finding]:
+    """Find what is given in two ways, and what the line has not got to be taken over."""
+    path, given = place
+    yield from LENGTHS.findings(SegmentChoiceTable, place)
+    yield from _components(place)
+    yield from _sizes(place)
+    nothing = f"missing; the line has no segment {index + 1} to take it from"
+    unclear = LENGTHS.is_given(given) or misspelt(SegmentChoiceTable, LENGTHS.keys, given)
+    if line.lacks(index) and not unclear:
+        yield Finding((*path, "lengths"), "", nothing)
+    named = any(key in given for key in _COMPONENTS)
+    if named or misspelt(SegmentChoiceTable, _COMPONENTS, given):
+        return
+    if line.lacks(index):
+        yield Finding((*path, "components"), "", nothing)
+    elif any(key in given for key in SIZES) and line.is_clear:
+        own = line.at(index) or {}
+        if "component" not in own and not misspelt(SegmentTable, ["component"], own):
+            why = f"missing; diameters are of a component, and segment {index + 1} of the line"
+            yield Finding((*path, "components"), "", f"{why} has none")
+
+
+def _components(place: Place) -> Iterator[Finding]:
+    path, given = place
+    if all(key in given for key in _COMPONENTS):
+        yield Finding(path, "component and components", "only one of them is wanted")
+
+
+def _sizes(place: Place) -> Iterator[Finding]:
+    """Find diameters given in two ways, twice, or as a range that is none."""
+    path, given = place
+    ranged = [key for key in ("diameter_min", "diameter_max") if key in given]
+    singly = [key for key in ("diameter", "diameters") if key in given]
+    if len(singly) + bool(ranged) > 1:
+        wanted = "diameters, diameter, or diameter_min and diameter_max"
+        yield Finding(path, " and ".join([*singly, *ranged]), f"only one way is wanted: {wanted}")
+    low, high = (number(SegmentChoiceTable, f"diameter_{end}", given) for end in ("min", "max"))
+    if low is not None and high is not None and high < low:
+        shown = as_written(given["diameter_min"]).strip('"')
+        allowed = f"must be diameter_min or more, which is {shown}"
+        yield Finding((*path, "diameter_max"), as_written(given["diameter_max"]), allowed)
+    yield from duplicates(SegmentChoiceTable, place, "diameters")
+
+
+def _clump_weight(place: Place) -> Iterator[Finding]:
+    """Find a clump weight without mass or place, or with two."""
+    path, given = place
+    yield from MASSES.findings(ClumpWeightChoiceTable, place, required=True)
+    yield from POSITIONS.findings(ClumpWeightChoiceTable, place)
+    placed = [key for key in POSITIONS.keys if key in given]
+    if placed and "joint" in given:
+        found = " and ".join([*placed, "joint"])
+        yield Finding(path, found, "it hangs either at positions or at a joint")
+    misread = misspelt(ClumpWeightChoiceTable, [*POSITIONS.keys, "joint"], given)
+    if not placed and "joint" not in given and not misread:
+        wanted = f"missing; {POSITIONS.wanted}, or a joint is wanted"
+        yield Finding((*path, "positions"), "", wanted)
+
+
+def _positions(segments: list[Place], weights: list[Place], line: _Line) -> Iterator[Finding]:
+    """Find clump weights that are beyond the end of the longest line at every position."""
+    longest = []
+    for index, (_, given) in enumerate(segments):
+        if LENGTHS.is_given(given):
+            length = max(LENGTHS.read(SegmentChoiceTable, given), default=None)
+        else:
+            length = line.length(index)
+        if length is None or misspelt(SegmentChoiceTable, LENGTHS.keys, given):
+            return
+        longest.append(length)
+    total = math.fsum(longest)
+    for path, given in weights:
+        positions = POSITIONS.read(ClumpWeightChoiceTable, given)
+        if longest and positions and not positions[0] < total:
+            key = next(key for key in POSITIONS.keys if key in given)
+            which = "one of them " if key == POSITIONS.many else ""
+            allowed = f"{which}must be below {total:g} m, the length of the longest line"
+            yield Finding((*path, key), as_written(given[key]), allowed)
+
+
+def _sinker(document: dict[str, Any], place: Place) -> Iterator[Finding]:
+    yield from MASSES.findings(SinkerChoiceTable, place, required=True)
+    yield from sinks_findings(document, SinkerChoiceTable, place)
+
+
+def _as_the_model_has_it(
+    document: dict[str, Any], segments: list[Place], weights: list[Place]
+) -> Iterator[Finding]:
+    """Find objectives too few or too many, joints that are not there, and no fixed segment."""
+    design = table(document, "design")
+    if not segments:
+        return
+    objectives = value(DesignTable, "objectives", design)
+    joints = [value(ClumpWeightChoiceTable, "joint", given) for _, given in weights]
+    try:
+        Design(
+            tuple(SegmentChoice((1.0,), optional=s.get("optional") is True) for _, s in segments),
+            tuple(
+                ClumpWeightChoice((1.0,), 1.0, positions=() if joint else (1.0,), joint=joint)
+                for joint in joints
+            ),
+            objectives=tuple(objectives) if objectives else ("mass", "offset"),
+        )
+    except InputError as error:
+        for problem in error.problems:
+            path = ("design", *parts(problem.key))
+            yield as_in_file(document, Finding(path, problem.found, problem.allowed))
+
+
+def _excursion(document: dict[str, Any]) -> Iterator[Finding]:
+    """Find an excursion that has no reference to count from."""
+    objectives = value(DesignTable, "objectives", table(document, "design")) or []
+    cases = tables(document, "load_cases")
+    misread = "load_cases" in document and not cases
+    count = sum(state.get("kind") == "reference" for _, state in cases)
+    if "excursion" not in objectives or misread or count == 1:
+        return
+    if not misspelt(CaseTable, ["load_cases"], document):
+        path = ("design", "objectives", objectives.index("excursion"))
+        there = f"there are {count}" if count else "there is none"
+        allowed = f'counts from the one load case of kind "reference", and {there}'
+        yield Finding(path, '"excursion"', allowed)

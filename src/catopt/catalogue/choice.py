@@ -1,0 +1,127 @@
+"""The catalogue as a case chooses it: its own families, and which of disagreeing figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from catopt import catalogue
+from catopt.catalogue.collection import ALL, Catalogue
+from catopt.catalogue.components import Component
+from catopt.catalogue.searching import held_by
+from catopt.errors import Problem
+from catopt.model import CatalogueChoice
+from catopt.units import as_written
+
+__all__ = ["ChosenCatalogue", "chosen"]
+
+
+@dataclass(frozen=True)
+class ChosenCatalogue:
+    """Families to choose from, with the figures to follow.
+
+    A family that lacks a variant keeps its default.
+
+    Attributes
+    ----------
+    families : Catalogue
+        catopt's own and the user's.
+    choice : CatalogueChoice
+        Of a case.
+    water_density : float
+        For submerged weights, kg/m3.
+    """
+
+    families: Catalogue
+    choice: CatalogueChoice
+    water_density: float
+
+    def component(self, name: str, diameter: float) -> Component:
+        """Look a component up.
+
+        Parameters
+        ----------
+        name : str
+            Family and grade.
+        diameter : float
+            Nominal, m.
+
+        Raises
+        ------
+        InputError
+            As for `catopt.catalogue.component`.
+        """
+        return self.families.component(
+            name,
+            diameter,
+            variants=self._variants(name),
+            water_density=self.water_density,
+            allow_recalled=self.choice.allow_recalled,
+        )
+
+    def sold(self, name: str) -> tuple[Component, ...]:
+        """List a component in the sizes that are sold, as `Catalogue.sold`; of one grade or all."""
+        return self.families.sold(
+            name,
+            variants=self._variants(name),
+            water_density=self.water_density,
+            allow_recalled=self.choice.allow_recalled,
+        )
+
+    def variants_of_none(self, names: Iterable[str]) -> list[Problem]:
+        """List variants that none of some components has.
+
+        Parameters
+        ----------
+        names : iterable of str
+            Of components that the families have.
+
+        Returns
+        -------
+        list of Problem
+            With the quantity as key, and what there is to choose from.
+        """
+        parsed = [self.families.parse_name(name) for name in names]
+        own = [(self.families.family(each.family), each.grade) for each in parsed]
+        problems = []
+        for quantity, variant in self.choice.variants:
+            if any(held_by(family, grade, {quantity: variant}) for family, grade in own):
+                continue
+            there = {
+                figure.variant: None
+                for family, grade in own
+                for figure in family.figures
+                if quantity in (ALL, figure.quantity) and figure.holds_for(grade) and figure.variant
+            }
+            listed = ", ".join(there)
+            allowed = (
+                f"one of {listed} is wanted" if there else "there is only one figure; leave it out"
+            )
+            problems.append(Problem(quantity, as_written(variant), allowed))
+        return problems
+
+    def _variants(self, name: str) -> dict[str, str]:
+        parsed = self.families.parse_name(name)
+        family = self.families.family(parsed.family)
+        return held_by(family, parsed.grade, self.choice.by_quantity)
+
+
+def chosen(choice: CatalogueChoice, water_density: float) -> ChosenCatalogue:
+    """Return the catalogue that a case chooses.
+
+    Parameters
+    ----------
+    choice : CatalogueChoice
+        Of a case.
+    water_density : float
+        kg/m3.
+
+    Raises
+    ------
+    InputError
+        The file of families cannot be read, or has a name that catopt's own families have.
+    """
+    families = catalogue.standard()
+    if choice.file:
+        families = families.with_families(catalogue.read_families(choice.file))
+    return ChosenCatalogue(families, choice, water_density)

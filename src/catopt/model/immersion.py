@@ -1,0 +1,25 @@
+"""What a solid body weighs in water."""
+
+from __future__ import annotations
+
+from catopt.constants import STANDARD_GRAVITY
+
+__all__ = ["weight_in_water"]
+
+
+def weight_in_water(mass: float, density: float, water_density: float) -> float:
+    """Submerged weight of a solid body.
+
+    Parameters
+    ----------
+    mass : float
+        In air, kg.
+    density, water_density : float
+        Of the body and of the water, kg/m3.
+
+    Returns
+    -------
+    float
+        N; negative when the body floats. S2, equation (24), with W = m g0.
+    """
+    return mass * STANDARD_GRAVITY * (1.0 - water_density / density)
