@@ -8,6 +8,7 @@ passed when its excess is at most `ROUNDING`.
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 from catopt.compiled import inlined
@@ -46,13 +47,19 @@ def uplift_force_excess(vertical: float, horizontal: float, limit: float) -> flo
     """Vertical pull at the anchor beside the largest allowed one; N.
 
     Measured by the limit or by the horizontal force, whichever is larger, for the limit may be 0.
+    No limit is an infinite one.
     """
-    return (vertical - limit) / max(limit, horizontal)
+    if math.isinf(limit):
+        return -1.0
+    scale = max(limit, horizontal)
+    return (vertical - limit) / scale if scale > 0.0 else vertical
 
 
 @inlined
 def grounded_excess(grounded: float, wanted: float) -> float:
-    """Length on the bed short of what is wanted, by what is wanted; m. `wanted` is above 0."""
+    """Length on the bed short of what is wanted, by what is wanted; m. 0 wants nothing."""
+    if wanted == 0.0:
+        return -1.0
     return 1.0 - grounded / wanted
 
 

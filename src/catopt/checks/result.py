@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any
 
+from catopt.catalogue.figure import Confidence
 from catopt.catenary.solution import Solution
+from catopt.checks.document import check_document, result_document
 from catopt.checks.excess import ROUNDING
+from catopt.model import LoadCase
 
 __all__ = ["CheckReport", "CheckResult", "CheckSource"]
-
-Confidence = Literal["A", "B", "C", "R"]
 
 
 @dataclass(frozen=True)
@@ -82,6 +83,10 @@ class CheckResult:
         """Demand over capacity; None where the capacity is 0 or less."""
         return self.demand / self.capacity if self.capacity > 0.0 else None
 
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents of ``catopt check`` and ``catopt design`` have it."""
+        return result_document(self)
+
     @property
     def passes(self) -> bool:
         """Whether the limit is kept."""
@@ -101,13 +106,16 @@ class CheckReport:
     solutions : mapping as a tuple of (str, Solution)
         The equilibrium in each load case, by its name.
     warnings : tuple of str
-        What an engineer should know: recalled criteria, no check at all.
+        What an engineer should know: notes of the codes, recalled criteria, no check at all.
+    load_cases : tuple of LoadCase
+        Those of the case, in the order of `solutions`; empty when its load alone was checked.
     """
 
     title: str
     results: tuple[CheckResult, ...]
     solutions: tuple[tuple[str, Solution], ...]
     warnings: tuple[str, ...] = ()
+    load_cases: tuple[LoadCase, ...] = ()
 
     @property
     def passes(self) -> bool:
@@ -116,5 +124,22 @@ class CheckReport:
 
     @property
     def governing(self) -> CheckResult | None:
-        """The check that is nearest to its limit, or furthest beyond it; None without checks."""
-        return max(self.results, key=lambda result: result.excess, default=None)
+        """The failed check that is furthest beyond its limit, else the one nearest to it.
+
+        Nearness is the utilisation: of a limit of 0 that is just kept, such as no uplift, nothing
+        can be said, so that it governs only where there is no other check. None without checks.
+        """
+        if self.failed:
+            return self.failed[0]
+        used = {result: result.utilisation for result in self.results}
+        return max(used, key=lambda result: used[result] or 0.0, default=None)
+
+    @property
+    def failed(self) -> tuple[CheckResult, ...]:
+        """The checks that are failed, the worst first."""
+        failed = [result for result in self.results if not result.passes]
+        return tuple(sorted(failed, key=lambda result: -result.excess))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt check --json`` prints (schema catopt.check/1)."""
+        return check_document(self)

@@ -1,0 +1,105 @@
+"""``catopt check``: what a line withstands and keeps, by codes and by the case's own numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from catopt.cli.options import CaseArgument, DesignOption, JsonOption
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.model import Case
+
+__all__ = ["check"]
+
+FAILED = 3
+"""Of --strict: the input is right, but the line does not keep what is asked of it."""
+
+OutOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Also write tables (CSV and one .xlsx) and the JSON document here. Files of the same "
+        "name are replaced.",
+    ),
+]
+
+
+def check(
+    context: typer.Context,
+    case: CaseArgument,
+    code: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME",
+            help="Profile of criteria, such as IALA-CALMAR; several may be given. In place of the "
+            "codes of the case; its own numbers stay. docs/checks.md has them all.",
+        ),
+    ] = None,
+    recalled: Annotated[
+        bool,
+        typer.Option("--recalled", help="Also allow profiles that were read in no document (R)."),
+    ] = False,
+    design: DesignOption = None,
+    strict: Annotated[
+        bool,
+        typer.Option(
+            "--strict", help="End with exit status 3 when a check fails; the answer is printed."
+        ),
+    ] = False,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Check a line under every load case.
+
+    Prints demand, capacity and utilisation of every check with its source, and which one governs.
+    A check that fails is an answer: the exit status is 0 unless --strict is given.
+    """
+    from catopt.casefile.design_directory import read_case_or_design
+    from catopt.checks.case import check_case
+
+    output: Output = context.obj
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+    report = check_case(_with_codes(read_case_or_design(case, design), code, recalled=recalled))
+    if out is not None:
+        from catopt.report.bundle import check_bundle
+        from catopt.report.files import write_files
+
+        written = write_files(out, check_bundle(report))
+        output.note(f"{len(written)} files written to {out}")
+    if as_json:
+        output.json(report.to_dict())
+    else:
+        from catopt.cli.check_view import show_report
+
+        show_report(output, report)
+    if strict and not report.passes:
+        from catopt.report.check_words import verdict_sentence
+
+        output.note(f"catopt: {verdict_sentence(report)}")
+        raise typer.Exit(FAILED)
+
+
+def _with_codes(case: Case, codes: list[str] | None, *, recalled: bool) -> Case:
+    """Put the options in place of the case's codes; a wrong one is told by its option."""
+    from dataclasses import replace
+
+    from catopt.checks.profiles import profiles_of
+    from catopt.errors import InputError, Problem
+
+    checks = replace(case.checks, allow_recalled=case.checks.allow_recalled or recalled)
+    if codes:
+        checks = replace(checks, codes=tuple(codes))
+        try:
+            profiles_of(checks)
+        except InputError as error:
+            problems = [Problem("--code", each.found, each.allowed) for each in error.problems]
+            raise InputError(problems, "options") from error
+    return replace(case, checks=checks)

@@ -1,0 +1,157 @@
+"""``catopt check``: what it prints and writes, what it refuses, and how it ends."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+import catopt
+
+from .conftest import Run
+from .test_json import document_of
+from .test_out import column, names, rows
+
+FILES = {"check.json", "check.xlsx", "checks.csv", "load_cases.csv"}
+
+CASE = """
+title = "Chain of 1000 N/m"
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+name = "chain"
+length = "60 m"
+submerged_weight = "1 kN/m"
+MBL = "200 kN"
+[[load_cases]]
+name = "storm"
+horizontal_force = "30 kN"
+[[load_cases]]
+name = "day"
+horizontal_force = "10 kN"
+water_level = "5 m"
+kind = "reference"
+[checks]
+codes = ["LR-linkspans-2022"]
+max_anchor_uplift_angle = "0 deg"
+"""
+"""T = H + w h: 30 + 20 = 50 kN of 200 / 2 in the storm; 10 + 25 = 35 kN of 200 / 3 by day."""
+
+
+@pytest.fixture
+def case(tmp_path: Path) -> Path:
+    path = tmp_path / "case.toml"
+    path.write_text(CASE, encoding="utf-8")
+    return path
+
+
+def words(text: str) -> str:
+    return " ".join(text.split())
+
+
+def test_the_document(run: Run, case: Path) -> None:
+    document = document_of(run, "check", case)
+    assert (document["schema"], document["passes"]) == ("catopt.check/1", True)
+    tensions = [each for each in document["checks"] if each["kind"] == "tension"]
+    # Six digits, far above rounding, for numbers done by hand.
+    assert [round(each["demand"], 6) for each in tensions] == [50e3, 35e3]
+    assert [round(each["utilisation"], 6) for each in tensions] == [0.5, 0.525]
+    assert document["checks"][document["governing"]] == tensions[1]
+    assert [each["utilisation"] for each in document["checks"] if each["unit"] == "rad"] == [
+        None,
+        None,
+    ]
+
+
+def test_it_prints_what_python_gives(run: Run, case: Path) -> None:
+    assert document_of(run, "check", case) == catopt.check_case(catopt.read_case(case)).to_dict()
+
+
+def test_the_page(run: Run, case: Path) -> None:
+    ran = run("check", case)
+    assert (ran.status, ran.err) == (0, "")
+    text = words(ran.out)
+    assert "Load case storm (extreme): horizontal force 30.000 kN, fairlead height 20 m" in text
+    assert "Load case day (reference): horizontal force 10.000 kN, fairlead height 25 m" in text
+    assert "50.000 kN 100.000 kN 0.500 passes" in text
+    assert "0.00 deg 0.00 deg - passes" in text
+    assert "All 4 checks pass." in text
+    assert "Governing: tension, segment 1 (chain) in load case day, utilisation 0.525" in text
+    assert "Confidence: A read in the document itself" in text
+    assert max(len(line) for line in ran.out.splitlines()) <= 80
+
+
+def test_a_failed_check_is_an_answer_unless_strict(run: Run, case: Path) -> None:
+    """A fifth of 200 kN is 40 kN, less than the storm's 50."""
+    plain = run("check", case, "--code", "break/5")
+    strict = run("check", case, "--code", "break/5", "--strict")
+    assert (plain.status, plain.err) == (0, "")
+    assert (strict.status, strict.err) == (3, "catopt: 1 of 4 checks fails.\n")
+    assert strict.out == plain.out
+    assert "50.000 kN 40.000 kN 1.250 FAILS" in words(plain.out)
+    assert "Governing: tension, segment 1 (chain) in load case storm" in words(plain.out)
+    assert run("check", case, "--strict").status == 0
+
+
+def test_codes_of_the_option_take_the_place_of_the_case_s(run: Run, case: Path) -> None:
+    document = document_of(run, "check", case, "--code", "break/5", "--code", "API-RP-2SK")
+    assert {each["code"] for each in document["checks"]} == {"user", "break/5", "API-RP-2SK"}
+    assert {each["confidence"] for each in document["checks"]} == {None, "A", "C"}
+
+
+def test_recalled_codes_need_an_option_and_are_marked(run: Run, case: Path) -> None:
+    refused = run("check", case, "--code", "API-RP-2SK-qs")
+    assert (refused.status, refused.out) == (2, "")
+    assert "--code: found" in refused.err
+    assert "recalled, read in no document" in refused.err
+    ran = run("check", case, "--code", "API-RP-2SK-qs", "--recalled")
+    assert "API-RP-2SK-qs [R]" in words(ran.out).replace("2SK- qs", "2SK-qs")
+    assert "Warning: API-RP-2SK-qs: recalled, read in no document." in words(ran.out)
+
+
+def test_a_misspelt_code_is_told_with_the_nearest(run: Run, case: Path) -> None:
+    ran = run("check", case, "--code", "UFC-4-159-3")
+    assert (ran.status, ran.out) == (2, "")
+    assert "did you mean UFC-4-159-03? there are break/5," in ran.err
+
+
+def test_what_is_missing_is_2(run: Run, case: Path) -> None:
+    case.write_text(CASE.replace('MBL = "200 kN"', ""), encoding="utf-8")
+    ran = run("check", case, "--json")
+    assert (ran.status, ran.out) == (2, "")
+    assert "line.segments[0].MBL: missing; give it" in ran.err
+
+
+def test_no_equilibrium_is_3_and_names_the_load_case(run: Run, case: Path) -> None:
+    case.write_text(CASE.replace('"5 m"', '"45 m"'), encoding="utf-8")
+    ran = run("check", case)
+    assert (ran.status, ran.out) == (3, "")
+    assert 'load case "day"' in ran.err
+
+
+def test_the_files(run: Run, case: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    ran = run("check", case, "--json", "--out", out)
+    assert (ran.status, ran.err) == (0, f"{len(FILES)} files written to {out}\n")
+    assert names(out) == FILES
+    assert (out / "check.json").read_text("utf-8") == ran.out
+    document = json.loads(ran.out)
+    table = rows(out / "checks.csv")
+    assert [row["Passes"] for row in table] == ["yes"] * 4
+    assert [row["Unit"] for row in table] == ["kN", "deg", "kN", "deg"]
+    for row, each in zip(table, document["checks"], strict=True):
+        assert row["Check"] == each["name"]
+        assert row["Source"] == each["source"]
+    assert float(table[0]["Demand (unit of the row)"]) == document["checks"][0]["demand"] / 1e3
+    book = openpyxl.load_workbook(out / "check.xlsx")
+    assert book.sheetnames == ["Summary", "Checks", "Load cases"]
+    assert column(book["Load cases"], "Load case") == ["storm", "day"]
+
+
+def test_a_file_in_the_way_is_2(run: Run, case: Path) -> None:
+    ran = run("check", case, "--out", case)
+    assert (ran.status, ran.out) == (2, "")
+    assert "is a file; give a directory" in ran.err
