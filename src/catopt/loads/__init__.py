@@ -1,0 +1,55 @@
+"""Environmental forces on a buoy or a ship, and the anchors and sinkers that hold them.
+
+Every force comes with its formula, the numbers put in and its source. Confidence is A (read in the
+primary document), B (in two secondary ones, or in one and checked by numbers), C (in one secondary
+one) or R (recalled, read in none: used only when asked for, or where nothing else is there).
+"""
+
+from catopt.loads.buoy import buoy_loads, surface_speed
+from catopt.loads.buoy_library import buoy, buoys, read_buoys
+from catopt.loads.buoy_shape import BuoyShape, Floating
+from catopt.loads.component import LoadComponent, Loads, Number
+from catopt.loads.drag_anchor import (
+    DragAnchorSize,
+    HoldingCapacity,
+    holding_capacity,
+    size_drag_anchor,
+)
+from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
+from catopt.loads.ship import Ship
+from catopt.loads.ship_loads import HEAD_ON, Headings, ship_loads
+from catopt.loads.sinker import SinkerSize, size_sinker
+from catopt.loads.source import LoadSource
+from catopt.loads.tanker_20m import TankerComparison, compare_tanker
+from catopt.loads.ufc_wind import UfcWind
+
+__all__ = [
+    "HEAD_ON",
+    "BuoyShape",
+    "DragAnchorSize",
+    "Floating",
+    "Headings",
+    "HoldingCapacity",
+    "LoadComponent",
+    "LoadSource",
+    "Loads",
+    "Number",
+    "SeaState",
+    "Ship",
+    "SinkerSize",
+    "SurfaceCurrent",
+    "TankerComparison",
+    "UfcWind",
+    "WaterLevels",
+    "Wind",
+    "buoy",
+    "buoy_loads",
+    "buoys",
+    "compare_tanker",
+    "holding_capacity",
+    "read_buoys",
+    "ship_loads",
+    "size_drag_anchor",
+    "size_sinker",
+    "surface_speed",
+]

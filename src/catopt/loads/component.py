@@ -1,0 +1,122 @@
+"""A force with its formula, the numbers put in and its source, so that a page can print them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from catopt.loads.source import LoadSource
+
+__all__ = ["Axis", "LoadComponent", "Loads", "Number"]
+
+Axis = Literal["along", "surge", "sway"]
+"""Along the one direction of everything; along a ship, positive forwards; across it, positive away
+from the side that wind, current and waves come from."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number that goes into a formula.
+
+    Attributes
+    ----------
+    symbol : str
+        As the formula writes it.
+    value : float
+        SI.
+    unit : str
+        SI; empty for a pure number.
+    meaning : str
+        What it is.
+    """
+
+    symbol: str
+    value: float
+    unit: str
+    meaning: str
+
+    @property
+    def text(self) -> str:
+        """``"V = 2.1 m/s"``, to four digits."""
+        return f"{self.symbol} = {self.value:.4g} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True)
+class LoadComponent:
+    """One force.
+
+    Attributes
+    ----------
+    name : str
+        What pushes on what: ``"current on the hull"``.
+    kind : {"wind", "current", "wave drift"}
+        For sums by cause. The current on a buoy includes the motion of the water in waves.
+    axis : {"along", "surge", "sway"}
+        See `Axis`.
+    formula : str
+        In the symbols of `numbers`.
+    numbers : tuple of Number
+        What was put in.
+    force : float
+        N, with the sign of its axis.
+    source : LoadSource
+        Of the formula and its coefficients, as sure as the weakest of them.
+    note : str
+        What else to know.
+    """
+
+    name: str
+    kind: Literal["wind", "current", "wave drift"]
+    axis: Axis
+    formula: str
+    numbers: tuple[Number, ...]
+    force: float
+    source: LoadSource
+    note: str = ""
+
+    @property
+    def numbers_text(self) -> str:
+        """The numbers on one line."""
+        return ", ".join(number.text for number in self.numbers)
+
+
+@dataclass(frozen=True)
+class Loads:
+    """All horizontal forces on a buoy or a ship.
+
+    Attributes
+    ----------
+    title : str
+        On what, and in what weather.
+    components : tuple of LoadComponent
+        In the order of the computation.
+    assumptions : tuple of str
+        What the answer rests on.
+    warnings : tuple of str
+        What an engineer should know: a wave cut by breaking, figures out of their range.
+    """
+
+    title: str
+    components: tuple[LoadComponent, ...]
+    assumptions: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+    def along(self, axis: Axis) -> float:
+        """Sum of the forces along an axis, N."""
+        return math.fsum(each.force for each in self.components if each.axis == axis)
+
+    def of(self, kind: str) -> float:
+        """Size of the sum of the forces of a kind, N."""
+        own = [each for each in self.components if each.kind == kind]
+        return Loads(self.title, tuple(own)).horizontal_force
+
+    @property
+    def horizontal_force(self) -> float:
+        """Size of the sum of all forces, N: what the mooring has to hold."""
+        return math.hypot(self.along("along") + self.along("surge"), self.along("sway"))
+
+    @property
+    def recalled(self) -> tuple[str, ...]:
+        """Names of the forces that rest on what was read in no document."""
+        return tuple(each.name for each in self.components if each.source.recalled)

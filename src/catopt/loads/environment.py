@@ -1,0 +1,224 @@
+"""Wind, current, waves and water levels, as one number each: what sizing starts from."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+from catopt.constants import STANDARD_GRAVITY
+from catopt.model.validity import Findings
+
+__all__ = ["HMAX_OVER_HS", "SeaState", "SurfaceCurrent", "WaterLevels", "Wind"]
+
+HMAX_OVER_HS: Final = 1.85
+"""Largest wave over significant wave height, as IALA's CALMAR has it."""
+
+_STRONGEST_WIND: Final = 100.0
+_FASTEST_CURRENT: Final = 10.0
+_DEEPEST: Final = 12_000.0
+_HIGHEST_WAVE: Final = 40.0
+_LONGEST_PERIOD: Final = 30.0
+_STEEPEST: Final = 0.14
+_DEPTH_LIMIT: Final = 0.78
+_DEEP_WATER_LENGTH: Final = 1.56
+
+
+@dataclass(frozen=True)
+class Wind:
+    """Wind at a height.
+
+    Attributes
+    ----------
+    speed : float
+        m/s, of the averaging time that the formula wants: 30 s for a ship after UFC 4-159-03.
+    height : float
+        Above the water, m.
+    """
+
+    speed: float
+    height: float = 10.0
+
+    def __post_init__(self) -> None:
+        found = Findings("Wind")
+        found.number("speed", self.speed, "m/s", at_least=0.0)
+        found.number("height", self.height, "m", above=0.0)
+        if not found.problems and self.speed > _STRONGEST_WIND:
+            found.add(
+                "speed",
+                f"{self.speed:g} m/s",
+                f"above {_STRONGEST_WIND:g} m/s, more than any design wind: were km/h or knots "
+                "meant? Write the unit",
+            )
+        found.raise_if_any()
+
+    def at(self, height: float, exponent: float = 0.12) -> float:
+        """Speed at another height, by a power law; m/s.
+
+        Parameters
+        ----------
+        height : float
+            Above the water, m.
+        exponent : float
+            0.12 in DTOcean (C).
+        """
+        found = Findings("Wind.at")
+        found.number("height", height, "m", above=0.0)
+        found.number("exponent", exponent, "", at_least=0.0, at_most=0.5)
+        found.raise_if_any()
+        return float(self.speed * (height / self.height) ** exponent)
+
+
+@dataclass(frozen=True)
+class SurfaceCurrent:
+    """Tidal current at the surface.
+
+    Attributes
+    ----------
+    speed : float
+        m/s, without what the wind and the waves add.
+    """
+
+    speed: float
+
+    def __post_init__(self) -> None:
+        found = Findings("SurfaceCurrent")
+        found.number("speed", self.speed, "m/s", at_least=0.0)
+        if not found.problems and self.speed > _FASTEST_CURRENT:
+            found.add(
+                "speed",
+                f"{self.speed:g} m/s",
+                f"above {_FASTEST_CURRENT:g} m/s, faster than any tide: were cm/s or knots meant?",
+            )
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class SeaState:
+    """Waves by height and period.
+
+    Attributes
+    ----------
+    period : float
+        Of the waves that count, s: the peak period, or that of the largest wave.
+    significant_height : float or None
+        Hs, m; None: `maximum_height` / 1.85.
+    maximum_height : float or None
+        Hmax from trough to crest, m; None: 1.85 Hs (IALA CALMAR, A).
+    """
+
+    period: float
+    significant_height: float | None = None
+    maximum_height: float | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("SeaState")
+        found.number("period", self.period, "s", above=0.0, at_most=_LONGEST_PERIOD)
+        given = {
+            "significant_height": self.significant_height,
+            "maximum_height": self.maximum_height,
+        }
+        for key, height in given.items():
+            if height is not None:
+                found.number(key, height, "m", at_least=0.0, at_most=_HIGHEST_WAVE)
+        if self.significant_height is None and self.maximum_height is None:
+            found.add("significant_height", "", "missing; it or maximum_height is wanted")
+        elif (
+            not found.problems
+            and self.significant_height is not None
+            and self.maximum_height is not None
+            and self.maximum_height < self.significant_height
+        ):
+            found.add(
+                "maximum_height",
+                f"{self.maximum_height:g} m",
+                f"below the significant height of {self.significant_height:g} m",
+            )
+        found.raise_if_any()
+
+    @property
+    def hs(self) -> float:
+        """Significant height, m."""
+        if self.significant_height is not None:
+            return self.significant_height
+        assert self.maximum_height is not None
+        return self.maximum_height / HMAX_OVER_HS
+
+    @property
+    def hmax(self) -> float:
+        """Height of the largest wave, m, before any limit by breaking."""
+        if self.maximum_height is not None:
+            return self.maximum_height
+        assert self.significant_height is not None
+        return self.significant_height * HMAX_OVER_HS
+
+    def breaking_height(self, depth: float) -> float:
+        """Height above which a wave of this period breaks, m (IALA CALMAR, A).
+
+        The lower of 0.14 x 1.56 T^2 (steepness) and 0.78 of the water depth. CALMAR takes the
+        second only for waves that keep the first; both limit a wave, and so they do here.
+
+        Parameters
+        ----------
+        depth : float
+            Of the water, m, above 0.
+        """
+        steep = _STEEPEST * _DEEP_WATER_LENGTH * self.period * self.period
+        return min(steep, _DEPTH_LIMIT * depth)
+
+    def height_in(self, depth: float) -> float:
+        """Height of the largest wave that does not break in water of a depth, m."""
+        return min(self.hmax, self.breaking_height(depth))
+
+    def wave_number(self, depth: float) -> float:
+        """Wave number in water of a depth, rad/m."""
+        from catopt.waves.dispersion import wave_number
+
+        return wave_number(2.0 * math.pi / self.period, depth)
+
+    def surface_velocity(self, depth: float) -> float:
+        """Largest horizontal velocity of the water at the still water level, m/s.
+
+        Of a linear wave of the height `height_in`: u = (pi H/T) / tanh(k d).
+
+        Parameters
+        ----------
+        depth : float
+            Of the water, m, above 0.
+        """
+        height = self.height_in(depth)
+        omega = 2.0 * math.pi / self.period
+        # omega^2 = g k tanh(k d), so that 1/tanh(k d) is g k/omega^2.
+        over_tanh = STANDARD_GRAVITY * self.wave_number(depth) / (omega * omega)
+        return 0.5 * omega * height * over_tanh
+
+
+@dataclass(frozen=True)
+class WaterLevels:
+    """Water depth at low and at high water.
+
+    Attributes
+    ----------
+    low, high : float
+        m, of the still water.
+    """
+
+    low: float
+    high: float
+
+    def __post_init__(self) -> None:
+        found = Findings("WaterLevels")
+        for key in ("low", "high"):
+            found.number(key, getattr(self, key), "m", above=0.0, at_most=_DEEPEST)
+        if not found.problems and self.high < self.low:
+            found.add("high", f"{self.high:g} m", f"below low water, {self.low:g} m")
+        found.raise_if_any()
+
+    @classmethod
+    def steady(cls, depth: float) -> WaterLevels:
+        """Water without a tide, m."""
+        return cls(depth, depth)
+
+    def deepest(self, sea: SeaState) -> float:
+        """Depth under the largest crest at high water: high + Hmax/2, m (IALA CALMAR, A)."""
+        return self.high + 0.5 * sea.height_in(self.high)

@@ -1,0 +1,89 @@
+"""Where a formula or a coefficient comes from, and how well it was read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from catopt.catalogue.figure import RECALLED, Confidence, weakest
+from catopt.model.validity import Findings
+
+__all__ = [
+    "BLENDERMANN",
+    "CALMAR",
+    "DTOCEAN",
+    "MOORPY",
+    "NAVFAC",
+    "OWN",
+    "UFC",
+    "LoadSource",
+    "joined",
+    "refuse_recalled",
+]
+
+CALMAR = "IALA CALMAR technical reference, 27 February 2014"
+UFC = "UFC 4-159-03 Design: Moorings, 3 October 2005 (superseded by the edition of 12 March 2020)"
+BLENDERMANN = "Blendermann 1994, as the MSS toolbox has it (blendermann94.m)"
+DTOCEAN = "DTOcean moorings, loads.py and its database"
+MOORPY = "MoorPy, fit to Vryhof's figures"
+NAVFAC = "NAVFAC DM 7.02 (1986), table 1 of chapter 3"
+OWN = "catopt's own"
+
+
+@dataclass(frozen=True)
+class LoadSource:
+    """A document and the place in it.
+
+    Attributes
+    ----------
+    document, clause : str
+        What to open, and where in it.
+    confidence : {"A", "B", "C", "R"}
+        A read in the primary document; B in two secondary ones, or in one and checked by numbers;
+        C in one secondary one; R recalled, read in none.
+    """
+
+    document: str
+    clause: str
+    confidence: Confidence
+
+    @property
+    def recalled(self) -> bool:
+        """Whether it was read in no document."""
+        return self.confidence == RECALLED
+
+    @property
+    def text(self) -> str:
+        """One line for tables: ``"IALA CALMAR technical reference, ..., 5.2.1 [A]"``."""
+        return f"{self.document}, {self.clause} [{self.confidence}]"
+
+
+def joined(sources: Iterable[LoadSource], document: str, clause: str) -> LoadSource:
+    """Cite one document for what rests on several sources: as sure as the weakest of them."""
+    return LoadSource(document, clause, weakest(each.confidence for each in sources))
+
+
+def refuse_recalled(where: str, key: str, what: str, instead: str, *, allowed: bool) -> None:
+    """Raise unless recalled figures were asked for.
+
+    Parameters
+    ----------
+    where, key : str
+        Function and argument, for the message.
+    what : str
+        What was read in no document.
+    instead : str
+        The way out.
+    allowed : bool
+        Whether the caller asked for recalled figures.
+
+    Raises
+    ------
+    InputError
+        When they were not asked for.
+    """
+    if allowed:
+        return
+    found = Findings(where)
+    found.add(key, what, f"recalled (R), read in no document: {instead}, or set allow_recalled")
+    found.raise_if_any()

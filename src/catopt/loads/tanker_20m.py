@@ -1,0 +1,145 @@
+"""S3's tanker: the force from the weather printed there, beside the 450 kN printed without a way.
+
+Nothing is tuned to the printed sum: the coefficients are those of the sources, the estimates of the
+ship are stated, and the sum falls where it falls.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Literal
+
+from catopt.loads.component import Loads
+from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
+from catopt.loads.ship import Ship
+from catopt.loads.ship_loads import ship_loads
+from catopt.loads.wave_drift import DriftWave
+
+__all__ = [
+    "AGREEMENT",
+    "CURRENT",
+    "PRINTED_FORCE",
+    "SEA",
+    "WATER_DEPTH",
+    "WIND",
+    "TankerComparison",
+    "compare_tanker",
+    "tanker",
+]
+
+PRINTED_FORCE: Final = 450e3
+"""N, from wind, waves and current; S3 prints no way to it."""
+
+WIND: Final = Wind(20.0)
+CURRENT: Final = SurfaceCurrent(1.2)
+SEA: Final = SeaState(8.0, maximum_height=3.5)
+WATER_DEPTH: Final = 20.0
+
+AGREEMENT: Final = 10.0
+"""%, within which two estimates of steady loads are said to agree."""
+
+_LENGTH: Final = 234.0
+_BREADTH: Final = 31.3
+_MOULDED_DEPTH: Final = 16.0
+_DRAUGHTS: Final = {"loaded": 12.4, "ballast": 3.2}
+
+_WATERLINE: Final = 0.97
+_BLOCK: Final = {"loaded": 0.80, "ballast": 0.72}
+_MIDSHIP: Final = 0.98
+_HOUSE_HEIGHT: Final = 15.0
+_HOUSE_LENGTH: Final = 25.0
+
+_ESTIMATES: Final = (
+    f"Printed: {_LENGTH:g} m long, {_BREADTH:g} m wide, {_MOULDED_DEPTH:g} m deep from deck to "
+    "keel.",
+    f"Estimated: waterline {_WATERLINE:g} of the length, block coefficient 0.80 loaded and 0.72 "
+    f"in ballast, midship coefficient {_MIDSHIP:g}.",
+    f"Estimated: a deckhouse as wide as the ship, {_HOUSE_HEIGHT:g} m high and {_HOUSE_LENGTH:g} m "
+    "long; the hull's windage is length or breadth times the freeboard.",
+)
+
+
+@dataclass(frozen=True)
+class TankerComparison:
+    """Computed beside printed.
+
+    Attributes
+    ----------
+    loads : Loads
+        The computed forces, component by component.
+    printed : float
+        N.
+    estimates : tuple of str
+        What S3 does not print of the ship, and what was taken.
+    """
+
+    loads: Loads
+    printed: float
+    estimates: tuple[str, ...]
+
+    @property
+    def ratio(self) -> float:
+        """Computed over printed."""
+        return self.loads.horizontal_force / self.printed
+
+    @property
+    def statement(self) -> str:
+        """What comes of it, in one sentence."""
+        computed = self.loads.horizontal_force / 1e3
+        printed = self.printed / 1e3
+        difference = 100.0 * (self.ratio - 1.0)
+        verdict = "agrees with" if abs(difference) <= AGREEMENT else "does not agree with"
+        return (
+            f"{computed:.0f} kN computed {verdict} {printed:.0f} kN printed: "
+            f"{abs(difference):.0f} % {'above' if difference > 0.0 else 'below'} it."
+        )
+
+
+def tanker(condition: Literal["loaded", "ballast"] = "loaded") -> Ship:
+    """S3's ship of 50,000 DWT, with what is not printed estimated.
+
+    Parameters
+    ----------
+    condition : {"loaded", "ballast"}
+        Draught 12.4 or 3.2 m.
+    """
+    draught = _DRAUGHTS[condition]
+    freeboard = _MOULDED_DEPTH - draught
+    waterline = _WATERLINE * _LENGTH
+    section = _BREADTH * draught
+    return Ship(
+        f"tanker of 50,000 DWT, {condition}",
+        length_overall=_LENGTH,
+        length_waterline=waterline,
+        breadth=_BREADTH,
+        draught=draught,
+        displacement=_BLOCK[condition] * waterline * section,
+        midship_area=_MIDSHIP * section,
+        lateral_area=_LENGTH * freeboard + _HOUSE_HEIGHT * _HOUSE_LENGTH,
+        frontal_area=_BREADTH * (freeboard + _HOUSE_HEIGHT),
+        propeller="tanker",
+    )
+
+
+def compare_tanker(
+    condition: Literal["loaded", "ballast"] = "loaded", drift: DriftWave = "sea state"
+) -> TankerComparison:
+    """Compute the force on S3's tanker, head to everything, beside the printed 450 kN.
+
+    Parameters
+    ----------
+    condition : {"loaded", "ballast"}
+        Draught 12.4 or 3.2 m.
+    drift : {"sea state", "largest wave"}
+        Mean drift of the sea whose Hmax is 3.5 m, or of regular waves of that height.
+    """
+    loads = ship_loads(
+        tanker(condition),
+        WIND,
+        CURRENT,
+        SEA,
+        WATER_DEPTH,
+        wind_on=f"tanker {condition}",
+        drift=drift,
+    )
+    return TankerComparison(loads, PRINTED_FORCE, _ESTIMATES)

@@ -1,0 +1,142 @@
+"""``catopt loads``: what it prints, what it writes, and what it says of wrong input."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import openpyxl
+import pytest
+
+from catopt import schemas
+from catopt.loads import compare_tanker
+
+from .conftest import Run
+
+BUOY = (
+    *("loads", "buoy", "pillar 1.8 m", "--depth", "12 m", "--low-water", "10 m"),
+    *("--wind", "25 m/s", "--current", "1.5 m/s", "--hs", "2 m", "--period", "6 s"),
+    *("--chain", "25 mm"),
+)
+TANKER = (
+    *("loads", "ship", "--length", "234 m", "--breadth", "31.3 m", "--draught", "12.4 m"),
+    *("--frontal-area", "582.18 m^2", "--lateral-area", "1217.4 m^2", "--propeller", "tanker"),
+    *("--depth", "20 m", "--wind", "20 m/s", "--current", "1.2 m/s"),
+    *("--hmax", "3.5 m", "--period", "8 s"),
+)
+
+
+def document(run: Run, *arguments: str) -> dict[str, Any]:
+    ran = run(*arguments, "--json")
+    assert (ran.status, ran.err) == (0, "")
+    found: dict[str, Any] = json.loads(ran.out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.loads/1")).validate(found)
+    return found
+
+
+def test_a_buoy_shows_each_force_with_its_source(run: Run) -> None:
+    """The numbers are those worked by hand in docs/loads.md."""
+    shown = run(*BUOY).out
+    for words in (
+        "current on the hull     8.921   [A]",
+        "horizontal force       18.987",
+        "V = 4.021 m/s",
+        "IALA CALMAR technical reference, 27 February 2014, 5.2.1 [A]",
+        "reserve",
+        "catopt's own geometry, no product",
+    ):
+        assert words in shown
+
+
+def test_a_buoy_as_json(run: Run) -> None:
+    found = document(run, *BUOY)
+    assert found["horizontal_force_N"] == pytest.approx(18987.0, abs=0.5)  # printed digits
+    assert [each["axis"] for each in found["components"]] == ["along"] * 5
+    assert found["recalled"] == []
+
+
+def test_s3_s_tanker_by_its_options(run: Run) -> None:
+    found = document(run, *TANKER)
+    by_python = compare_tanker().loads
+    # The options say the same in other numbers, such as 0.97 x 234 m.
+    assert found["horizontal_force_N"] == pytest.approx(by_python.horizontal_force, rel=1e-12)
+    assert found["surge_N"] < 0.0
+    assert "Collinear" in found["assumptions"][0]
+
+
+def test_a_ship_on_the_beam_and_the_largest_wave(run: Run) -> None:
+    beam = [f"--{what}-angle=90 deg" for what in ("wind", "current", "wave")]
+    ahead, across = document(run, *TANKER), document(run, *TANKER, *beam)
+    assert across["sway_N"] > 5.0 * ahead["horizontal_force_N"]
+    larger = document(run, *TANKER, "--drift", "largest-wave")
+    assert larger["horizontal_force_N"] > 2.0 * ahead["horizontal_force_N"]
+
+
+def test_what_is_written(run: Run, tmp_path: Path) -> None:
+    ran = run(*TANKER, "--out", str(tmp_path))
+    assert ran.status == 0
+    names = {"loads.json", "loads.xlsx", "loads.csv", "numbers.csv", "notes.csv"}
+    assert {path.name for path in tmp_path.iterdir()} == names
+    rows = list(csv.DictReader((tmp_path / "loads.csv").read_text("utf-8").splitlines()))
+    assert rows[-1]["Force"] == "horizontal force"
+    total = compare_tanker().loads.horizontal_force / 1e3
+    assert float(rows[-1]["Force F (kN)"]) == pytest.approx(total, rel=1e-12)  # every digit
+    book = openpyxl.load_workbook(tmp_path / "loads.xlsx")
+    assert {"Forces", "Numbers", "Notes"} <= set(book.sheetnames)
+    book.close()
+
+
+def test_buoys_of_one_s_own(run: Run, tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text(
+        'schema = "catopt.buoys/1"\n[[buoy]]\nname = "mine"\nhull_diameter = 2\n'
+        "hull_depth = 2\nmass = 2000\n"
+    )
+    found = document(
+        run, "loads", "buoy", "mine", "--depth", "9 m", "--current", "1 m/s", "--buoys", str(own)
+    )
+    # 1/2 x 1025 x 1 x (2 m x 2000/1025/pi m) x 1.2
+    by_hand = 615.0 * 2.0 * 2000.0 / 1025.0 / 3.141592653589793
+    assert found["horizontal_force_N"] == pytest.approx(by_hand, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (
+            (
+                "loads",
+                "buoy",
+                "piller 1.8 m",
+                "--depth",
+                "12 m",
+                "--wind",
+                "200 m/s",
+                "--hs",
+                "2 m",
+            ),
+            (
+                "3 errors",
+                'BUOY: found "piller 1.8 m"; did you mean pillar 1.8 m?',
+                "--wind: found 200 m/s; above 100 m/s, more than any design wind",
+                "--period: missing; waves need it",
+            ),
+        ),
+        ((*BUOY, "--pull", "40 kN"), ("--pull: found 40 kN; above the buoy's reserve buoyancy",)),
+        ((*BUOY, "--depth", "9 m"), ("--depth: found 9 m; below low water, 10 m",)),
+        ((*BUOY, "--wind", "25 kg"), ("--wind",)),
+        ((*TANKER, "--depth", "10 m"), ("--draught: found 12.4 m; the water is 10 m deep",)),
+        ((*TANKER, "--kind", "VLCC"), ("--kind: found 'VLCC'; one of car carrier",)),
+        ((*TANKER, "--block", "1.2"), ("--block", "above length x breadth x draught")),
+    ],
+)
+def test_what_is_wrong_is_told_by_the_option(
+    run: Run, arguments: tuple[str, ...], words: tuple[str, ...]
+) -> None:
+    ran = run(*arguments)
+    assert (ran.status, ran.out) == (2, "")
+    for each in words:
+        assert each in ran.err

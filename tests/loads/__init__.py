@@ -1,0 +1,1 @@
+"""Environmental forces, anchors and sinkers."""

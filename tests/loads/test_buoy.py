@@ -1,0 +1,275 @@
+"""Buoys: hydrostatics and CALMAR's forces, against hand calculations and limits."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from catopt.errors import InputError
+from catopt.loads import (
+    BuoyShape,
+    Loads,
+    SeaState,
+    SurfaceCurrent,
+    WaterLevels,
+    Wind,
+    buoy,
+    buoy_loads,
+    buoys,
+    read_buoys,
+)
+from catopt.loads.buoy_library import parse_buoys
+
+G = 9.80665
+ROUNDING = 1e-12
+"""Relative, of some ten operations in double precision."""
+
+PLAIN = BuoyShape("drum", hull_diameter=2.0, hull_depth=2.0, mass=1025.0 * math.pi)
+"""Of 2 m: it displaces pi m3, which is a draught of 1 m."""
+
+CALM = SeaState(6.0, 0.0)
+LEVELS = WaterLevels.steady(20.0)
+
+
+def loads(
+    shape: BuoyShape = PLAIN,
+    wind: float = 0.0,
+    current: float = 0.0,
+    sea: SeaState = CALM,
+    levels: WaterLevels = LEVELS,
+    chain_diameter: float = 0.0,
+    pull: float = 0.0,
+    marine_growth: float = 0.0,
+    chain_speed: str = "surface",
+) -> Loads:
+    return buoy_loads(
+        shape,
+        Wind(wind),
+        SurfaceCurrent(current),
+        sea,
+        levels,
+        chain_diameter=chain_diameter,
+        pull=pull,
+        marine_growth=marine_growth,
+        chain_speed=chain_speed,  # type: ignore[arg-type]
+    )
+
+
+def force(of: Loads, name: str) -> float:
+    (component,) = [each for each in of.components if each.name == name]
+    return component.force
+
+
+# ------------------------------------------------------------------ hydrostatics
+
+
+def test_draught_and_reserve_by_hand() -> None:
+    """The drum floats at 1 m; the other metre carries rho g pi m3 = 31.58 kN."""
+    afloat = PLAIN.afloat()
+    assert afloat.draught == pytest.approx(1.0, rel=ROUNDING)
+    assert afloat.freeboard == pytest.approx(1.0, rel=ROUNDING)
+    assert PLAIN.reserve_buoyancy() == pytest.approx(1025.0 * G * math.pi, rel=ROUNDING)
+
+
+def test_half_the_reserve_is_half_a_metre() -> None:
+    afloat = PLAIN.afloat(0.5 * PLAIN.reserve_buoyancy())
+    assert afloat.draught == pytest.approx(1.5, rel=ROUNDING)
+
+
+def test_least_freeboard_takes_its_share() -> None:
+    kept = replace(PLAIN, least_freeboard=0.25)
+    assert kept.reserve_buoyancy() == pytest.approx(0.75 * PLAIN.reserve_buoyancy(), rel=ROUNDING)
+
+
+def test_a_tail_tube_carries_and_is_seen() -> None:
+    """A tube of 0.5 m, 1.6 m long, displaces 0.1 pi m3: the hull rises by 0.1 m."""
+    tube = replace(PLAIN, tube_diameter=0.5, tube_length=1.6).afloat()
+    assert tube.draught == pytest.approx(0.9, rel=ROUNDING)
+    assert tube.keel_depth == pytest.approx(2.5, rel=ROUNDING)
+    assert tube.hull_area_in_water() == pytest.approx(2.0 * 0.9 + 0.5 * 1.6, rel=ROUNDING)
+
+
+def test_a_pull_at_the_reserve_floats_and_one_above_is_refused() -> None:
+    reserve = PLAIN.reserve_buoyancy()
+    assert PLAIN.afloat(reserve).freeboard == pytest.approx(0.0, abs=1e-12)
+    with pytest.raises(InputError, match=r"above the buoy's reserve buoyancy of 31\.6 kN"):
+        PLAIN.afloat(1.01 * reserve)
+
+
+@pytest.mark.parametrize("shape", buoys(), ids=lambda shape: shape.name)
+def test_every_buoy_of_the_library_balances(shape: BuoyShape) -> None:
+    """Weight and pull equal the water displaced, at rest and at the reserve."""
+    assert "generic" in shape.origin
+    reserve = shape.reserve_buoyancy()
+    for pull in (0.0, 0.4 * reserve, reserve):
+        afloat = shape.afloat(pull)
+        assert afloat.displacement * G == pytest.approx(shape.mass * G + pull, rel=ROUNDING)
+        assert afloat.freeboard >= shape.least_freeboard - 1e-12
+    assert shape.afloat().windage > 0.0
+
+
+def test_the_library_knows_its_names() -> None:
+    assert buoy("pillar 1.8 m").hull_diameter == 1.8
+    with pytest.raises(InputError, match=r"did you mean pillar 1\.8 m"):
+        buoy("piller 1.8 m")
+
+
+def test_buoys_of_one_s_own(tmp_path: Path) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(
+        'schema = "catopt.buoys/1"\n[[buoy]]\nname = "mine"\nhull_diameter = 2\n'
+        "hull_depth = 2\nmass = 2000\n"
+    )
+    (mine,) = read_buoys(path)
+    assert (mine.name, mine.hull_diameter, mine.origin) == ("mine", 2, "the user's own")
+
+
+def test_every_problem_of_a_file_is_told() -> None:
+    with pytest.raises(InputError) as caught:
+        parse_buoys(
+            'schema = "catopt.buoys/2"\nextra = 1\n'
+            '[[buoy]]\nname = "a"\nhull_diametre = 2\nhull_depth = 2\nmass = 10\n'
+            '[[buoy]]\nname = "b"\nhull_diameter = -2\nhull_depth = 2\nmass = "heavy"\n',
+            "own.toml",
+        )
+    text = str(caught.value)
+    for words in (
+        "schema",
+        "extra: found an unknown key",
+        "buoy[0].hull_diametre: found an unknown key; did you mean hull_diameter",
+        "buoy[0].hull_diameter: missing",
+        "buoy[1].hull_diameter: found -2",
+        "buoy[1].mass",
+    ):
+        assert words in text
+
+
+def test_a_file_that_is_not_there_or_no_toml() -> None:
+    with pytest.raises(InputError, match="cannot be read"):
+        read_buoys("nowhere.toml")
+    with pytest.raises(InputError, match="file"):
+        parse_buoys("[[buoy]\n")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"mass": 1025.0 * 2.0 * math.pi}, "freeboard of 0.00 m"),
+        ({"mass": 7000.0}, "below 6440 kg"),
+        ({"tube_diameter": 3.0}, "wider than the hull"),
+        ({"tube_diameter": 1.0, "tube_length": 5.0}, "less than its tail tube displaces"),
+        ({"tower_solidity": 1.5}, "must be 1 or less"),
+    ],
+)
+def test_what_cannot_float_is_refused(change: dict[str, float], words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        replace(PLAIN, **change)  # type: ignore[arg-type]
+    assert words in str(caught.value)
+
+
+# ------------------------------------------------------------------ forces
+
+
+def test_current_alone_by_hand() -> None:
+    """1/2 x 1025 x 1.5^2 x (2 m x 1 m) x 1.2 = 2767.5 N."""
+    of = loads(current=1.5)
+    assert force(of, "current on the hull") == pytest.approx(2767.5, rel=ROUNDING)
+    assert of.horizontal_force == pytest.approx(2767.5, rel=ROUNDING)
+
+
+def test_wind_alone_drives_the_surface_too() -> None:
+    """20 m/s: air 1/2 x 1.29 x 400 x 2 x 1.2 = 619.2 N; water 0.3 m/s, 110.7 N."""
+    of = loads(wind=20.0)
+    assert force(of, "wind on the hull") == pytest.approx(619.2, rel=ROUNDING)
+    assert force(of, "current on the hull") == pytest.approx(110.7, rel=ROUNDING)
+    assert of.of("wind") == pytest.approx(619.2, rel=ROUNDING)
+
+
+def test_chain_by_hand() -> None:
+    """40 mm over 20 m - 1 m: A = 2.65 x 0.04 x 19 = 2.014 m2, times 615 Pa is 1238.61 N."""
+    of = loads(current=1.0, chain_diameter=0.04)
+    assert force(of, "current on the chain") == pytest.approx(1238.61, rel=ROUNDING)
+
+
+def test_chain_hangs_under_the_crest_at_high_water() -> None:
+    """Hmax 2 m at high water of 24 m: the chain reaches over 24 + 1 - 1 = 24 m."""
+    of = loads(
+        current=1.0,
+        chain_diameter=0.04,
+        sea=SeaState(6.0, maximum_height=2.0),
+        levels=WaterLevels(18.0, 24.0),
+        chain_speed="current",
+    )
+    by_hand = 0.5 * 1025.0 * 1.2 * 2.65 * 0.04 * 24.0
+    assert force(of, "current on the chain") == pytest.approx(by_hand, rel=ROUNDING)
+
+
+def test_waves_add_to_the_surface_speed() -> None:
+    """Deep water: 1 m/s and pi x 2/6 m/s; (1 + 1.047198)^2 = 4.191018 times 1230 N."""
+    sea = SeaState(6.0, maximum_height=2.0)
+    of = loads(current=1.0, sea=sea, levels=WaterLevels.steady(190.0))
+    # 190 m are deep for a wave of 56 m: tanh is 1 in double precision.
+    by_hand = 1230.0 * (1.0 + math.pi / 3.0) ** 2
+    assert force(of, "current on the hull") == pytest.approx(by_hand, rel=ROUNDING)
+
+
+def test_growth_widens_hull_and_chain_and_is_marked_as_ours() -> None:
+    clean, grown = (loads(current=1.0, chain_diameter=0.04, marine_growth=t) for t in (0.0, 0.05))
+    assert force(grown, "current on the hull") == pytest.approx(
+        1.05 * force(clean, "current on the hull"), rel=ROUNDING
+    )
+    assert force(grown, "current on the chain") / force(clean, "current on the chain") == (
+        pytest.approx((2.65 * 0.04 + 0.1) / (2.65 * 0.04), rel=ROUNDING)
+    )
+    assert not any("catopt's own" in each.note for each in clean.components)
+    assert sum("catopt's own" in each.note for each in grown.components) == 2
+
+
+def test_nothing_moves_nothing_pulls() -> None:
+    assert loads(chain_diameter=0.04).horizontal_force == 0.0
+
+
+def test_a_pull_shifts_area_from_the_air_to_the_water() -> None:
+    light, heavy = (loads(wind=20.0, pull=pull) for pull in (0.0, 15e3))
+    assert force(heavy, "current on the hull") > force(light, "current on the hull")
+    assert force(heavy, "wind on the hull") < force(light, "wind on the hull")
+
+
+def test_every_force_carries_formula_numbers_and_source() -> None:
+    of = loads(buoy("pillar 1.8 m"), wind=20.0, current=1.0, chain_diameter=0.03)
+    assert len(of.components) == 5
+    for each in of.components:
+        values = {number.symbol: number.value for number in each.numbers}
+        again = 0.5 * values["rho"] * values["V"] ** 2 * values["A"] * values["Cd"]
+        assert each.force == pytest.approx(again, rel=ROUNDING)
+        assert each.formula == "1/2 rho V^2 A Cd"
+        assert "CALMAR" in each.source.text
+        assert "Cd = 1.2" in each.numbers_text
+    assert of.recalled == ()
+
+
+def test_a_breaking_wave_is_told() -> None:
+    of = loads(sea=SeaState(4.0, maximum_height=6.0))
+    assert "3.49 m is taken" in of.warnings[0]
+    assert loads(sea=SeaState(8.0, maximum_height=2.0)).warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"levels": WaterLevels.steady(201.0)}, "CALMAR holds down to 200 m"),
+        ({"current": 7.5}, "CALMAR holds up to 7 m/s"),
+        ({"levels": WaterLevels(0.9, 3.0)}, "it would touch the bed"),
+        ({"pull": 40e3}, "reserve buoyancy"),
+        ({"chain_diameter": 25.0}, "chain_diameter"),
+        ({"marine_growth": -0.1}, "marine_growth"),
+        ({"chain_speed": "tide"}, "one of surface, current"),
+    ],
+)
+def test_what_calmar_does_not_hold_for_is_refused(change: dict[str, object], words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        loads(**change)  # type: ignore[arg-type]
+    assert words in str(caught.value)

@@ -1,0 +1,127 @@
+"""Loads on a ship as a whole, and S3's tanker beside its printed force."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from catopt.errors import InputError
+from catopt.loads import (
+    Headings,
+    SeaState,
+    SurfaceCurrent,
+    UfcWind,
+    Wind,
+    compare_tanker,
+    ship_loads,
+)
+from catopt.loads.component import Loads
+from catopt.loads.tanker_20m import tanker
+
+ROUNDING = 1e-12
+"""Relative, of some ten operations in double precision."""
+
+SHIP = tanker()
+
+
+def loads(
+    wind: float = 20.0, current: float = 1.2, hmax: float = 3.5, depth: float = 20.0, **more: object
+) -> Loads:
+    sea = SeaState(8.0, maximum_height=hmax)
+    more.setdefault("wind_on", "tanker loaded")
+    return ship_loads(SHIP, Wind(wind), SurfaceCurrent(current), sea, depth, **more)  # type: ignore[arg-type]
+
+
+def test_head_on_everything_pushes_backwards_and_is_summed() -> None:
+    of = loads()
+    assert all(each.axis == "surge" and each.force < 0.0 for each in of.components)
+    total = -math.fsum(each.force for each in of.components)
+    assert of.horizontal_force == pytest.approx(total, rel=ROUNDING)
+    by_cause = math.fsum(of.of(kind) for kind in ("wind", "current", "wave drift"))
+    assert by_cause == pytest.approx(total, rel=ROUNDING)
+    assert "Collinear" in of.assumptions[0]
+
+
+def test_each_cause_alone() -> None:
+    for still in ({"wind": 0.0}, {"current": 0.0}, {"hmax": 0.0}):
+        assert loads(**still).horizontal_force < loads().horizontal_force
+    assert loads(wind=0.0, current=0.0, hmax=0.0).horizontal_force == 0.0
+
+
+def test_on_the_beam_across_is_more_than_along() -> None:
+    beam = Headings(*[0.5 * math.pi] * 3)
+    of = loads(headings=beam)
+    assert of.along("sway") > 10.0 * abs(of.along("surge"))
+    assert "yaw moments are not balanced" in of.assumptions[0]
+    mirrored = loads(headings=Headings(*[-0.5 * math.pi] * 3))
+    assert mirrored.along("sway") == pytest.approx(-of.along("sway"), rel=ROUNDING)
+
+
+def test_a_fast_current_on_the_beam_is_warned_of() -> None:
+    across = Headings(current=0.5 * math.pi)
+    assert "C1 = 3.2" in loads(current=2.0, headings=across).warnings[0]
+    assert loads(current=2.0).warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("drift", "words"), [("sea state", "Hs as given"), ("largest wave", "11.70 m is taken")]
+)
+def test_a_breaking_wave_is_told(drift: str, words: str) -> None:
+    """0.78 x 15 m = 11.7 m; steepness would allow 14 m."""
+    (warning,) = loads(hmax=13.0, depth=15.0, drift=drift).warnings
+    assert words in warning
+
+
+def test_ufc_wind_in_place_of_blendermann() -> None:
+    own = UfcWind(0.9, 0.5, 0.6, math.radians(100.0), "distributed")
+    of = loads(wind_on=own)
+    by_hand = 0.5 * 1.221 * 400.0 * SHIP.frontal_area * 0.5
+    assert of.of("wind") == pytest.approx(by_hand, rel=ROUNDING)
+    assert of.recalled == ()
+    oblique = Headings(wind=0.5)
+    with pytest.raises(InputError, match="recalled"):
+        loads(wind_on=own, headings=oblique)
+    assert loads(wind_on=own, headings=oblique, allow_recalled=True).recalled == (
+        "wind across the ship",
+    )
+
+
+def test_aground_and_headings_out_of_range() -> None:
+    with pytest.raises(InputError, match="aground"):
+        loads(depth=12.0)
+    with pytest.raises(InputError, match="current"):
+        Headings(current=4.0)
+
+
+# ------------------------------------------------------------------ S3's tanker
+
+
+def test_s3_tanker_by_hand() -> None:
+    """Loaded, head on, in 20 m: every force worked out beside the code, to a kN.
+
+    Wind: 1/2 x 1.221 x 400 = 244.2 Pa; AF = 31.3 x (3.6 + 15) = 582.18 m2; x 0.9 = 127.95 kN.
+    Current: 1/2 x 1025 x 1.44 = 738 Pa; form 738 x 31.3 x 12.4 x 0.1 = 28.64 kN;
+    LwL = 226.98 m, V = 0.8 LwL B T = 70476 m3, S = 1.7 x 12.4 x 226.98 + 70476/12.4 = 10468 m2,
+    Rn = 2.289e8, C = 0.075/6.3596^2 = 0.0018544, friction 14.33 kN;
+    propeller 226.98 x 31.3/270/0.838 = 31.40 m2, 23.17 kN.
+    Waves: Hs = 1.8919 m, m0 = 0.22370 m2; k = 0.07078 (g k tanh(20 k) = 0.61685), 2 k d = 2.8312,
+    factor 1 + 2.8312/8.455 = 1.3349; 1025 x g x 0.22370 x 31.3 x 1.3349 = 93.95 kN.
+    """
+    parts = [round(-each.force / 1e3, 2) for each in compare_tanker().loads.components]
+    # Printed digits, and one more unit for what was rounded on the way.
+    assert parts == pytest.approx([127.95, 28.64, 14.33, 23.17, 93.95], abs=0.015)
+
+
+def test_s3_tanker_does_not_agree_with_its_printed_force() -> None:
+    loaded = compare_tanker()
+    assert loaded.printed == 450e3
+    assert loaded.loads.horizontal_force / 1e3 == pytest.approx(288.0, abs=0.5)  # printed digits
+    assert loaded.statement == (
+        "288 kN computed does not agree with 450 kN printed: 36 % below it."
+    )
+    ballast = compare_tanker("ballast")
+    assert ballast.loads.horizontal_force / 1e3 == pytest.approx(293.0, abs=0.5)
+    largest = compare_tanker(drift="largest wave")
+    assert largest.statement.endswith("86 % above it.")
+    assert loaded.loads.recalled == ()

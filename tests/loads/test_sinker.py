@@ -1,0 +1,111 @@
+"""Sinkers: NAVFAC's friction, uplift, buoyancy, and IALA's rule."""
+
+from __future__ import annotations
+
+import pytest
+
+from catopt.errors import InputError, NoAnswerError
+from catopt.loads import size_sinker
+from catopt.loads.sinker import SOIL_FRICTION, friction_of, needed_weight, submerged_weight
+
+G = 9.80665
+ROUNDING = 1e-12
+"""Relative, of some ten operations in double precision."""
+
+PRINTED = {
+    "clean sound rock": (0.70, 0.70),
+    "gravel or coarse sand": (0.55, 0.60),
+    "clean fine to medium sand": (0.45, 0.55),
+    "fine or silty sand": (0.35, 0.45),
+    "sandy silt": (0.30, 0.35),
+    "hard clay": (0.40, 0.50),
+    "stiff clay": (0.30, 0.35),
+}
+"""NAVFAC DM 7.02 (1986), table 1: mass concrete on ..., tan(delta)."""
+
+
+def test_the_soils_are_navfac_s() -> None:
+    of_navfac = {
+        name: (row.low, row.high)
+        for name, row in SOIL_FRICTION.items()
+        if "NAVFAC" in row.source.document
+    }
+    assert of_navfac == PRINTED
+    for name, (low, _) in PRINTED.items():
+        friction, source = friction_of(name)
+        assert (friction, source.confidence) == (low, "A")
+        assert "foundations on land" in source.text
+
+
+def test_iala_s_rule_by_hand() -> None:
+    """M = 1.5 H/[g tan(45 deg) (1 - 1025/2400)]: 10 kN need 2669.8 kg."""
+    size = size_sinker(10e3, soil="IALA default")
+    by_hand = 1.5 * 10e3 / (G * (1.0 - 1025.0 / 2400.0))
+    assert by_hand == pytest.approx(2669.8, abs=0.05)  # printed digits
+    assert size.needed_mass == pytest.approx(by_hand, rel=ROUNDING)
+    assert size.mass == 3000.0
+    assert (size.smaller, size.larger) == (2500.0, 4000.0)
+    assert "optimistic" in size.notes[0]
+
+
+def test_uplift_friction_and_factor_by_hand() -> None:
+    """From mu (W - V) = SF H, W = 5 + 1.5 x 20/0.4 = 80 kN; steel 80e3/g/(1 - 1025/7850) kg."""
+    assert needed_weight(20e3, 5e3, 0.4, 1.5) == pytest.approx(80e3, rel=ROUNDING)
+    size = size_sinker(20e3, 5e3, friction=0.4, material="steel")
+    assert size.needed_mass == pytest.approx(80e3 / (G * (1.0 - 1025.0 / 7850.0)), rel=ROUNDING)
+    assert size.factor is not None
+    assert size.factor >= 1.5
+    held = 0.4 * (size.submerged_weight - 5e3)
+    assert size.factor == pytest.approx(held / 20e3, rel=ROUNDING)
+
+
+def test_buoyancy_counts() -> None:
+    """1 t of concrete weighs g (1 - 1025/2400) kN = 5.618 kN in water."""
+    assert submerged_weight(1000.0, 2400.0, 1025.0) == pytest.approx(5618.4, abs=0.05)  # digits
+
+
+def test_a_pull_straight_up_needs_its_own_weight() -> None:
+    size = size_sinker(0.0, 30e3, friction=0.5)
+    assert size.factor is None
+    assert size.submerged_weight >= 30e3
+
+
+def test_steel_has_recalled_figures_only() -> None:
+    with pytest.raises(InputError, match=r"recalled \(R\)"):
+        size_sinker(10e3, soil="fine or silty sand", material="steel")
+    size = size_sinker(10e3, soil="fine or silty sand", material="steel", allow_recalled=True)
+    assert size.friction_source is not None
+    assert size.friction_source.recalled
+    with pytest.raises(InputError, match="no figure for steel"):
+        size_sinker(10e3, soil="hard clay", material="steel", allow_recalled=True)
+
+
+def test_what_is_assumed_is_said() -> None:
+    notes = size_sinker(10e3, soil="hard clay").notes
+    assert any("foundations on land" in note for note in notes)
+    assert any("2400 kg/m3" in note for note in notes)
+    own = size_sinker(10e3, friction=0.5, density=2500.0)
+    assert (own.notes, own.friction_source) == ((), None)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"soil": "soft mud"}, "soft mud too, give friction"),
+        ({}, "one of soil and friction is wanted"),
+        ({"soil": "hard clay", "friction": 0.4}, "found both"),
+        ({"friction": 0.4, "density": 900.0}, "it floats"),
+        ({"friction": 0.4, "material": "lead"}, "concrete or steel"),
+        ({"friction": 0.0}, "friction"),
+        ({"friction": 0.4, "safety_factor": 0.5}, "safety_factor"),
+    ],
+)
+def test_what_is_wrong_is_told(arguments: dict[str, object], words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        size_sinker(10e3, **arguments)  # type: ignore[arg-type]
+    assert words in str(caught.value)
+
+
+def test_a_pull_that_no_sinker_holds() -> None:
+    with pytest.raises(NoAnswerError, match="the largest is 60 t, which lacks"):
+        size_sinker(1e6, friction=0.4)

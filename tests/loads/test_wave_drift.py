@@ -1,0 +1,90 @@
+"""Mean wave drift: hand calculations, limits, and the two means of a wave height."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from catopt.errors import InputError
+from catopt.loads import SeaState
+from catopt.loads.wave_drift import cylinder_drift, depth_factor, flat_side_drift, ship_drift
+
+RHO, G = 1025.0, 9.80665
+ROUNDING = 1e-12
+"""Relative, of some ten operations in double precision."""
+
+SEA = SeaState(8.0, maximum_height=3.7)
+"""Hs 2 m."""
+
+DEEP = 5000.0
+
+
+def drift(**changes: object) -> float:
+    arguments: dict[str, object] = {"water_density": RHO, **changes}
+    return flat_side_drift(SEA, arguments.pop("depth", DEEP), **arguments)  # type: ignore[arg-type]
+
+
+def test_of_a_regular_wave_by_hand() -> None:
+    """1/2 rho g a^2 with a = 1.85 m: 17201 N/m."""
+    by_hand = 0.5 * RHO * G * 1.85**2
+    assert by_hand == pytest.approx(17201.0, abs=0.5)  # printed digits
+    assert drift(of="largest wave") == pytest.approx(by_hand, rel=ROUNDING)
+
+
+def test_of_a_sea_by_hand() -> None:
+    """The mean is rho g Hs^2/16 = 2513 N/m: 2 x integral of S times 1/2 rho g, m0 being Hs^2/16."""
+    assert drift() == pytest.approx(RHO * G * 4.0 / 16.0, rel=ROUNDING)
+
+
+def test_reflection_counts_squared() -> None:
+    assert drift(reflection=0.5) == pytest.approx(0.25 * drift(), rel=ROUNDING)
+    assert drift(reflection=0.0) == 0.0
+
+
+def test_depth_factor_from_1_to_2() -> None:
+    assert depth_factor(1.0, 1000.0) == 1.0
+    # 2 - (2kh)^2/6 and more for small k h: 1e-8 away.
+    assert depth_factor(1e-4, 1.0) == pytest.approx(2.0, abs=1e-8)
+    assert depth_factor(1.0, 0.5) == pytest.approx(1.0 + 1.0 / math.sinh(1.0), rel=ROUNDING)
+
+
+def test_a_breaking_wave_pushes_no_more_than_its_breaking_height() -> None:
+    """In 2 m of water a wave is 1.56 m high."""
+    by_hand = 0.5 * RHO * G * 0.78**2 * depth_factor(SEA.wave_number(2.0), 2.0)
+    assert drift(depth=2.0, of="largest wave") == pytest.approx(by_hand, rel=ROUNDING)
+
+
+def test_cylinder_by_hand() -> None:
+    """Of r = 1 m, T = 8 s in deep water: k = omega^2/g = 0.0628994 1/m, a^2 = Hs^2/8 = 0.5 m2.
+
+    5 pi^2/16 x 1025 x 9.80665 x 0.5 x 1 x 0.0628994^3 = 3.8574 N.
+    """
+    assert cylinder_drift(SEA, 1.0, DEEP, water_density=RHO) == pytest.approx(3.8574, abs=1e-3)
+
+
+def test_a_cylinder_too_wide_for_its_waves_is_refused() -> None:
+    with pytest.raises(InputError, match=r"holds up to 0\.4"):
+        cylinder_drift(SEA, 10.0, DEEP, water_density=RHO)
+
+
+def test_a_ship_shows_its_breadth_and_its_length() -> None:
+    def forces(angle: float) -> list[float]:
+        parts = ship_drift(SEA, 200.0, 30.0, DEEP, angle=angle, water_density=RHO)
+        return [part.force for part in parts]
+
+    per_metre = drift()
+    near = 1e-6  # N: sin(pi) is 1e-16
+    assert forces(0.0) == pytest.approx([-30.0 * per_metre, 0.0], rel=ROUNDING, abs=near)
+    assert forces(math.pi) == pytest.approx([30.0 * per_metre, 0.0], rel=ROUNDING, abs=near)
+    assert forces(0.5 * math.pi) == pytest.approx([0.0, 200.0 * per_metre], rel=ROUNDING, abs=near)
+    assert forces(-0.5 * math.pi) == pytest.approx(
+        [0.0, -200.0 * per_metre], rel=ROUNDING, abs=near
+    )
+
+
+def test_what_is_out_of_range() -> None:
+    with pytest.raises(InputError, match="reflection"):
+        drift(reflection=1.5)
+    with pytest.raises(InputError, match="one of sea state, largest wave"):
+        drift(of="mean")
