@@ -1,0 +1,146 @@
+"""Cutting a line into bars: nodes along its unstretched length, with every joint on a node."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.errors import InputError, Problem
+from catopt.model import Line
+
+__all__ = ["LineMesh", "mesh_line"]
+
+Array = npt.NDArray[np.float64]
+
+_SAME_PLACE = 1e-9
+"""Two joints closer than this part of the line's length are one."""
+
+
+@dataclass(frozen=True)
+class LineMesh:
+    """A line cut into bars.
+
+    Attributes
+    ----------
+    line : Line
+        What was cut.
+    joints : tuple of float
+        Arc lengths at which something changes, with both ends, m.
+    counts : tuple of int
+        Bars between one joint and the next.
+    """
+
+    line: Line
+    joints: tuple[float, ...]
+    counts: tuple[int, ...]
+
+    @property
+    def elements(self) -> int:
+        """Number of bars."""
+        return sum(self.counts)
+
+    @cached_property
+    def arc(self) -> Array:
+        """Unstretched arc length of the nodes from the anchor, m, shape (elements + 1,)."""
+        pieces = [
+            np.linspace(start, end, count, endpoint=False)
+            for (start, end), count in zip(pairwise(self.joints), self.counts, strict=True)
+        ]
+        return np.append(np.concatenate(pieces), self.joints[-1])
+
+    @cached_property
+    def length(self) -> Array:
+        """Unstretched length of each bar, m, shape (elements,); the same within a piece."""
+        sizes = np.diff(self.joints) / self.counts
+        return np.repeat(sizes, self.counts)
+
+    @cached_property
+    def segment(self) -> npt.NDArray[np.int64]:
+        """Index of the segment to which each bar belongs, shape (elements,)."""
+        ends = np.cumsum([s.length for s in self.line.segments])[:-1]
+        middles = 0.5 * (self.arc[1:] + self.arc[:-1])
+        return np.searchsorted(ends, middles)
+
+    @cached_property
+    def load_node(self) -> npt.NDArray[np.int64]:
+        """Node of each point load of the line, shape (point loads,)."""
+        positions = [load.position for load in self.line.point_loads]
+        return np.array([int(np.abs(self.arc - s).argmin()) for s in positions], dtype=np.int64)
+
+    def refined(self, factor: int = 2) -> LineMesh:
+        """Return the same line with every bar cut into `factor` equal parts."""
+        return LineMesh(self.line, self.joints, tuple(count * factor for count in self.counts))
+
+
+def mesh_line(
+    line: Line,
+    elements: int | Sequence[int] = 100,
+    *,
+    element_length: float | None = None,
+) -> LineMesh:
+    """Cut a line into bars of nearly one length, with a node at every joint and point load.
+
+    Parameters
+    ----------
+    line : Line
+        The line.
+    elements : int or sequence of int
+        Bars of the whole line, shared by length; at least one falls on every piece, so that there
+        may be a few more. Or bars of each segment, from the anchor.
+    element_length : float, optional
+        Largest length of a bar, m; instead of `elements`.
+
+    Raises
+    ------
+    InputError
+        When the numbers do not fit the line.
+    """
+    _check(line, elements, element_length)
+    bounds = np.concatenate([[0.0], np.cumsum([s.length for s in line.segments])])
+    joints = _joints(line, bounds)
+    sizes = _target_lengths(line, elements, element_length)
+    owner = np.searchsorted(bounds[1:-1], 0.5 * (joints[1:] + joints[:-1]))
+    pieces = np.diff(joints)
+    counts = np.maximum(1, np.ceil(pieces / sizes[owner] - 1e-6)).astype(int)
+    return LineMesh(line, tuple(joints.tolist()), tuple(counts.tolist()))
+
+
+def _joints(line: Line, bounds: Array) -> Array:
+    """Arc lengths of segment ends and point loads, each once."""
+    tolerance = _SAME_PLACE * line.length
+    joints = list(bounds)
+    for load in line.point_loads:
+        if min(abs(load.position - joint) for joint in joints) > tolerance:
+            joints.append(load.position)
+    return np.sort(np.array(joints))
+
+
+def _target_lengths(
+    line: Line, elements: int | Sequence[int], element_length: float | None
+) -> Array:
+    """Wanted bar length in each segment, m."""
+    if element_length is not None:
+        return np.full(len(line.segments), element_length)
+    if isinstance(elements, int):
+        return np.full(len(line.segments), line.length / elements)
+    sizes: Array = np.array([s.length for s in line.segments]) / np.array(elements)
+    return sizes
+
+
+def _check(line: Line, elements: int | Sequence[int], element_length: float | None) -> None:
+    problems = []
+    if element_length is not None and not element_length > 0.0:
+        problems.append(Problem("element_length", repr(element_length), "must be above 0 m"))
+    counts = [elements] if isinstance(elements, int) else list(elements)
+    if any(count < 1 for count in counts):
+        problems.append(Problem("elements", repr(elements), "at least one bar is wanted"))
+    if not isinstance(elements, int) and len(counts) != len(line.segments):
+        wanted = f"one number for each of the {len(line.segments)} segments"
+        problems.append(Problem("elements", repr(elements), wanted))
+    if problems:
+        raise InputError(problems, "mesh_line")

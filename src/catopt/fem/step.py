@@ -1,0 +1,224 @@
+"""One Newton step for all lines and the body where they meet."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.fem.assembly import Bars, Law, State, assemble
+from catopt.fem.banded import DIAGONAL, back_substitute, eliminate
+from catopt.fem.bed import Ground
+from catopt.fem.loads import BarLoads
+
+__all__ = ["Body", "StepReport", "Workspace", "newton_step", "take_step"]
+
+Array = npt.NDArray[np.float64]
+
+
+class Body(NamedTuple):
+    """The node in which the lines meet.
+
+    Attributes
+    ----------
+    free : array, shape (3,)
+        1.0 for each direction in which it may move, 0.0 where it is held.
+    force : array, shape (3,)
+        On it, N.
+    place : array, shape (3,)
+        Where the last node of the first line belongs in the directions that are held, m.
+    """
+
+    free: Array
+    force: Array
+    place: Array
+
+
+class Workspace(NamedTuple):
+    """Room for the equations: coefficients, shape (4 bars, 19), right hand sides, (4 bars,)."""
+
+    band: Array
+    rhs: Array
+
+
+class StepReport(NamedTuple):
+    """What a step found at the shape from which it started.
+
+    Attributes
+    ----------
+    imbalance : float
+        Largest force left over at a node, N.
+    node : int
+        Where; -1 for the body.
+    strain : float
+        Largest misfit of a bar's length, relative to it.
+    tension : float
+        Largest tension, N.
+    changed : int
+        Nodes that touched down or lifted off.
+    away : float
+        Distance by which the body is not yet where it is held, m.
+    turn : float
+        Largest change of a bar's direction that the step asks for, rad.
+    singular : bool
+        Whether the equations had no solution.
+    """
+
+    imbalance: float
+    node: int
+    strain: float
+    tension: float
+    changed: int
+    away: float
+    turn: float
+    singular: bool
+
+
+def newton_step(
+    bars: Bars, state: State, loads: BarLoads, nodal: Any, ground: Ground, body: Body, law: Law,
+    room: Workspace,
+) -> StepReport:  # fmt: skip
+    """Assemble, measure what is left over, and solve; the step is left in `room.rhs`.
+
+    Parameters
+    ----------
+    bars, state, loads, nodal, ground, law
+        As for `assembly.assemble`.
+    body : Body
+        Where the lines meet.
+    room : Workspace
+        Written to: entry 4 e is the change of the tension of bar e over `law.soft`, entries
+        4 e + 1 to 4 e + 3 the displacement of its second node.
+    """
+    band, rhs = room
+    lines = bars.start.shape[0] - 1
+    schur = np.zeros((3, 3))
+    total = np.zeros(3)
+    left = body.force.copy()
+    changed = 0
+    strain = 0.0
+    singular = False
+    for k in range(lines):
+        first, end = 4 * bars.start[k], 4 * bars.start[k + 1]
+        news, worst = assemble(k, bars, state, loads, nodal, ground, law, band, rhs)
+        if news > 0:
+            # How a bar shares its weight depends on the states of both its nodes.
+            _, worst = assemble(k, bars, state, loads, nodal, ground, law, band, rhs)
+        changed += news
+        strain = max(strain, worst)
+        for i in range(3):
+            left[i] += state.balance[bars.start[k + 1] + k, i]
+        if eliminate(band, rhs, first, end) >= 0:
+            singular = True
+        for i in range(3):
+            total[i] += rhs[end - 3 + i]
+            for j in range(3):
+                schur[i, j] += band[end - 3 + i, DIAGONAL + j - i]
+    imbalance, node = _largest_imbalance(bars, state, left, body)
+    away = _gap_to_place(state.x, bars.start[1], body, total)
+    move = _body_move(schur, total, body, law)
+    for k in range(lines):
+        first, end = 4 * bars.start[k], 4 * bars.start[k + 1]
+        for i in range(3):
+            rhs[end - 3 + i] = move[i]
+        back_substitute(band, rhs, first, end)
+    turn = _largest_turn(bars, state, rhs)
+    tension = np.abs(state.tension).max()
+    singular = singular or not math.isfinite(turn)
+    return StepReport(imbalance, node, strain, tension, changed, away, turn, singular)
+
+
+def take_step(bars: Bars, state: State, law: Law, rhs: Any, part: float) -> None:
+    """Move `state` by a part of the step that `newton_step` left in `rhs`.
+
+    On the way (e above 0) a tension falls to a tenth at most: it gives the bar its stiffness across
+    itself, and a step too far would take that away.
+    """
+    for k in range(bars.start.shape[0] - 1):
+        for e in range(bars.start[k], bars.start[k + 1]):
+            T = state.tension[e] + part * law.soft * rhs[4 * e]
+            if law.ease > 0.0 and not law.carries_compression:
+                T = max(T, 0.1 * state.tension[e])
+            state.tension[e] = T
+            for i in range(3):
+                state.x[e + k + 1, i] += part * rhs[4 * e + 1 + i]
+
+
+def _gap_to_place(x: Any, node: int, body: Body, total: Any) -> float:
+    """Ask for the way to the body's place in the directions that are held; its largest part, m."""
+    away = 0.0
+    for i in range(3):
+        if body.free[i] == 0.0:
+            total[i] = body.place[i] - x[node, i]
+            away = max(away, abs(total[i]))
+    return away
+
+
+def _body_move(schur: Any, total: Any, body: Body, law: Law) -> Any:
+    """Displacement of the body under what the lines and its force leave over."""
+    for i in range(3):
+        schur[i, i] -= law.drag_in / law.soft
+        if body.free[i] == 0.0:
+            for j in range(3):
+                schur[i, j] = 0.0
+            schur[i, i] = 1.0
+        else:
+            total[i] -= body.force[i] / law.soft
+    return _solve_3(schur, total)
+
+
+def _solve_3(matrix: Any, rhs: Any) -> Any:
+    """Solution of three equations, with exchange of rows; nan or inf where there is none."""
+    for j in range(3):
+        pivot = j
+        for r in range(j + 1, 3):
+            if abs(matrix[r, j]) > abs(matrix[pivot, j]):
+                pivot = r
+        for c in range(3):
+            matrix[j, c], matrix[pivot, c] = matrix[pivot, c], matrix[j, c]
+        rhs[j], rhs[pivot] = rhs[pivot], rhs[j]
+        for r in range(j + 1, 3):
+            factor = matrix[r, j] / matrix[j, j]
+            for c in range(j, 3):
+                matrix[r, c] -= factor * matrix[j, c]
+            rhs[r] -= factor * rhs[j]
+    for r in range(2, -1, -1):
+        for c in range(r + 1, 3):
+            rhs[r] -= matrix[r, c] * rhs[c]
+        rhs[r] /= matrix[r, r]
+    return rhs
+
+
+def _largest_imbalance(bars: Bars, state: State, left: Any, body: Body) -> tuple[float, int]:
+    """Size and place of the largest force left over at a node that may move."""
+    square = 0.0
+    for i in range(3):
+        square += body.free[i] * left[i] ** 2
+    largest, place = square, -1
+    for k in range(bars.start.shape[0] - 1):
+        for node in range(bars.start[k] + k + 1, bars.start[k + 1] + k):
+            square = 0.0
+            for i in range(3):
+                square += state.balance[node, i] ** 2
+            if square > largest:
+                largest, place = square, node
+    return math.sqrt(largest), place
+
+
+def _largest_turn(bars: Bars, state: State, rhs: Any) -> float:
+    """Largest relative displacement of two neighbours, over the distance between them."""
+    largest = 0.0
+    for k in range(bars.start.shape[0] - 1):
+        for e in range(bars.start[k], bars.start[k + 1]):
+            a = e + k
+            square = 0.0
+            size = 0.0
+            for i in range(3):
+                by = rhs[4 * e + 1 + i] - (rhs[4 * e - 3 + i] if e > bars.start[k] else 0.0)
+                square += by * by
+                size += (state.x[a + 1, i] - state.x[a, i]) ** 2
+            if not square <= largest * largest * size:
+                largest = math.sqrt(square / size) if size > 0.0 else math.inf
+    return largest
