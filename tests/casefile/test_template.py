@@ -23,10 +23,10 @@ def test_the_buoy_is_the_case_of_the_project() -> None:
 
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_every_key_is_there_and_is_commented(name: str) -> None:
-    """But for what a design may vary, and the names of the catalogue's quantities."""
+    """But for what a design may vary, systems, and the names of the catalogue's quantities."""
     lines = template(name).splitlines()
     for header, table in tables().items():
-        if header.strip("[]").startswith(("design", "catalogue.variants")):
+        if header.strip("[]").startswith(("design", "system", "catalogue.variants")):
             continue
         for key, entry in entries(table).items():
             if entry.kind is not None and header:

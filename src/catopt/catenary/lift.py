@@ -92,7 +92,8 @@ def _step(H: float, V: float, error: float, z_V: float, is_grounded: bool) -> fl
     T = math.sqrt(H * H + V * V)
     rise = -error * V / (z_V * T)
     square = V * V + rise * (2.0 * T + rise)
-    return math.sqrt(square) if square > 0.0 else 0.5 * V
+    # A tension below 0 would come back as its mirror image, and then the step as no step at all.
+    return math.sqrt(square) if square > 0.0 and T + rise > 0.0 else 0.5 * V
 
 
 @inlined

@@ -1,0 +1,93 @@
+"""``catopt system``: a body moored by several lines."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from catopt.cli.options import JsonOption, OutOption
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.units import Dimension
+
+__all__ = ["system"]
+
+
+def system(
+    context: typer.Context,
+    case: Annotated[Path, typer.Argument(metavar="CASE", help="Case file (TOML) with [system].")],
+    line_out: Annotated[
+        bool,
+        typer.Option("--line-out", help="Also take each line away in turn, under the same load."),
+    ] = False,
+    watch_circle: Annotated[
+        bool,
+        typer.Option(
+            "--watch-circle", help="Also let a force of the same size act from all sides."
+        ),
+    ] = False,
+    curve: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="ANGLE",
+            help='Also the restoring curve in this direction, such as "180 deg", '
+            "counter-clockwise from x; several may be given.",
+        ),
+    ] = None,
+    level: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="HEIGHT",
+            help='Also at this water level, such as "-1.5 m" below that of the case; the body '
+            "floats up and down with it. Several may be given.",
+        ),
+    ] = None,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Find where a moored body comes to rest, and what each of its lines carries.
+
+    Prints the zero-load position, the offset under the load, the stiffness, a table of the lines
+    and what else is asked for, with the residual of the balance.
+    """
+    from catopt.casefile import read_case
+    from catopt.mooring.case import report_system
+    from catopt.units import Dimension
+
+    output: Output = context.obj
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+    directions = _in_si("--curve", curve or [], Dimension.ANGLE)
+    levels = _in_si("--level", level or [], Dimension.LENGTH)
+    report = report_system(
+        read_case(case),
+        with_line_out=line_out,
+        with_circle=watch_circle,
+        directions=directions,
+        levels=levels,
+    )
+    if watch_circle and report.circle is None:
+        output.note("no watch circle: the case has no force on the body")
+    if out is not None:
+        from catopt.report.bundle import system_bundle
+        from catopt.report.files import write_files
+
+        written = write_files(out, system_bundle(report))
+        output.note(f"{len(written)} files written to {out}")
+    if as_json:
+        output.json(report.to_dict())
+        return
+    from catopt.cli.system_view import show_system
+
+    show_system(output, report)
+
+
+def _in_si(option: str, texts: list[str], dimension: Dimension) -> list[float]:
+    from catopt.cli.values import in_si
+
+    return [in_si({option: (text, dimension)})[option] for text in texts]

@@ -1,0 +1,135 @@
+"""All lines of a body as plain sequences of numbers: the form in which the kernel takes them."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from catopt.catenary.pieces import Pieces, cut
+from catopt.catenary.setting import Setting
+from catopt.catenary.slack import hang_slack
+from catopt.catenary.state import CONVERGED, TOO_SHORT, failed
+from catopt.model.line import Line
+from catopt.model.system import Leg, System
+
+__all__ = ["Arrangement", "Lines", "arrange", "room_for"]
+
+
+class Arrangement(NamedTuple):
+    """Where the ends of the lines are and what the lines are made of.
+
+    Lists in plain code, arrays in compiled code. The pieces of line k are those from `first[k]`
+    to `first[k + 1]` of the last four; `load` has one entry more a line than the others.
+
+    Attributes
+    ----------
+    anchor_x, anchor_y, anchor_height : sequence of float, shape (lines,)
+        m.
+    arm_x, arm_y : sequence of float, shape (lines,)
+        Fairleads in the body's axes, m.
+    fairlead_height : sequence of float, shape (lines,)
+        Above the seabed, m.
+    friction : float
+        Coulomb coefficient of the bed.
+    first : sequence of int, shape (lines + 1,)
+        First piece of each line.
+    length, weight, compliance, load : sequence of float
+        As in catenary.pieces.Pieces, line after line.
+    slack_span : sequence of float, shape (lines,)
+        The longest span at which a line pulls to no side, m; below 0 when there is none.
+    slack_V, slack_V_anchor, slack_grounded : sequence of float
+        Its vertical forces (N) and the length on the bed (m) there.
+    """
+
+    anchor_x: Any
+    anchor_y: Any
+    anchor_height: Any
+    arm_x: Any
+    arm_y: Any
+    fairlead_height: Any
+    friction: float
+    first: Any
+    length: Any
+    weight: Any
+    compliance: Any
+    load: Any
+    slack_span: Any
+    slack_V: Any
+    slack_V_anchor: Any
+    slack_grounded: Any
+
+
+class Lines(NamedTuple):
+    """What is known of each line at a position of the body; written to by the kernel.
+
+    Attributes
+    ----------
+    H, V : sequence of float, shape (lines,)
+        Forces at the fairlead, N; nan before the first position.
+    span, grounded : sequence of float
+        m.
+    H_anchor, V_anchor : sequence of float
+        Forces on the anchor, N.
+    H_S, V_S : sequence of float
+        Derivatives of H and V by the span, the height held, N/m.
+    """
+
+    H: Any
+    V: Any
+    span: Any
+    grounded: Any
+    H_anchor: Any
+    V_anchor: Any
+    H_S: Any
+    V_S: Any
+
+
+def arrange(system: System) -> Arrangement:
+    """Lay out a system as lists of plain numbers."""
+    first, length, weight, compliance, load = [0], [], [], [], []
+    slack = []
+    known: dict[tuple[Line, float, float], tuple[float, float, float, float]] = {}
+    for leg in system.legs:
+        pieces, _ = cut(leg.line)
+        key = (leg.line, leg.anchor_height, leg.fairlead_height)
+        if key not in known:
+            known[key] = _slack(pieces, leg, system.seabed_friction)
+        slack.append(known[key])
+        length += pieces.length
+        weight += pieces.weight
+        compliance += pieces.compliance
+        load += pieces.load
+        first.append(len(length))
+    legs = system.legs
+    return Arrangement(
+        anchor_x=[leg.anchor[0] for leg in legs],
+        anchor_y=[leg.anchor[1] for leg in legs],
+        anchor_height=[float(leg.anchor_height) for leg in legs],
+        arm_x=[leg.fairlead[0] for leg in legs],
+        arm_y=[leg.fairlead[1] for leg in legs],
+        fairlead_height=[float(leg.fairlead_height) for leg in legs],
+        friction=float(system.seabed_friction),
+        first=first,
+        length=length,
+        weight=weight,
+        compliance=compliance,
+        load=load,
+        slack_span=[each[0] for each in slack],
+        slack_V=[each[1] for each in slack],
+        slack_V_anchor=[each[2] for each in slack],
+        slack_grounded=[each[3] for each in slack],
+    )
+
+
+def _slack(pieces: Pieces, leg: Leg, friction: float) -> tuple[float, float, float, float]:
+    """Span, V, V at the anchor and grounded length of a line that just hangs slack."""
+    setting = Setting(pieces, float(leg.anchor_height), float(leg.fairlead_height), friction)
+    drop = leg.fairlead_height + leg.anchor_height
+    state = hang_slack(setting) if drop < leg.line.length else failed(TOO_SHORT)
+    if state.status != CONVERGED:
+        return -1.0, 0.0, 0.0, 0.0
+    return state.span, state.V, state.V_anchor, state.grounded
+
+
+def room_for(lines: int) -> Lines:
+    """Make lists for what the kernel says of each line."""
+    return Lines(*([float("nan")] * lines for _ in Lines._fields))

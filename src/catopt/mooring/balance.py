@@ -1,0 +1,201 @@
+"""What all lines together do to the body at one position: force, moment and stiffness."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from catopt.catenary.equilibrium import hung_state
+from catopt.catenary.pieces import Pieces
+from catopt.catenary.setting import Setting, is_plain
+from catopt.catenary.span import given_span
+from catopt.catenary.state import CONVERGED, NOT_CONVERGED, State, failed
+from catopt.catenary.walk import FIRST_TOUCHDOWN
+from catopt.mooring.arrangement import Arrangement, Lines
+
+__all__ = ["Pull", "pull_at"]
+
+NEARLY = 3e-3
+"""Last relative step of a line that need not be exact."""
+
+
+class Pull(NamedTuple):
+    """Force of all lines on the body, and how it falls as the body moves.
+
+    Attributes
+    ----------
+    status : int
+        Of the line that has no answer there (catenary.state); CONVERGED when all have.
+    line : int
+        That line.
+    x, y, moment : float
+        N, N, N m.
+    xx, xy, yy, xm, ym, mm : float
+        Stiffness: minus the derivatives by x, y (N/m) and yaw (N, N m).
+    total : float
+        Sum of the horizontal forces of the lines, N.
+    """
+
+    status: int
+    line: int
+    x: float
+    y: float
+    moment: float
+    xx: float
+    xy: float
+    yy: float
+    xm: float
+    ym: float
+    mm: float
+    total: float
+
+
+def pull_at(
+    x: float, y: float, yaw: float, arrangement: Arrangement, lines: Lines, is_exact: bool
+) -> Pull:
+    """Solve every line with the body at a position.
+
+    A line with horizontal force H along the unit vector u towards its anchor, its span S, pulls
+    with H u. Its stiffness is dH/dS along u and H/S across it; a fairlead at r off the origin
+    adds H u.r in yaw.
+
+    Parameters
+    ----------
+    x, y, yaw : float
+        Of the body: m, m, rad.
+    arrangement : Arrangement
+        The lines.
+    lines : Lines
+        What was known of them at the last position, from where each is sought; written to.
+    is_exact : bool
+        Whether each line is solved to double precision. On the way there a few digits will do,
+        in half the time.
+    """
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    force_x = force_y = moment = 0.0
+    xx = xy = yy = xm = ym = mm = 0.0
+    total = 0.0
+    for k in range(len(arrangement.anchor_x)):
+        arm_x = cosine * arrangement.arm_x[k] - sine * arrangement.arm_y[k]
+        arm_y = sine * arrangement.arm_x[k] + cosine * arrangement.arm_y[k]
+        along_x = arrangement.anchor_x[k] - x - arm_x
+        along_y = arrangement.anchor_y[k] - y - arm_y
+        span = math.sqrt(along_x * along_x + along_y * along_y)
+        if span > 0.0:
+            along_x /= span
+            along_y /= span
+        else:
+            # Straight above its anchor a line pulls to no side; any direction will do.
+            span, along_x, along_y = 1e-9, 1.0, 0.0
+        status = _hang(k, span, arrangement, lines, is_exact)
+        if status != CONVERGED:
+            return _no_pull(status, k)
+        H = lines.H[k]
+        stiff, across = lines.H_S[k], H / span
+        # The line's stiffness at its fairlead, and the way the fairlead goes as the body turns.
+        line_xx = stiff * along_x * along_x + across * along_y * along_y
+        line_xy = (stiff - across) * along_x * along_y
+        line_yy = stiff * along_y * along_y + across * along_x * along_x
+        turn_x, turn_y = -arm_y, arm_x
+        line_xm = line_xx * turn_x + line_xy * turn_y
+        line_ym = line_xy * turn_x + line_yy * turn_y
+        force_x += H * along_x
+        force_y += H * along_y
+        moment += H * (along_x * turn_x + along_y * turn_y)
+        xx += line_xx
+        xy += line_xy
+        yy += line_yy
+        xm += line_xm
+        ym += line_ym
+        mm += line_xm * turn_x + line_ym * turn_y + H * (along_x * arm_x + along_y * arm_y)
+        total += H
+    return Pull(CONVERGED, -1, force_x, force_y, moment, xx, xy, yy, xm, ym, mm, total)
+
+
+def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact: bool) -> int:
+    """Solve line k for its span, from where it was; its status."""
+    if span <= arrangement.slack_span[k]:
+        lines.H[k] = lines.H_anchor[k] = lines.H_S[k] = lines.V_S[k] = 0.0
+        lines.V[k], lines.V_anchor[k] = arrangement.slack_V[k], arrangement.slack_V_anchor[k]
+        lines.span[k], lines.grounded[k] = span, arrangement.slack_grounded[k]
+        return CONVERGED
+    start, end = arrangement.first[k], arrangement.first[k + 1]
+    pieces = Pieces(
+        arrangement.length[start:end],
+        arrangement.weight[start:end],
+        arrangement.compliance[start:end],
+        arrangement.load[start + k : end + k + 1],
+    )
+    setting = Setting(
+        pieces, arrangement.anchor_height[k], arrangement.fairlead_height[k], arrangement.friction
+    )
+    # Along the tangent from where it was; after a long way back that says nothing.
+    move = span - lines.span[k]
+    H = lines.H[k] + lines.H_S[k] * move
+    V = lines.V[k] + lines.V_S[k] * move
+    if not (H > 0.2 * lines.H[k] and V > 0.2 * lines.V[k]):
+        H = V = math.nan
+    state = failed(NOT_CONVERGED)
+    if not is_exact and H > 0.0 and setting.fairlead_height > 0.0 and is_plain(setting):
+        state = _nearly(span, setting, H, V)
+    if state.status != CONVERGED:
+        state = given_span(span, setting, H, V)
+    if state.status != CONVERGED:
+        return state.status
+    lines.H[k] = state.H
+    lines.V[k] = state.V
+    lines.span[k] = span
+    lines.grounded[k] = state.grounded
+    lines.H_anchor[k] = state.H_anchor
+    lines.V_anchor[k] = state.V_anchor
+    determinant = state.x_H * state.z_V - state.x_V * state.z_H
+    if state.H > 0.0 and determinant > 0.0:
+        lines.H_S[k] = state.z_V / determinant
+        lines.V_S[k] = -state.z_H / determinant
+    else:
+        lines.H_S[k] = lines.V_S[k] = 0.0
+    return CONVERGED
+
+
+def _nearly(span: float, setting: Setting, H: float, V: float) -> State:
+    """Newton's method on (span, height) as in catenary.closing, left as soon as it is close.
+
+    The last step is taken and not looked at again: its error is the square of NEARLY.
+    """
+    for _ in range(6):
+        state = hung_state(
+            H, V, setting.pieces, setting.fairlead_height, setting.friction, FIRST_TOUCHDOWN
+        )
+        determinant = state.x_H * state.z_V - state.x_V * state.z_H
+        if not determinant > 0.0:
+            break
+        error = state.span - span
+        dH = (state.x_V * state.height_error - state.z_V * error) / determinant
+        dV = (state.z_H * error - state.x_H * state.height_error) / determinant
+        steps = max(abs(dH) / H, abs(dV) / max(V, H))
+        H = min(max(H + dH, 0.1 * H), 10.0 * H)
+        V = max(V + dV, 0.1 * V)
+        if steps <= NEARLY:
+            return State(
+                state.status,
+                state.regime,
+                H,
+                V,
+                span,
+                0.0,
+                state.grounded,
+                state.H_anchor,
+                state.V_anchor,
+                state.touchdown,
+                state.anchor_touchdown,
+                state.x_H,
+                state.x_V,
+                state.z_H,
+                state.z_V,
+            )
+    return failed(NOT_CONVERGED)
+
+
+def _no_pull(status: int, line: int) -> Pull:
+    nan = math.nan
+    return Pull(status, line, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan)

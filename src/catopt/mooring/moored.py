@@ -1,0 +1,201 @@
+"""A system at rest under no load: the place from which every load is followed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from catopt.catenary.state import CONVERGED
+from catopt.errors import NoEquilibriumError
+from catopt.model.system import System
+from catopt.mooring.arrangement import Arrangement, Lines, arrange, room_for
+from catopt.mooring.balance import Pull, pull_at
+from catopt.mooring.refusal import refusal, turns_over
+from catopt.mooring.settle import TURNS_OVER, Freedom, Rest, settle
+
+__all__ = ["Moored", "copied", "is_held", "moor"]
+
+SHORT_OF_TAUT = 0.999
+"""Part of its length over which a line that does not stretch may reach at the start."""
+
+YAWS_TRIED = 90
+"""Yaws over half a turn at which the largest moment is looked for."""
+
+
+@dataclass(frozen=True)
+class Moored:
+    """A system and its zero-load position.
+
+    Attributes
+    ----------
+    system : System
+        The system; its load plays no part.
+    arrangement : Arrangement
+        Its lines as numbers.
+    freedom : Freedom
+        How its body may move.
+    neutral : Rest
+        The body under no load.
+    lines : Lines
+        The lines there.
+    """
+
+    system: System
+    arrangement: Arrangement
+    freedom: Freedom
+    neutral: Rest
+    lines: Lines
+
+    def under(self, force: Sequence[float], moment: float = 0.0) -> tuple[Rest, Lines]:
+        """Settle the body under a load; N along x and y, N m.
+
+        Raises
+        ------
+        NoEquilibriumError, TouchesTwiceError, NotConvergedError
+            As for `solve_system`.
+        """
+        lines = copied(self.lines)
+        start = self.neutral
+        loads = (float(force[0]), float(force[1]), float(moment))
+        rest = settle(
+            start.x, start.y, start.yaw, start.pull, *loads, self.freedom, self.arrangement, lines
+        )
+        if rest.status == TURNS_OVER:
+            raise turns_over(moment, self._largest_moment(loads[0], loads[1], moment))
+        if rest.status != CONVERGED:
+            raise refusal(rest, self.system)
+        return rest, lines
+
+    def _largest_moment(self, force_x: float, force_y: float, moment: float) -> float:
+        """Look over half a turn for the largest moment that the lines carry that way round, N m."""
+        lines = copied(self.lines)
+        freedom = self.freedom._replace(in_yaw=False)
+        sense = math.copysign(1.0, moment)
+        x, y, largest = self.neutral.x, self.neutral.y, 0.0
+        for step in range(1, YAWS_TRIED + 1):
+            yaw = self.neutral.yaw + sense * math.pi * step / YAWS_TRIED
+            pull = pull_at(x, y, yaw, self.arrangement, lines, True)
+            rest = settle(x, y, yaw, pull, force_x, force_y, 0.0, freedom, self.arrangement, lines)
+            if rest.status != CONVERGED:
+                break
+            x, y = rest.x, rest.y
+            largest = max(largest, -sense * rest.pull.moment)
+        return largest
+
+    def held(self, x: float, y: float) -> tuple[Rest, Lines]:
+        """Hold the body at a place, m; it still turns where it is free to, under no moment.
+
+        Raises
+        ------
+        NoEquilibriumError, TouchesTwiceError, NotConvergedError
+            When a line does not reach there, or has no answer.
+        """
+        lines = copied(self.lines)
+        pull = pull_at(x, y, self.neutral.yaw, self.arrangement, lines, True)
+        freedom = self.freedom._replace(in_plane=False)
+        nothing = (0.0, 0.0, 0.0)
+        rest = settle(x, y, self.neutral.yaw, pull, *nothing, freedom, self.arrangement, lines)
+        if rest.status != CONVERGED:
+            raise refusal(rest, self.system)
+        return rest, lines
+
+
+def moor(system: System) -> Moored:
+    """Find the zero-load position, starting from the origin with yaw 0.
+
+    Raises
+    ------
+    NoEquilibriumError
+        When lines that do not stretch are too short to reach the body together.
+    TouchesTwiceError, NotConvergedError
+        As for `solve_system`.
+    """
+    arrangement = arrange(system)
+    freedom = _freedom(system)
+    lines = room_for(len(system.legs))
+    x, y = _reachable(system)
+    pull = pull_at(x, y, 0.0, arrangement, lines, True)
+    neutral = settle(x, y, 0.0, pull, 0.0, 0.0, 0.0, freedom, arrangement, lines)
+    if neutral.status != CONVERGED:
+        raise refusal(neutral, system)
+    return Moored(system, arrangement, freedom, neutral, lines)
+
+
+def copied(lines: Lines) -> Lines:
+    """Copy what is known of the lines."""
+    return Lines(*(list(column) for column in lines))
+
+
+def _freedom(system: System) -> Freedom:
+    """Set the lengths and forces by which steps and residuals of this system are judged."""
+    spare, weight, length = math.inf, 0.0, 0.0
+    for leg in system.legs:
+        chord = math.hypot(
+            leg.anchor[0] - leg.fairlead[0],
+            leg.anchor[1] - leg.fairlead[1],
+            leg.fairlead_height - leg.anchor_height,
+        )
+        # Half of what a line can spare: beyond it the line is another one, stiff or slack.
+        spare = min(spare, max(0.5 * abs(leg.line.length - chord), 0.01 * leg.line.length))
+        weight += sum(abs(s.length * s.submerged_weight) for s in leg.line.segments)
+        weight += sum(abs(load.submerged_weight) for load in leg.line.point_loads)
+        length = max(length, leg.line.length)
+    return Freedom(
+        in_plane=True,
+        in_yaw=system.turns,
+        arm=max((leg.fairlead_radius for leg in system.legs), default=0.0) or 1.0,
+        stride=spare,
+        scale=1e-3 * weight,
+        floor=1e-9 * weight / length,
+    )
+
+
+def _reachable(system: System) -> tuple[float, float]:
+    """Find a place that every line which does not stretch can reach, at or near the origin; m.
+
+    The reach of each is a disc round its anchor; projecting on one after the other leads into
+    what they share, if they share anything.
+    """
+    discs = []
+    for index, leg in enumerate(system.legs):
+        if all(math.isinf(segment.EA) for segment in leg.line.segments):
+            rise = leg.fairlead_height - leg.anchor_height
+            left = leg.line.length**2 - rise**2
+            if left <= 0.0:
+                missing = abs(rise) - leg.line.length
+                raise NoEquilibriumError(
+                    f"line {index + 1} is {leg.line.length:.6g} m long and its fairlead "
+                    f"{abs(rise):.6g} m above or below its anchor: it is {missing:.6g} m too "
+                    "short. Give it more than that.",
+                    "length",
+                    missing,
+                )
+            centre = (leg.anchor[0] - leg.fairlead[0], leg.anchor[1] - leg.fairlead[1])
+            discs.append((index, centre, math.sqrt(left)))
+    x, y = 0.0, 0.0
+    for _ in range(1000):
+        worst, worst_line = 0.0, -1
+        for index, (cx, cy), reach in discs:
+            distance = math.hypot(x - cx, y - cy)
+            if distance >= reach:
+                if distance - reach >= worst:
+                    worst, worst_line = distance - reach, index
+                share = SHORT_OF_TAUT * reach / distance
+                x, y = cx + share * (x - cx), cy + share * (y - cy)
+        if worst_line < 0:
+            return x, y
+    raise NoEquilibriumError(
+        f"there is no place that every line reaches: line {worst_line + 1} is {worst:.6g} m too "
+        "short where the others end. Give it more length, or let the lines stretch (EA).",
+        "length",
+        worst,
+    )
+
+
+def is_held(pull: Pull, in_yaw: bool, arm: float) -> bool:
+    """Whether the lines hold the body against a push from any side, and a turn if it is free."""
+    least = 1e-9 * max(pull.xx + pull.yy, 1e-300)
+    if pull.xx * pull.yy - pull.xy * pull.xy <= least * (pull.xx + pull.yy):
+        return False
+    return not in_yaw or pull.mm / (arm * arm) > least

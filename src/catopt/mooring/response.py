@@ -1,0 +1,73 @@
+"""How a moored body answers: where it goes and what its lines carry, in a few numbers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from catopt.mooring.arrangement import Lines
+from catopt.mooring.moored import Moored
+from catopt.mooring.settle import Rest
+
+__all__ = ["Response", "response_of"]
+
+
+@dataclass(frozen=True)
+class Response:
+    """One place of rest.
+
+    Attributes
+    ----------
+    x, y, yaw : float
+        Of the body, m, m, rad.
+    offset : float
+        Distance from the zero-load position, m.
+    largest_tension : float
+        At a fairlead, N.
+    most_loaded : int
+        The line that carries it, counted from 0 in the system as it was given.
+    largest_anchor_tension : float
+        N.
+    largest_uplift : float
+        Largest vertical force on an anchor, N; 0 or less where none is lifted.
+    least_grounded : float
+        Shortest length on the bed of any line, m.
+    """
+
+    x: float
+    y: float
+    yaw: float
+    offset: float
+    largest_tension: float
+    most_loaded: int
+    largest_anchor_tension: float
+    largest_uplift: float
+    least_grounded: float
+
+
+def response_of(moored: Moored, rest: Rest, lines: Lines, zero: Rest | None = None) -> Response:
+    """Sum a place of rest up.
+
+    Parameters
+    ----------
+    moored : Moored
+        The system.
+    rest, lines
+        The body and its lines there.
+    zero : Rest, optional
+        From where the offset counts; the system's own zero-load position when left out.
+    """
+    start = moored.neutral if zero is None else zero
+    tensions = [math.hypot(H, V) for H, V in zip(lines.H, lines.V, strict=True)]
+    largest = max(tensions)
+    return Response(
+        x=rest.x,
+        y=rest.y,
+        yaw=rest.yaw,
+        offset=math.hypot(rest.x - start.x, rest.y - start.y),
+        largest_tension=largest,
+        most_loaded=tensions.index(largest),
+        largest_anchor_tension=max(map(math.hypot, lines.H_anchor, lines.V_anchor)),
+        largest_uplift=max(lines.V_anchor),
+        least_grounded=min(lines.grounded),
+    )

@@ -1,0 +1,81 @@
+"""The watch circle: where a force of one size, from every side, takes the body."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from catopt.model.system import System
+from catopt.model.validity import Findings
+from catopt.mooring.moored import moor
+from catopt.mooring.response import Response, response_of
+
+__all__ = ["WatchCircle", "watch_circle"]
+
+
+@dataclass(frozen=True)
+class WatchCircle:
+    """Offsets of a body under a force that goes round.
+
+    Attributes
+    ----------
+    system : System
+        The lines; its own load plays no part.
+    force : float
+        Size, N.
+    directions : tuple of float
+        Towards which the force acts, counter-clockwise from x, rad.
+    responses : tuple of Response
+        The body and its lines at each.
+    neutral : (float, float)
+        Zero-load position, m.
+    """
+
+    system: System
+    force: float
+    directions: tuple[float, ...]
+    responses: tuple[Response, ...]
+    neutral: tuple[float, float]
+
+    @property
+    def farthest(self) -> int:
+        """Index of the direction of the largest offset."""
+        offsets = [each.offset for each in self.responses]
+        return offsets.index(max(offsets))
+
+    @property
+    def hardest(self) -> int:
+        """Index of the direction of the largest tension in any line."""
+        tensions = [each.largest_tension for each in self.responses]
+        return tensions.index(max(tensions))
+
+
+def watch_circle(system: System, *, force: float, directions: int = 120) -> WatchCircle:
+    """Let a force go round a body.
+
+    Parameters
+    ----------
+    system : System
+        Its own load plays no part.
+    force : float
+        Size, N.
+    directions : int
+        How many, evenly from 0; at least 3.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError, TouchesTwiceError, NotConvergedError
+        As for `solve_system`.
+    """
+    found = Findings("watch circle")
+    found.number("force", force, "N", above=0.0)
+    found.number("directions", directions, "", at_least=3, at_most=3600)
+    found.raise_if_any()
+    moored = moor(system)
+    angles = tuple(2.0 * math.pi * k / directions for k in range(directions))
+    responses = []
+    for angle in angles:
+        rest, lines = moored.under((force * math.cos(angle), force * math.sin(angle)))
+        responses.append(response_of(moored, rest, lines))
+    neutral = (moored.neutral.x, moored.neutral.y)
+    return WatchCircle(system, force, angles, tuple(responses), neutral)

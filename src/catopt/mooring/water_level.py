@@ -1,0 +1,71 @@
+"""Water levels: the body floats higher or lower, and its lines hang otherwise."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from catopt.errors import InputError
+from catopt.model.system import System
+from catopt.model.validity import Findings
+from catopt.mooring.moored import moor
+from catopt.mooring.response import Response, response_of
+
+__all__ = ["AtLevel", "at_levels"]
+
+
+@dataclass(frozen=True)
+class AtLevel:
+    """The system under its own load at one water level.
+
+    Attributes
+    ----------
+    level : float
+        Above that of the case, m.
+    response : Response
+        Its offset counts from the zero-load position at that level.
+    stiffness : tuple of 2 tuples of 2 float
+        -d(Fx, Fy)/d(x, y), N/m.
+    """
+
+    level: float
+    response: Response
+    stiffness: tuple[tuple[float, float], tuple[float, float]]
+
+
+def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
+    """Solve a system at several water levels; every fairlead rises and falls with the water.
+
+    Parameters
+    ----------
+    system : System
+        With its load.
+    levels : sequence of float
+        Above that of the case, m.
+
+    Raises
+    ------
+    InputError
+        When a level brings a fairlead below the bed.
+    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+        As for `solve_system`.
+    """
+    found = Findings("water levels")
+    for index, level in enumerate(levels):
+        lowest = min(leg.fairlead_height for leg in system.legs)
+        found.number(f"levels[{index}]", float(level), "m", at_least=-lowest)
+    if found.problems:
+        raise InputError(found.problems, found.source)
+    answers = []
+    for level in levels:
+        moored = moor(system.raised(float(level)))
+        rest, lines = moored.under(system.force, system.moment)
+        pull = rest.pull
+        answers.append(
+            AtLevel(
+                float(level),
+                response_of(moored, rest, lines),
+                ((pull.xx, pull.xy), (pull.xy, pull.yy)),
+            )
+        )
+    return tuple(answers)

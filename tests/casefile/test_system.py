@@ -1,0 +1,95 @@
+"""The table [system] of a case file: read, written back, refused."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from catopt import InputError, Line, Segment, System
+from catopt.casefile import parse_case
+from catopt.casefile.writing import write_case
+from catopt.model import Case, Leg, Load, Site
+
+HEAD = """
+[site]
+water_depth = "50 m"
+seabed_friction = 0.3
+[line]
+fairlead_height = "48 m"
+anchor_height = "1 m"
+[[line.segments]]
+length = "600 m"
+submerged_weight = "1000 N/m"
+"""
+SYSTEM = """
+[system]
+anchor_radius = "0.57 km"
+azimuths = ["0 deg", "120 deg", 4.0]
+fairlead_radius = "10 m"
+force = ["200 kN", -5]
+moment = "3 kN*m"
+"""
+LINE = Line([Segment(600.0, 1000.0)])
+
+
+def test_it_is_read_with_the_line_and_the_site() -> None:
+    case = parse_case(HEAD + SYSTEM)
+    assert case.load is None
+    assert case.system == System.around(
+        LINE,
+        azimuths=[0.0, math.radians(120.0), 4.0],
+        anchor_radius=570.0,
+        fairlead_height=48.0,
+        anchor_height=1.0,
+        fairlead_radius=10.0,
+        seabed_friction=0.3,
+        force=(200e3, -5.0),
+        moment=3e3,
+    )
+
+
+@pytest.mark.parametrize(
+    "further", ["", "yaw_free = true", "yaw_free = false"], ids=["left out", "true", "false"]
+)
+def test_it_is_written_back(further: str) -> None:
+    text = SYSTEM.replace('moment = "3 kN*m"', "") if further.endswith("false") else SYSTEM
+    case = parse_case(HEAD + text + further)
+    assert parse_case(write_case(case)) == case
+
+
+def test_lines_of_their_own_have_no_place_in_a_file() -> None:
+    case = parse_case(HEAD + SYSTEM)
+    assert case.system is not None
+    own = Leg(Line([Segment(700.0, 900.0)]), 1.0, 570.0, 48.0)
+    with pytest.raises(InputError, match="equal lines"):
+        write_case(replace(case, system=System((*case.system.legs, own))))
+
+
+@pytest.mark.parametrize(
+    ("text", "key"),
+    [
+        (SYSTEM + '[load]\nspan = "500 m"', "load"),
+        (SYSTEM + '[[load_cases]]\nname = "a"\nhorizontal_force = "5 kN"', "load_cases"),
+        (SYSTEM.replace('anchor_radius = "0.57 km"', ""), "anchor_radius"),
+        (SYSTEM.replace('["200 kN", -5]', '["200 kN"]'), "system.force"),
+        (SYSTEM.replace('"3 kN*m"', '"3 kN"'), "system.moment"),
+        (SYSTEM.replace("fairlead_radius", "fairled_radius"), "fairled_radius"),
+        (SYSTEM.replace('fairlead_radius = "10 m"', "yaw_free = true"), "system.yaw_free"),
+        (SYSTEM.replace('fairlead_radius = "10 m"', "yaw_free = false"), "system.moment"),
+        (SYSTEM + "yaw_free = false", "system.moment"),
+        (SYSTEM.replace('"10 m"', '"0 m"'), "system.moment"),
+        (SYSTEM.replace('["0 deg", "120 deg", 4.0]', "[]"), "system.azimuths"),
+    ],
+)
+def test_what_is_wrong_is_named(text: str, key: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_case(HEAD + text)
+    assert any(key in problem.key for problem in caught.value.problems)
+
+
+def test_the_model_refuses_a_load_beside_a_system() -> None:
+    case = parse_case(HEAD + SYSTEM)
+    with pytest.raises(InputError, match="load: found beside a system"):
+        Case(Site(50.0), LINE, Load(span=500.0), 48.0, system=case.system)
