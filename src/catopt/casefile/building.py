@@ -21,7 +21,6 @@ from catopt.casefile.schema import (
     SiteTable,
     SystemTable,
 )
-from catopt.constants import STANDARD_GRAVITY
 from catopt.model import (
     Anchor,
     Buoy,
@@ -43,6 +42,7 @@ from catopt.model import (
     SwarmSettings,
     System,
 )
+from catopt.model.immersion import weight_in_water
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component
@@ -159,26 +159,8 @@ def _weighed(given: dict[str, Any], water_density: float) -> dict[str, Any]:
     """Put the weight in water in the place of a body's density."""
     density = given.pop("density", None)
     if density is not None:
-        given["submerged_weight"] = _weight_in_water(given["mass"], density, water_density)
+        given["submerged_weight"] = weight_in_water(given["mass"], density, water_density)
     return given
-
-
-def _weight_in_water(mass: float, density: float, water_density: float) -> float:
-    """Submerged weight of a solid body.
-
-    Parameters
-    ----------
-    mass : float
-        In air, kg.
-    density, water_density : float
-        Of the body and of the water, kg/m3.
-
-    Returns
-    -------
-    float
-        N; negative when the body floats. S2, equation (24), with W = m g0.
-    """
-    return mass * STANDARD_GRAVITY * (1.0 - water_density / density)
 
 
 def _catalogue(table: CatalogueTable, folder: str) -> CatalogueChoice:

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 
 from catopt.checks.criterion import StrengthKind
 from catopt.checks.line_kind import LineKind, line_kind
+from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Segment, Service
 
 if TYPE_CHECKING:
-    from catopt.catalogue import Catalogue, Component
+    from catopt.catalogue import Component
+    from catopt.catalogue.choice import ChosenCatalogue
 
 __all__ = ["Strength", "strength_of"]
 
@@ -157,21 +159,15 @@ def _component(segment: Segment, choice: CatalogueChoice | None, loss: float) ->
     known = segment.MBL is not None and segment.proof_load is not None and loss == 0.0
     if known or not segment.component or segment.nominal_diameter is None:
         return None
-    choice = choice or CatalogueChoice()
-    return _families(choice.file).component(
-        segment.component,
-        segment.nominal_diameter,
-        variants=choice.by_quantity,
-        allow_recalled=choice.allow_recalled,
-    )
+    families = _families(choice or CatalogueChoice())
+    return families.component(segment.component, segment.nominal_diameter)
 
 
 @cache
-def _families(file: str) -> Catalogue:
-    from catopt import catalogue
+def _families(choice: CatalogueChoice) -> ChosenCatalogue:
+    from catopt.catalogue.choice import chosen
 
-    own = catalogue.standard()
-    return own.with_families(catalogue.read_families(file)) if file else own
+    return chosen(choice, SEA_WATER_DENSITY)  # strength does not depend on the water
 
 
 def _worn(

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from catopt.checks.result import CheckReport, CheckResult
+from catopt.design.document import design_document
 from catopt.model import Anchor, Case, Line
 
 __all__ = ["DesignPoint", "DesignResult", "NearMiss", "Neighbour"]
@@ -118,6 +120,8 @@ class DesignResult:
         For each objective: which check the end of the front runs into there, in words.
     neighbours : tuple of Neighbour
         What one size or one step up or down would do to the recommended design.
+    present : Neighbour
+        The line that stands in the case file, by the same checks; no part of the front.
     seconds : float
         Wall time of the search.
     warnings : tuple of str
@@ -140,5 +144,10 @@ class DesignResult:
     interrupted: bool
     ends: tuple[str, ...]
     neighbours: tuple[Neighbour, ...]
+    present: Neighbour
     seconds: float
     warnings: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt design --json`` prints (schema catopt.design/1)."""
+        return design_document(self)

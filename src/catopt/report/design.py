@@ -93,11 +93,14 @@ def design_checks(result: DesignResult) -> pd.DataFrame:
 
 
 def neighbours(result: DesignResult) -> pd.DataFrame:
-    """Tabulate what one step of each variable would do to the recommended design."""
-    steps = result.neighbours
+    """Tabulate what one step of each variable would do to the recommended design.
+
+    The last row is the line in the case file.
+    """
+    steps = (*result.neighbours, result.present)
     laid: dict[str, Any] = {"Change to the recommended design": [step.change for step in steps]}
     for key, quantity in objective_quantities(result):
-        values = (None if s.point is None else s.point.objectives[key] for s in steps)
+        values = (None if s.point is None else s.point.objectives.get(key) for s in steps)
         laid |= column(quantity, values)
     laid["Verdict"] = [verdict(step) for step in steps]
     return pd.DataFrame(laid)
@@ -122,7 +125,6 @@ def search_summary(result: DesignResult) -> pd.DataFrame:
                 "Reference point (SI units)": ", ".join(f"{x:.6g}" for x in result.reference_point),
                 "Seed": result.seed,
                 "Interrupted": _yes(result.interrupted) or "no",
-                "Wall time of the search (s)": result.seconds,
                 "Warnings": "; ".join(result.warnings),
             }
         ]

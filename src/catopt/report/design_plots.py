@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
 from matplotlib import rc_context
@@ -9,11 +10,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from catopt.quantities import QUANTITIES
-from catopt.report.design_words import OBJECTIVES, segment_words
+from catopt.report.design_words import OBJECTIVES, clump_weight_words, segment_words
 from catopt.report.figures import (
     BLUE,
     GREEN,
+    LEFT,
     ORANGE,
+    RIGHT,
     SIZE,
     STYLE,
     folded,
@@ -29,6 +32,9 @@ if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult
 
 __all__ = ["chosen_three", "design_front"]
+
+_FRONT, _BETWEEN, _UNDER = 3.6, 1.5, 1.65
+"""Inches: height of the front, room below it, room below the lines."""
 
 _LOOKS: tuple[dict[str, Any], ...] = (
     {"color": BLUE, "dashes": (1, 0)},
@@ -47,22 +53,50 @@ def chosen_three(result: DesignResult) -> list[int]:
 def design_front(result: DesignResult) -> Figure:
     """Draw the front over its first two objectives, and three of its lines to scale.
 
-    The lines are drawn in the load case that takes them farthest from their anchor. A third
-    objective is told by the shade of the points.
+    The lines are drawn in the load case that takes the recommended design farthest from its
+    anchor. A third objective is told by the shade of the points.
     """
+    state = _farthest(result.front[result.recommended])
+    chosen = {i: dict(result.front[i].checks.solutions)[state] for i in chosen_three(result)}
+    depth = result.case.site.water_depth + _water_level(result, state)
+    widest = 1.06 * max(solution.span for solution in chosen.values())
+    highest = 1.2 * max(depth, *(solution.fairlead_height for solution in chosen.values()))
+    width = SIZE[0] - LEFT - RIGHT
+    low = min(max(width * highest / widest, 1.0), 4.0)
+    # In inches from the top: title, front, its labels and legend, lines, their labels and legend.
+    full = 0.35 + _FRONT + _BETWEEN + low + _UNDER
     with rc_context(STYLE):
-        figure = Figure(figsize=(SIZE[0], 7.4), layout="constrained")
+        figure = Figure(figsize=(SIZE[0], full))
         FigureCanvasAgg(figure)
-        above, below = figure.subplots(2, 1, height_ratios=(3, 2))
+        above = figure.add_axes(
+            (LEFT / SIZE[0], 1.0 - (0.35 + _FRONT) / full, width / SIZE[0], _FRONT / full)
+        )
+        below = figure.add_axes((LEFT / SIZE[0], _UNDER / full, width / SIZE[0], low / full))
         _front(figure, above, result)
-        _lines(below, result)
+        _lines(below, result, chosen)
+    scale = max(widest / width, highest / low)
+    below.set_xlim(-0.03 * widest, scale * width - 0.03 * widest)
+    below.set_ylim(-0.07 * highest, scale * low - 0.07 * highest)
+    water_and_bed(below, depth)
     set_title(above, folded(result.case.title))
-    for axes, columns in ((above, 2), (below, 1)):
-        axes.legend(
-            loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=columns, frameon=False,
-            handlelength=3.2, fontsize=9,
-        )  # fmt: skip
+    set_title(below, folded(f"To scale, {state}"))
+    _legend(above, 2, -0.55 / _FRONT)
+    _legend(below, 1, -0.5 / low)
     return figure
+
+
+def _legend(axes: Axes, columns: int, top: float) -> None:
+    place: dict[str, Any] = {
+        "loc": "upper center",
+        "bbox_to_anchor": (0.5, top),
+        "borderaxespad": 0.0,
+    }
+    axes.legend(ncols=columns, frameon=False, handlelength=3.2, fontsize=9, **place)
+
+
+def _water_level(result: DesignResult, name: str) -> float:
+    levels = {state.name: state.water_level for state in result.case.load_cases}
+    return levels.get(name, 0.0)
 
 
 def _front(figure: Figure, axes: Axes, result: DesignResult) -> None:
@@ -107,15 +141,15 @@ def _design_label(result: DesignResult, index: int) -> str:
     return f"Design {index + 1}{note}"
 
 
-def _lines(axes: Axes, result: DesignResult) -> None:
+def _lines(axes: Axes, result: DesignResult, chosen: dict[int, Solution]) -> None:
     label_axes(axes, QUANTITIES["x"], QUANTITIES["z"])
-    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_ylabel("z (m)")
     axes.grid(visible=False)
-    states = {index: _farthest(result.front[index]) for index in chosen_three(result)}
-    for look, (index, (name, solution)) in zip(_LOOKS, states.items(), strict=False):
+    for look, (index, solution) in zip(_LOOKS, chosen.items(), strict=False):
         shape = solution.profile(201)
-        words = "; ".join(segment_words(result.front[index].line))
-        label = f"Design {index + 1}: {words} ({name})"
+        line = result.front[index].line
+        words = "; ".join([*segment_words(line), *clump_weight_words(line)])
+        label = shorten(f"Design {index + 1}: {words}", 82, placeholder=" ...")
         axes.plot(shape.x, shape.z, label=label, zorder=4, **look)
         axes.plot(
             [load.x for load in solution.point_loads],
@@ -127,11 +161,8 @@ def _lines(axes: Axes, result: DesignResult) -> None:
             markeredgecolor="black",
             zorder=5,
         )
-    top = max(solution.fairlead_height for _, solution in states.values())
-    axes.set_ylim(-0.08 * top, 1.12 * top)
-    water_and_bed(axes, result.case.site.water_depth)
 
 
-def _farthest(point: DesignPoint) -> tuple[str, Solution]:
-    """Return the load case with the largest span, by its name, and the line in it."""
-    return max(point.checks.solutions, key=lambda state: state[1].span)
+def _farthest(point: DesignPoint) -> str:
+    """Name the load case with the largest span."""
+    return max(point.checks.solutions, key=lambda state: state[1].span)[0]

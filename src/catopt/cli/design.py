@@ -1,0 +1,120 @@
+"""``catopt design``: the lines that are best in mass and offset at once."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from catopt.cli.options import JsonOption, OutOption
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.design.result import DesignResult
+    from catopt.model import Case
+
+__all__ = ["design"]
+
+INTERRUPTED = 130
+"""128 + SIGINT; the front so far is printed all the same."""
+
+
+class SearchMethod(StrEnum):
+    """How the designs are searched."""
+
+    AUTO = "auto"
+    ENUMERATION = "enumeration"
+    NSGA2 = "nsga2"
+    SWARM = "swarm"
+
+
+def design(
+    context: typer.Context,
+    case: Annotated[
+        Path, typer.Argument(metavar="CASE", help="Case file (TOML) with a table [design].")
+    ],
+    method: Annotated[
+        SearchMethod | None,
+        typer.Option(
+            metavar="METHOD",
+            help="enumeration of every design, nsga2, swarm, or auto: enumeration where it is "
+            "quick enough; overrides the case.",
+        ),
+    ] = None,
+    evaluations: Annotated[
+        int | None,
+        typer.Option(metavar="N", help="nsga2 and swarm: designs evaluated; overrides the case."),
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option(metavar="N", help="nsga2 and swarm: seed; overrides the case.")
+    ] = None,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Search the lines that are best in mass and offset at once.
+
+    Every line is made of components that are sold and passes every check in every load case; the
+    answer is the front between the objectives, with one design recommended. Ctrl-C ends the search
+    and keeps the front so far (exit status 130).
+    """
+    from catopt.casefile import read_case
+
+    output: Output = context.obj
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+    result = _searched(_with_settings(read_case(case), method, evaluations, seed), output)
+    if out is not None:
+        from catopt.report.bundle import design_bundle
+        from catopt.report.files import write_files
+
+        written = write_files(out, design_bundle(result))
+        output.note(f"{len(written)} files written to {out}")
+    if as_json:
+        from catopt.design.document import design_document
+
+        output.json(design_document(result))
+    else:
+        from catopt.cli.design_view import show_design
+
+        show_design(output, result, out)
+    if result.interrupted:
+        output.note("catopt: interrupted; the front is that of the designs evaluated so far")
+        raise typer.Exit(INTERRUPTED)
+
+
+def _with_settings(
+    case: Case, method: SearchMethod | None, evaluations: int | None, seed: int | None
+) -> Case:
+    """Put the options in place of the case's settings."""
+    from dataclasses import replace
+
+    from catopt.errors import InputError, Problem
+
+    if case.design is None:
+        allowed = "missing; a table [design] says what may vary (docs/case-file.md)"
+        raise InputError([Problem("design", "", allowed)], case.title)
+    options: dict[str, Any] = {
+        "method": None if method is None else method.value,
+        "evaluations": evaluations,
+        "seed": seed,
+    }
+    given = {key: value for key, value in options.items() if value is not None}
+    try:
+        return replace(case, design=replace(case.design, **given))
+    except InputError as error:
+        problems = [Problem(f"--{each.key}", each.found, each.allowed) for each in error.problems]
+        raise InputError(problems, "options") from error
+
+
+def _searched(case: Case, output: Output) -> DesignResult:
+    from catopt.design.search import design_case
+
+    with output.progress("Designs") as tell:
+        result = design_case(case, progress=tell, announce=output.note)
+    # Beside the answer, not in it: the same seed is to give the same answer to the last byte.
+    output.note(f"{result.evaluations:,} designs evaluated in {result.seconds:.1f} s")
+    return result

@@ -1,0 +1,140 @@
+"""The designs that a search has evaluated: each one once, within a budget, their front kept."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from catopt.checks.excess import ROUNDING
+from catopt.design.front import empty_front, merge
+from catopt.design.outcome import Outcome, Progress
+from catopt.design.problem import Evaluated, Floats, Genes, Problem
+
+__all__ = ["BudgetSpentError", "Explored", "explore"]
+
+
+class BudgetSpentError(Exception):
+    """The search has evaluated as many designs as it may. It never leaves `explore`."""
+
+
+class Explored:
+    """What one search knows of a design space.
+
+    Attributes
+    ----------
+    problem : Problem
+        The space.
+    front : Front
+        Of all feasible designs evaluated so far.
+    evaluations, feasible : int
+        Designs evaluated, and those of them that pass every check.
+    closest : ndarray of int, shape (1, genes)
+        The design of the least excess so far; shape (0, genes) as long as there is none.
+    least_excess : float
+        Its excess.
+    """
+
+    def __init__(self, problem: Problem, budget: int, progress: Progress | None = None) -> None:
+        self.problem = problem
+        self.front = empty_front(len(problem.sizes), problem.objectives)
+        self.evaluations = 0
+        self.feasible = 0
+        self.closest: Genes = self.front.genes
+        self.least_excess = float("inf")
+        self._budget = budget
+        self._progress = progress
+        self._row: dict[bytes, int] = {}
+        self._objectives: Floats = np.empty((budget, problem.objectives))
+        self._excess: Floats = np.empty(budget)
+
+    @property
+    def share_spent(self) -> float:
+        """Share of the budget that is spent, 0 to 1."""
+        return self.evaluations / self._budget
+
+    def is_known(self, genes: Genes) -> NDArray[np.bool_]:
+        """Say which of the canonical designs were evaluated before, shape (n,)."""
+        known = (each.tobytes() in self._row for each in genes)
+        return np.fromiter(known, dtype=np.bool_, count=len(genes))
+
+    def evaluate(self, genes: Genes) -> Evaluated:
+        """Evaluate those of the canonical designs that are not known yet; return all.
+
+        Raises
+        ------
+        BudgetSpentError
+            After the designs for which the budget was enough.
+        """
+        keys = [each.tobytes() for each in genes]
+        new = {key: k for k, key in enumerate(keys) if key not in self._row}
+        room = self._budget - self.evaluations
+        chosen = list(new.values())[:room]
+        if chosen:
+            self._record(genes[chosen])
+        if len(new) > room:
+            raise BudgetSpentError
+        rows = [self._row[key] for key in keys]
+        return Evaluated(self._objectives[rows], self._excess[rows])
+
+    def outcome(self, *, interrupted: bool) -> Outcome:
+        """Sum up."""
+        closest = tuple(self.closest[0].tolist()) if len(self.closest) else None
+        return Outcome(
+            genes=self.front.genes,
+            objectives=self.front.objectives,
+            evaluations=self.evaluations,
+            feasible=self.feasible,
+            interrupted=interrupted,
+            closest=closest,
+            least_excess=self.least_excess,
+        )
+
+    def _record(self, genes: Genes) -> None:
+        """Evaluate designs of which none is known."""
+        objectives, excess = self.problem.evaluate(genes)
+        # What cannot be compared is no answer, whatever its checks say.
+        excess = np.where(np.isfinite(objectives).all(axis=1), excess, np.maximum(excess, 1.0))
+        first, last = self.evaluations, self.evaluations + len(genes)
+        self._objectives[first:last] = objectives
+        self._excess[first:last] = excess
+        self._row.update((each.tobytes(), first + k) for k, each in enumerate(genes))
+        self.evaluations = last
+        is_feasible = excess <= ROUNDING
+        self.feasible += int(is_feasible.sum())
+        self.front = merge(self.front, genes[is_feasible], objectives[is_feasible])
+        least = int(np.argmin(excess))
+        if excess[least] < self.least_excess:
+            self.closest, self.least_excess = genes[[least]], float(excess[least])
+        if self._progress is not None:
+            self._progress(last, self._budget)
+
+
+def explore(
+    problem: Problem,
+    evaluations: int,
+    progress: Progress | None,
+    search: Callable[[Explored], None],
+) -> Outcome:
+    """Let a search run until it ends, its budget is spent or the user stops it (Ctrl-C).
+
+    Parameters
+    ----------
+    problem : Problem
+        The design space.
+    evaluations : int
+        Most designs to evaluate.
+    progress : callable or None
+        Called after every batch.
+    search : callable
+        Evaluates designs through what it is given, which remembers the best of them.
+    """
+    explored = Explored(problem, evaluations, progress)
+    try:
+        search(explored)
+    except BudgetSpentError:
+        pass
+    except KeyboardInterrupt:
+        return explored.outcome(interrupted=True)
+    return explored.outcome(interrupted=False)

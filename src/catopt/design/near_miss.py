@@ -1,0 +1,109 @@
+"""No design passes: which one fails by the least, by which checks and by how much."""
+
+from __future__ import annotations
+
+import math
+
+from catopt.checks.case import check_line
+from catopt.checks.result import CheckResult
+from catopt.design.evaluation import DesignProblem
+from catopt.design.outcome import Outcome
+from catopt.design.result import NearMiss
+from catopt.errors import InputError, NoAnswerError, Problem
+from catopt.model import Line
+
+__all__ = ["NoFeasibleDesignError", "near_miss", "no_feasible_design"]
+
+
+class NoFeasibleDesignError(NoAnswerError):
+    """No design that was evaluated passes every check.
+
+    Attributes
+    ----------
+    near_miss : NearMiss or None
+        The design that fails by the least; None when the search was stopped before it was known.
+    """
+
+    def __init__(self, message: str, near_miss: NearMiss | None) -> None:
+        self.near_miss = near_miss
+        super().__init__(message)
+
+
+def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDesignError:
+    """Put a search that found nothing into words.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        The space.
+    outcome : Outcome
+        Without any design on its front.
+
+    Raises
+    ------
+    InputError
+        Every design that was evaluated has a clump weight beyond the line.
+    """
+    designs = problem.space.count
+    of_all = f"none of the {designs:,} designs"
+    if outcome.evaluations < designs:
+        of_all = f"none of {outcome.evaluations:,} designs evaluated, out of {designs:,},"
+    head = f"{of_all} passes every check in every load case"
+    if outcome.interrupted:
+        head = f"interrupted: {head}"
+    if outcome.closest is None:
+        return NoFeasibleDesignError(f"{head}.", None)
+    flaw = problem.space.flaw(outcome.closest)
+    if flaw:
+        allowed = "nearer to the anchor, or longer segments, are wanted"
+        raise InputError([Problem("design.clump_weights", flaw, allowed)], "design")
+    miss = near_miss(problem, outcome.closest)
+    what = "\n".join(f"  {part}" for part in _failing(miss))
+    nearest = f"The one that fails by the least is {_line_words(miss.line)}. It fails:"
+    return NoFeasibleDesignError(f"{head}. {nearest}\n{what}", miss)
+
+
+def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
+    """Check a design that fails."""
+    line = problem.space.line(genes)
+    try:
+        report = check_line(line, problem.case, problem.anchor(genes))
+    except NoAnswerError as error:
+        return NearMiss(line, (), str(error))
+    return NearMiss(line, report.failed)
+
+
+def _failing(miss: NearMiss) -> list[str]:
+    if not miss.failing:
+        return [miss.reason]
+    return [_check_words(result) for result in miss.failing]
+
+
+def _check_words(result: CheckResult) -> str:
+    demand, capacity = (_shown(value, result.unit) for value in (result.demand, result.capacity))
+    beside = f"{demand}, allowed {capacity}"
+    if result.kind == "grounded_length":
+        beside = f"{capacity}, wanted {demand}"
+    use = "" if result.utilisation is None else f", utilisation {result.utilisation:.3f}"
+    return f'{result.name} in load case "{result.load_case}": {beside}{use} ({result.source.text})'
+
+
+def _shown(value: float, unit: str) -> str:
+    """Print a number as the field reads it."""
+    if unit == "N":
+        return f"{value / 1e3:.4g} kN"
+    if unit == "rad":
+        return f"{math.degrees(value):.4g} deg"
+    return f"{value:.4g} {unit}"
+
+
+def _line_words(line: Line) -> str:
+    parts = [
+        f"{segment.length:g} m of {segment.name or f'segment {number}'}"
+        for number, segment in enumerate(line.segments, start=1)
+    ]
+    parts += [
+        f"a clump weight of {(load.mass or 0.0) / 1e3:g} t at {load.position:g} m"
+        for load in line.point_loads
+    ]
+    return ", ".join(parts)

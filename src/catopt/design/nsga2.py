@@ -1,0 +1,157 @@
+"""NSGA-II over whole numbers, by pymoo (K. Deb et al., IEEE Trans. Evol. Comp. 6 (2002) 182).
+
+pymoo's simulated binary crossover and polynomial mutation give real numbers; these are rounded and
+made canonical, and offspring that were evaluated before are bred anew. A design with any excess
+loses to one with less and to every feasible one (constrained domination). What is returned is not
+pymoo's last population but the front of all that was ever evaluated.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pymoo.algorithms.moo.nsga2 import NSGA2
+from pymoo.config import Config
+from pymoo.core.duplicate import DuplicateElimination, NoDuplicateElimination
+from pymoo.core.problem import Problem as PymooProblem
+from pymoo.core.repair import Repair
+from pymoo.core.termination import NoTermination
+from pymoo.operators.crossover.sbx import SBX
+from pymoo.operators.mutation.pm import PM
+
+from catopt.checks.excess import ROUNDING
+from catopt.design.explored import Explored, explore
+from catopt.design.outcome import Outcome, Progress
+from catopt.design.problem import Genes, Problem
+from catopt.design.steps import alternate, scattered
+
+__all__ = ["nsga2"]
+
+CROSSOVER_PROBABILITY = 0.9
+SPREAD = 3.0
+"""Distribution index of crossover and mutation, the usual one for whole numbers: at the 15 to 20
+that suit real numbers most offspring round to their parents."""
+BREEDINGS = 20
+"""Times that known offspring are bred anew before a generation makes do with fewer."""
+
+# On an interpreter for which pymoo has no compiled parts it would print a hint.
+Config.warnings["not_compiled"] = False
+
+
+def nsga2(
+    problem: Problem,
+    *,
+    evaluations: int,
+    population: int = 100,
+    seed: int = 1,
+    progress: Progress | None = None,
+) -> Outcome:
+    """Search a design space by NSGA-II, with rounds of local improvement of the front.
+
+    Parameters
+    ----------
+    problem : Problem
+        The design space.
+    evaluations : int
+        Most designs to evaluate; each counts once. The search ends earlier where it finds no
+        new ones.
+    population : int
+        Designs of a generation.
+    seed : int
+        Of the random numbers: the same seed gives the same front.
+    progress : callable, optional
+        Called after every batch with the designs evaluated and `evaluations`.
+
+    Returns
+    -------
+    Outcome
+        Of Ctrl-C, the front so far.
+    """
+    generator = np.random.default_rng(seed)
+
+    def evolve(explored: Explored, until: float) -> None:
+        algorithm = _algorithm(explored, population, generator)
+        while explored.share_spent < until:
+            algorithm.next()
+            if not algorithm.has_next():
+                return
+
+    return explore(
+        problem, evaluations, progress, lambda explored: alternate(explored, evolve, population)
+    )
+
+
+def _algorithm(explored: Explored, population: int, generator: np.random.Generator) -> Any:
+    """Set up pymoo's algorithm, at its start."""
+    algorithm = NSGA2(
+        pop_size=population,
+        sampling=_first_generation(explored, population, generator),
+        crossover=SBX(prob=CROSSOVER_PROBABILITY, eta=SPREAD),
+        mutation=PM(eta=SPREAD),
+        repair=_Rounding(),
+        eliminate_duplicates=NoDuplicateElimination(),
+    )
+    # The first generation may hold known designs, its offspring not.
+    algorithm.mating.eliminate_duplicates = _KnownElimination(explored)
+    algorithm.mating.n_max_iterations = BREEDINGS
+    algorithm.setup(_Space(explored), termination=NoTermination())
+    algorithm.random_state = generator
+    return algorithm
+
+
+def _first_generation(explored: Explored, population: int, generator: np.random.Generator) -> Genes:
+    """Designs all over the space; after the first round half of them, or fewer, of the front."""
+    genes = scattered(explored.problem, population, generator)
+    front = generator.permutation(explored.front.genes)[: population // 2]
+    genes[: len(front)] = front
+    return genes
+
+
+class _Space(PymooProblem):  # type: ignore[misc]
+    """The design space as pymoo wants it: real variables, one constraint."""
+
+    def __init__(self, explored: Explored) -> None:
+        sizes = explored.problem.sizes
+        super().__init__(
+            n_var=len(sizes),
+            n_obj=explored.problem.objectives,
+            n_ieq_constr=1,
+            xl=np.zeros(len(sizes)),
+            xu=np.array(sizes) - 1.0,
+        )
+        self.explored = explored
+
+    def _evaluate(self, x: Genes, out: dict[str, Any], *_: Any, **__: Any) -> None:
+        objectives, excess = self.explored.evaluate(x.astype(np.int64))
+        # Of an infeasible design pymoo compares the constraint alone, but sorts do not like nan.
+        out["F"] = np.nan_to_num(objectives)
+        out["G"] = (excess - ROUNDING)[:, np.newaxis]
+
+
+class _Rounding(Repair):  # type: ignore[misc]
+    """Makes real variables a canonical design."""
+
+    def _do(self, problem: _Space, X: NDArray[Any], **_: Any) -> Genes:
+        space = problem.explored.problem
+        return space.canonical(np.rint(X).astype(np.int64))
+
+
+class _KnownElimination(DuplicateElimination):  # type: ignore[misc]
+    """Leaves out offspring that are equal to each other or were evaluated before."""
+
+    def __init__(self, explored: Explored) -> None:
+        super().__init__()
+        self.explored = explored
+
+    def _do(self, pop: Any, other: Any, is_duplicate: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        genes = pop.get("X").astype(np.int64)
+        others = () if other is None else other.get("X").astype(np.int64)
+        seen = {each.tobytes() for each in others}
+        for k, each in enumerate(genes):
+            key = each.tobytes()
+            is_duplicate[k] |= key in seen
+            if other is None:
+                seen.add(key)
+        return is_duplicate | self.explored.is_known(genes)

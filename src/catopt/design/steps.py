@@ -1,0 +1,149 @@
+"""Where a search starts, the ways from one design to others, and the rounds of a search."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from catopt.design.crowding import crowding_distance
+from catopt.design.explored import Explored
+from catopt.design.problem import Genes, Problem
+
+__all__ = ["alternate", "double_steps", "improve", "reached", "scattered", "single_steps"]
+
+ROAMING = 0.6
+"""Share of what is left of the budget that a search roams with before it improves its front.
+
+Measured (benchmarks/results/search.md): 0.3 and 0.6 do equally well, without improvement the swarm
+is worse. More than half leaves room to find other parts of spaces that are far larger.
+"""
+
+Roam = Callable[[Explored, float], None]
+"""Evaluates designs until the given share of the budget is spent or it finds no new one."""
+
+
+def scattered(problem: Problem, count: int, generator: np.random.Generator) -> Genes:
+    """Spread designs evenly over every gene (a Latin hypercube), shape (count, genes).
+
+    Two of them may turn out equal where a gene does not matter.
+    """
+    strata = generator.permuted(np.tile(np.arange(count), (len(problem.sizes), 1)), axis=1).T
+    places = (strata + generator.random(strata.shape)) / count
+    return problem.canonical(np.floor(places * np.array(problem.sizes)).astype(np.int64))
+
+
+def single_steps(genes: int) -> Genes:
+    """One step of one gene, up or down; shape (2 genes, genes)."""
+    up = np.eye(genes, dtype=np.int64)
+    steps: Genes = np.concatenate((up, -up))
+    return steps
+
+
+def double_steps(genes: int) -> Genes:
+    """One step each of two genes, such as a size down and a length up."""
+    single = single_steps(genes)
+    first, second = np.triu_indices(len(single), 1)
+    both = single[first] + single[second]
+    # Up and down in the same gene is no step.
+    steps: Genes = both[np.count_nonzero(both, axis=1) == 2]
+    return steps
+
+
+def reached(problem: Problem, genes: Genes, steps: Genes) -> Genes:
+    """Take every step from every design, without leaving the space.
+
+    Parameters
+    ----------
+    problem : Problem
+        The design space.
+    genes : ndarray of int, shape (n, genes)
+        Designs.
+    steps : ndarray of int, shape (m, genes)
+        To be added.
+
+    Returns
+    -------
+    ndarray of int, shape (at most n m, genes)
+        Canonical, in the order of the designs; some may be equal.
+    """
+    places = (genes[:, np.newaxis] + steps).reshape(-1, len(problem.sizes))
+    is_inside = ((places >= 0) & (places < problem.sizes)).all(axis=1)
+    return problem.canonical(places[is_inside])
+
+
+def improve(explored: Explored, batch: int) -> None:
+    """Look round the designs of the front until nothing next to them is unknown.
+
+    First everything one step of one gene away, then one step each of two genes: along a front that
+    is bound by a check, one thing has to give when another grows. While no design is feasible, the
+    design of the least excess is looked round instead.
+
+    Parameters
+    ----------
+    explored : Explored
+        What a search knows.
+    batch : int
+        Designs evaluated at once, about.
+
+    Raises
+    ------
+    BudgetSpentError
+    """
+    genes = len(explored.problem.sizes)
+    rings = [(steps, set[bytes]()) for steps in (single_steps(genes), double_steps(genes))]
+    while any(_look_round(explored, steps, finished, batch) for steps, finished in rings):
+        pass
+
+
+def _look_round(explored: Explored, steps: Genes, finished: set[bytes], batch: int) -> bool:
+    """Take all steps from some designs that are not finished, the loneliest first; False if none.
+
+    Parameters
+    ----------
+    explored : Explored
+        What a search knows.
+    steps : ndarray of int, shape (m, genes)
+        Steps to take.
+    finished : set of bytes
+        Designs from which these steps were taken; written to.
+    batch : int
+        Designs evaluated at once, about.
+    """
+    genes, objectives = explored.front
+    if not len(genes):
+        genes, objectives = explored.closest, np.zeros((len(explored.closest), 1))
+    is_open = np.array([each.tobytes() not in finished for each in genes], dtype=np.bool_)
+    if not is_open.any():
+        return False
+    by_loneliness = np.argsort(-crowding_distance(objectives), kind="stable")
+    # A large front would otherwise be sorted anew for every few of its designs.
+    at_once = max(1, batch // max(1, len(steps)), np.count_nonzero(is_open) // 20)
+    chosen = genes[by_loneliness[is_open[by_loneliness]][:at_once]]
+    explored.evaluate(reached(explored.problem, chosen, steps))
+    finished.update(each.tobytes() for each in chosen)
+    return True
+
+
+def alternate(explored: Explored, roam: Roam, batch: int) -> None:
+    """Roam and improve in turns, until the budget is spent or a round finds no new design.
+
+    Parameters
+    ----------
+    explored : Explored
+        What the search knows.
+    roam : callable
+        The search proper.
+    batch : int
+        Designs evaluated at once, about.
+
+    Raises
+    ------
+    BudgetSpentError
+    """
+    before = -1
+    while explored.evaluations > before:
+        before = explored.evaluations
+        spent = explored.share_spent
+        roam(explored, spent + ROAMING * (1.0 - spent))
+        improve(explored, batch)
