@@ -65,12 +65,8 @@ def _how(result: DesignResult) -> str:
 
 def _front(output: Output, result: DesignResult, out: Path | None) -> None:
     shown = _shown(len(result.front), result.recommended)
-    quantities = objective_quantities(result)
-    headings = [
-        "No.",
-        *(f"{q.name}\n({q.field_unit})" for _, q in quantities),
-        "Line, from the anchor",
-    ]
+    quantities = _wanted(result)
+    headings = ["No.", *_headings(result), "Line, from the anchor"]
     rows = [
         [
             f"{'*' if index == result.recommended else ''}{index + 1}",
