@@ -1,0 +1,165 @@
+"""The parts of the line: their figures, and for those of the catalogue source and confidence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from catopt.quantities import QUANTITIES
+from catopt.report.page.note import Note
+from catopt.report.page.table import Cell, Heading, Table, called, measured, units
+from catopt.report.texts import Words
+
+if TYPE_CHECKING:
+    from catopt.catalogue import Component, Source
+    from catopt.model import Case, Segment
+
+__all__ = ["components"]
+
+_WET = "wet_strength_factor"
+_SHOWN = {
+    "mass": "mass_per_length",
+    "volume_diameter": "volume_diameter",
+    "MBL": "MBL",
+    _WET: "coefficient",
+    "proof_load": "proof_load",
+    "EA": "EA",
+    "price": "price",
+}
+"""Quantities of the catalogue that this note rests on, and what each is printed as."""
+_OWN = {"mass": "mass", "MBL": "MBL", "proof_load": "proof_load", "EA": "EA", "price": "price"}
+"""Of these, what a segment of a case file may have of its own."""
+
+
+def components(note: Note, words: Words) -> dict[str, Any]:
+    """Build the tables of segments and point loads, and of what the catalogue says of them."""
+    case = note.case
+    line = note.solution.line
+    parts = [part for part in _looked_up(case) if part.component is not None]
+    sources = {source.key: source for part in parts for source in _cited(part)}
+    return {
+        "segments": _segments(line.segments, words),
+        "point_loads": _point_loads(note, words) if line.point_loads else None,
+        "catalogue": [_provenance(part, words) for part in parts],
+        "sources": [sources[key] for key in sorted(sources)],
+        "own": any(not segment.component for segment in line.segments),
+    }
+
+
+def _segments(segments: tuple[Segment, ...], words: Words) -> Table:
+    quantities = (
+        ("nominal_diameter", [s.nominal_diameter for s in segments]),
+        ("length", [s.length for s in segments]),
+        ("submerged_weight", [s.submerged_weight for s in segments]),
+        ("mass_per_length", [s.mass for s in segments]),
+        ("EA", [s.EA if math.isfinite(s.EA) else None for s in segments]),
+        ("MBL", [s.MBL for s in segments]),
+        ("proof_load", [s.proof_load for s in segments]),
+    )
+    shown = [
+        (QUANTITIES[key], values)
+        for key, values in quantities
+        if any(value is not None for value in values)
+    ]
+    rows = []
+    for index, segment in enumerate(segments):
+        numbers = (measured(quantity, values[index]) for quantity, values in shown)
+        name = segment.name or segment.component
+        rows.append((Cell(str(index + 1)), Cell(name), *numbers))
+    headings = (
+        Heading(words("components.segment")),
+        Heading(words("components.name")),
+        *(units(words, quantity) for quantity, _ in shown),
+    )
+    return Table("segments", headings, tuple(rows), words("components.segments"))
+
+
+def _point_loads(note: Note, words: Words) -> Table:
+    quantities = (QUANTITIES["position"], QUANTITIES["point_weight"], QUANTITIES["mass"])
+    rows = []
+    for index, load in enumerate(note.solution.line.point_loads):
+        numbers = zip(quantities, (load.position, load.submerged_weight, load.mass), strict=True)
+        name = called(words, load.submerged_weight, load.name)
+        cells = (measured(quantity, value) for quantity, value in numbers)
+        rows.append((Cell(str(index + 1)), Cell(name), *cells))
+    headings = (
+        Heading(words("components.number")),
+        Heading(words("components.name")),
+        *(units(words, quantity) for quantity in quantities),
+    )
+    return Table("point_loads", headings, tuple(rows), words("components.point_loads"))
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A segment with its component in the catalogue, if it has one."""
+
+    index: int
+    segment: Segment
+    component: Component | None
+
+
+def _looked_up(case: Case) -> Iterator[_Part]:
+    """Look every segment's component up; segments with the same figures once."""
+    from catopt.catalogue.choice import chosen
+
+    seen = set()
+    catalogue = None
+    for index, segment in enumerate(case.line.segments):
+        own = (getattr(segment, each) for each in _OWN.values())
+        key = (segment.component, segment.nominal_diameter, *own)
+        component = None
+        if segment.component and segment.nominal_diameter is not None and key not in seen:
+            seen.add(key)
+            catalogue = catalogue or chosen(case.catalogue, case.site.water_density)
+            component = catalogue.component(segment.component, segment.nominal_diameter)
+        yield _Part(index, segment, component)
+
+
+def _cited(part: _Part) -> Iterator[Source]:
+    assert part.component is not None
+    for key in _SHOWN:
+        if key in part.component.provenance:
+            yield from part.component.provenance[key].sources
+
+
+def _provenance(part: _Part, words: Words) -> Table:
+    """Tabulate where each figure of a component comes from."""
+    component = part.component
+    assert component is not None
+    rows = tuple(
+        _figure(key, getattr(component, key), part, words)
+        for key in _SHOWN
+        if key in component.provenance
+    )
+    headings = (
+        Heading(words("components.quantity")),
+        Heading(words("components.value"), is_number=True),
+        Heading(words("components.formula")),
+        Heading(words("components.confidence")),
+        Heading(words("components.source")),
+    )
+    return Table("component", headings, rows, component.name)
+
+
+def _figure(key: str, value: float, part: _Part, words: Words) -> tuple[Cell, ...]:
+    """Show one figure: the catalogue's with its source, or the case file's in its place."""
+    assert part.component is not None
+    quantity = QUANTITIES[_SHOWN[key]]
+    name = words.name("Strength in water over dry" if key == _WET else quantity.name)
+    own = getattr(part.segment, _OWN[key]) if key in _OWN else None
+    expected = part.component.MBL_in_water if key == "MBL" else value
+    if own is not None and expected is not None and not math.isclose(own, expected, rel_tol=1e-12):
+        given = Cell(words("components.case_file"), style="words")
+        return Cell(name), measured(quantity, own, unit=True), Cell(""), Cell(""), given
+    origin = part.component.provenance[key]
+    source = f"{', '.join(source.key for source in origin.sources)}: {origin.place}"
+    return (
+        Cell(name),
+        measured(quantity, value, unit=True),
+        Cell(origin.formula, lang="en", style="words"),
+        Cell(origin.confidence),
+        Cell(source, lang="en", style="words"),
+    )

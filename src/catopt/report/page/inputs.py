@@ -1,0 +1,93 @@
+"""The case file's values, as given there and in SI."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from catopt.casefile.fields import Kind, Measured
+from catopt.casefile.location import Path, dotted
+from catopt.casefile.schema import CaseTable, Table, entries
+from catopt.report.page.note import Note
+from catopt.report.page.table import Cell, Heading, shown_si
+from catopt.report.page.table import Table as ShownTable
+from catopt.report.texts import Words
+from catopt.units import as_written
+
+__all__ = ["inputs", "leaves"]
+
+_MOST = 8
+"""Values of an array that are all shown; of a longer one the first two and the last are."""
+_LONGEST = 160
+"""Characters of a text that are shown; the whole of it stands in the case file below."""
+_FREE_TEXT = ("title", "source")
+"""What stands in the title block already."""
+
+
+def inputs(note: Note, words: Words) -> dict[str, Any]:
+    """Build the table of inputs."""
+    rows = []
+    for path, kind, value in leaves(note.inputs, CaseTable):
+        if path in {(key,) for key in _FREE_TEXT}:
+            continue
+        many = value if isinstance(value, list) else [value]
+        rows.append((Cell(dotted(path)), Cell(_some(many, _given)), _si(kind, many)))
+    headings = (
+        Heading(words("inputs.key")),
+        Heading(words("inputs.given")),
+        Heading(words("inputs.si"), is_number=True),
+    )
+    return {
+        "table": ShownTable("inputs", headings, tuple(rows)),
+        "design": None if note.chosen is None else note.chosen.number,
+    }
+
+
+def leaves(
+    document: dict[str, Any], schema: type[Table], path: Path = ()
+) -> Iterator[tuple[Path, Kind | None, Any]]:
+    """Yield every value of a case file with its path and its kind; arrays of values are whole.
+
+    Parameters
+    ----------
+    document : dict
+        A table as the TOML reader returns it.
+    schema : type of Table
+        What the table may hold.
+    path : tuple
+        Where it stands.
+    """
+    known = entries(schema)
+    for key, value in document.items():
+        entry = known.get(key)
+        inner = None if entry is None else entry.table
+        here = (*path, key)
+        if inner is not None and isinstance(value, dict):
+            yield from leaves(value, inner, here)
+        elif inner is not None and isinstance(value, list):
+            for index, each in enumerate(value):
+                yield from leaves(each, inner, (*here, index))
+        else:
+            yield here, None if entry is None else entry.kind, value
+
+
+def _si(kind: Kind | None, values: Sequence[Any]) -> Cell:
+    """Show values in SI; nothing for what is not measured."""
+    if not isinstance(kind, Measured):
+        return Cell("")
+    unit = kind.dimension.si_unit
+    read = [kind.read(value) for value in values]
+    shown = _some(read, lambda value: shown_si(value, unit))
+    return Cell(shown, read[0] if len(read) == 1 else None)
+
+
+def _given(value: Any) -> str:
+    return as_written(value, _LONGEST)
+
+
+def _some(values: Sequence[Any], show: Any) -> str:
+    """Show all of a few values, or the ends of many with their number."""
+    if len(values) <= _MOST:
+        return ", ".join(show(value) for value in values)
+    first, second, last = (show(values[index]) for index in (0, 1, -1))
+    return f"{first}, {second}, … {last} ({len(values)})"

@@ -1,0 +1,237 @@
+"""What a calculation note is made of: a case with its answers, and the file it was read from."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from catopt._version import __version__
+from catopt.casefile import read_case
+from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
+from catopt.casefile.syntax import parse_toml
+from catopt.catenary.case import solve_case, under_a_load
+from catopt.checks.case import LOAD, NO_CHECK, check_case
+from catopt.errors import CatoptError, InputError, Problem
+
+if TYPE_CHECKING:
+    from catopt.catenary.case_curve import CaseCurve
+    from catopt.catenary.solution import Solution
+    from catopt.checks.result import CheckReport
+    from catopt.model import Case
+
+__all__ = ["Chosen", "Note", "SourceFile", "file_name", "note_of", "read_note"]
+
+MOST_FORCE, LEAST_FORCE = 4.0, 0.01
+"""The load curve goes up to this multiple of the case's force, and from this part of that."""
+
+
+@dataclass(frozen=True)
+class SourceFile:
+    """A file that the note rests on: its name, its text and the SHA-256 of its bytes."""
+
+    name: str
+    text: str
+    sha256: str
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A design out of a front.
+
+    Attributes
+    ----------
+    document : dict
+        The front as ``catopt design --out`` wrote it (schema catopt.design/1).
+    number : int
+        Which design, counted from 1.
+    """
+
+    document: dict[str, Any]
+    number: int
+
+
+@dataclass(frozen=True)
+class Note:
+    """Everything that the page shows.
+
+    Attributes
+    ----------
+    case : Case
+        With the line of the note; under the load that is drawn.
+    load_case : str
+        Name of the load case that is drawn; empty when there is only the load.
+    solution : Solution
+        The line under it.
+    checks : CheckReport
+        Under every load case.
+    curve : CaseCurve or None
+        None where it cannot be computed; `warnings` then says why.
+    files : tuple of SourceFile
+        The case file first.
+    inputs : dict
+        The case file as the TOML reader returns it.
+    chosen : Chosen or None
+        When the line is a design of a front.
+    date : str
+        As it was given; empty when none was.
+    version : str
+        Of catopt.
+    warnings : tuple of str
+        What an engineer should know before using the note, each once.
+    """
+
+    case: Case
+    load_case: str
+    solution: Solution
+    checks: CheckReport
+    curve: CaseCurve | None
+    files: tuple[SourceFile, ...]
+    inputs: dict[str, Any]
+    chosen: Chosen | None = None
+    date: str = ""
+    version: str = __version__
+    warnings: tuple[str, ...] = ()
+
+
+def read_note(path: Path, design: int | None = None, *, date: str = "") -> Note:
+    """Read a case file, or a design out of a result directory, and compute its note.
+
+    Parameters
+    ----------
+    path : Path
+        A case file, or a directory that ``catopt design --out`` wrote.
+    design : int, optional
+        Number of the design, counted from 1; the recommended one when left out.
+    date : str
+        For the title block.
+
+    Raises
+    ------
+    InputError, NoAnswerError, NotConvergedError
+        As for `read_case`, `read_design`, `solve_case` and `check_case`.
+    """
+    if design is None and not (path / DESIGN_DOCUMENT).is_file():
+        case, source = read_case(path), _source(path)
+        _check_kind(case, source)
+        return note_of(case, (source,), date=date)
+    from catopt.casefile.design_directory import read_design_document
+
+    document = read_design_document(path)
+    number = document["recommended"] + 1 if design is None else design
+    case = read_design(path, number)
+    sources = (_source(path / DESIGN_CASE), _source(path / DESIGN_DOCUMENT))
+    return note_of(case, sources, date=date, chosen=Chosen(document, number))
+
+
+def _check_kind(case: Case, source: SourceFile) -> None:
+    """Refuse a moored body, which has lines of its own and no load at a fairlead."""
+    if case.system is not None:
+        allowed = "this page is of one line; catopt system CASE --out DIR writes that of a body"
+        raise InputError([Problem("system", "a table", allowed)], source.name)
+
+
+def note_of(
+    case: Case, files: tuple[SourceFile, ...], *, date: str = "", chosen: Chosen | None = None
+) -> Note:
+    """Compute the note of a case.
+
+    The line is drawn, and its equations are followed, under the load case of the check that
+    governs; without load cases under its load.
+
+    Parameters
+    ----------
+    case : Case
+        What the first of the files says, or a design of it.
+    files : tuple of SourceFile
+        What the note rests on.
+    date : str
+        For the title block.
+    chosen : Chosen, optional
+        When the line is a design of a front.
+    """
+    checks = check_case(case)
+    load_case, drawn = _drawn(case, checks)
+    solution = solve_case(drawn)
+    curve, curve_warnings = _curve(drawn, solution)
+    of_the_search = () if chosen is None else chosen.document["warnings"]
+    warnings = (*_warnings(case, checks, solution), *curve_warnings, *of_the_search)
+    return Note(
+        case=drawn,
+        load_case=load_case,
+        solution=solution,
+        checks=checks,
+        curve=curve,
+        files=files,
+        inputs=parse_toml(files[0].text, files[0].name),
+        chosen=chosen,
+        date=date,
+        warnings=tuple(dict.fromkeys(warnings)),
+    )
+
+
+def file_name(path: Path, design: int | None) -> str:
+    """Name the page of a case: that of the file, or of the folder of a plain ``case.toml``.
+
+    Parameters
+    ----------
+    path : Path
+        Case file or result directory.
+    design : int or None
+        Number of the design, if it is one.
+    """
+    place = path.resolve()
+    name = place.name if place.is_dir() else place.stem
+    if name == Path(DESIGN_CASE).stem and not place.is_dir():
+        name = place.parent.name or name
+    return f"{name}.html" if design is None else f"{name}-design-{design}.html"
+
+
+def _drawn(case: Case, checks: CheckReport) -> tuple[str, Case]:
+    """Choose the load case that is drawn, by its name, and put the case under it."""
+    governing = checks.governing
+    for state in case.load_cases:
+        if governing is not None and state.name == governing.load_case:
+            return state.name, case.under(state)
+    name = case.load_cases[0].name if case.load is None and case.load_cases else ""
+    return name, under_a_load(case)[0]
+
+
+def _warnings(case: Case, checks: CheckReport, solution: Solution) -> Iterator[str]:
+    """Yield what is to be known: of the criteria, and of each equilibrium by its load case."""
+    of_the_load = f'load case "{LOAD}": '
+    for warning in checks.warnings:
+        if warning != NO_CHECK and (case.load_cases or not warning.startswith(of_the_load)):
+            yield warning
+    if not case.load_cases:
+        yield from solution.warnings
+
+
+def _curve(case: Case, solution: Solution) -> tuple[CaseCurve | None, tuple[str, ...]]:
+    """Compute the load curve; say why not where there is none.
+
+    Where a segment's limit is far above the load, a curve up to it would show nothing of the case.
+    """
+    from catopt.catenary.case_curve import curve_case
+
+    try:
+        curve = curve_case(case)
+        stop = MOST_FORCE * solution.horizontal_force
+        if 0.0 < stop < float(curve.curve.horizontal_force[-1]):
+            with suppress(CatoptError):
+                curve = curve_case(case, start=LEAST_FORCE * stop, stop=stop)
+    except CatoptError as error:
+        return None, (f"the load curve is left out: {error}",)
+    return curve, ()
+
+
+def _source(path: Path) -> SourceFile:
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        why = f"it cannot be read: {error.strerror or error}"
+        raise InputError([Problem("case file", "", why)], str(path)) from error
+    return SourceFile(path.name, data.decode("utf-8-sig"), hashlib.sha256(data).hexdigest())

@@ -1,0 +1,54 @@
+"""The parts of the page in their order; a further part is one more line here and a template."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from catopt.report.page.checks import checks
+from catopt.report.page.closing import case_file, warnings
+from catopt.report.page.components import components
+from catopt.report.page.curve_figure import curve_figure
+from catopt.report.page.equations import equations
+from catopt.report.page.front_figure import front_figure
+from catopt.report.page.identity import identity
+from catopt.report.page.inputs import inputs
+from catopt.report.page.line_drawing import line_drawing
+from catopt.report.page.note import Note
+from catopt.report.page.results import load_cases, results
+from catopt.report.page.tension_figure import tension_figure
+from catopt.report.texts import Words
+
+__all__ = ["SECTIONS", "Section"]
+
+
+class Section(NamedTuple):
+    """One part of the page.
+
+    Attributes
+    ----------
+    key : str
+        Name of its template, of its texts (``"<key>.heading"``) and of its anchor.
+    build : callable
+        Makes what the template shows, or None where there is nothing to show.
+    """
+
+    key: str
+    build: Callable[[Note, Words], dict[str, Any] | None]
+
+
+SECTIONS: tuple[Section, ...] = (
+    Section("identity", identity),
+    Section("warnings", warnings),
+    Section("line", line_drawing),
+    Section("results", results),
+    Section("checks", checks),
+    Section("load_cases", load_cases),
+    Section("tension", tension_figure),
+    Section("curve", curve_figure),
+    Section("front", front_figure),
+    Section("components", components),
+    Section("inputs", inputs),
+    Section("equations", equations),
+    Section("case_file", case_file),
+)

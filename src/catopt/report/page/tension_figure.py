@@ -1,0 +1,149 @@
+"""Tension along the line, beside what each segment may carry."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from catopt.quantities import QUANTITIES
+from catopt.report.page.figure import (
+    WIDTH,
+    Figure,
+    Frame,
+    Legend,
+    Point,
+    Shape,
+    axes,
+    line,
+    path,
+    text,
+)
+from catopt.report.page.line_drawing import along, touchdowns
+from catopt.report.page.note import Note
+from catopt.report.texts import Words
+
+__all__ = ["capacities", "tension_figure"]
+
+_FAR = 2.5
+"""A capacity above this multiple of the largest tension would press the curve to the axis."""
+_POINTS = 161
+
+
+def capacities(note: Note) -> list[float | None]:
+    """Find the least tension that each segment is allowed in the load case drawn, N.
+
+    By the checks of that load case; without any, the MBL over the safety factor; None where
+    neither is known.
+    """
+    solution = note.solution
+    found: list[float | None] = []
+    for index, segment in enumerate(solution.segments, start=1):
+        checked = [
+            result.capacity
+            for result in note.checks.results
+            if result.kind == "tension"
+            and (result.load_case == note.load_case or not note.load_case)
+            and _is_of(result.name, index)
+        ]
+        if checked:
+            found.append(min(checked))
+        else:
+            found.append(None if segment.MBL is None else segment.MBL / solution.safety_factor)
+    return found
+
+
+def _is_of(name: str, number: int) -> bool:
+    """Whether a check's name is that of a segment: ``"tension, segment 2 (wire)"``."""
+    prefix = f"tension, segment {number}"
+    return name == prefix or name.startswith(f"{prefix} ")
+
+
+def tension_figure(note: Note, words: Words) -> dict[str, Any]:
+    """Build the figure."""
+    solution, quantity = note.solution, QUANTITIES["tension"]
+    profile = solution.profile(_POINTS)
+    allowed = capacities(note)
+    largest = max(profile.tension)
+    drawn = [each for each in allowed if each is not None and each <= _FAR * largest]
+    top = 1.08 * quantity.to_field(max([largest, *drawn])) or 1.0
+    frame = Frame(74.0, WIDTH - 18.0, 16.0, 290.0, (0.0, solution.line.length), (0.0, top))
+    label = f"{words.name(quantity.name)} {quantity.symbol} ({quantity.field_unit})"
+    shapes = axes(frame, f"{words.name('Arc length')} s (m)", label)
+    shapes += _places(note, frame)
+    shapes += _capacities(note, frame, allowed, _FAR * largest)
+    shapes.append(
+        path("curve first", [
+            frame.at(s, quantity.to_field(tension))
+            for s, tension in zip(profile.s, profile.tension, strict=True)
+        ])
+    )  # fmt: skip
+    points = tuple(
+        Point(*frame.at(s, quantity.to_field(tension)), along(words, s, x, z, tension))
+        for s, x, z, tension in zip(profile.s, profile.x, profile.z, profile.tension, strict=True)
+    )
+    figure = Figure(
+        "tension",
+        words("tension.alt", tension=quantity.format(largest, unit=True)),
+        346.0,
+        tuple(shapes),
+        points,
+        tuple(_legend(note, words, bool(drawn))),
+        tuple(_notes(words, allowed, _FAR * largest)),
+    )
+    return {"figure": figure}
+
+
+def _places(note: Note, frame: Frame) -> Iterator[Shape]:
+    """Draw where one segment ends, where the line leaves the bed, and what hangs on it."""
+    solution = note.solution
+    start = 0.0
+    for segment in solution.segments[:-1]:
+        start += segment.length
+        yield _upright("joint", frame, start)
+    for _, s in touchdowns(solution):
+        yield _upright("touchdown-at", frame, s)
+    for load in solution.point_loads:
+        yield _upright("load-at", frame, load.position)
+
+
+def _upright(style: str, frame: Frame, s: float) -> Shape:
+    return line(style, frame.across(s), frame.top, frame.across(s), frame.bottom)
+
+
+def _capacities(
+    note: Note, frame: Frame, allowed: list[float | None], most: float
+) -> Iterator[Shape]:
+    start = 0.0
+    quantity = QUANTITIES["tension"]
+    for segment, capacity in zip(note.solution.segments, allowed, strict=True):
+        end = start + segment.length
+        if capacity is not None and capacity <= most:
+            left, right, level = (
+                frame.across(start), frame.across(end), frame.up(quantity.to_field(capacity))
+            )  # fmt: skip
+            yield line("capacity", left, level, right, level)
+            if right - left > 110.0:
+                words = quantity.format(capacity, unit=True)
+                yield text(words, (left + right) / 2, level + 17, style="tick")
+        start = end
+
+
+def _notes(words: Words, allowed: list[float | None], most: float) -> Iterator[str]:
+    for index, capacity in enumerate(allowed, start=1):
+        if capacity is None:
+            yield words("tension.unknown", number=index)
+        elif capacity > most:
+            shown = QUANTITIES["tension"].format(capacity, unit=True)
+            yield words("tension.off_scale", number=index, capacity=shown)
+
+
+def _legend(note: Note, words: Words, has_capacity: bool) -> Iterator[Legend]:
+    yield Legend("curve first", words.name("Tension"))
+    if has_capacity:
+        yield Legend("capacity", words("tension.capacity"))
+    if len(note.solution.segments) > 1:
+        yield Legend("joint", words("tension.joint"))
+    if touchdowns(note.solution):
+        yield Legend("touchdown-at", words("tension.touchdown"))
+    if note.solution.point_loads:
+        yield Legend("load-at", words("tension.load"))

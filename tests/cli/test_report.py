@@ -1,0 +1,141 @@
+"""``catopt report``: where the page goes, what is told of it, and what stops it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from catopt import schemas
+from tests.report.page_cases import design_directory
+from tests.report.page_reader import read_page
+
+from .conftest import BUOY, CASES, Run
+
+
+@pytest.fixture(autouse=True)
+def _inside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def test_the_page_is_written_beside_the_user_and_its_place_printed(run: Run) -> None:
+    ran = run("report", BUOY)
+    assert (ran.status, ran.err) == (0, "")
+    assert ran.out == "buoy-9.5m.html\n"
+    page = read_page(Path("buoy-9.5m.html").read_bytes())
+    assert page.tagged("h1")[0].text == "Marker buoy, 9.5 m"
+    assert [path.name for path in Path().iterdir()] == ["buoy-9.5m.html"]
+
+
+@pytest.mark.parametrize(
+    ("out", "written"),
+    [
+        ("note.html", "note.html"),
+        ("notes/note.HTML", "notes/note.HTML"),
+        ("notes", "notes/buoy-9.5m.html"),
+        ("notes.v2", "notes.v2/buoy-9.5m.html"),
+    ],
+)
+def test_out_names_a_file_or_a_directory(run: Run, out: str, written: str) -> None:
+    ran = run("report", BUOY, "--out", out)
+    assert ran.status == 0
+    assert ran.out == f"{written}\n"
+    assert Path(written).read_bytes().startswith(b"<!DOCTYPE html>")
+
+
+def test_a_directory_may_end_like_a_page(run: Run) -> None:
+    Path("odd.html").mkdir()
+    assert run("report", BUOY, "--out", "odd.html").out == "odd.html/buoy-9.5m.html\n"
+
+
+def test_json_tells_what_was_written(run: Run) -> None:
+    case = CASES / "tanker-20m-sinker" / "case.toml"
+    ran = run("report", case, "--json", "--lang", "vi", "--date", "21.11.2026")
+    assert (ran.status, ran.err) == (0, "")
+    document = json.loads(ran.out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    page = Path(document["path"]).read_bytes()
+    assert document["bytes"] == len(page)
+    assert document["sha256"] == hashlib.sha256(page).hexdigest()
+    assert (document["language"], document["date"]) == ("vi", "21.11.2026")
+    digest = hashlib.sha256(case.read_bytes()).hexdigest()
+    assert document["sources"] == [{"name": "case.toml", "sha256": digest}]
+    assert document["sections"] == list(read_page(page).sections)
+    assert document["passes"] is True
+    assert document["governing"].startswith("tension, segment 1")
+
+
+def test_the_same_case_gives_the_same_page(run: Run) -> None:
+    for name in ("a.html", "b.html"):
+        run("report", BUOY, "--out", name)
+    assert Path("a.html").read_bytes() == Path("b.html").read_bytes()
+
+
+def test_a_page_is_replaced_whole(run: Run) -> None:
+    Path("note.html").write_text("an older one that is longer " * 100_000)
+    run("report", BUOY, "--out", "note.html")
+    assert Path("note.html").read_text("utf-8").endswith("</html>\n")
+    assert [path.name for path in Path().iterdir()] == ["note.html"]
+
+
+def test_a_design_is_named_or_recommended(run: Run, tmp_path: Path) -> None:
+    directory = design_directory(tmp_path)
+    document = json.loads(run("report", directory, "--json").out)
+    assert (document["design"], document["path"]) == (2, "result-design-2.html")
+    assert [each["name"] for each in document["sources"]] == ["case.toml", "design.json"]
+    assert "front" in document["sections"]
+    document = json.loads(run("report", directory, "--design", 3, "--json").out)
+    assert (document["design"], document["path"]) == (3, "result-design-3.html")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["gone.toml"], "there is no such file"),
+        (["result", "--design", "4"], "the front has the designs 1 to 3"),
+        (["result", "--design", "0"], "the front has the designs 1 to 3"),
+        ([str(BUOY), "--design", "1"], "a directory that catopt design --out wrote"),
+        ([str(CASES)], "it is a folder"),
+        ([str(BUOY), "--lang", "fr"], "'fr' is not one of"),
+        ([str(BUOY), "--out", "result/case.toml"], "is a file; give a directory"),
+    ],
+)
+def test_wrong_input_ends_with_2_and_writes_nothing(
+    run: Run, tmp_path: Path, arguments: list[str], told: str
+) -> None:
+    design_directory(tmp_path)
+    before = sorted(tmp_path.rglob("*"))
+    ran = run("report", *arguments)
+    assert (ran.status, ran.out) == (2, "")
+    assert told in ran.err
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_a_line_without_equilibrium_ends_with_3_and_writes_nothing(
+    run: Run, too_short: Path
+) -> None:
+    ran = run("report", too_short)
+    assert (ran.status, ran.out) == (3, "")
+    assert list(Path().glob("*.html")) == []
+
+
+def test_a_strength_that_a_check_needs_is_asked_for(run: Run, chain_and_wire: Path) -> None:
+    """As by ``catopt check``: a note without a check that was asked for would mislead."""
+    ran = run("report", chain_and_wire)
+    assert ran.status == 2
+    assert "line.segments[1].MBL: missing" in ran.err
+
+
+def test_a_moored_body_is_sent_to_its_own_command(run: Run) -> None:
+    path = Path("body.toml")
+    text = BUOY.read_text("utf-8").split("[load]")[0].replace('fairlead_height = "9.5 m"\n', "")
+    path.write_text(
+        text + '[system]\nanchor_radius = "17 m"\nazimuths = ["0 deg", "120 deg", "240 deg"]\n'
+        'force = ["0 N", "0 N"]\n'
+    )
+    ran = run("report", path)
+    assert ran.status == 2
+    assert "catopt system CASE" in ran.err

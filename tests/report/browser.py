@@ -1,0 +1,172 @@
+"""Headless Chromium, driven over a pair of pipes: no driver and no network come into it."""
+
+from __future__ import annotations
+
+import base64
+import itertools
+import json
+import os
+import shutil
+import signal
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any, Literal
+
+__all__ = ["CHROMIUM", "Tab", "chromium"]
+
+CHROMIUM = next(
+    (found for name in ("chromium", "google-chrome") if (found := shutil.which(name))), ""
+)
+"""Where it is; empty when it is not installed."""
+
+_FLAGS = (
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    "--disable-dev-shm-usage", "--hide-scrollbars", "--remote-debugging-pipe",
+)  # fmt: skip
+
+
+class Tab:
+    """A page in the browser.
+
+    Attributes
+    ----------
+    messages : list of str
+        What the page, or the browser about it, has put on the console.
+    requests : list of str
+        Addresses that it has asked for.
+    """
+
+    def __init__(self, write: int, read: int) -> None:
+        self._write, self._read = write, read
+        self._numbers = itertools.count(1)
+        self._rest = b""
+        self._session = ""
+        self.messages: list[str] = []
+        self.requests: list[str] = []
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
+        self._session = attached["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+
+    def call(self, method: str, **parameters: Any) -> dict[str, Any]:
+        """Ask the browser for something and wait for its answer."""
+        number = next(self._numbers)
+        message: dict[str, Any] = {"id": number, "method": method, "params": parameters}
+        if self._session:
+            message["sessionId"] = self._session
+        os.write(self._write, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self._next()
+            if answer.get("id") == number:
+                assert "error" not in answer, answer
+                result: dict[str, Any] = answer["result"]
+                return result
+
+    def open(
+        self,
+        page: Path,
+        width: int,
+        height: int = 900,
+        scheme: Literal["light", "dark"] = "light",
+        *,
+        scripts: bool = True,
+    ) -> None:
+        """Open a file at a width, in a colour scheme, with or without scripts."""
+        self.call("Emulation.setScriptExecutionDisabled", value=not scripts)
+        self.call(
+            "Emulation.setDeviceMetricsOverride",
+            width=width, height=height, deviceScaleFactor=1, mobile=width < 600,
+        )  # fmt: skip
+        features = [{"name": "prefers-color-scheme", "value": scheme}]
+        self.call("Emulation.setEmulatedMedia", features=features)
+        self._loaded = False
+        self.call("Page.navigate", url=page.resolve().as_uri())
+        while not self._loaded:
+            self._next()
+
+    def value(self, expression: str) -> Any:
+        """Evaluate an expression in the page."""
+        found = self.call("Runtime.evaluate", expression=expression, returnByValue=True)
+        assert "exceptionDetails" not in found, found
+        return found["result"].get("value")
+
+    def point_at(self, x: float, y: float) -> None:
+        """Move the pointer to a place of the window."""
+        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+
+    def press(self, key: str) -> None:
+        """Press and let go of a key."""
+        for kind in ("keyDown", "keyUp"):
+            self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
+
+    def picture(self, path: Path) -> None:
+        """Save the whole page as a PNG."""
+        taken = self.call("Page.captureScreenshot", captureBeyondViewport=True)
+        path.write_bytes(base64.b64decode(taken["data"]))
+
+    def pdf(self) -> bytes:
+        """Print to PDF, with the paper that the page asks for."""
+        printed = self.call("Page.printToPDF", preferCSSPageSize=True, printBackground=True)
+        return base64.b64decode(printed["data"])
+
+    def _next(self) -> dict[str, Any]:
+        while b"\0" not in self._rest:
+            data = os.read(self._read, 1 << 16)
+            assert data, "the browser has gone"
+            self._rest += data
+        line, _, self._rest = self._rest.partition(b"\0")
+        answer: dict[str, Any] = json.loads(line)
+        self._note(answer.get("method", ""), answer.get("params", {}))
+        return answer
+
+    def _note(self, method: str, told: dict[str, Any]) -> None:
+        if method == "Page.loadEventFired":
+            self._loaded = True
+        elif method == "Runtime.consoleAPICalled":
+            self.messages.append(json.dumps(told["args"]))
+        elif method == "Runtime.exceptionThrown":
+            self.messages.append(json.dumps(told["exceptionDetails"]))
+        elif method == "Log.entryAdded":
+            self.messages.append(told["entry"]["text"])
+        elif method == "Network.requestWillBeSent":
+            self.requests.append(told["request"]["url"])
+
+
+@contextmanager
+def chromium(folder: Path) -> Iterator[Tab]:
+    """Start the browser with a profile of its own below a folder, and end it in any case."""
+    to_browser, write = os.pipe()
+    read, from_browser = os.pipe()
+
+    def third_and_fourth() -> None:
+        # Both are moved out of the way first: one of them may be 3 or 4 itself.
+        source, sink = os.dup(to_browser), os.dup(from_browser)
+        while min(source, sink) <= 4:
+            source, sink = os.dup(source), os.dup(sink)
+        os.dup2(source, 3)
+        os.dup2(sink, 4)
+
+    profile = folder / "profile"
+    started = subprocess.Popen(
+        [CHROMIUM, *_FLAGS, f"--user-data-dir={profile}", "about:blank"],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        close_fds=False,
+        preexec_fn=third_and_fourth,
+        start_new_session=True,
+    )
+    os.close(to_browser)
+    os.close(from_browser)
+    try:
+        yield Tab(write, read)
+    finally:
+        os.close(write)
+        os.close(read)
+        with suppress(ProcessLookupError):
+            os.killpg(started.pid, signal.SIGKILL)
+        started.wait()

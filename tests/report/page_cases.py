@@ -1,0 +1,231 @@
+"""Cases for the tests of the calculation note, each hanging in a way of its own."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from catopt.report.page.note import Note, read_note
+from catopt.report.page.render import render_page
+from catopt.report.texts import Language
+
+from .page_reader import ReadPage, read_page
+
+__all__ = [
+    "CASES",
+    "EVERY",
+    "FILES",
+    "TEXTS",
+    "case_path",
+    "design_directory",
+    "known_note",
+    "known_page",
+]
+
+CASES = Path(__file__).parents[2] / "cases"
+FILES = ("buoy-9.5m", "buoy-9.5m-slack", "ship-200m-sinker", "tanker-20m", "tanker-20m-sinker")
+"""Case files that come with catopt."""
+
+LEG = """
+title = "Wire and chain with a clump weight and a buoy"
+[site]
+water_depth = "56 m"
+seabed_friction = 0.6
+[line]
+fairlead_height = "71.4 m"
+[[line.segments]]
+name = "wire"
+length = "750 m"
+submerged_weight = "30.4 kgf/m"
+mass = "34.9 kg/m"
+EA = "382 MN"
+MBL = "6140 kN"
+[[line.segments]]
+length = "332 m"
+submerged_weight = "150 kgf/m"
+mass = "178.7 kg/m"
+EA = "800 MN"
+MBL = "2500 kN"
+[[line.point_loads]]
+name = "clump"
+position = "500 m"
+submerged_weight = "50 kN"
+mass = "8 t"
+[[line.point_loads]]
+position = "1000 m"
+submerged_weight = "-40 kN"
+mass = "1 t"
+[load]
+horizontal_force = "1.2 MN"
+[checks]
+safety_factor = 2.0
+"""
+
+RAISED = """
+title = "Between two heights"
+[site]
+water_depth = "100 m"
+[line]
+fairlead_height = "90 m"
+anchor_height = "30 m"
+[[line.segments]]
+length = "300 m"
+submerged_weight = "1 kN/m"
+EA = "50 MN"
+MBL = "300 kN"
+[load]
+horizontal_force = "60 kN"
+[checks]
+safety_factor = 2.5
+max_anchor_uplift_angle = "3 deg"
+"""
+
+SLACK = """
+title = "Slack"
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "60 m"
+submerged_weight = "1 kN/m"
+[load]
+span = "30 m"
+"""
+
+FRICTION = """
+[site]
+water_depth = "20 m"
+seabed_friction = 0.5
+[line]
+[[line.segments]]
+length = "60 m"
+submerged_weight = "1 kN/m"
+mass = "117 kg/m"
+[load]
+horizontal_force = "20 kN"
+"""
+
+DESIGN = """
+title = "Buoy chain"
+source = "an example"
+[site]
+water_depth = "10 m"
+[line]
+[[line.segments]]
+component = "chain studless R3"
+diameter = "76 mm"
+length = "30 m"
+[[load_cases]]
+name = "storm (high water)"
+horizontal_force = "20 kN"
+water_level = "1 m"
+[[load_cases]]
+name = "everyday"
+horizontal_force = "5 kN"
+kind = "reference"
+[checks]
+codes = ["UFC-4-159-03"]
+safety_factor = 3.5
+max_offset = "60 m"
+[buoy]
+reserve_buoyancy = "60 kN"
+"""
+
+TEXTS = {"leg": LEG, "raised": RAISED, "slack": SLACK, "friction": FRICTION, "states": DESIGN}
+"""Case files as texts."""
+
+EVERY = (*FILES, *TEXTS)
+"""Names of all cases."""
+
+
+@cache
+def known_note(name: str) -> Note:
+    """Read the note of a case, once: it is a value, so that tests may share it."""
+    with TemporaryDirectory() as folder:
+        return read_note(case_path(Path(folder), name))
+
+
+@cache
+def known_page(name: str, language: Language = "en") -> ReadPage:
+    """Read the page of a case back, once."""
+    return read_page(render_page(known_note(name), language))
+
+
+def case_path(folder: Path, name: str) -> Path:
+    """Return the path of a case; one of the texts is written to a folder."""
+    if name in FILES:
+        return CASES / name / "case.toml"
+    path = folder / f"{name}.toml"
+    path.write_text(TEXTS[name], encoding="utf-8")
+    return path
+
+
+def design_directory(folder: Path, designs: int = 3) -> Path:
+    """Write a result directory as ``catopt design --out`` does, with a front by hand."""
+    directory = folder / "result"
+    directory.mkdir()
+    (directory / "case.toml").write_text(DESIGN, encoding="utf-8")
+    document = {
+        "schema": "catopt.design/1",
+        "title": "Buoy chain",
+        "objectives": ["mass_kg", "offset_m"],
+        "load_cases": [{"name": "storm (high water)"}, {"name": "everyday"}],
+        "front": [_design(index, designs) for index in range(designs)],
+        "recommended": 1,
+        "recommendation": "The knee of the front.",
+        "ends": ["Least mass, design 1: the choices end."],
+        "neighbours": [
+            {
+                "change": "chain: 31 m for 30 m", "mass_kg": 3600.0, "offset_m": 29.5,
+                "feasible": True, "governing": "", "utilisation": None, "reason": "",
+            },
+            {
+                "change": "chain: 9 m for 30 m", "mass_kg": None, "offset_m": None,
+                "feasible": False, "governing": "", "utilisation": None, "reason": "too short",
+            },
+            {
+                "change": "chain: 29 m for 30 m", "mass_kg": 3400.0, "offset_m": 28.5,
+                "feasible": False, "governing": "uplift angle at the anchor (storm (high water))",
+                "utilisation": None, "reason": "",
+            },
+        ],
+        "present": {
+            "change": "the line of the case file", "mass_kg": 3450.0, "offset_m": 61.0,
+            "feasible": False, "governing": "offset (storm (high water))", "utilisation": 1.02,
+            "reason": "",
+        },
+        "method": "enumeration",
+        "is_exact": True,
+        "evaluations": 1234,
+        "hypervolume": 1.0,
+        "reference_point": [1.0, 1.0],
+        "seed": 1,
+        "warnings": ["a price was read in no document"],
+    }  # fmt: skip
+    (directory / "design.json").write_text(json.dumps(document), encoding="utf-8")
+    return directory
+
+
+def _design(index: int, designs: int) -> dict[str, object]:
+    """Make one design of a front: the heavier, the nearer."""
+    length = 45.0 + index
+    return {
+        "mass_kg": 4500.0 + 115.0 * index,
+        "offset_m": 55.0 - 10.0 * index / designs,
+        "excursion_m": 2.0 + 0.1 * index,
+        "segments": [
+            {
+                "name": "", "component": "chain studless R3", "nominal_diameter_m": 0.076,
+                "length_m": length, "submerged_weight_N_per_m": 980.0, "mass_kg_per_m": 115.0,
+                "EA_N": 4.9e8, "MBL_N": 4.9e6, "proof_load_N": 3.4e6, "price_USD_per_m": None,
+                "wear_rate_m_per_s": None,
+            }
+        ],
+        "point_loads": [{"position_m": 7.0, "submerged_weight_N": 2000.0, "mass_kg": 250.0}],
+        "sinker": None,
+        "checks": [],
+        "governing": "offset (storm (high water))",
+        "feasible": True,
+    }  # fmt: skip

@@ -1,0 +1,162 @@
+"""A calculation note read back from its HTML."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from html.parser import HTMLParser
+
+__all__ = ["Element", "ReadCell", "ReadPage", "ReadTable", "read_page"]
+
+VOID = {"meta", "link", "br", "img", "input", "hr"}
+
+
+@dataclass
+class ReadCell:
+    """A cell: its text, the value behind it, its language and its classes."""
+
+    text: str = ""
+    value: float | None = None
+    lang: str = ""
+    style: str = ""
+
+
+@dataclass
+class ReadTable:
+    """A table of the page."""
+
+    key: str
+    headings: list[str] = field(default_factory=list)
+    rows: list[list[ReadCell]] = field(default_factory=list)
+    marked: list[int] = field(default_factory=list)
+    caption: str = ""
+
+    def row(self, first: str) -> list[ReadCell]:
+        """Return the row with a first cell."""
+        return next(row for row in self.rows if row[0].text == first)
+
+    def column(self, index: int) -> list[ReadCell]:
+        """Return a column."""
+        return [row[index] for row in self.rows]
+
+
+@dataclass
+class Element:
+    """An element with its attributes and the section that it stands in."""
+
+    tag: str
+    attributes: dict[str, str]
+    section: str
+    text: str = ""
+
+
+@dataclass
+class ReadPage:
+    """A page: its tables, its elements, and the text of each section."""
+
+    tables: list[ReadTable] = field(default_factory=list)
+    elements: list[Element] = field(default_factory=list)
+    sections: dict[str, str] = field(default_factory=dict)
+    unclosed: list[str] = field(default_factory=list)
+
+    def table(self, key: str) -> ReadTable:
+        """Return the only table of a key."""
+        (found,) = self.all(key)
+        return found
+
+    def all(self, key: str) -> list[ReadTable]:
+        """Return all tables of a key."""
+        return [table for table in self.tables if table.key == key]
+
+    def tagged(self, tag: str) -> list[Element]:
+        """Return all elements of a tag."""
+        return [element for element in self.elements if element.tag == tag]
+
+    def styled(self, style: str, section: str = "") -> list[Element]:
+        """Return all elements of a class, in a section when one is given."""
+        return [
+            element
+            for element in self.elements
+            if style in element.attributes.get("class", "").split()
+            and section in ("", element.section)
+        ]
+
+
+class _Reader(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__()
+        self.page = ReadPage()
+        self._open: list[Element] = []
+        self._section = ""
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._add(tag, attrs)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        element = self._add(tag, attrs)
+        if tag not in VOID:
+            self._open.append(element)
+
+    def _add(self, tag: str, attrs: list[tuple[str, str | None]]) -> Element:
+        given = {key: value or "" for key, value in attrs}
+        if tag == "section":
+            self._section = given["id"]
+            self.page.sections[self._section] = ""
+        element = Element(tag, given, self._section)
+        self.page.elements.append(element)
+        tables = self.page.tables
+        if tag == "table":
+            tables.append(ReadTable(given["data-key"]))
+        elif tag == "tr" and self._inside("tbody"):
+            if "marked" in given.get("class", ""):
+                tables[-1].marked.append(len(tables[-1].rows))
+            tables[-1].rows.append([])
+        elif tag in ("td", "th") and self._inside("tbody"):
+            cell = ReadCell(lang=given.get("lang", ""), style=given.get("class", ""))
+            tables[-1].rows[-1].append(cell)
+        elif tag == "th":
+            tables[-1].headings.append("")
+        elif tag == "data":
+            tables[-1].rows[-1][-1].value = float(given["value"])
+        return element
+
+    def handle_endtag(self, tag: str) -> None:
+        while self._open:
+            last = self._open.pop()
+            if last.tag == tag:
+                break
+            self.page.unclosed.append(last.tag)
+        else:
+            self.page.unclosed.append(f"/{tag}")
+        if tag == "section":
+            self._section = ""
+
+    def handle_data(self, data: str) -> None:
+        if not self._open:
+            return
+        here = self._open[-1]
+        here.text += data
+        if here.tag in ("script", "style"):
+            return
+        if self._section:
+            self.page.sections[self._section] += data
+        if self._inside("td") or (self._inside("tbody") and self._inside("th")):
+            self.page.tables[-1].rows[-1][-1].text += data
+        elif self._inside("thead") and self._inside("th"):
+            self.page.tables[-1].headings[-1] += data
+        elif here.tag == "caption":
+            self.page.tables[-1].caption += data
+
+    def _inside(self, tag: str) -> bool:
+        return any(element.tag == tag for element in self._open)
+
+
+def read_page(page: bytes) -> ReadPage:
+    """Read a page; white space at the ends of cells is dropped."""
+    reader = _Reader()
+    reader.feed(page.decode())
+    reader.close()
+    for table in reader.page.tables:
+        for row in table.rows:
+            for cell in row:
+                cell.text = cell.text.strip()
+    return reader.page
