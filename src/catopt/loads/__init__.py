@@ -17,6 +17,7 @@ from catopt.loads.drag_anchor import (
 )
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.ship import Ship
+from catopt.loads.ship_estimate import estimated_tanker
 from catopt.loads.ship_loads import HEAD_ON, Headings, ship_loads
 from catopt.loads.sinker import SinkerSize, size_sinker
 from catopt.loads.source import LoadSource
@@ -46,6 +47,7 @@ __all__ = [
     "buoy_loads",
     "buoys",
     "compare_tanker",
+    "estimated_tanker",
     "holding_capacity",
     "read_buoys",
     "ship_loads",

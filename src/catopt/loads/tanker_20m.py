@@ -12,6 +12,7 @@ from typing import Final, Literal
 from catopt.loads.component import Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
+from catopt.loads.ship_estimate import ESTIMATES, estimated_tanker
 from catopt.loads.ship_loads import ship_loads
 from catopt.loads.wave_drift import DriftWave
 
@@ -43,19 +44,10 @@ _BREADTH: Final = 31.3
 _MOULDED_DEPTH: Final = 16.0
 _DRAUGHTS: Final = {"loaded": 12.4, "ballast": 3.2}
 
-_WATERLINE: Final = 0.97
-_BLOCK: Final = {"loaded": 0.80, "ballast": 0.72}
-_MIDSHIP: Final = 0.98
-_HOUSE_HEIGHT: Final = 15.0
-_HOUSE_LENGTH: Final = 25.0
-
 _ESTIMATES: Final = (
     f"Printed: {_LENGTH:g} m long, {_BREADTH:g} m wide, {_MOULDED_DEPTH:g} m deep from deck to "
     "keel.",
-    f"Estimated: waterline {_WATERLINE:g} of the length, block coefficient 0.80 loaded and 0.72 "
-    f"in ballast, midship coefficient {_MIDSHIP:g}.",
-    f"Estimated: a deckhouse as wide as the ship, {_HOUSE_HEIGHT:g} m high and {_HOUSE_LENGTH:g} m "
-    "long; the hull's windage is length or breadth times the freeboard.",
+    *ESTIMATES,
 )
 
 
@@ -103,21 +95,13 @@ def tanker(condition: Literal["loaded", "ballast"] = "loaded") -> Ship:
     condition : {"loaded", "ballast"}
         Draught 12.4 or 3.2 m.
     """
-    draught = _DRAUGHTS[condition]
-    freeboard = _MOULDED_DEPTH - draught
-    waterline = _WATERLINE * _LENGTH
-    section = _BREADTH * draught
-    return Ship(
+    return estimated_tanker(
         f"tanker of 50,000 DWT, {condition}",
-        length_overall=_LENGTH,
-        length_waterline=waterline,
-        breadth=_BREADTH,
-        draught=draught,
-        displacement=_BLOCK[condition] * waterline * section,
-        midship_area=_MIDSHIP * section,
-        lateral_area=_LENGTH * freeboard + _HOUSE_HEIGHT * _HOUSE_LENGTH,
-        frontal_area=_BREADTH * (freeboard + _HOUSE_HEIGHT),
-        propeller="tanker",
+        _LENGTH,
+        _BREADTH,
+        _DRAUGHTS[condition],
+        moulded_depth=_MOULDED_DEPTH,
+        condition=condition,
     )
 
 

@@ -1,0 +1,317 @@
+"""``catopt size``: from buoy or ship, depth and weather to a mooring."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from catopt.cli.options import JsonOption, OutOption
+from catopt.cli.size_options import (
+    ChainOption,
+    CodeOption,
+    CurrentOption,
+    DensityOption,
+    DepthOption,
+    DiameterMaxOption,
+    DiameterMinOption,
+    FrictionOption,
+    HmaxOption,
+    HsOption,
+    LifeOption,
+    LowWaterOption,
+    PeriodOption,
+    Preference,
+    PreferOption,
+    RecalledOption,
+    SaveOption,
+    StepOption,
+    WearOption,
+    WindOption,
+)
+
+__all__ = ["size"]
+
+size = typer.Typer(
+    name="size",
+    rich_markup_mode=None,
+    no_args_is_help=True,
+    help="Size the mooring of a buoy or a tanker from its place and its weather.",
+    epilog="On a terminal, what is missing is asked for. The loads are those of catopt loads, the "
+    "line is searched as by catopt design; --save writes the case of it.",
+)
+
+
+class Material(StrEnum):
+    """Of a sinker."""
+
+    CONCRETE = "concrete"
+    STEEL = "steel"
+
+
+BuoysOption = Annotated[
+    Path | None,
+    typer.Option("--buoys", metavar="FILE", help="File of buoys of your own (TOML)."),
+]
+SinkerOption = Annotated[
+    Material, typer.Option("--sinker", metavar="MATERIAL", help="Of the sinker: concrete or steel.")
+]
+SinkerDensityOption = Annotated[
+    str | None,
+    typer.Option(
+        "--sinker-density",
+        metavar="DENSITY",
+        help="Of the sinker; 2400 or 7850 kg/m^3 if left out.",
+    ),
+]
+
+
+@size.command()
+def buoy(
+    context: typer.Context,
+    name: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="BUOY",
+            help='Name of the buoy, such as "pillar 1.8 m"; or give --force and '
+            "--reserve-buoyancy.",
+        ),
+    ] = None,
+    depth: DepthOption = None,
+    low_water: LowWaterOption = None,
+    force: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FORCE", help="Horizontal force of a buoy that is not in the library."
+        ),
+    ] = None,
+    reserve_buoyancy: Annotated[
+        str | None,
+        typer.Option(metavar="FORCE", help="Vertical pull that takes that buoy to its draught."),
+    ] = None,
+    keel_depth: Annotated[
+        str | None,
+        typer.Option(metavar="LENGTH", help="From the water to that buoy's chain; 0 if left out."),
+    ] = None,
+    wind: WindOption = None,
+    current: CurrentOption = None,
+    hs: HsOption = None,
+    hmax: HmaxOption = None,
+    period: PeriodOption = None,
+    soil: Annotated[
+        str | None,
+        typer.Option(metavar="SOIL", help='Under the sinker; "fine or silty sand" if left out.'),
+    ] = None,
+    friction: FrictionOption = None,
+    sinker: SinkerOption = Material.CONCRETE,
+    sinker_density: SinkerDensityOption = None,
+    chain: ChainOption = None,
+    diameter_min: DiameterMinOption = None,
+    diameter_max: DiameterMaxOption = None,
+    length_step: StepOption = None,
+    code: CodeOption = None,
+    prefer: PreferOption = Preference.BALANCED,
+    life: LifeOption = None,
+    wear: WearOption = None,
+    growth: Annotated[
+        str, typer.Option(metavar="LENGTH", help="Thickness of marine growth on hull and chain.")
+    ] = "0 mm",
+    buoys: BuoysOption = None,
+    water_density: DensityOption = "1025 kg/m^3",
+    recalled: RecalledOption = False,
+    save: SaveOption = None,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Size the chain and the sinker of a buoy.
+
+    Wind, current and waves come from one side, after IALA's CALMAR reference. The chain is
+    checked by IALA's rules under the storm at high and at low water; what is not given is taken,
+    and the answer says so.
+    """
+    from catopt.cli.size_options import check_save, give, sized
+    from catopt.cli.size_questions import asked_buoy
+    from catopt.cli.size_requests import Wishes, buoy_request
+    from catopt.sizing import size_buoy
+
+    given = {
+        "BUOY": name,
+        "--depth": depth,
+        "--low-water": low_water,
+        "--force": force,
+        "--reserve-buoyancy": reserve_buoyancy,
+        "--keel-depth": keel_depth,
+        "--wind": wind,
+        "--current": current,
+        "--hs": hs,
+        "--hmax": hmax,
+        "--period": period,
+        "--soil": soil,
+        "--friction": friction,
+        "--sinker-density": sinker_density,
+        "--diameter-min": diameter_min,
+        "--diameter-max": diameter_max,
+        "--length-step": length_step,
+        "--life": life,
+        "--wear": wear,
+        "--water-density": water_density,
+    }
+    check_save(save)
+    _check_out(out)
+    wishes = Wishes(chain, code, prefer.value, sinker.value, buoys, recalled)
+    request = buoy_request(asked_buoy(given), growth, wishes)
+    give(context.obj, sized(size_buoy, request), as_json=as_json, out=out, save=save)
+
+
+@size.command()
+def tanker(
+    context: typer.Context,
+    length: Annotated[str | None, typer.Option(metavar="LENGTH", help="Length over all.")] = None,
+    breadth: Annotated[str | None, typer.Option(metavar="LENGTH", help="Breadth.")] = None,
+    draught: Annotated[str | None, typer.Option(metavar="LENGTH", help="Draught, loaded.")] = None,
+    ballast_draught: Annotated[
+        str | None,
+        typer.Option(metavar="LENGTH", help="Draught in ballast; only loaded when left out."),
+    ] = None,
+    moulded_depth: Annotated[
+        str | None,
+        typer.Option(metavar="LENGTH", help="From deck to keel; 1.3 draughts when left out."),
+    ] = None,
+    dwt: Annotated[
+        str | None,
+        typer.Option(metavar="MASS", help="Deadweight, to hold against the displacement."),
+    ] = None,
+    frontal_area: Annotated[
+        str | None,
+        typer.Option(
+            metavar="AREA", help="Above water, loaded, from ahead; estimated if left out."
+        ),
+    ] = None,
+    lateral_area: Annotated[
+        str | None,
+        typer.Option(metavar="AREA", help="The same from the side; estimated when left out."),
+    ] = None,
+    fairlead: Annotated[
+        str | None,
+        typer.Option(
+            metavar="LENGTH", help="Bow fairlead over the water, loaded; the deck when left out."
+        ),
+    ] = None,
+    depth: DepthOption = None,
+    low_water: LowWaterOption = None,
+    wind: WindOption = None,
+    current: CurrentOption = None,
+    hs: HsOption = None,
+    hmax: HmaxOption = None,
+    period: PeriodOption = None,
+    buoy: Annotated[
+        str | None,
+        typer.Option(
+            metavar="BUOY", help='Mooring buoy with a hawser to the ship: "mooring buoy 5.0 m".'
+        ),
+    ] = None,
+    hawser: Annotated[
+        str | None,
+        typer.Option(metavar="LENGTH", help="Length of the hawser to the buoy; 50 m if left out."),
+    ] = None,
+    lines: Annotated[
+        int,
+        typer.Option(metavar="N", help="Lines: 1, or 3 and more evenly around buoy or turret."),
+    ] = 1,
+    pretension: Annotated[
+        str,
+        typer.Option(
+            metavar="NUMBER", help="Of several lines, as a part of one line's largest force."
+        ),
+    ] = "10 %",
+    anchor: Annotated[
+        str,
+        typer.Option(metavar="NAME", help='Kind of drag anchor; or "sinker".'),
+    ] = "Stevpris Mk5",
+    soil: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SOIL",
+            help='"sand" when left out; under a sinker "fine or silty sand".',
+        ),
+    ] = None,
+    friction: FrictionOption = None,
+    sinker: SinkerOption = Material.CONCRETE,
+    sinker_density: SinkerDensityOption = None,
+    clump_weight: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="MASS",
+            help="Clump weight on the line, in air, of concrete; several to choose from.",
+        ),
+    ] = None,
+    chain: ChainOption = None,
+    diameter_min: DiameterMinOption = None,
+    diameter_max: DiameterMaxOption = None,
+    length_step: StepOption = None,
+    code: CodeOption = None,
+    prefer: PreferOption = Preference.BALANCED,
+    life: LifeOption = None,
+    wear: WearOption = None,
+    buoys: BuoysOption = None,
+    water_density: DensityOption = "1025 kg/m^3",
+    recalled: RecalledOption = False,
+    save: SaveOption = None,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Size the chain and the anchor of a tanker's mooring.
+
+    One line from the bow, one leg from a mooring buoy with a hawser (--buoy), or several lines
+    around a buoy or a turret (--lines). The ship lies head to wind, current and waves; what is not
+    given is taken or estimated, and the answer says so.
+    """
+    from catopt.cli.size_options import check_save, give, sized
+    from catopt.cli.size_questions import asked_tanker
+    from catopt.cli.size_requests import Wishes, tanker_request
+    from catopt.sizing import size_tanker
+
+    given = {
+        "--length": length,
+        "--breadth": breadth,
+        "--draught": draught,
+        "--ballast-draught": ballast_draught,
+        "--moulded-depth": moulded_depth,
+        "--dwt": dwt,
+        "--frontal-area": frontal_area,
+        "--lateral-area": lateral_area,
+        "--fairlead": fairlead,
+        "--depth": depth,
+        "--low-water": low_water,
+        "--wind": wind,
+        "--current": current,
+        "--hs": hs,
+        "--hmax": hmax,
+        "--period": period,
+        "--buoy": buoy,
+        "--hawser": hawser,
+        "--pretension": pretension,
+        "--soil": soil,
+        "--friction": friction,
+        "--sinker-density": sinker_density,
+        "--diameter-min": diameter_min,
+        "--diameter-max": diameter_max,
+        "--length-step": length_step,
+        "--life": life,
+        "--wear": wear,
+        "--water-density": water_density,
+    }
+    check_save(save)
+    _check_out(out)
+    wishes = Wishes(chain, code, prefer.value, sinker.value, buoys, recalled, anchor, lines)
+    request = tanker_request(asked_tanker(given), clump_weight or [], wishes)
+    give(context.obj, sized(size_tanker, request), as_json=as_json, out=out, save=save)
+
+
+def _check_out(out: Path | None) -> None:
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)

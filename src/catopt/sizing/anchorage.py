@@ -1,0 +1,176 @@
+"""What holds the line at the bed: the soil, and what is laid on it or dug into it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Literal
+
+from catopt.loads.drag_anchor import DragAnchorSize, size_drag_anchor
+from catopt.loads.holding_data import DataSet
+from catopt.loads.sinker import (
+    DENSITIES,
+    SAFETY_FACTOR,
+    Material,
+    SinkerSize,
+    friction_of,
+    size_sinker,
+)
+from catopt.loads.sizes import SINKER_MASSES
+from catopt.model import Anchor, SinkerChoice
+from catopt.model.validity import Findings
+
+__all__ = ["HEAVY_SINKERS", "DragGround", "SinkerGround"]
+
+HEAVY_SINKERS: Final = (
+    *SINKER_MASSES,
+    *(1e3 * tonnes for tonnes in (80, 100, 125, 150, 200, 250, 300, 400, 500, 600, 800, 1000)),
+)
+"""kg, in air: `SINKER_MASSES` and what is cast for ships; catopt's own list."""
+
+
+@dataclass(frozen=True)
+class SinkerGround:
+    """A sinker on a soil.
+
+    Attributes
+    ----------
+    soil : str or None
+        A key of `catopt.loads.sinker.SOIL_FRICTION`; None where `friction` is given.
+    friction : float or None
+        tan(delta) of one's own.
+    material : {"concrete", "steel"}
+        Of the sinker.
+    density : float or None
+        kg/m3; None: that of the material.
+    safety_factor : float
+        On sliding; used where the code has none of its own.
+    allow_recalled : bool
+        Whether recalled figures (R) may be used; those of steel are.
+    """
+
+    soil: str | None = "fine or silty sand"
+    friction: float | None = None
+    material: Material = "concrete"
+    density: float | None = None
+    safety_factor: float = SAFETY_FACTOR
+    allow_recalled: bool = False
+
+    def __post_init__(self) -> None:
+        self.sized(0.0, 0.0, 1025.0)
+
+    @property
+    def mu(self) -> float:
+        """Friction on the soil."""
+        if self.friction is not None:
+            return self.friction
+        assert self.soil is not None
+        return friction_of(self.soil, self.material, allow_recalled=self.allow_recalled)[0]
+
+    @property
+    def rho(self) -> float:
+        """Density of the sinker, kg/m3."""
+        return DENSITIES[self.material] if self.density is None else self.density
+
+    def choice(self, *, coded: bool, heavy: bool = False) -> SinkerChoice:
+        """Make the sinkers that a design chooses from.
+
+        Parameters
+        ----------
+        coded : bool
+            Whether the code that is checked has a factor on sliding, which then holds.
+        heavy : bool
+            Whether those for ships are among them.
+        """
+        return SinkerChoice(
+            masses=HEAVY_SINKERS if heavy else SINKER_MASSES,
+            density=self.rho,
+            friction=self.mu,
+            safety_factor=None if coded else self.safety_factor,
+        )
+
+    def sized(
+        self, horizontal_force: float, vertical_force: float, water_density: float
+    ) -> SinkerSize:
+        """Size a sinker for a pull, with its sources and notes; N, kg/m3.
+
+        Parameters
+        ----------
+        horizontal_force, vertical_force : float
+            Of the line on it, N.
+        water_density : float
+            kg/m3.
+        """
+        return size_sinker(
+            horizontal_force,
+            vertical_force,
+            soil=self.soil,
+            friction=self.friction,
+            material=self.material,
+            density=self.density,
+            safety_factor=self.safety_factor,
+            water_density=water_density,
+            series=HEAVY_SINKERS,
+            allow_recalled=self.allow_recalled,
+        )
+
+
+@dataclass(frozen=True)
+class DragGround:
+    """A drag anchor in a soil.
+
+    Attributes
+    ----------
+    anchor, soil : str
+        One of `catopt.loads.holding_data.ANCHORS` and of `SOILS`.
+    data : str
+        Data set, or "lower": the lowest of those that have the anchor.
+    safety_factor : float or None
+        On the ultimate capacity; None: that of UFC table 3-7 for its kind.
+    allow_recalled : bool
+        Whether recalled figures (R) may stand alone.
+    """
+
+    anchor: str = "Stevpris Mk5"
+    soil: str = "sand"
+    data: DataSet | Literal["lower"] = "lower"
+    safety_factor: float | None = None
+    allow_recalled: bool = False
+
+    def __post_init__(self) -> None:
+        found = Findings("DragGround")
+        if self.safety_factor is not None:
+            found.number("safety_factor", self.safety_factor, "", at_least=1.0)
+        found.raise_if_any()
+        self.sized(0.0)
+
+    def sized(self, horizontal_force: float) -> DragAnchorSize:
+        """Size an anchor for a horizontal pull.
+
+        Parameters
+        ----------
+        horizontal_force : float
+            N.
+        """
+        return size_drag_anchor(
+            self.anchor,
+            self.soil,
+            horizontal_force,
+            safety_factor=self.safety_factor,
+            data=self.data,
+            allow_recalled=self.allow_recalled,
+        )
+
+    def held(self, size: DragAnchorSize) -> Anchor:
+        """Make the anchor of a case.
+
+        Parameters
+        ----------
+        size : DragAnchorSize
+            What `sized` gave.
+        """
+        return Anchor(
+            kind="drag",
+            holding_capacity=size.capacity.capacity,
+            safety_factor=size.safety_factor,
+            mass=size.mass,
+        )

@@ -1,0 +1,108 @@
+"""What is known of a buoy that wants a mooring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Final
+
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.model.validity import Findings
+from catopt.sizing.anchorage import SinkerGround
+from catopt.sizing.environment import Environment
+from catopt.sizing.line_choice import LineChoice
+
+__all__ = ["BUOY_CHAIN", "BUOY_CODE", "BuoyRequest", "GivenBuoy"]
+
+BUOY_CHAIN: Final = "chain open-link 4D Q2"
+"""Open-link buoy chain of IALA, whose figures were all read in CALMAR's own table (A)."""
+
+BUOY_CODE: Final = "IALA-CALMAR"
+
+
+@dataclass(frozen=True)
+class GivenBuoy:
+    """A buoy of which only the load and the buoyancy are known.
+
+    Attributes
+    ----------
+    horizontal_force : float
+        Of wind, current and waves on the buoy and its chain, N.
+    reserve_buoyancy : float
+        Vertical pull that takes it to its allowed draught, N.
+    keel_depth : float
+        From the water to where the chain is made fast, m.
+    """
+
+    horizontal_force: float
+    reserve_buoyancy: float
+    keel_depth: float = 0.0
+
+    def __post_init__(self) -> None:
+        found = Findings("GivenBuoy")
+        found.number("horizontal_force", self.horizontal_force, "N", above=0.0)
+        found.number("reserve_buoyancy", self.reserve_buoyancy, "N", above=0.0)
+        found.number("keel_depth", self.keel_depth, "m", at_least=0.0)
+        found.raise_if_any()
+
+    @property
+    def name(self) -> str:
+        """For titles."""
+        return "buoy"
+
+
+@dataclass(frozen=True)
+class BuoyRequest:
+    """A buoy, its place and its weather.
+
+    Attributes
+    ----------
+    buoy : BuoyShape or GivenBuoy
+        By its geometry, or by what it pulls.
+    environment : Environment
+        Depths and weather. Where the force is given, only its depths and waves count.
+    line : LineChoice
+        What the chain may be.
+    ground : SinkerGround
+        Soil and sinker.
+    marine_growth : float
+        Thickness on hull and chain, m.
+    title : str
+        Of the case; made of the buoy and the depth when left out.
+    defaults : tuple of str
+        What was not given and was taken, in words; for the answer.
+    """
+
+    buoy: BuoyShape | GivenBuoy
+    environment: Environment
+    line: LineChoice = field(default_factory=lambda: LineChoice((BUOY_CHAIN,), BUOY_CODE))
+    ground: SinkerGround = field(default_factory=SinkerGround)
+    marine_growth: float = 0.0
+    title: str = ""
+    defaults: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        found = Findings("BuoyRequest")
+        low = self.environment.levels.low
+        keel = self.keel_depth(0.0)
+        if keel >= low:
+            found.add(
+                "keel_depth",
+                f"{keel:.3g} m",
+                f"the water is {low:g} m deep at low water: the buoy would touch the bed",
+            )
+        if isinstance(self.buoy, BuoyShape) and self.environment.is_calm:
+            found.add("wind", "no wind, no current and no waves", "something has to push the buoy")
+        found.raise_if_any()
+
+    @property
+    def reserve_buoyancy(self) -> float:
+        """Of the buoy, N."""
+        if isinstance(self.buoy, GivenBuoy):
+            return self.buoy.reserve_buoyancy
+        return self.buoy.reserve_buoyancy(self.environment.water_density)
+
+    def keel_depth(self, pull: float) -> float:
+        """From the water to where the chain is made fast, under a pull of the chain in N; m."""
+        if isinstance(self.buoy, GivenBuoy):
+            return self.buoy.keel_depth
+        return self.buoy.afloat(pull, self.environment.water_density).keel_depth

@@ -1,0 +1,74 @@
+"""Water levels and weather that a mooring is sized for, all from one side."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Final
+
+from catopt.constants import SEA_WATER_DENSITY
+from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
+
+__all__ = [
+    "DEFAULT_CURRENT",
+    "DEFAULT_HEIGHT",
+    "DEFAULT_WIND",
+    "Environment",
+    "usual_period",
+]
+
+DEFAULT_WIND: Final = 25.0
+"""m/s: the wind that IACS UR A1 designs anchoring equipment for."""
+
+DEFAULT_CURRENT: Final = 1.0
+"""m/s; catopt's own, to be replaced by that of the place."""
+
+DEFAULT_HEIGHT: Final = 2.0
+"""Hs, m; catopt's own, to be replaced by that of the place."""
+
+_PERIOD_OF_HEIGHT: Final = 3.6
+"""s per root of m: 2 pi Hs/(g T^2) is then 1/20, the steepness of a growing sea; catopt's own."""
+
+
+def usual_period(significant_height: float) -> float:
+    """Period of a sea that is still growing: 3.6 sqrt(Hs), s; catopt's own rule.
+
+    Parameters
+    ----------
+    significant_height : float
+        m.
+    """
+    return max(1.0, round(_PERIOD_OF_HEIGHT * math.sqrt(significant_height), 1))
+
+
+@dataclass(frozen=True)
+class Environment:
+    """Depths and weather.
+
+    Attributes
+    ----------
+    levels : WaterLevels
+        Depth of the still water at low and at high water.
+    wind, current, sea : Wind, SurfaceCurrent, SeaState
+        All at once and from one side.
+    water_density : float
+        kg/m3.
+    """
+
+    levels: WaterLevels
+    wind: Wind = field(default_factory=lambda: Wind(DEFAULT_WIND))
+    current: SurfaceCurrent = field(default_factory=lambda: SurfaceCurrent(DEFAULT_CURRENT))
+    sea: SeaState = field(
+        default_factory=lambda: SeaState(usual_period(DEFAULT_HEIGHT), DEFAULT_HEIGHT)
+    )
+    water_density: float = SEA_WATER_DENSITY
+
+    @property
+    def is_calm(self) -> bool:
+        """Whether nothing pushes."""
+        return self.wind.speed == self.current.speed == self.sea.hmax == 0.0
+
+    @property
+    def crest(self) -> float:
+        """Height of the largest crest over the still water at high water, Hmax/2, m (CALMAR)."""
+        return self.levels.deepest(self.sea) - self.levels.high

@@ -1,0 +1,155 @@
+"""What is known of a tanker that wants a mooring."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Final
+
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.loads.ship import Ship
+from catopt.model.validity import Findings
+from catopt.sizing.anchorage import DragGround, SinkerGround
+from catopt.sizing.environment import Environment
+from catopt.sizing.line_choice import LineChoice
+
+__all__ = [
+    "HALF_A_SHOT",
+    "SHIP_CHAIN",
+    "SHIP_CODE",
+    "SHIP_SIZES",
+    "MooredShip",
+    "TankerRequest",
+]
+
+SHIP_CHAIN: Final = "chain studless R3"
+SHIP_CODE: Final = "UFC-4-159-03"
+
+SHIP_SIZES: Final = (0.05, 0.12)
+"""Nominal diameters that are looked at, m; catopt's own bounds."""
+
+HALF_A_SHOT: Final = 13.75
+"""m, the step of a ship's chain."""
+
+
+@dataclass(frozen=True)
+class MooredShip:
+    """The ship in one condition.
+
+    Attributes
+    ----------
+    condition : str
+        For load cases: ``"loaded"``.
+    ship : Ship
+        Afloat at its draught.
+    wind_on : str
+        Kind of ship for the wind, after Blendermann: ``"tanker loaded"``.
+    fairlead : float
+        Height of the bow fairlead above the water, m.
+    deadweight : float or None
+        kg, to hold against the displacement; None where it is not known.
+    """
+
+    condition: str
+    ship: Ship
+    wind_on: str
+    fairlead: float
+    deadweight: float | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("MooredShip")
+        found.number("fairlead", self.fairlead, "m", at_least=0.0, at_most=100.0)
+        if self.deadweight is not None:
+            found.number("deadweight", self.deadweight, "kg", above=0.0)
+            displaced = self.ship.displacement * 1025.0
+            if not found.problems and self.deadweight >= displaced:
+                found.add(
+                    "deadweight",
+                    f"{self.deadweight / 1e3:.6g} t",
+                    f"not below what a ship of these dimensions displaces, {displaced / 1e3:.6g} t",
+                )
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class TankerRequest:
+    """A tanker, its place and its weather.
+
+    Attributes
+    ----------
+    ships : tuple of MooredShip
+        One for each condition.
+    environment : Environment
+        Depths and weather.
+    line : LineChoice
+        What the chain may be.
+    ground : DragGround or SinkerGround
+        What holds the line.
+    buoy : BuoyShape or None
+        That the ship lies at with a hawser; None: the line goes to the ship's bow.
+    hawser : float
+        Its length, m.
+    lines : int
+        1, or 3 and more around the body.
+    pretension : float
+        Of several lines, as a part of the largest horizontal force of one.
+    clump_masses : tuple of float
+        Clump weights of which the line has one, in air, kg; none when empty.
+    clump_density : float
+        kg/m3.
+    title : str
+        Of the case; made of the ship and the depth when left out.
+    defaults, estimates : tuple of str
+        What was not given and was taken, and what was estimated, in words; for the answer.
+    """
+
+    ships: tuple[MooredShip, ...]
+    environment: Environment
+    line: LineChoice = field(
+        default_factory=lambda: LineChoice(
+            (SHIP_CHAIN,),
+            SHIP_CODE,
+            diameter_min=SHIP_SIZES[0],
+            diameter_max=SHIP_SIZES[1],
+            length_step=HALF_A_SHOT,
+        )
+    )
+    ground: DragGround | SinkerGround = field(default_factory=DragGround)
+    buoy: BuoyShape | None = None
+    hawser: float = 0.0
+    lines: int = 1
+    pretension: float = 0.1
+    clump_masses: tuple[float, ...] = ()
+    clump_density: float = 2400.0
+    title: str = ""
+    defaults: tuple[str, ...] = ()
+    estimates: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        found = Findings("TankerRequest")
+        if not self.ships:
+            found.add("ships", "none", "the ship in one condition at least is wanted")
+        found.number("hawser", self.hawser, "m", at_least=0.0, at_most=1000.0)
+        found.number("pretension", self.pretension, "", above=0.0, at_most=0.9)
+        if self.lines == 2 or not 1 <= self.lines <= 24:
+            found.add("lines", str(self.lines), "1, or 3 to 24 around the body, are wanted")
+        if self.hawser > 0.0 and self.buoy is None:
+            found.add("hawser", f"{self.hawser:g} m", "goes to a buoy: give one, or leave it out")
+        for index, mass in enumerate(self.clump_masses):
+            found.number(f"clump_masses[{index}]", mass, "kg", above=0.0)
+        found.number("clump_density", self.clump_density, "kg/m3", above=1100.0, at_most=20e3)
+        if self.environment.is_calm:
+            found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+        low = self.environment.levels.low
+        for each in self.ships:
+            if each.ship.draught >= low:
+                found.add(
+                    "draught" if each.condition != "ballast" else "ballast_draught",
+                    f"{each.ship.draught:g} m",
+                    f"the water is {low:g} m deep at low water: the ship would be aground",
+                )
+        found.raise_if_any()
+
+    @property
+    def longest(self) -> float:
+        """Length of the ship over all, m."""
+        return max(each.ship.length_overall for each in self.ships)
