@@ -85,13 +85,14 @@ def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> N
     assert run("reproduce", "--out", tmp_path / "out").status == 0
     swarm = {name.replace("swarm", "buoy_9p5m") for name in OF_SWARM}
     page = {f"reproduction.{end}" for end in ("md", "json", "csv", "xlsx")}
-    assert names(tmp_path / "out") == page | swarm
+    views = {f"fso_rang_dong_{v}.{end}" for v in ("plan", "elevation") for end in ("png", "svg")}
+    assert names(tmp_path / "out") == page | swarm | views
     items = json.loads((tmp_path / "out" / "reproduction.json").read_text("utf-8"))["items"]
     table = rows(tmp_path / "out" / "reproduction.csv")
     assert [row["Verdict"] for row in table] == [item["verdict"] for item in items]
     assert all(row["Unit"] for row in table)
     book = openpyxl.load_workbook(tmp_path / "out" / "reproduction.xlsx")
-    assert book.sheetnames == ["Comparison", "Inputs", "Findings"]
+    assert book.sheetnames == ["Comparison", "Inputs", "Findings", "fso_rang_dong"]
     assert column(book["Comparison"], "Verdict") == [item["verdict"] for item in items]
 
 

@@ -13,7 +13,14 @@ from catopt.reproduce.comparison import compare
 from catopt.reproduce.published import published
 from catopt.schemas import schema
 
-NAMES = ("buoy_9p5m", "ship_200m", "tanker_20m", "tanker_20m_sinker", "load_sharing")
+NAMES = (
+    "buoy_9p5m",
+    "ship_200m",
+    "tanker_20m",
+    "tanker_20m_sinker",
+    "load_sharing",
+    "fso_rang_dong",
+)
 WITHOUT_SWARM = NAMES[1:]
 
 
@@ -50,6 +57,10 @@ def test_every_number_of_the_source_is_judged_once(name: str) -> None:
             "Of 10 printed numbers 0 reproduce, 10 differ and 0 cannot be reproduced.",
         ),
         ("load_sharing", "Of 3 printed numbers 3 reproduce, 0 differ and 0 cannot be reproduced."),
+        (
+            "fso_rang_dong",
+            "Of 28 printed numbers 25 reproduce, 3 differ and 0 cannot be reproduced.",
+        ),
     ],
 )
 def test_the_tally(name: str, tally: str) -> None:

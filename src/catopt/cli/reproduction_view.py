@@ -40,6 +40,9 @@ def _study(output: Output, study: Study) -> None:
     for number, finding in enumerate(study.findings, start=1):
         output.text(f"{number}. {finding}")
     output.line()
+    for table in study.side_by_side:
+        numbers = range(1, len(table.header))
+        output.table(table.header, table.rows, title=table.title, numbers=numbers)
 
 
 def _comparison(output: Output, method: str, items: Sequence[Item]) -> None:

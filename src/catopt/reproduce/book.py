@@ -13,6 +13,8 @@ from catopt.reproduce.items import Item, Reproduction, Study
 __all__ = ["book"]
 
 _FURTHER_DIGITS = 3
+_MOST_DECIMALS = 6
+"""A print of more decimals is the output of a program; more of ours would be rounding."""
 
 _METHODS = {
     "pso": "Particle swarm",
@@ -64,6 +66,10 @@ def _study(study: Study) -> list[str]:
         lines += ["", f"### {_heading(method)}", "", *_comparison(chosen)]
     lines += ["", "### What was found", ""]
     lines += [f"{number}. {text}" for number, text in enumerate(study.findings, start=1)]
+    for table in study.side_by_side:
+        lines += ["", f"**{table.title}**", "", *_table(table.header, table.rows)]
+    for view in ("plan", "elevation") if study.moorings else ():
+        lines += ["", f"![{view} of {study.title}]({study.name}_{view}.svg)"]
     return lines
 
 
@@ -92,7 +98,8 @@ def _comparison(items: Sequence[Item]) -> list[str]:
 
 def _unrounded(item: Item) -> str:
     """Show a few digits more than were printed, unless they are chance."""
-    if item.computed is None or "e" in item.printed.text:
+    is_long = item.printed.decimals > _MOST_DECIMALS
+    if item.computed is None or is_long or "e" in item.printed.text:
         return ""
     return item.printed.rounding(item.computed, further=_FURTHER_DIGITS)
 

@@ -11,7 +11,7 @@ from catopt.reproduce.verdict import Judgement, Verdict
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
-__all__ = ["Input", "Item", "Reproduction", "Study"]
+__all__ = ["Input", "Item", "MooredLine", "Mooring", "Reproduction", "SideBySide", "Study"]
 
 
 @dataclass(frozen=True)
@@ -99,6 +99,49 @@ class Input:
 
 
 @dataclass(frozen=True)
+class SideBySide:
+    """Several answers to the same questions, as a table of words: what each column holds, rows."""
+
+    title: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build this table's part of the document."""
+        return {
+            "title": self.title,
+            "header": list(self.header),
+            "rows": [list(row) for row in self.rows],
+        }
+
+
+@dataclass(frozen=True)
+class MooredLine:
+    """Where one line of a moored body lies, from its anchor; m.
+
+    Attributes
+    ----------
+    x, y, z : tuple of float
+        Places along it, z above the seabed.
+    on_bed : tuple of bool
+        Whether the line lies on the bed there, or is held down to it.
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    z: tuple[float, ...]
+    on_bed: tuple[bool, ...]
+
+
+@dataclass(frozen=True)
+class Mooring:
+    """A moored body at rest, for a plan and an elevation: what it is called, and its lines."""
+
+    name: str
+    lines: tuple[MooredLine, ...]
+
+
+@dataclass(frozen=True)
 class Study:
     """One published calculation, recomputed.
 
@@ -118,6 +161,12 @@ class Study:
         What the recomputation showed beyond the verdicts; a paragraph each.
     by_swarm : Solution or None
         The swarm's answer with its history, for figures; None when the study has no swarm.
+    side_by_side : tuple of SideBySide
+        Answers by several models beside the printed ones.
+    moorings : tuple of Mooring
+        The same body by several models, for a plan and an elevation.
+    loaded_line : int
+        Which line of these the elevation shows, from 0.
     """
 
     name: str
@@ -130,6 +179,9 @@ class Study:
     items: tuple[Item, ...]
     findings: tuple[str, ...]
     by_swarm: Solution | None = None
+    side_by_side: tuple[SideBySide, ...] = ()
+    moorings: tuple[Mooring, ...] = ()
+    loaded_line: int = 0
 
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""
@@ -150,6 +202,7 @@ class Study:
                 for given in self.inputs
             ],
             "findings": list(self.findings),
+            "side_by_side": [table.to_dict() for table in self.side_by_side],
         }
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from catopt.errors import InputError, Problem
 from catopt.reproduce import (
     buoy_9p5m,
+    fso_rang_dong,
     load_sharing,
     ship_200m,
     tanker_20m,
@@ -24,6 +25,7 @@ _STUDIES: dict[str, Callable[[Progress | None], Study]] = {
     tanker_20m.NAME: lambda _progress: tanker_20m.study(),
     tanker_20m_sinker.NAME: lambda _progress: tanker_20m_sinker.study(),
     load_sharing.NAME: lambda _progress: load_sharing.study(),
+    fso_rang_dong.NAME: lambda _progress: fso_rang_dong.study(),
 }
 
 

@@ -1,0 +1,185 @@
+"""``catopt verify``: the closed form beside the truss model."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from catopt.cli.options import CaseArgument, DesignOption, JsonOption, OutOption
+from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.model import Case
+    from catopt.verify.front import Design, FrontVerification
+    from catopt.verify.result import Verification
+
+__all__ = ["verify"]
+
+DIFFERS = 3
+"""Of --strict: the input is right, but the models do not agree."""
+
+STOPPED = 4
+"""Of --all: for a design a solver did not converge."""
+
+
+def verify(
+    context: typer.Context,
+    case: CaseArgument,
+    load_case: Annotated[
+        str | None,
+        typer.Option(
+            "--load-case",
+            metavar="NAME",
+            help="Verify this load case only; when left out every one, or the [load].",
+        ),
+    ] = None,
+    design: DesignOption = None,
+    every: Annotated[
+        bool,
+        typer.Option(
+            "--all",
+            help="Verify every design of the front in the result directory CASE, each in the load "
+            "case that governs it.",
+        ),
+    ] = False,
+    elements: Annotated[
+        int,
+        typer.Option(
+            metavar="N",
+            help="Bars of a line on the coarsest of the three meshes; the others have 2 N and 4 N.",
+        ),
+    ] = ELEMENTS,
+    tolerance: Annotated[
+        float,
+        typer.Option(
+            metavar="X",
+            help="Largest difference that counts as agreement: of the fairlead tension, of the "
+            "line's length, in rad.",
+        ),
+    ] = TOLERANCE,
+    strict: Annotated[
+        bool,
+        typer.Option(
+            "--strict",
+            help="End with exit status 3 when the models do not agree; the answer is printed.",
+        ),
+    ] = False,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Hold the closed form against a truss model that shares nothing with it.
+
+    Prints every quantity by both models, with the order by which the truss model closes up over
+    three meshes and the difference before and after extrapolation. A line on which they differ is
+    an answer: the exit status is 0 unless --strict is given.
+    """
+    output: Output = context.obj
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+    check_settings(elements, tolerance, source="options", prefix="--")
+    found: Verification | FrontVerification
+    if every:
+        _refuse(load_case, design)
+        found = _front(case, output, elements, tolerance)
+    else:
+        found = _case(case, output, design, load_case, elements, tolerance)
+    if out is not None:
+        from catopt.report.bundle import verification_bundle
+        from catopt.report.files import write_files
+
+        written = write_files(out, verification_bundle(found))
+        output.note(f"{len(written)} files written to {out}")
+    if as_json:
+        output.json(found.to_dict())
+    else:
+        from catopt.cli.verify_view import show_verification
+
+        show_verification(output, found)
+    _end(output, found, strict=strict)
+
+
+def _end(output: Output, found: Verification | FrontVerification, *, strict: bool) -> None:
+    """Leave with the exit status that the answer asks for."""
+    from catopt.report.verify import verdict_sentence
+    from catopt.verify.front import FrontVerification
+
+    if isinstance(found, FrontVerification) and not found.has_converged:
+        output.note("catopt: for a design a solver did not converge")
+        raise typer.Exit(STOPPED)
+    if strict and not found.is_settled:
+        output.note(f"catopt: {verdict_sentence(found)}")
+        raise typer.Exit(DIFFERS)
+
+
+def _case(
+    path: Path,
+    output: Output,
+    design: int | None,
+    load_case: str | None,
+    elements: int,
+    tolerance: float,
+) -> Verification:
+    from catopt.casefile.design_directory import read_case_or_design
+
+    case = read_case_or_design(path, design)
+    from catopt.verify.case import verify_case
+
+    with output.progress("Load cases") as tell:
+        return verify_case(
+            case, load_case=load_case, elements=elements, tolerance=tolerance, progress=tell
+        )
+
+
+def _front(directory: Path, output: Output, elements: int, tolerance: float) -> FrontVerification:
+    from catopt.casefile import read_case
+    from catopt.casefile.design_directory import DESIGN_CASE
+
+    designs = _designs(directory)
+    title = read_case(directory / DESIGN_CASE).title
+    from catopt.verify.front import verify_front
+
+    with output.progress("Designs") as tell:
+        return verify_front(title, designs, elements=elements, tolerance=tolerance, progress=tell)
+
+
+def _refuse(load_case: str | None, design: int | None) -> None:
+    """Refuse what does not go with --all."""
+    from catopt.errors import InputError, Problem
+
+    given = {"--load-case": load_case, "--design": design}
+    problems = [
+        Problem(option, str(value), "does not go with --all, which takes every design in the load "
+        "case that governs it")
+        for option, value in given.items()
+        if value is not None
+    ]  # fmt: skip
+    if problems:
+        raise InputError(problems, "options")
+
+
+def _designs(directory: Path) -> list[Design]:
+    """Read every design of a front with the load case that governs it."""
+    from catopt.casefile.design_directory import read_design, read_design_document
+
+    front = read_design_document(directory)["front"]
+    cases = [read_design(directory, number) for number in range(1, len(front) + 1)]
+    from catopt.verify.front import Design
+
+    return [
+        Design(number, case, _governing_load_case(entry, case))
+        for number, (case, entry) in enumerate(zip(cases, front, strict=True), start=1)
+    ]
+
+
+def _governing_load_case(entry: dict[str, Any], case: Case) -> str | None:
+    """Find the load case of the check that governs a design; None where none is named."""
+    for check in entry["checks"]:
+        if f"{check['name']} ({check['load_case']})" == entry["governing"]:
+            names = {state.name for state in case.load_cases}
+            return str(check["load_case"]) if check["load_case"] in names else None
+    return None

@@ -1,0 +1,140 @@
+"""Verify a case: every load case of a line, or the body that several lines moor."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from catopt.catenary.case import solve_case
+from catopt.catenary.solution import Solution
+from catopt.errors import InputError, Problem, TouchesTwiceError
+from catopt.model import Case, Load
+from catopt.units import as_written
+from catopt.verify.line import Moored, verify_line
+from catopt.verify.result import StaticComparison, Verification
+from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
+from catopt.verify.system import verify_system
+
+__all__ = ["LOAD", "verify_case"]
+
+LOAD = "load"
+"""Name of the load case of a case that has only its ``[load]``."""
+
+Progress = Callable[[int, int], None]
+
+
+def verify_case(
+    case: Case,
+    *,
+    load_case: str | None = None,
+    elements: int = ELEMENTS,
+    tolerance: float = TOLERANCE,
+    progress: Progress | None = None,
+) -> Verification:
+    """Solve a case by the closed form and by the truss model, and compare them.
+
+    The truss model shares nothing with the closed form but the line it is given. It is solved on
+    three meshes, of which each has twice the bars of the one before; their values are extrapolated
+    where they close up with the square of the bar length. Where the closed form refuses (a buoy
+    that makes the line touch the bed twice) the truss model answers alone.
+
+    Parameters
+    ----------
+    case : Case
+        As read by `catopt.read_case`; with a system, the body and all its lines.
+    load_case : str, optional
+        Name of one load case; all of them when left out, or the load where there are none.
+    elements : int
+        Bars of a line on the coarsest mesh.
+    tolerance : float
+        Largest difference that counts as agreement: of the fairlead tension for forces, of the
+        line's length for lengths, in rad for angles (docs/verify.md).
+    progress : callable, optional
+        Told how many load cases are done and how many there are.
+
+    Returns
+    -------
+    Verification
+        With a verdict for each load case.
+
+    Raises
+    ------
+    InputError
+        When a setting is out of range, or no load case has that name.
+    NoEquilibriumError
+        When there is no equilibrium.
+    NotConvergedError
+        When one of the models stopped short of its tolerance.
+
+    Examples
+    --------
+    >>> from catopt import read_case, verify_case
+    >>> found = verify_case(read_case("cases/buoy-9.5m/case.toml"))
+    >>> found.verdict
+    'agrees'
+    >>> round(found.static.of("span").order, 2)
+    2.0
+    """
+    check_settings(elements, tolerance, source="verify_case")
+    states = _states(case, load_case)
+    parts = []
+    for done, (name, state) in enumerate(states):
+        if progress is not None:
+            progress(done, len(states))
+        parts.append(_verified(name, state, elements, tolerance))
+    return Verification(case, tuple(parts))
+
+
+def _states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
+    """Name every state of a case that is to be verified."""
+    states = dict(_named(case))
+    if wanted is None:
+        return list(states.items())
+    if wanted not in {state.name for state in case.load_cases}:
+        names = ", ".join(state.name for state in case.load_cases)
+        allowed = f"one of {names} is wanted" if names else "the case has no [[load_cases]]"
+        raise InputError([Problem("--load-case", as_written(wanted), allowed)], "options")
+    return [(wanted, states[wanted])]
+
+
+def _named(case: Case) -> Iterator[tuple[str, Case]]:
+    if not case.load_cases:
+        yield LOAD, case
+    found = _found(case) if case.load_cases else case
+    for state in case.load_cases:
+        yield state.name, found.under(state)
+
+
+def _found(case: Case) -> Case:
+    """Put what a case seeks in its place."""
+    if case.find is None:
+        return case
+    solution = solve_case(case)
+    load = Load(horizontal_force=solution.horizontal_force)
+    return replace(case, line=solution.line, load=load, find=None)
+
+
+def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticComparison:
+    if case.system is not None:
+        return verify_system(case.system, elements=elements, tolerance=tolerance, name=name)
+    case = _found(case)
+    assert case.load is not None
+    closed, refusal = _closed_form(case)
+    moored = Moored(
+        line=case.line,
+        height=case.fairlead_height,
+        load=case.load,
+        anchor_height=case.anchor_height,
+        seabed_friction=case.site.seabed_friction,
+    )
+    return verify_line(
+        moored, closed, elements=elements, tolerance=tolerance, name=name, refusal=refusal
+    )
+
+
+def _closed_form(case: Case) -> tuple[Solution | None, str]:
+    """Solve in closed form, or say why it refuses a line that yet may hang."""
+    try:
+        return solve_case(case), ""
+    except TouchesTwiceError as error:
+        return None, str(error)

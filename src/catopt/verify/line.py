@@ -1,0 +1,331 @@
+"""One line by both models."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import numpy as np
+
+from catopt.catenary.solution import Solution
+from catopt.errors import NoEquilibriumError, NotConvergedError
+from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
+from catopt.model import Line, Load
+from catopt.verify.compared import Compared, Unit
+from catopt.verify.result import LinePair, Mesh, StaticComparison
+from catopt.verify.richardson import ORDER
+from catopt.verify.shape import largest_distances
+
+__all__ = [
+    "MESHES",
+    "SLACK",
+    "SLACK_ORDER",
+    "Moored",
+    "angle_scale",
+    "compare_line",
+    "on_meshes",
+    "slack_bar",
+    "verify_line",
+]
+
+Truss = TypeVar("Truss")
+
+MESHES = 3
+"""How many meshes: the fewest that show an order."""
+
+SLACK_ORDER = 1.0
+"""Of a line that hangs straight down to bights on the bed: it is known to a bar."""
+
+SLACK = (
+    "the line is slack: the truss model knows it to a bar, so that its error falls with the bar "
+    "length itself (order 1), and a bar's weight and length are allowed at least"
+)
+
+_HALVINGS = 5
+"""Down to a horizontal force of 1/32 of the fairlead tension the truss model follows a line."""
+
+_TRIES = (1.0, 1.09, 1.23)
+"""Bars over those wanted, one after the other."""
+
+_TOP = "fairlead"
+_FOOT = "anchor"
+
+
+@dataclass(frozen=True)
+class Moored:
+    """A line, where it is moored and what is known of its load.
+
+    Attributes
+    ----------
+    line : Line
+        The line.
+    height, anchor_height : float
+        Of the fairlead and the anchor above the seabed, m.
+    seabed_friction : float
+        Coulomb coefficient.
+    load : Load
+        What is known at the fairlead.
+    """
+
+    line: Line
+    height: float
+    load: Load
+    anchor_height: float = 0.0
+    seabed_friction: float = 0.0
+
+
+def verify_line(
+    moored: Moored,
+    closed: Solution | None,
+    *,
+    elements: int,
+    tolerance: float,
+    name: str = "",
+    refusal: str = "",
+) -> StaticComparison:
+    """Solve a line by the truss model on three meshes and hold it against the closed form.
+
+    Parameters
+    ----------
+    moored : Moored
+        The line. A fairlead tension that is known is reached by the closed form's horizontal
+        force; where there is no closed form, by the truss model's own.
+    closed : Solution or None
+        Of the same line; None where the closed form refuses.
+    elements : int
+        Bars of the coarsest mesh; the others have two and four times as many.
+    tolerance : float
+        Allowed difference: of the fairlead tension, of the line's length, in rad.
+    name, refusal : str
+        Load case, and why there is no closed form.
+    """
+    trusses, remark = on_meshes(
+        elements,
+        lambda bars: [mesh_line(moored.line, bars)],
+        lambda meshes: _under_load(moored, meshes[0], closed),
+    )
+    return compare_line(
+        moored, closed, trusses, tolerance=tolerance, name=name, refusal=refusal, remark=remark
+    )
+
+
+def on_meshes(
+    elements: int,
+    cut: Callable[[int], list[LineMesh]],
+    solve: Callable[[list[LineMesh]], Truss],
+) -> tuple[tuple[Truss, ...], str]:
+    """Solve on a mesh and on those of twice and four times as many bars.
+
+    A touchdown that falls on a node to within rounding may keep the truss model from telling
+    whether that node lies. Then all three meshes are made a little finer.
+
+    Parameters
+    ----------
+    elements : int
+        Bars of each line on the coarsest mesh.
+    cut : callable
+        Makes the meshes of all lines, of so many bars a line.
+    solve : callable
+        Brings lines of these meshes to rest.
+
+    Returns
+    -------
+    tuple, str
+        A solution for each mesh, and what to know of them; empty where the first tries went well.
+
+    Raises
+    ------
+    NotConvergedError
+        Of the first try, when none went well.
+    """
+    first: NotConvergedError | None = None
+    for finer in _TRIES:
+        bars = round(finer * elements)
+        meshes = cut(bars)
+        try:
+            solutions = []
+            for _ in range(MESHES):
+                solutions.append(solve(meshes))
+                meshes = [mesh.refined() for mesh in meshes]
+        except NotConvergedError as error:
+            first = first or error
+            continue
+        remark = (
+            f"on {elements} bars or a multiple the truss model did not come to rest; {bars} were "
+            "taken instead"
+        )
+        return tuple(solutions), "" if first is None else remark
+    assert first is not None
+    raise first
+
+
+def compare_line(
+    moored: Moored,
+    closed: Solution | None,
+    trusses: Sequence[TrussSolution],
+    *,
+    tolerance: float,
+    name: str = "",
+    refusal: str = "",
+    remark: str = "",
+) -> StaticComparison:
+    """Hold solutions of the truss model against a closed form.
+
+    Parameters
+    ----------
+    moored, closed, tolerance, name, refusal
+        As for `verify_line`.
+    trusses : sequence of TrussSolution
+        Each of twice the bars of the one before.
+    remark : str
+        What to know of these; may be empty.
+    """
+    return StaticComparison(
+        name=name,
+        kind="line",
+        quantities=tuple(_quantities(moored, closed, trusses, tolerance)),
+        meshes=tuple(
+            Mesh(truss.mesh.elements, truss.iterations, truss.residual, truss.penetration + 0.0)
+            for truss in trusses
+        ),
+        lines=(LinePair(closed, tuple(trusses)),),
+        tolerance=tolerance,
+        refusal=refusal,
+        remarks=(*filter(None, [remark]), *_remarks(moored, closed, trusses[-1])),
+    )
+
+
+# ------------------------------------------------------------------ quantities
+
+
+def _quantities(
+    moored: Moored,
+    closed: Solution | None,
+    trusses: Sequence[TrussSolution],
+    tolerance: float,
+) -> Iterator[Compared]:
+    finest = trusses[-1]
+    tension = finest.fairlead.tension if closed is None else closed.fairlead.tension
+    length = moored.line.length
+    is_slack = closed is not None and closed.regime == "slack"
+    theory = SLACK_ORDER if is_slack else ORDER
+    bar = slack_bar(finest) if is_slack else (0.0, 0.0)
+    force, reach = max(tension, bar[0] / tolerance), max(length, bar[1] / tolerance)
+
+    def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
+        exact = None if closed is None else _read(closed, path)
+        values = tuple(_read(truss, path) for truss in trusses)
+        return Compared(quantity, unit, exact, values, scale, tolerance, theory=theory)
+
+    if moored.load.span is None:
+        yield compared("span", "m", "span", reach)
+    else:
+        yield compared("horizontal_force", "N", "horizontal_force", force)
+    for end in (_TOP, _FOOT):
+        yield compared(f"{end}_tension", "N", f"{end}.tension", force)
+        yield compared(f"{end}_vertical_force", "N", f"{end}.vertical_force", force)
+        if not is_slack:
+            there = _read(finest if closed is None else closed, f"{end}.tension")
+            scale = angle_scale(tension, there, tolerance)
+            yield compared(f"{end}_angle", "rad", f"{end}.angle", scale)
+    yield compared("grounded_length", "m", "grounded_length", reach)
+    if closed is not None and not is_slack:
+        distances, limit = largest_distances(closed, trusses)
+        yield Compared("shape", "m", 0.0, distances, length, tolerance, limit=limit)
+
+
+def slack_bar(truss: TrussSolution) -> tuple[float, float]:
+    """Weight, N, and length, m, of the largest bar: to which a slack line is known."""
+    mesh = truss.mesh
+    weight = np.array([abs(each.submerged_weight) for each in mesh.line.segments])
+    return float((weight[mesh.segment] * mesh.length).max()), float(mesh.length.max())
+
+
+def angle_scale(tension: float, there: float, tolerance: float) -> float:
+    """Scale of an angle, rad: what turns the force at an end by the same part of the tension.
+
+    Parameters
+    ----------
+    tension, there : float
+        At the fairlead and at the end in question, N.
+    tolerance : float
+        Over the scale; no angle may be off by more than pi.
+    """
+    return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
+
+
+def _read(solution: Any, path: str) -> float:
+    for name in path.split("."):
+        solution = getattr(solution, name)
+    return float(solution)
+
+
+def _remarks(moored: Moored, closed: Solution | None, finest: TrussSolution) -> Iterator[str]:
+    if closed is not None and closed.regime == "slack":
+        yield (f"{SLACK}; how its bights lie is not defined, and angles and shape are not compared")
+    if closed is not None and moored.load.fairlead_tension is not None:
+        yield (
+            "the truss model was put under the horizontal force of the closed form; that it has "
+            "the fairlead tension asked for is part of what is compared"
+        )
+    if closed is None and finest.touchdowns > 1:
+        yield f"the line lies on the bed in {finest.touchdowns} separate stretches"
+
+
+# ------------------------------------------------------------------ solving
+
+
+def _solved(
+    moored: Moored,
+    mesh: LineMesh,
+    *,
+    horizontal_force: float | None = None,
+    span: float | None = None,
+) -> TrussSolution:
+    return solve_line(
+        moored.line,
+        height=moored.height,
+        horizontal_force=horizontal_force,
+        span=span,
+        seabed_friction=moored.seabed_friction,
+        anchor_height=moored.anchor_height,
+        mesh=mesh,
+    )
+
+
+def _under_load(moored: Moored, mesh: LineMesh, closed: Solution | None) -> TrussSolution:
+    load = moored.load
+    if load.span is not None:
+        return _solved(moored, mesh, span=load.span)
+    if closed is not None:
+        return _solved(moored, mesh, horizontal_force=closed.horizontal_force)
+    if load.horizontal_force is not None:
+        return _solved(moored, mesh, horizontal_force=load.horizontal_force)
+    assert load.fairlead_tension is not None
+    return _under_tension(moored, mesh, load.fairlead_tension)
+
+
+def _under_tension(moored: Moored, mesh: LineMesh, tension: float) -> TrussSolution:
+    """Find the horizontal force that gives the fairlead tension, with the truss model alone."""
+    from scipy.optimize import brentq
+
+    def missing(H: float) -> float:
+        return _solved(moored, mesh, horizontal_force=H).fairlead.tension / tension - 1.0
+
+    # The tension is not below the horizontal force, so that the root is not above it.
+    high, short = tension, math.inf
+    for _ in range(_HALVINGS):
+        low = 0.5 * high
+        short = missing(low)
+        if short < 0.0:
+            H = brentq(missing, low, high, xtol=1e-12 * tension, rtol=1e-12)
+            return _solved(moored, mesh, horizontal_force=float(H))
+        high = low
+    raise NoEquilibriumError(
+        f"the fairlead tension of {tension:.6g} N is too small for what hangs from the fairlead: "
+        f"under a horizontal force of {high:.4g} N it is {short * tension:.6g} N more",
+        "force",
+        short * tension,
+    )

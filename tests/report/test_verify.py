@@ -1,0 +1,150 @@
+"""Words, tables and figures of a verification."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import catopt
+from catopt.report.figures import render
+from catopt.report.verify import (
+    QUANTITY_OF,
+    frames,
+    in_parts,
+    name_of,
+    part_sentence,
+    rough_sentence,
+    verdict_sentence,
+)
+from catopt.report.verify_plots import figures
+from catopt.verify.case import verify_case
+from catopt.verify.front import Design, verify_front
+from catopt.verify.result import StaticComparison, Verification
+from tests.verify.cases import CASES, TOUCHES_TWICE
+
+FSO = Path(__file__).parents[2] / "cases" / "fso-rang-dong" / "case.toml"
+
+
+@pytest.fixture(scope="module")
+def found() -> Verification:
+    return verify_case(CASES["on the bed"])
+
+
+@pytest.fixture(scope="module")
+def system() -> Verification:
+    return verify_case(catopt.read_case(FSO), elements=100)
+
+
+def off(part: StaticComparison, quantity: str, by: float) -> StaticComparison:
+    """Return a comparison whose closed form is off in one quantity."""
+    return replace(
+        part,
+        quantities=tuple(
+            replace(q, closed_form=(q.closed_form or 0.0) + by) if q.quantity == quantity else q
+            for q in part.quantities
+        ),
+    )
+
+
+def test_every_quantity_has_a_name_and_a_unit(found: Verification, system: Verification) -> None:
+    for part in (*found.parts, *system.parts):
+        for each in part.quantities:
+            assert QUANTITY_OF[each.quantity].si_unit.replace("*", "") == each.unit
+
+
+def test_a_difference_is_named_with_its_amount(found: Verification) -> None:
+    part = off(found.static, "fairlead_tension", 1e3)
+    assert part_sentence(part).startswith(
+        "The two models DIFFER: fairlead tension by -1.0000 kN, 4.0e-03 of the tension; "
+    )
+
+
+def test_several_differences_are_named_and_the_rest_counted(system: Verification) -> None:
+    part = off(system.static, "fairlead_tension", 1e3)
+    words = part_sentence(part)
+    assert "fairlead tension of line 1 by" in words
+    assert "; and 5 more; allowed are 1e-04." in words
+    assert name_of(part.of("position_x")) == "position of the body along x"
+
+
+def test_what_is_not_smooth_is_named(found: Verification) -> None:
+    part = found.static
+    assert rough_sentence(part) == ""
+    first, *others = part.quantities
+    rough = replace(first, fem=(380.0, 380.2, 380.1))
+    words = rough_sentence(replace(part, quantities=(rough, *others)))
+    assert "nothing extrapolated" in words
+    assert words.endswith("span (1.00).")
+
+
+def test_rounding_is_shown_as_such() -> None:
+    assert [in_parts(value) for value in (0.0, 3e-14, 2.5e-7)] == ["0", "<1e-10", "2.5e-07"]
+
+
+def test_several_load_cases_add_up_to_a_sentence(found: Verification) -> None:
+    good, bad = found.static, off(found.static, "span", 1.0)
+    case = found.case
+    assert verdict_sentence(Verification(case, (good, good))) == (
+        "The two models agree in all 2 load cases."
+    )
+    assert verdict_sentence(Verification(case, (good, bad))) == (
+        "The two models do not agree in 1 of 2 load cases."
+    )
+
+
+def test_a_front_adds_up_to_a_sentence() -> None:
+    too_short = replace(CASES["hanging"], fairlead_height=30.0)
+    front = verify_front("F", [Design(1, CASES["hanging"]), Design(2, too_short)])
+    assert verdict_sentence(front) == "Of 2 designs the two models have no answer for 1."
+    made = frames(front)
+    assert list(made) == ["designs", "verdicts", "quantities", "meshes"]
+    assert made["designs"]["Verdict"].tolist() == ["agrees", "no answer"]
+
+
+def test_the_tables_have_every_number_in_si(found: Verification) -> None:
+    made = frames(found)
+    part = found.static
+    span = made["quantities"].iloc[0]
+    assert span["Quantity"] == "span"
+    assert span["Truss on mesh 3 (unit of the row)"] == part.of("span").fem[2]
+    assert made["meshes"]["Bars"].tolist() == [200, 400, 800]
+    shapes = made["shapes"]
+    assert len(shapes) == 801
+    assert shapes["Truss x (m)"].iloc[-1] == pytest.approx(part.of("span").fem[2], rel=1e-15)
+    # Second order: what a bar of half a metre leaves.
+    assert shapes["Closed form z (m)"].to_numpy() == pytest.approx(
+        shapes["Truss z (m)"].to_numpy(), abs=1e-3
+    )
+
+
+def test_without_a_closed_form_its_columns_are_left_out() -> None:
+    made = frames(verify_case(TOUCHES_TWICE["force"]))
+    assert not any("Closed form" in heading for heading in made["shapes"].columns)
+
+
+def test_a_figure_for_every_load_case(found: Verification, system: Verification) -> None:
+    assert list(figures(found)) == ["comparison"]
+    two = Verification(found.case, (found.static, found.static))
+    assert list(figures(two)) == ["comparison_1", "comparison_2"]
+    (of_system,) = figures(system).values()
+    assert "line 2, the most loaded" in of_system.get_suptitle()
+
+
+@pytest.mark.parametrize("name", ["force", "span"])
+def test_a_figure_without_closed_form_has_no_differences(name: str) -> None:
+    (figure,) = figures(verify_case(TOUCHES_TWICE[name])).values()
+    assert len(figure.axes) == 2
+
+
+def test_the_figure_has_both_shapes_and_what_is_between_them(found: Verification) -> None:
+    (figure,) = figures(found).values()
+    shape, tension, between, off_tension = figure.axes
+    assert [line.get_label() for line in shape.get_lines()][:2] == ["Closed form", "Truss model"]
+    assert len(tension.get_lines()) == 2
+    for axes in (between, off_tension):
+        assert axes.get_yscale() == "log"
+        assert len(axes.get_lines()) == 3
+    (again,) = figures(found).values()
+    assert render(figure, "png") == render(again, "png")

@@ -1,0 +1,252 @@
+"""Both models over lines of every kind; and that the verdict can fail."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import catopt
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
+from catopt.fem import mesh_line, solve_line
+from catopt.model import Case, Line, Load, Segment
+from catopt.verify import line as line_module
+from catopt.verify.line import Moored, compare_line
+from catopt.verify.result import StaticComparison
+from catopt.verify.shape import closed_form_at, largest_distances
+
+from .cases import CASES, EA, TOUCHES_TWICE, force, moored
+
+
+@pytest.mark.parametrize("name", list(CASES))
+def test_the_models_agree_with_second_order(name: str) -> None:
+    """Order 2 within 0.1, and after extrapolation 1e-6 of the tension or the length.
+
+    At 800 bars the error before is some 1e-6; Richardson leaves the next term, two orders higher.
+    """
+    found = catopt.verify_case(CASES[name])
+    part = found.static
+    assert found.verdict == "agrees"
+    assert part.rough == ()
+    for each in part.quantities:
+        assert each.gap < 1e-6, each.quantity
+        if each.order is not None:
+            assert each.order == pytest.approx(2.0, abs=0.1), each.quantity
+    assert part.residual < 1e-10  # the solver's own tolerance
+    assert [mesh.elements for mesh in part.meshes] == [
+        part.meshes[0].elements * factor for factor in (1, 2, 4)
+    ]
+
+
+def test_every_quantity_is_there() -> None:
+    part = catopt.verify_case(CASES["on the bed"]).static
+    assert [each.key for each in part.quantities] == [
+        "span_m", "fairlead_tension_N", "fairlead_vertical_force_N", "fairlead_angle_rad",
+        "anchor_tension_N", "anchor_vertical_force_N", "anchor_angle_rad", "grounded_length_m",
+        "shape_m",
+    ]  # fmt: skip
+    held = catopt.verify_case(CASES["on the bed, span given"]).static
+    assert held.quantities[0].key == "horizontal_force_N"
+    orders = [each for each in part.quantities if each.order is not None]
+    assert len(orders) >= 5  # so that the test above has something to look at
+
+
+# ------------------------------------------------------------------ a verdict that can fail
+
+
+def tampered(solution: Solution, what: str, part: float) -> Solution:
+    """Return a closed form with one of its numbers off by a part of itself."""
+    if what in ("span", "grounded_length"):
+        return replace(solution, **{what: getattr(solution, what) * (1.0 + part)})
+    end, name = what.split(".")
+    state = getattr(solution, end)
+    return replace(solution, **{end: replace(state, **{name: getattr(state, name) * (1.0 + part)})})
+
+
+def comparison(closed: Solution | None, case: Case) -> StaticComparison:
+    assert case.load is not None
+    given = Moored(case.line, case.fairlead_height, case.load)
+    mesh = mesh_line(case.line, 100)
+    trusses = []
+    for _ in range(3):
+        trusses.append(
+            solve_line(case.line, height=case.fairlead_height, mesh=mesh,
+                       horizontal_force=case.load.horizontal_force)
+        )  # fmt: skip
+        mesh = mesh.refined()
+    return compare_line(given, closed, trusses, tolerance=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("what", "quantity"),
+    [
+        ("span", "span"),
+        ("grounded_length", "grounded_length"),
+        ("fairlead.tension", "fairlead_tension"),
+        ("fairlead.vertical_force", "fairlead_vertical_force"),
+        ("fairlead.angle", "fairlead_angle"),
+        ("anchor.tension", "anchor_tension"),
+    ],
+)
+def test_a_tampered_closed_form_is_caught(what: str, quantity: str) -> None:
+    """A thousandth off, ten times what is allowed; of all quantities that one is named."""
+    case = CASES["on the bed"]
+    true = solve(case.line, height=50.0, horizontal_force=2e5)
+    assert comparison(true, case).verdict == "agrees"
+    part = comparison(tampered(true, what, 1e-3), case)
+    assert part.verdict == "differs"
+    assert part.worst.quantity == quantity
+    assert [each.quantity for each in part.quantities if not each.agrees] == [quantity]
+
+
+def test_a_heavier_line_in_the_closed_form_is_caught_in_its_shape() -> None:
+    """One part in a thousand of the weight moves nearly everything."""
+    case = CASES["on the bed"]
+    other = solve(Line([Segment(400.0, 1001.0, EA)]), height=50.0, horizontal_force=2e5)
+    wrong = {q.quantity for q in comparison(other, case).quantities if not q.agrees}
+    assert {"fairlead_tension", "grounded_length"} <= wrong
+
+
+def test_the_tolerance_decides() -> None:
+    case = CASES["on the bed"]
+    true = solve(case.line, height=50.0, horizontal_force=2e5)
+    slightly = tampered(true, "fairlead.tension", 0.5e-4)
+    assert comparison(slightly, case).verdict == "agrees"
+    part = comparison(slightly, case)
+    assert part.worst.gap == pytest.approx(0.5e-4, rel=1e-3)  # the models themselves: 1e-9
+
+
+# ------------------------------------------------------------------ shape
+
+
+def test_the_distance_is_no_less_than_that_from_the_curve() -> None:
+    """Against the closest of 20,001 points of the closed form."""
+    case = CASES["wire and chain"]
+    closed = solve(case.line, height=71.4, horizontal_force=1.2e6)
+    truss = solve_line(case.line, height=71.4, horizontal_force=1.2e6, elements=50)
+    (distance,), _ = largest_distances(closed, [truss])
+    profile = closed.profile(20001)
+    curve = np.column_stack([profile.x, profile.z])
+    nearest = max(float(np.hypot(*(curve - node).T).min()) for node in truss.nodes[:, [0, 2]])
+    assert nearest <= distance + 0.03  # half of the points' spacing
+    assert 1e-4 < distance < 0.5
+
+
+def test_the_closed_form_s_places_are_those_of_its_profile() -> None:
+    case = CASES["clump weights off the bed"]
+    closed = solve(case.line, height=50.0, horizontal_force=1.5e5)
+    profile = closed.profile(31)
+    found = closed_form_at(closed, profile.s)
+    assert found[:, 0] == pytest.approx(profile.x, rel=1e-12, abs=1e-9)
+    assert found[:, 1] == pytest.approx(profile.z, rel=1e-12, abs=1e-9)
+
+
+# ------------------------------------------------------------------ slack
+
+
+def test_a_slack_line_is_of_first_order_and_so_extrapolated() -> None:
+    part = catopt.verify_case(moored([(100.0, 1000.0, np.inf)], 50.0, Load(span=30.0))).static
+    assert part.lines[0].closed is not None
+    assert part.lines[0].closed.regime == "slack"
+    assert part.verdict == "agrees"
+    tension = part.of("fairlead_tension")
+    assert tension.order == pytest.approx(1.0, abs=0.1)
+    # The tension is what hangs, 50 m of 1000 N/m, to the weight of a bar of 0.125 m.
+    assert tension.fem[-1] == pytest.approx(50e3 - 125.0, abs=1.0)
+    assert tension.extrapolated == pytest.approx(50e3, rel=1e-6)
+    assert {each.quantity for each in part.quantities} & {"shape", "anchor_angle"} == set()
+    assert "bights" in part.remarks[0]
+
+
+# ------------------------------------------------------------------ what the closed form refuses
+
+
+@pytest.mark.parametrize("name", list(TOUCHES_TWICE))
+def test_a_line_that_touches_down_twice_is_left_to_the_truss_model(name: str) -> None:
+    """Its forces balance: between the ends there is the line's weight and what the bed carries."""
+    case = TOUCHES_TWICE[name]
+    found = catopt.verify_case(case)
+    part = found.static
+    assert found.verdict == "no closed form"
+    assert "two stretches that lie on it" in part.refusal
+    assert any("2 separate stretches" in remark for remark in part.remarks)
+    truss = part.lines[0].finest
+    assert truss.touchdowns == 2
+    assert truss.residual < 1e-8
+    # The whole weight is 300 kN less 50 kN of the buoy: fairlead and bed carry it.
+    carried = truss.fairlead.vertical_force + truss.bed_reaction.sum()
+    assert carried == pytest.approx(250e3, rel=1e-8)
+    for each in part.quantities:
+        assert each.closed_form is None
+        assert each.difference is None
+        if each.order is not None:
+            assert each.order == pytest.approx(2.0, abs=0.1)
+    assert found.is_settled
+
+
+def test_a_fairlead_tension_is_met_without_the_closed_form() -> None:
+    part = catopt.verify_case(TOUCHES_TWICE["fairlead tension"]).static
+    assert part.of("fairlead_tension").extrapolated == pytest.approx(8e4, rel=1e-10)
+
+
+def test_a_fairlead_tension_that_is_too_small_is_refused() -> None:
+    """50 m of 1000 N/m hang from the fairlead, whatever pulls."""
+    case = replace(TOUCHES_TWICE["fairlead tension"], load=Load(fairlead_tension=4e4))
+    with pytest.raises(NoEquilibriumError, match="too small"):
+        catopt.verify_case(case)
+
+
+# ------------------------------------------------------------------ settings and failures
+
+
+def test_settings_out_of_range_are_told_at_once() -> None:
+    with pytest.raises(InputError) as caught:
+        catopt.verify_case(CASES["hanging"], elements=3, tolerance=0.0)
+    assert [problem.key for problem in caught.value.problems] == ["elements", "tolerance"]
+
+
+def test_no_equilibrium_stays_an_error() -> None:
+    case = moored([(40.0, 1000.0, np.inf)], 50.0, force(1e5))
+    with pytest.raises(NoEquilibriumError):
+        catopt.verify_case(case)
+
+
+def test_a_truss_that_does_not_converge_is_an_error_of_the_first_try(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    tried = []
+
+    def never(*_: object, mesh: object, **__: object) -> object:
+        tried.append(mesh.elements)  # type: ignore[attr-defined]
+        raise NotConvergedError(f"{tried[-1]} bars")
+
+    monkeypatch.setattr(line_module, "solve_line", never)
+    with pytest.raises(NotConvergedError, match="200 bars"):
+        catopt.verify_case(CASES["hanging"])
+    assert tried == [200, 218, 246]
+
+
+def test_meshes_a_little_finer_stand_in_and_the_answer_says_so(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def not_on_800(*arguments: object, **keywords: object) -> object:
+        if keywords["mesh"].elements == 800:  # type: ignore[attr-defined]
+            raise NotConvergedError("800 bars")
+        return solve_line(*arguments, **keywords)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(line_module, "solve_line", not_on_800)
+    part = catopt.verify_case(CASES["hanging"]).static
+    assert [mesh.elements for mesh in part.meshes] == [218, 436, 872]
+    assert "218 were taken instead" in part.remarks[0]
+
+
+def test_a_plain_case_takes_well_below_a_second_after_compilation() -> None:
+    """Measured 0.03 s of processor time; ten times that leaves room for a busy machine."""
+    catopt.verify_case(CASES["on the bed"])
+    start = time.process_time()
+    catopt.verify_case(CASES["on the bed"])
+    assert time.process_time() - start < 0.3
