@@ -19,7 +19,12 @@ BASE = {"errors", "constants", "units", "quantities", "compiled"}
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile"}
 DESIGNING = {"checks", "design"}
-ALL_BUT_CLI = SOLVING | READING | DESIGNING | {"mooring", "schemas", "reproduce", "report"}
+ALL_BUT_CLI = (
+    SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "report"}
+)
 
 MAY_IMPORT: dict[str, set[str]] = {
     "_version": set(),
@@ -34,13 +39,24 @@ MAY_IMPORT: dict[str, set[str]] = {
     "casefile": BASE | {"model", "catalogue"},
     "catenary": BASE | {"model"},
     "mooring": SOLVING,
+    "waves": BASE | {"model"},
+    "fem": BASE | {"model", "waves"},
+    "loads": BASE | {"model", "waves", "catalogue"},
     "checks": SOLVING | {"catalogue"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
-    "reproduce": SOLVING | READING | {"mooring"},
-    "report": SOLVING | READING | DESIGNING | {"mooring", "schemas", "reproduce", "_version"},
+    "verify": SOLVING | {"mooring", "fem"},
+    "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
+    "reproduce": SOLVING | READING | {"mooring", "loads", "fem", "verify"},
+    "report": SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "_version"},
     "cli": ALL_BUT_CLI | {"_version"},
     "__main__": {"cli", "errors", "_version"},
-    "__init__": SOLVING | READING | DESIGNING | {"_version"},
+    "__init__": SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "loads", "verify", "sizing", "_version"},
 }
 """What each part may import beside itself; a part is a module or a folder of catopt."""
 

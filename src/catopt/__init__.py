@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     )
     from catopt.catenary.solution import Solution
     from catopt.catenary.solve import solve
+    from catopt.checks.case import check_case
+    from catopt.checks.result import CheckReport
+    from catopt.design.result import DesignResult
+    from catopt.design.search import design_case
     from catopt.errors import (
         CatoptError,
         InputError,
@@ -32,11 +36,17 @@ if TYPE_CHECKING:
         NotConvergedError,
         TouchesTwiceError,
     )
-    from catopt.model import Case, Line, Load, PointLoad, Segment, Site
+    from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
+    from catopt.mooring.solve import solve_system
+    from catopt.sizing.buoy import size_buoy
+    from catopt.sizing.tanker import size_tanker
+    from catopt.verify.case import verify_case
 
 __all__ = [
     "Case",
     "CatoptError",
+    "CheckReport",
+    "DesignResult",
     "InputError",
     "Line",
     "Load",
@@ -46,18 +56,25 @@ __all__ = [
     "Segment",
     "Site",
     "Solution",
+    "System",
     "TouchesTwiceError",
     "__version__",
+    "check_case",
     "curve_case",
+    "design_case",
     "find_clump_weight",
     "find_length",
     "find_limit_force",
     "find_touchdown_force",
     "load_curve",
     "read_case",
+    "size_buoy",
+    "size_tanker",
     "solve",
     "solve_case",
     "solve_many",
+    "solve_system",
+    "verify_case",
 ]
 
 _HOMES = {
@@ -74,6 +91,10 @@ _HOMES = {
     "catopt.catenary.solution": ("Solution",),
     "catopt.catenary.case": ("solve_case",),
     "catopt.catenary.solve": ("solve",),
+    "catopt.checks.case": ("check_case",),
+    "catopt.checks.result": ("CheckReport",),
+    "catopt.design.result": ("DesignResult",),
+    "catopt.design.search": ("design_case",),
     "catopt.errors": (
         "CatoptError",
         "InputError",
@@ -81,7 +102,11 @@ _HOMES = {
         "NotConvergedError",
         "TouchesTwiceError",
     ),
-    "catopt.model": ("Case", "Line", "Load", "PointLoad", "Segment", "Site"),
+    "catopt.model": ("Case", "Line", "Load", "PointLoad", "Segment", "Site", "System"),
+    "catopt.mooring.solve": ("solve_system",),
+    "catopt.sizing.buoy": ("size_buoy",),
+    "catopt.sizing.tanker": ("size_tanker",),
+    "catopt.verify.case": ("verify_case",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

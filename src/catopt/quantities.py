@@ -140,6 +140,7 @@ _TABLE = (
     Quantity("safety_factor", "Safety factor", "SF", "-", "-", 1.0, 2),
     Quantity("friction", "Seabed friction", "mu", "-", "-", 1.0, 2),
     Quantity("density", "Density", "rho", "kg/m^3", "kg/m^3", 1.0, 1),
+    Quantity("moment", "Moment on the body", "M", "N*m", "kN*m", 1e3, 1),
     Quantity("stiffness", "Stiffness", "k", "N/m", "kN/m", 1e3, 3),
     Quantity("objective", "Objective", "f", "m", "m", 1.0, 2, "scientific"),
     Quantity("residual", "Residual", "", "m", "m", 1.0, 2, "scientific"),

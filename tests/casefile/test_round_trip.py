@@ -17,11 +17,14 @@ from catopt.model import (
     CatalogueChoice,
     Checks,
     ClumpWeightChoice,
+    CurrentProfile,
     Design,
+    Dynamics,
     Find,
     Line,
     Load,
     LoadCase,
+    Motion,
     PointLoad,
     Segment,
     SegmentChoice,
@@ -29,11 +32,14 @@ from catopt.model import (
     SinkerChoice,
     Site,
     SwarmSettings,
+    WaveState,
 )
 from catopt.model.case import BOUNDARY_HANDLINGS
 from catopt.model.design import OBJECTIVES, SEARCH_METHODS
 from catopt.model.find import FIND_QUANTITIES
+from catopt.model.dynamics import TIME_SCHEMES
 from catopt.model.load_case import LOAD_CASE_KINDS
+from catopt.model.wave_state import STRETCHINGS
 
 POSITIVE = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
 NOT_NEGATIVE = st.floats(min_value=0.0, allow_infinity=False)
@@ -56,6 +62,11 @@ SEGMENTS = st.one_of(
         proof_load=st.none() | POSITIVE,
         price=st.none() | NOT_NEGATIVE,
         wear_rate=st.none() | NOT_NEGATIVE,
+        drag_diameter=st.none() | POSITIVE,
+        drag_normal=st.none() | NOT_NEGATIVE,
+        drag_axial=st.none() | NOT_NEGATIVE,
+        added_mass_normal=st.none() | NOT_NEGATIVE,
+        added_mass_axial=st.none() | NOT_NEGATIVE,
     ),
     # Of a component, with figures of one's own before those of the catalogue.
     st.builds(
@@ -71,6 +82,11 @@ SEGMENTS = st.one_of(
         proof_load=POSITIVE,
         price=NOT_NEGATIVE,
         wear_rate=st.none() | NOT_NEGATIVE,
+        drag_diameter=POSITIVE,
+        drag_normal=NOT_NEGATIVE,
+        drag_axial=NOT_NEGATIVE,
+        added_mass_normal=NOT_NEGATIVE,
+        added_mass_axial=NOT_NEGATIVE,
     ),
 )
 LOADS = st.one_of(
@@ -185,6 +201,67 @@ SWARMS = st.builds(
 )
 
 
+GAMMA = st.none() | st.floats(1.0, 20.0)
+PLAIN = st.sampled_from(["pierson-moskowitz", "regular"])
+WAVES = st.one_of(
+    *(
+        st.builds(
+            WaveState,
+            spectrum=spectrum,
+            height=POSITIVE,
+            period=POSITIVE,
+            peak_enhancement=gamma,
+            direction=ANY,
+            components=st.integers(1, 10**9),
+            stretching=st.sampled_from(STRETCHINGS),
+            seed=st.integers(0, 2**63 - 1),
+        )
+        for spectrum, gamma in ((st.just("jonswap"), GAMMA), (PLAIN, st.none()))
+    )
+)
+TABLES = st.lists(st.tuples(NOT_NEGATIVE, ANY), min_size=1, max_size=4, unique_by=lambda r: r[0])
+CURRENTS = st.one_of(
+    st.builds(
+        CurrentProfile,
+        profile=st.just("power"),
+        speed=NOT_NEGATIVE,
+        exponent=st.none() | POSITIVE,
+        direction=ANY,
+    ),
+    st.builds(CurrentProfile, profile=st.just("wind"), speed=NOT_NEGATIVE, depth=POSITIVE),
+    TABLES.map(
+        lambda rows: CurrentProfile(
+            "table", depths=tuple(sorted(d for d, _ in rows)), speeds=tuple(s for _, s in rows)
+        )
+    ),
+)
+MOTIONS = st.one_of(
+    st.builds(
+        Motion,
+        period=POSITIVE,
+        **dict.fromkeys(("surge", "sway", "heave"), NOT_NEGATIVE),
+        **dict.fromkeys(("surge_phase", "sway_phase", "heave_phase"), ANY),
+    ),
+    st.builds(Motion, file=st.just("/data/motion.csv")),
+    st.builds(Motion, rao_file=st.just("/data/rao.csv")),
+)
+WITHIN = st.none() | st.floats(1e-3, 0.9)
+RUNS = st.builds(
+    Dynamics,
+    duration=st.floats(1.0, 1e6),
+    ramp=WITHIN,
+    time_step=WITHIN,
+    output_interval=WITHIN,
+    elements=st.integers(4, 10**9),
+    scheme=st.sampled_from(TIME_SCHEMES),
+    spectral_radius=st.floats(0.0, 1.0),
+    runs=st.integers(1, 10**9),
+    seabed_stiffness=st.none() | POSITIVE,
+    seabed_damping=st.none() | NOT_NEGATIVE,
+    damping_time=NOT_NEGATIVE,
+)
+
+
 @st.composite
 def lines(draw: st.DrawFn) -> Line:
     segments = draw(st.lists(SEGMENTS, min_size=1, max_size=3))
@@ -241,6 +318,9 @@ def cases(draw: st.DrawFn) -> Case:
     if states and find is None and draw(st.booleans()):
         load = None
     references = sum(each.kind == "reference" for each in states)
+    waves, motion = draw(WAVES), draw(st.none() | MOTIONS)
+    moving = {"waves": waves, "current": draw(st.none() | CURRENTS), "motion": motion}
+    moving |= {"dynamics": draw(RUNS)} if draw(st.booleans()) else dict.fromkeys(moving)
     return Case(
         site=Site(depth, draw(NOT_NEGATIVE), draw(st.floats(1e-3, 1e5))),
         line=line,
@@ -258,6 +338,7 @@ def cases(draw: st.DrawFn) -> Case:
         anchor=draw(st.none() | ANCHORS),
         catalogue=draw(CHOICES),
         design=draw(st.none() | designs(line, references)),
+        **moving,
     )
 
 

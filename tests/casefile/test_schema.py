@@ -21,11 +21,14 @@ from catopt.casefile.schema import (
     CatalogueTable,
     ChecksTable,
     ClumpWeightChoiceTable,
+    CurrentTable,
     DesignTable,
+    DynamicsTable,
     FindTable,
     LineTable,
     LoadCaseTable,
     LoadTable,
+    MotionTable,
     PointLoadTable,
     PsoTable,
     SegmentChoiceTable,
@@ -35,6 +38,7 @@ from catopt.casefile.schema import (
     SiteTable,
     Table,
     VariantsTable,
+    WavesTable,
     entries,
 )
 from catopt.catalogue import ALL
@@ -47,10 +51,13 @@ from catopt.model import (
     CatalogueChoice,
     Checks,
     ClumpWeightChoice,
+    CurrentProfile,
     Design,
+    Dynamics,
     Find,
     Load,
     LoadCase,
+    Motion,
     PointLoad,
     Segment,
     SegmentChoice,
@@ -58,6 +65,7 @@ from catopt.model import (
     SinkerChoice,
     Site,
     SwarmSettings,
+    WaveState,
 )
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import OBJECTIVES
@@ -99,6 +107,10 @@ MODEL: dict[type[Table], tuple[Callable[..., object], dict[str, Any]]] = {
         {"masses": (500.0,), "density": 2400.0, "positions": (7.0,)},
     ),
     SinkerChoiceTable: (SinkerChoice, {"masses": (500.0,), "density": 2400.0, "friction": 0.5}),
+    WavesTable: (WaveState, {"spectrum": "jonswap", "height": 2.0, "period": 8.0}),
+    CurrentTable: (CurrentProfile, {"profile": "power", "speed": 1.0}),
+    MotionTable: (Motion, {"period": 8.0}),
+    DynamicsTable: (Dynamics, {"duration": 600.0}),
     PsoTable: (SwarmSettings, {}),
 }
 """For each table the model's class and what it needs at least."""
@@ -113,6 +125,13 @@ BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
         "friction": None,
     },
     (ClumpWeightChoiceTable, "joint"): {"positions": ()},
+    (CurrentTable, "depth"): {"profile": "wind"},
+    (CurrentTable, "depths"): {"profile": "table", "speed": None, "speeds": (1.0,)},
+    (CurrentTable, "speeds"): {"profile": "table", "speed": None, "depths": (1.0,)},
+    (MotionTable, "file"): {"period": None},
+    (MotionTable, "rao_file"): {"period": None},
+    **{(DynamicsTable, key): {"duration": 1.7e308} for key in ("ramp", "time_step")},
+    (DynamicsTable, "output_interval"): {"duration": 1.7e308},
 }
 """What some keys need beside them."""
 
@@ -138,6 +157,8 @@ NARROWER = {
     (SegmentChoiceTable, "components"),
     (ChecksTable, "codes"),
     (CatalogueTable, "file"),
+    (MotionTable, "file"),
+    (MotionTable, "rao_file"),
 }
 """An angle is limited to a right one, because a bare 5 is more likely meant in degrees; a name that
 is blank is no name."""
@@ -312,8 +333,9 @@ def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
                 continue
             assert rows[field.name].default == default_of(field.default), field.name
             compared += 1
-    # site, load cases, checks, service, catalogue, design with segments and clump weights, pso
-    assert compared == 2 + 2 + 2 + 1 + 1 + (6 + 1 + 1) + 8
+    # site, load cases, checks, service, catalogue, design with segments and clump weights,
+    # waves, current, motion, dynamics, pso
+    assert compared == 2 + 2 + 2 + 1 + 1 + (6 + 1 + 1) + 4 + 1 + 6 + 5 + 8
 
 
 def default_of(default: object) -> str:
@@ -339,9 +361,10 @@ def test_the_units_on_the_page_are_those_of_the_table() -> None:
 
 
 def test_the_example_on_the_page_is_a_case_and_its_mistakes_are_told_as_shown() -> None:
-    example, design = re.findall(r"^```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+    example, design, moving = re.findall(r"^```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
     assert parse_case(example).title == "Marker buoy, 9.5 m"
     assert parse_case(design).design is not None
+    assert parse_case(moving).dynamics is not None
     shown = re.findall(r"^```text\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
     wrong = (
         example.replace("water_depth", "watr_depth")

@@ -14,6 +14,7 @@ from catopt.errors import InputError
 from catopt.model import Find
 from tests.casefile.test_schema import tables
 
+MOVING = ("waves", "current", "motion", "dynamics")
 CASES = Path(__file__).parents[2] / "cases"
 
 
@@ -23,10 +24,11 @@ def test_the_buoy_is_the_case_of_the_project() -> None:
 
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_every_key_is_there_and_is_commented(name: str) -> None:
-    """But for what a design may vary, systems, and the names of the catalogue's quantities."""
+    """But for designs, systems, lines in motion, and the names of the catalogue's quantities."""
     lines = template(name).splitlines()
     for header, table in tables().items():
-        if header.strip("[]").startswith(("design", "system", "catalogue.variants")):
+        elsewhere = ("design", "system", "catalogue.variants", *MOVING)
+        if header.strip("[]").startswith(elsewhere):
             continue
         for key, entry in entries(table).items():
             if entry.kind is not None and header:

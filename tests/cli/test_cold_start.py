@@ -8,7 +8,9 @@ import sys
 
 import pytest
 
-from .conftest import BUOY
+from .conftest import BUOY, CASES
+
+FSO = CASES / "fso-rang-dong" / "case.toml"
 
 HEAVY = {
     "matplotlib", "numba", "numpy", "pandas", "pint", "pymoo", "pyswarms", "scipy", "xlsxwriter",
@@ -39,6 +41,8 @@ def loaded(*arguments: str) -> set[str]:
         (["solve", str(BUOY)], HEAVY),
         (["solve", str(BUOY), "--profile"], HEAVY),
         (["solve", str(BUOY), "--json"], HEAVY | {"rich"}),
+        (["system", str(FSO), "--line-out", "--watch-circle"], HEAVY),
+        (["system", str(FSO), "--json"], HEAVY | {"rich"}),
     ],
     ids=[
         "help",
@@ -51,6 +55,8 @@ def loaded(*arguments: str) -> set[str]:
         "solve",
         "profile",
         "json",
+        "system",
+        "system json",
     ],
 )
 def test_nothing_heavy_is_loaded(arguments: list[str], absent: set[str]) -> None:

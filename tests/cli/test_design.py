@@ -84,6 +84,7 @@ def test_a_design_is_a_case_of_its_own(run: Run, tmp_path: Path) -> None:
         (("check", "{result}", "--design", "999"), "the front has the designs 1 to"),
         (("solve", "{empty}", "--design", "1"), "a directory that catopt design --out wrote"),
         (("design", BUOY), "a table [design] says what may vary"),
+        (("design", BUOY), f"catopt: {BUOY}: 1 error"),
         (("design", DESIGN, "--evaluations", "0"), "--evaluations: found 0; must be 1 or more"),
         (("design", DESIGN, "--seed", "-1"), "--seed: found -1; must be 0 or more"),
     ],
@@ -138,8 +139,30 @@ def test_an_interrupted_search_keeps_its_front(
     assert document["interrupted"] is True
     assert document["front"]
     assert all(point["feasible"] for point in document["front"])
-    assert "interrupted" in ran.err
+    assert ran.err.count("catopt: interrupted") == 1
     assert (tmp_path / "design.json").exists()
+
+
+def test_interrupted_before_any_design_passes(
+    run: Run, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Not status 3: that no design passes is not known."""
+    import catopt.design.search
+    from catopt.design.enumeration import enumerate_designs
+
+    def stopped(*args: object, **_: object) -> object:
+        def stop(*_: int) -> None:
+            raise KeyboardInterrupt
+
+        return enumerate_designs(args[0], chunk=100, progress=stop)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(catopt.design.search, "enumerate_designs", stopped)
+    case = tmp_path / "case.toml"
+    text = DESIGN.read_text("utf-8").replace('"12 kN"', '"0.5 kN"')
+    case.write_text(text, encoding="utf-8")
+    ran = run("design", case, "--json")
+    assert (ran.status, ran.out) == (130, "")
+    assert "interrupted: none of 100 designs evaluated, out of 6,111, passes" in words(ran.err)
 
 
 def test_python_gives_what_the_command_prints(run: Run) -> None:

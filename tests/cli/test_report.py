@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 
 import jsonschema
+import openpyxl
 import pytest
 
 from catopt import schemas
@@ -31,24 +32,43 @@ def test_the_page_is_written_beside_the_user_and_its_place_printed(run: Run) -> 
 
 
 @pytest.mark.parametrize(
-    ("out", "written"),
+    ("arguments", "written"),
     [
-        ("note.html", "note.html"),
-        ("notes/note.HTML", "notes/note.HTML"),
-        ("notes", "notes/buoy-9.5m.html"),
-        ("notes.v2", "notes.v2/buoy-9.5m.html"),
+        (["--out", "note.html"], ["note.html"]),
+        (["--out", "notes/note.HTML"], ["notes/note.HTML"]),
+        (["--out", "notes/note.HTML", "--xlsx"], ["notes/note.HTML", "notes/note.xlsx"]),
+        (["--xlsx"], ["buoy-9.5m.html", "buoy-9.5m.xlsx"]),
+        (["--out", "notes"], ["notes/buoy-9.5m.html", "notes/buoy-9.5m.xlsx"]),
+        (["--out", "notes.v2"], ["notes.v2/buoy-9.5m.html", "notes.v2/buoy-9.5m.xlsx"]),
     ],
 )
-def test_out_names_a_file_or_a_directory(run: Run, out: str, written: str) -> None:
-    ran = run("report", BUOY, "--out", out)
+def test_out_names_a_file_or_a_directory(
+    run: Run, arguments: list[str], written: list[str]
+) -> None:
+    ran = run("report", BUOY, *arguments)
     assert ran.status == 0
-    assert ran.out == f"{written}\n"
-    assert Path(written).read_bytes().startswith(b"<!DOCTYPE html>")
+    assert ran.out.splitlines() == written
+    made = sorted(str(path) for path in Path().rglob("*.*") if path.is_file())
+    assert made == sorted(written)
+    assert Path(written[0]).read_bytes().startswith(b"<!DOCTYPE html>")
+    for workbook in written[1:]:
+        assert openpyxl.load_workbook(workbook).sheetnames[0] == "Summary"
 
 
 def test_a_directory_may_end_like_a_page(run: Run) -> None:
     Path("odd.html").mkdir()
-    assert run("report", BUOY, "--out", "odd.html").out == "odd.html/buoy-9.5m.html\n"
+    assert run("report", BUOY, "--out", "odd.html").out.splitlines()[0] == (
+        "odd.html/buoy-9.5m.html"
+    )
+
+
+def test_json_tells_of_the_workbook(run: Run) -> None:
+    document = json.loads(run("report", BUOY, "--json", "--out", "notes").out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    content = Path(document["workbook"]["path"]).read_bytes()
+    assert document["workbook"]["bytes"] == len(content)
+    assert document["workbook"]["sha256"] == hashlib.sha256(content).hexdigest()
+    assert json.loads(run("report", BUOY, "--json").out)["workbook"] is None
 
 
 def test_json_tells_what_was_written(run: Run) -> None:

@@ -17,11 +17,20 @@ from catopt.design.answer import Found, answer
 from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import DesignProblem
 from catopt.design.near_miss import NoFeasibleDesignError
-from catopt.design.neighbours import steps
+from catopt.design.neighbours import Step, neighbour, steps
 from catopt.design.points import design_point
+from catopt.design.result import DesignPoint
 from catopt.design.search import design_case
-from catopt.errors import CatoptError, InputError
-from catopt.model import Checks, ClumpWeightChoice, Find, Load, SegmentChoice, SinkerChoice
+from catopt.errors import CatoptError, InputError, NotConvergedError
+from catopt.model import (
+    Checks,
+    ClumpWeightChoice,
+    Find,
+    Load,
+    LoadCase,
+    SegmentChoice,
+    SinkerChoice,
+)
 from tests.design.small_cases import small_case
 
 SINKERS = SinkerChoice((50e3, 150e3, 250e3, 400e3), 2400.0, 0.6, 1.5)
@@ -192,6 +201,57 @@ def test_a_search_that_was_stopped_before_it_found_anything_says_so() -> None:
     with pytest.raises(NoFeasibleDesignError, match="interrupted: none of ") as raised:
         design_case(case, progress=stop)
     assert raised.value.near_miss is None
+
+
+def test_a_space_beyond_counting_is_not_enumerated() -> None:
+    lengths = tuple(100.0 + 0.02 * k for k in range(10_000))
+    segment = SegmentChoice(lengths, ("chain studless R3",))
+    case = small_case(segments=(segment, segment, segment, segment))
+    assert DesignProblem.of(case).space.count > 2**63
+    with pytest.raises(InputError, match="found enumeration; is for 1,000,000,000,000 designs"):
+        design_case(case, method="enumeration")
+
+
+def test_short_lines_in_a_space_of_long_ones() -> None:
+    """Masses are rounded by what the largest is: 500 km of chain beside 60 m of a thin one."""
+    case = small_case(
+        segments=(SegmentChoice((60.7, 500_000.0), ("chain studless R3",)),),
+        clump_weights=(),
+        objectives=("mass", "cost"),
+    )
+    result = design_case(replace(case, checks=Checks(), load_cases=(LoadCase("calm", 50.0),)))
+    (point,) = result.front
+    size = (point.line.segments[0].nominal_diameter or 0.0) * 1e3
+    # Studless chain has 0.0200 d^2 kg/m, d in mm.
+    assert point.objectives["mass_kg"] == pytest.approx(0.02 * size**2 * 60.7, rel=1e-12)
+
+
+def test_what_the_closed_form_does_not_confirm_is_left_out_and_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    whole = design_case(small_case())
+    missing = whole.front[0].genes
+
+    def stubborn(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
+        if genes == missing:
+            raise NotConvergedError("a root was not found")
+        return design_point(problem, genes)
+
+    monkeypatch.setattr("catopt.design.answer.design_point", stubborn)
+    monkeypatch.setattr("catopt.design.neighbours.design_point", stubborn)
+    result = design_case(small_case())
+    assert [p.genes for p in result.front] == [p.genes for p in whole.front[1:]]
+    (warning,) = set(result.warnings) - set(whole.warnings)
+    assert warning.startswith("designs left out of the front")
+    problem = DesignProblem.of(small_case())
+    assert neighbour(problem, Step("back", missing)).reason == "a root was not found"
+
+    def hopeless(*_: object) -> DesignPoint:
+        raise NotConvergedError("a root was not found")
+
+    monkeypatch.setattr("catopt.design.answer.design_point", hopeless)
+    with pytest.raises(NotConvergedError, match="confirms none of the"):
+        design_case(small_case())
 
 
 def test_what_the_case_seeks_of_its_own_line_does_not_matter() -> None:

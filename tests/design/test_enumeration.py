@@ -123,6 +123,23 @@ def test_without_a_feasible_design_the_one_that_fails_by_the_least_is_known() ->
     assert excesses[outcome.closest] == pytest.approx(least, rel=SAME)
 
 
+def test_what_is_known_of_all_designs_is_kept_when_the_measuring_is_interrupted() -> None:
+    """None passes, which the first pass has found; Ctrl-C comes in the second."""
+    problem = DesignProblem.of(replace(small_case(), checks=Checks(safety_factor=20.0)))
+    told: list[int] = []
+
+    def stop(done: int, _: int) -> None:
+        told.append(done)
+        if told == [100, 200, 300, 100]:
+            raise KeyboardInterrupt
+
+    outcome = enumerate_designs(problem, chunk=100, progress=stop).outcome
+    assert len(told) == 4
+    assert outcome.interrupted
+    assert outcome.evaluations == problem.space.count == 300
+    assert outcome.closest is not None
+
+
 def test_the_estimate_counts_the_designs_and_is_put_into_words() -> None:
     found = estimate(DesignProblem.of(small_case()))
     assert found.designs == 300

@@ -149,6 +149,14 @@ def test_a_space_smaller_than_the_budget_ends_the_search(
 
 
 @both
+def test_a_budget_takes_no_memory_before_it_is_used(search: Search) -> None:
+    """So many designs would take 24 petabytes."""
+    space = scrambled((4, 4), 2, 1.0)
+    outcome = search(space, evaluations=10**15, population=20, seed=1)
+    np.testing.assert_array_equal(outcome.objectives, space.front.objectives)
+
+
+@both
 @pytest.mark.parametrize("population", [1, 2, 3, 5])
 def test_small_populations(search: Search, population: int) -> None:
     outcome = search(buoy(), evaluations=200, population=population, seed=1)

@@ -21,6 +21,7 @@ from catopt.model import (
     Segment,
     SegmentChoice,
     Service,
+    SinkerChoice,
 )
 from tests.design.small_cases import DESIGN, all_genes, small_case
 
@@ -163,6 +164,27 @@ def test_wear_lowers_the_allowed_tension() -> None:
     assert end[0, 0, 0] / new[0, 0, 0] == pytest.approx(ratio, rel=1e-6)
 
 
+def test_a_segment_of_the_line_that_wears_faster_wears_faster_in_every_size() -> None:
+    """0.4 mm a year for 20 years there, no wear elsewhere; a rope does not take it over."""
+    rate = 0.4e-3 / 31557600
+    case = small_case()
+    choice = SegmentChoice((300.0,), ("chain studless R3", "polyester"), diameters=(0.12,))
+    line = Line([replace(case.line.segments[0], wear_rate=rate, nominal_diameter=0.06)])
+    case = replace(
+        case,
+        line=line,
+        service=Service(life=20 * 31557600.0),
+        design=replace(DESIGN, segments=(choice,), clump_weights=()),
+    )
+    chain, rope = DesignProblem.of(case).space.segments[0].options
+    assert (chain.wear_rate, rope.wear_rate) == (rate, None)
+    allowed = DesignProblem.of(case).tables.allowed[0, 0, :2]
+    # R3 120 mm less 8 mm, over the factor of 3: 0.0223 112^2 (44 - 0.08 112) / 3 = 3267.3 kN
+    assert allowed[0] == pytest.approx(3267.3e3, rel=2e-5)
+    assert rope.MBL is not None
+    assert allowed[1] == rope.MBL / 3.0
+
+
 def test_sizes_read_in_no_document_are_told() -> None:
     warnings = DesignProblem.of(
         small_case(segments=(SegmentChoice((100.0,), ("wire spiral-strand",)),))
@@ -181,6 +203,10 @@ def test_sizes_read_in_no_document_are_told() -> None:
                 "load_cases": small_case().load_cases[:1],
             },
             "excursion; a load case of kind",
+        ),
+        (
+            {"design": replace(DESIGN, sinker=SinkerChoice((50e3,), 2400.0, 0.6))},
+            "design.sinker.safety_factor: missing; give the factor on sliding",
         ),
     ],
 )

@@ -193,11 +193,18 @@ def allowed_by(criterion: Criterion, strength: Strength, key: str) -> float:
     return strength.need(criterion.of, key, wanted_by) / criterion.value
 
 
-def criteria_of(case: Case) -> Criteria:
+def criteria_of(case: Case, *, anchor_key: str = "anchor") -> Criteria:
     """Gather all that a case asks a line to keep.
 
     The factors on sliding and holding are there when the case has such an anchor. A search that
     chooses sinkers passes the case with one of them as its anchor.
+
+    Parameters
+    ----------
+    case : Case
+        With its anchor, service and checks.
+    anchor_key : str
+        Where its anchor stands, for messages.
 
     Raises
     ------
@@ -210,7 +217,7 @@ def criteria_of(case: Case) -> Criteria:
     found = (
         *_own(case.checks),
         *_buoyancy(case),
-        *_of_anchor(case.anchor, coded),
+        *_of_anchor(case.anchor, coded, anchor_key),
         *(each for each in coded if each.check not in ("sliding", "holding")),
     )
     return Criteria(
@@ -246,7 +253,7 @@ def _buoyancy(case: Case) -> Iterator[Criterion]:
         yield Criterion("buoyancy", case.buoy.reserve_buoyancy, USER)
 
 
-def _of_anchor(anchor: Anchor | None, coded: list[Criterion]) -> Iterator[Criterion]:
+def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Iterator[Criterion]:
     """List the factors on what holds the line: its own, or else those of the codes."""
     if anchor is None:
         return
@@ -257,7 +264,7 @@ def _of_anchor(anchor: Anchor | None, coded: list[Criterion]) -> Iterator[Criter
     factors = [criterion for criterion in coded if criterion.check == check]
     if not factors:
         allowed = f"missing; give the factor on {check}, or name a code that has one"
-        raise InputError([Problem("anchor.safety_factor", "", allowed)], "checks")
+        raise InputError([Problem(f"{key}.safety_factor", "", allowed)], "checks")
     yield from factors
 
 

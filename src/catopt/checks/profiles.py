@@ -100,7 +100,9 @@ def _refused(name: str, found: Profile | None, allow_recalled: bool) -> str:
         hint = f"did you mean {near}? " if near else ""
         return f"{hint}there are {', '.join(names)}"
     if found.is_recalled and not allow_recalled:
-        return "recalled, read in no document: set checks.allow_recalled = true to use it"
+        return (
+            "recalled, read in no document: to use it, checks.allow_recalled = true or --recalled"
+        )
     return ""
 
 

@@ -159,8 +159,13 @@ def _component(segment: Segment, choice: CatalogueChoice | None, loss: float) ->
     known = segment.MBL is not None and segment.proof_load is not None and loss == 0.0
     if known or not segment.component or segment.nominal_diameter is None:
         return None
-    families = _families(choice or CatalogueChoice())
-    return families.component(segment.component, segment.nominal_diameter)
+    return _looked_up(segment.component, segment.nominal_diameter, choice or CatalogueChoice())
+
+
+@cache
+def _looked_up(name: str, diameter: float, choice: CatalogueChoice) -> Component:
+    """Look a component up once: a search checks the same few sizes at many lengths."""
+    return _families(choice).component(name, diameter)
 
 
 @cache

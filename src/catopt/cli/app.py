@@ -8,11 +8,18 @@ import typer
 
 from catopt._version import __version__
 from catopt.cli.catalog import catalog
+from catopt.cli.check import check
 from catopt.cli.curve import curve
+from catopt.cli.design import design
+from catopt.cli.loads import loads
 from catopt.cli.new import new
 from catopt.cli.output import Output
+from catopt.cli.report import report
 from catopt.cli.reproduce import reproduce
+from catopt.cli.size import size
 from catopt.cli.solve import solve
+from catopt.cli.system import system
+from catopt.cli.verify import verify
 
 __all__ = ["app"]
 
@@ -52,6 +59,8 @@ def catopt(
     context.ensure_object(Output).debug = debug
 
 
-for _command in (solve, curve, reproduce, new):
+for _command in (solve, curve, design, check, verify, system, report, reproduce, new):
     app.command()(_command)
 app.add_typer(catalog)
+app.add_typer(loads)
+app.add_typer(size)

@@ -59,14 +59,12 @@ def design(
     answer is the front between the objectives, with one design recommended. Ctrl-C ends the search
     and keeps the front so far (exit status 130).
     """
-    from catopt.casefile import read_case
-
     output: Output = context.obj
     if out is not None:
         from catopt.report.files import check_directory
 
         check_directory(out)
-    result = _searched(_with_settings(read_case(case), method, evaluations, seed), output)
+    result = _searched(_asked(case, method, evaluations, seed), output)
     if out is not None:
         from catopt.report.bundle import design_bundle
         from catopt.report.files import write_files
@@ -82,21 +80,23 @@ def design(
 
         show_design(output, result, out)
     if result.interrupted:
-        output.note("catopt: interrupted; the front is that of the designs evaluated so far")
+        output.note("The front is that of the designs evaluated so far.")
         raise typer.Exit(INTERRUPTED)
 
 
-def _with_settings(
-    case: Case, method: SearchMethod | None, evaluations: int | None, seed: int | None
+def _asked(
+    path: Path, method: SearchMethod | None, evaluations: int | None, seed: int | None
 ) -> Case:
-    """Put the options in place of the case's settings."""
+    """Read the case and put the options in place of its settings."""
     from dataclasses import replace
 
+    from catopt.casefile import read_case
     from catopt.errors import InputError, Problem
 
+    case = read_case(path)
     if case.design is None:
         allowed = "missing; a table [design] says what may vary (docs/case-file.md)"
-        raise InputError([Problem("design", "", allowed)], case.title)
+        raise InputError([Problem("design", "", allowed)], str(path))
     options: dict[str, Any] = {
         "method": None if method is None else method.value,
         "evaluations": evaluations,
@@ -111,10 +111,18 @@ def _with_settings(
 
 
 def _searched(case: Case, output: Output) -> DesignResult:
+    from catopt.design.near_miss import NoFeasibleDesignError
     from catopt.design.search import design_case
 
-    with output.progress("Designs") as tell:
-        result = design_case(case, progress=tell, announce=output.note)
+    try:
+        with output.progress("Designs") as tell:
+            result = design_case(case, progress=tell, announce=output.note)
+    except NoFeasibleDesignError as error:
+        if not error.interrupted:
+            raise
+        # Of those that were not evaluated one may pass, which status 3 would deny.
+        output.note(f"catopt: {error}")
+        raise typer.Exit(INTERRUPTED) from None
     # Beside the answer, not in it: the same seed is to give the same answer to the last byte.
     output.note(f"{result.evaluations:,} designs evaluated in {result.seconds:.1f} s")
     return result

@@ -14,7 +14,9 @@ from catopt.design.neighbours import neighbours
 from catopt.design.outcome import Outcome
 from catopt.design.points import design_point
 from catopt.design.present import present_line
+from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
+from catopt.errors import NotConvergedError
 
 __all__ = ["Found", "answer"]
 
@@ -51,10 +53,14 @@ def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
         With one design on the front or more.
     seed : int
         Of the search.
+
+    Raises
+    ------
+    NotConvergedError
+        The closed form confirms no design of the front.
     """
     outcome = found.outcome
-    points = [design_point(problem, tuple(genes.tolist())) for genes in outcome.genes]
-    front = tuple(point for point in points if point.checks.passes)
+    front = _confirmed(problem, outcome.genes)
     keys = tuple(OBJECTIVE_KEYS[name] for name in problem.names)
     objectives = np.array([[point.objectives[key] for key in keys] for point in front])
     corner = reference_point(objectives)
@@ -79,8 +85,23 @@ def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
         neighbours=neighbours(problem, front[best.index].genes),
         present=present_line(problem),
         seconds=found.seconds,
-        warnings=(*problem.warnings, *_of_search(problem, found)),
+        warnings=(*problem.warnings, *_of_search(problem, found, len(front))),
     )
+
+
+def _confirmed(problem: DesignProblem, front: Genes) -> tuple[DesignPoint, ...]:
+    """Keep the designs that pass in plain closed form, too."""
+    points = []
+    for genes in front:
+        try:
+            points.append(design_point(problem, tuple(genes.tolist())))
+        except NotConvergedError:
+            continue
+    confirmed = tuple(point for point in points if point.checks.passes)
+    if not confirmed:
+        count = f"{len(front):,} design{'' if len(front) == 1 else 's'}"
+        raise NotConvergedError(f"the closed form confirms none of the {count} of the front")
+    return confirmed
 
 
 def _why(problem: DesignProblem, best: Knee, front: tuple[DesignPoint, ...]) -> str:
@@ -103,12 +124,18 @@ def _why(problem: DesignProblem, best: Knee, front: tuple[DesignPoint, ...]) -> 
     )
 
 
-def _of_search(problem: DesignProblem, found: Found) -> list[str]:
-    """Say what an engineer should know of how the front was found."""
+def _of_search(problem: DesignProblem, found: Found, confirmed: int) -> list[str]:
+    """Say what an engineer should know of how the front, of so many designs, was found."""
     told = []
     evaluated = f"{found.outcome.evaluations:,} of {problem.space.count:,} designs"
     if found.outcome.interrupted:
         told.append(f"the search was interrupted after {evaluated}: the front may be incomplete")
     if found.unsolved:
         told.append(f"{found.unsolved:,} designs did not converge and were left out")
+    left_out = len(found.outcome.genes) - confirmed
+    if left_out:
+        told.append(
+            "designs left out of the front, because the closed form does not confirm them: "
+            f"{left_out:,}; what only they beat is missing"
+        )
     return told

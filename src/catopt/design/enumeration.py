@@ -106,7 +106,7 @@ def enumerate_designs(
             pass_.take(first, end, stops_early=True)
         if pass_.feasible == 0:
             # Only now is it worth knowing by how much each design fails.
-            pass_ = _Pass(problem, progress, workers)
+            pass_ = _Pass(problem, progress, workers, evaluated=pass_.evaluations)
             for first, end in _chunks(problem.space.count, chunk):
                 pass_.take(first, end, stops_early=False)
     except KeyboardInterrupt:
@@ -115,9 +115,19 @@ def enumerate_designs(
 
 
 class _Pass:
-    """One pass over the space, and what it has found so far."""
+    """One pass over the space, and what it has found so far.
 
-    def __init__(self, problem: DesignProblem, progress: Progress | None, workers: int) -> None:
+    `evaluated` says how many designs an earlier pass has evaluated, which are no more for it.
+    """
+
+    def __init__(
+        self,
+        problem: DesignProblem,
+        progress: Progress | None,
+        workers: int,
+        *,
+        evaluated: int = 0,
+    ) -> None:
         self.problem = problem
         self.front = empty_front(len(problem.sizes), problem.objectives)
         self.evaluations = 0
@@ -127,6 +137,7 @@ class _Pass:
         self.least_excess = math.inf
         self._progress = progress
         self._workers = workers
+        self._evaluated = evaluated
 
     def take(self, first: int, end: int, *, stops_early: bool) -> None:
         """Evaluate the designs number `first` to `end` (not included)."""
@@ -151,7 +162,7 @@ class _Pass:
         outcome = Outcome(
             genes=self.front.genes,
             objectives=self.front.objectives,
-            evaluations=self.evaluations,
+            evaluations=max(self.evaluations, self._evaluated),
             feasible=self.feasible,
             interrupted=interrupted,
             closest=self.closest,

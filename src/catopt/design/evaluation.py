@@ -99,7 +99,8 @@ class DesignProblem:
         case = replace(case, find=None)
         assert case.design is not None
         checked = with_a_sinker(case)
-        criteria = criteria_of(checked)
+        key = "anchor" if case.design.sinker is None else "design.sinker"
+        criteria = criteria_of(checked, anchor_key=key)
         options = resolve(case, criteria, {state.kind for state in states})
         tables = tables_of(checked, states, options.space, criteria, case.design.sinker)
         warnings = (*options.warnings, *criteria.warnings)

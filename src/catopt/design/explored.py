@@ -46,8 +46,8 @@ class Explored:
         self._budget = budget
         self._progress = progress
         self._row: dict[bytes, int] = {}
-        self._objectives: Floats = np.empty((budget, problem.objectives))
-        self._excess: Floats = np.empty(budget)
+        self._objectives: Floats = np.empty((0, problem.objectives))
+        self._excess: Floats = np.empty(0)
 
     @property
     def share_spent(self) -> float:
@@ -97,6 +97,7 @@ class Explored:
         # What cannot be compared is no answer, whatever its checks say.
         excess = np.where(np.isfinite(objectives).all(axis=1), excess, np.maximum(excess, 1.0))
         first, last = self.evaluations, self.evaluations + len(genes)
+        self._make_room(last)
         self._objectives[first:last] = objectives
         self._excess[first:last] = excess
         self._row.update((each.tobytes(), first + k) for k, each in enumerate(genes))
@@ -109,6 +110,14 @@ class Explored:
             self.closest, self.least_excess = genes[[least]], float(excess[least])
         if self._progress is not None:
             self._progress(last, self._budget)
+
+    def _make_room(self, rows: int) -> None:
+        """Lengthen what is remembered to a number of rows or more; a budget may be any number."""
+        more = max(rows, 2 * len(self._excess)) - len(self._excess)
+        if rows > len(self._excess):
+            room = np.empty((more, self.problem.objectives))
+            self._objectives = np.concatenate((self._objectives, room))
+            self._excess = np.concatenate((self._excess, np.empty(more)))
 
 
 def explore(

@@ -9,7 +9,7 @@ from catopt.checks.result import CheckResult
 from catopt.design.evaluation import DesignProblem
 from catopt.design.outcome import Outcome
 from catopt.design.result import NearMiss
-from catopt.errors import InputError, NoAnswerError, Problem
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Line
 
 __all__ = ["NoFeasibleDesignError", "near_miss", "no_feasible_design"]
@@ -22,10 +22,15 @@ class NoFeasibleDesignError(NoAnswerError):
     ----------
     near_miss : NearMiss or None
         The design that fails by the least; None when the search was stopped before it was known.
+    interrupted : bool
+        Whether the search was stopped before its end, so that others may pass.
     """
 
-    def __init__(self, message: str, near_miss: NearMiss | None) -> None:
+    def __init__(
+        self, message: str, near_miss: NearMiss | None, *, interrupted: bool = False
+    ) -> None:
         self.near_miss = near_miss
+        self.interrupted = interrupted
         super().__init__(message)
 
 
@@ -52,15 +57,17 @@ def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDe
     if outcome.interrupted:
         head = f"interrupted: {head}"
     if outcome.closest is None:
-        return NoFeasibleDesignError(f"{head}.", None)
+        return NoFeasibleDesignError(f"{head}.", None, interrupted=outcome.interrupted)
     flaw = problem.space.flaw(outcome.closest)
     if flaw:
         allowed = "nearer to the anchor, or longer segments, are wanted"
         raise InputError([Problem("design.clump_weights", flaw, allowed)], "design")
     miss = near_miss(problem, outcome.closest)
     what = "\n".join(f"  {part}" for part in _failing(miss))
-    nearest = f"The one that fails by the least is {_line_words(miss.line)}. It fails:"
-    return NoFeasibleDesignError(f"{head}. {nearest}\n{what}", miss)
+    least = "by the least so far" if outcome.interrupted else "by the least"
+    nearest = f"The one that fails {least} is {_line_words(miss.line)}. It fails:"
+    message = f"{head}. {nearest}\n{what}"
+    return NoFeasibleDesignError(message, miss, interrupted=outcome.interrupted)
 
 
 def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
@@ -68,7 +75,7 @@ def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
     line = problem.space.line(genes)
     try:
         report = check_line(line, problem.case, problem.anchor(genes))
-    except NoAnswerError as error:
+    except (NoAnswerError, NotConvergedError) as error:
         return NearMiss(line, (), str(error))
     return NearMiss(line, report.failed)
 

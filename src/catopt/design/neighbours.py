@@ -9,7 +9,7 @@ from catopt.design.evaluation import DesignProblem
 from catopt.design.points import design_point
 from catopt.design.result import Neighbour
 from catopt.design.space import GENES_EACH, ClumpWeightVariable, DesignSpace, SegmentVariable
-from catopt.errors import NoAnswerError
+from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Segment
 
 __all__ = ["Step", "neighbour", "neighbours", "steps"]
@@ -58,7 +58,7 @@ def neighbour(problem: DesignProblem, step: Step) -> Neighbour:
         return Neighbour(step.change, None, flaw)
     try:
         return Neighbour(step.change, design_point(problem, step.genes))
-    except NoAnswerError as error:
+    except (NoAnswerError, NotConvergedError) as error:
         return Neighbour(step.change, None, str(error))
 
 

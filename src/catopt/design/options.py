@@ -10,6 +10,7 @@ from catopt.catalogue import Catalogue, Component
 from catopt.catalogue.choice import ChosenCatalogue, chosen
 from catopt.catalogue.figure import RECALLED, within
 from catopt.checks.criteria import Criteria
+from catopt.checks.line_kind import line_kind
 from catopt.design.space import ClumpWeightVariable, DesignSpace, SegmentVariable
 from catopt.errors import InputError, Problem
 from catopt.model import Case, ClumpWeightChoice, Segment, SegmentChoice
@@ -68,7 +69,10 @@ def resolve(case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]) -> 
         key = f"design.segments[{index}]"
         components = list(_components(choice, catalogue, key, found))
         warnings += _doubts(components, catalogue.families)
-        options = [_segment(component, choice.lengths[0]) for component in components]
+        options = [
+            replace(_segment(each, choice.lengths[0]), wear_rate=_wear_rate(case, index, each))
+            for each in components
+        ]
         if not choice.components:
             options = list(_own(case, index, choice, key, found))
         _check_figures(options, components, case.design.objectives, key, found)
@@ -112,6 +116,19 @@ def _bounds(choice: SegmentChoice) -> str:
     if choice.diameter_max is not None:
         parts.append(f"up to {choice.diameter_max * 1e3:g} mm")
     return " ".join(parts) if parts else "as far as is known; give diameters"
+
+
+def _wear_rate(case: Case, index: int, component: Component) -> float | None:
+    """Wear rate that the case's line has at this place; None where it has none of its own, m/s.
+
+    It goes with the place in the water, not with the size; but what steel loses to corrosion says
+    nothing of a fibre rope.
+    """
+    if index >= len(case.line.segments):
+        return None
+    own = case.line.segments[index]
+    is_rope = line_kind(component.family) == "rope"
+    return None if is_rope and line_kind(own.component) != "rope" else own.wear_rate
 
 
 def _segment(component: Component, length: float) -> Segment:

@@ -14,6 +14,7 @@ from catopt.design.evaluation import DesignProblem
 from catopt.design.near_miss import no_feasible_design
 from catopt.design.outcome import Progress
 from catopt.design.result import DesignResult
+from catopt.errors import InputError, Problem
 from catopt.model import Case, Design
 from catopt.model.design import SearchMethod
 
@@ -22,6 +23,9 @@ __all__ = ["LARGE_SPACES", "design_case"]
 LARGE_SPACES: Final = "nsga2"
 """What "auto" takes where a space is too large to enumerate: the better of the two by
 benchmarks/search.py."""
+
+MOST_ENUMERATED: Final = 10**12
+"""Designs that can be enumerated at all: at a million a second they take twelve days."""
 
 Announce = Callable[[str], None]
 
@@ -59,7 +63,8 @@ def design_case(
     Raises
     ------
     InputError
-        With every problem of what was asked: no such component, a figure that is missing.
+        With every problem of what was asked: no such component, a figure that is missing; or the
+        space is too large to be enumerated.
     NoFeasibleDesignError
         No design passes every check; it names the one that fails by the least.
     """
@@ -91,6 +96,7 @@ def _search(
     if method == "auto":
         method = "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
     if method == "enumeration":
+        _check_count(designs)
         workers = os.cpu_count() or 1
         announce(f"enumeration of {estimate(problem, workers=workers)}")
         start = time.perf_counter()
@@ -107,11 +113,20 @@ def _search(
     outcome = search(
         problem,
         evaluations=budget,
-        population=design.population,
+        population=min(design.population, budget),
         seed=design.seed,
         progress=progress,
     )
     return Found(outcome, method, time.perf_counter() - start)
+
+
+def _check_count(designs: int) -> None:
+    if designs > MOST_ENUMERATED:
+        allowed = (
+            f"is for {MOST_ENUMERATED:,} designs at most, of which the space has {designs:,}: "
+            "widen the steps, or take nsga2 or swarm"
+        )
+        raise InputError([Problem("design.method", "enumeration", allowed)], "design")
 
 
 def _say_nothing(_: str) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
@@ -12,10 +14,26 @@ if TYPE_CHECKING:
     from catopt.catalogue.document import Answer
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution
+    from catopt.checks.result import CheckReport
+    from catopt.design.result import DesignResult
+    from catopt.loads.component import Loads
     from catopt.model import Case
+    from catopt.mooring.case import SystemReport
     from catopt.reproduce import Reproduction
+    from catopt.verify.front import FrontVerification
+    from catopt.verify.result import Verification
 
-__all__ = ["catalogue_bundle", "curve_bundle", "reproduction_bundle", "solution_bundle"]
+__all__ = [
+    "catalogue_bundle",
+    "check_bundle",
+    "curve_bundle",
+    "design_bundle",
+    "loads_bundle",
+    "reproduction_bundle",
+    "solution_bundle",
+    "system_bundle",
+    "verification_bundle",
+]
 
 
 def solution_bundle(case: Case, solution: Solution) -> dict[str, bytes]:
@@ -96,6 +114,93 @@ def reproduction_bundle(result: Reproduction) -> dict[str, bytes]:
     for study in result.studies:
         if study.by_swarm is not None:
             files |= _swarm(study.by_swarm, study.name)
+        if study.moorings:
+            from catopt.report import mooring_views
+
+            files |= _figure(f"{study.name}_plan", mooring_views.plan(study))
+            files |= _figure(f"{study.name}_elevation", mooring_views.elevation(study))
+    return files
+
+
+def design_bundle(result: DesignResult) -> dict[str, bytes]:
+    """Make the files of ``catopt design CASE --out DIR``.
+
+    Beside document, tables, workbook and figure there is the case itself, so that
+    ``catopt solve DIR --design K`` needs nothing else.
+    """
+    from catopt.casefile import write_case
+    from catopt.design.document import design_document
+    from catopt.report import design
+    from catopt.report.design_plots import design_front
+    from catopt.report.workbook import design_workbook
+
+    return {
+        DESIGN_DOCUMENT: _json(design_document(result)),
+        DESIGN_CASE: write_case(result.case).encode(),
+        "design.xlsx": design_workbook(result),
+        "front.csv": _csv(design.front(result)),
+        "components.csv": _csv(design.components(result)),
+        "checks.csv": _csv(design.design_checks(result)),
+        "neighbours.csv": _csv(design.neighbours(result)),
+        "search.csv": _csv(design.search_summary(result)),
+        **_figure("front", design_front(result)),
+    }
+
+
+def check_bundle(report: CheckReport) -> dict[str, bytes]:
+    """Make the files of ``catopt check CASE --out DIR``: document, tables and workbook."""
+    from catopt.report import checks
+    from catopt.report.workbook import check_workbook
+
+    return {
+        "check.json": _json(report.to_dict()),
+        "check.xlsx": check_workbook(report),
+        "checks.csv": _csv(checks.checks(report)),
+        "load_cases.csv": _csv(checks.load_cases(report)),
+    }
+
+
+def system_bundle(report: SystemReport) -> dict[str, bytes]:
+    """Make the files of ``catopt system CASE --out DIR``: document, tables, workbook and figures.
+
+    The tables and figures of what was not asked for are left out.
+    """
+    from catopt.report import system, system_plots
+    from catopt.report.workbook import system_workbook
+
+    title = report.case.title
+    frames = system.frames(report)
+    files = {
+        "system.json": _json(report.to_dict()),
+        "system.xlsx": system_workbook(title, frames),
+        **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
+        **_figure("plan", system_plots.plan(report)),
+    }
+    if report.circle is not None:
+        files |= _figure("watch_circle", system_plots.watch_circle(report.circle, title))
+    if report.curves:
+        files |= _figure("restoring", system_plots.restoring(report.curves, title))
+    return files
+
+
+def verification_bundle(found: Verification | FrontVerification) -> dict[str, bytes]:
+    """Make the files of ``catopt verify ... --out DIR``: document, tables, workbook and figures.
+
+    A front has no figures.
+    """
+    from catopt.report import verify, verify_plots
+    from catopt.report.workbook import verification_workbook
+    from catopt.verify.result import Verification
+
+    frames = verify.frames(found)
+    files = {
+        "verify.json": _json(found.to_dict()),
+        "verify.xlsx": verification_workbook(verify.title_of(found), frames),
+        **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
+    }
+    if isinstance(found, Verification):
+        for name, figure in verify_plots.figures(found).items():
+            files |= _figure(name, figure)
     return files
 
 
@@ -109,6 +214,21 @@ def catalogue_bundle(answer: Answer) -> dict[str, bytes]:
         "catalog.json": _json(answer.to_dict()),
         "catalog.xlsx": catalogue_workbook(frames),
         **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
+    }
+
+
+def loads_bundle(of: Loads) -> dict[str, bytes]:
+    """Make the files of ``catopt loads ... --out DIR``: document, tables and workbook."""
+    from catopt.loads.document import loads_document
+    from catopt.report import loads
+    from catopt.report.workbook import loads_workbook
+
+    return {
+        "loads.json": _json(loads_document(of)),
+        "loads.xlsx": loads_workbook(of),
+        "loads.csv": _csv(loads.loads_table(of)),
+        "numbers.csv": _csv(loads.load_numbers(of)),
+        "notes.csv": _csv(loads.load_notes(of)),
     }
 
 

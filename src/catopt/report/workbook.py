@@ -4,44 +4,39 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Literal
 
 import pandas as pd
-import xlsxwriter
 
-from catopt._version import __version__
 from catopt.quantities import QUANTITIES
 from catopt.report import tables
+from catopt.report.design_words import OBJECTIVES
+from catopt.report.texts import Language, Words
+from catopt.report.workbook_sheet import Book, Chart, Series, Sheet
 
 if TYPE_CHECKING:
-    from xlsxwriter.workbook import Workbook
-    from xlsxwriter.worksheet import Worksheet
-
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution, SwarmReport
+    from catopt.checks.result import CheckReport
+    from catopt.design.result import DesignResult
+    from catopt.loads.component import Loads
     from catopt.model import Case
     from catopt.reproduce import Reproduction
 
-__all__ = ["catalogue_workbook", "curve_workbook", "reproduction_workbook", "solution_workbook"]
-
-_SCIENTIFIC = tuple(q.name.lower() for q in QUANTITIES.values() if q.notation == "scientific")
-_DIGITS = {q.field_unit: q.digits for q in sorted(QUANTITIES.values(), key=lambda q: q.digits)}
-_DIGITS["tf"] = _DIGITS["kN"] + 1
-
-_COUNT = "General"
-_WIDEST = 60
-_HEADING_HEIGHT = 33
-"""Points: two lines of bold text, to which a heading may fold."""
-_CHART = {"width": 620, "height": 380}
-_LINES = (
-    {"color": "#0072B2", "width": 1.75},
-    {"color": "#D55E00", "width": 1.75, "dash_type": "dash"},
-)
-"""Of the first and of the second curve in a chart."""
+__all__ = [
+    "catalogue_workbook",
+    "check_workbook",
+    "curve_workbook",
+    "design_workbook",
+    "loads_workbook",
+    "reproduction_workbook",
+    "solution_workbook",
+    "system_workbook",
+    "verification_workbook",
+]
 
 
-def solution_workbook(case: Case, solution: Solution) -> bytes:
+def solution_workbook(case: Case, solution: Solution, language: Language = "en") -> bytes:
     """Lay out a case and its solution.
 
     Parameters
@@ -50,13 +45,15 @@ def solution_workbook(case: Case, solution: Solution) -> bytes:
         What was given.
     solution : Solution
         What came out.
+    language : {"en", "vi"}
+        Of its words.
 
     Returns
     -------
     bytes
         An .xlsx file with the sheets Inputs, Results, Line shape and, for a swarm, Swarm.
     """
-    book = _Book(solution.title)
+    book = Book(solution.title, Words(language))
     _inputs(book, case, solution)
     _results(book, solution)
     _line_shape(book, solution)
@@ -73,7 +70,7 @@ def curve_workbook(result: CaseCurve) -> bytes:
     bytes
         An .xlsx file with the sheets Inputs, Results, Curve and Marks.
     """
-    book = _Book(result.case.title)
+    book = Book(result.case.title)
     _inputs(book, result.case, result.reference)
     _results(book, result.reference)
     frame = tables.curve_points(result)
@@ -81,7 +78,7 @@ def curve_workbook(result: CaseCurve) -> bytes:
     sheet.table(frame)
     span, _, force, tension, *_ = frame.columns
     place = (1, len(frame.columns) + 1)
-    sheet.chart(frame, span, force, result.case.title, place=place, further=(tension,))
+    _draw(sheet, frame, span, (force, tension), result.case.title, place=place)
     book.sheet("Marks").table(tables.curve_marks(result))
     return book.close()
 
@@ -94,7 +91,7 @@ def reproduction_workbook(result: Reproduction) -> bytes:
     bytes
         An .xlsx file with the sheets Comparison, Inputs and Findings.
     """
-    book = _Book("Published figures beside catopt's")
+    book = Book("Published figures beside catopt's")
     book.sheet("Comparison").table(tables.reproduction(result))
     given = book.sheet("Inputs")
     found = book.sheet("Findings")
@@ -115,6 +112,54 @@ def reproduction_workbook(result: Reproduction) -> bytes:
         ),
         wrap=True,
     )
+    for study in result.studies:
+        if study.side_by_side:
+            sheet = book.sheet(study.name[:31])
+            for table in study.side_by_side:
+                frame = pd.DataFrame(table.rows, columns=list(table.header))
+                sheet.table(frame, title=table.title, wrap=True)
+    return book.close()
+
+
+def design_workbook(result: DesignResult, language: Language = "en") -> bytes:
+    """Lay out the front of a design search.
+
+    Returns
+    -------
+    bytes
+        An .xlsx file with the sheets Front, Recommended, Components, Checks and Search.
+    """
+    from catopt.report import design
+
+    book = Book(result.case.title, Words(language))
+    frame = design.front(result)
+    sheet = book.sheet("Front")
+    sheet.table(frame)
+    x, y = (OBJECTIVES[key].heading for key in result.objectives[:2])
+    _draw(sheet, frame, x, (y,), result.case.title, place=(len(frame) + 3, 1), style="points")
+    recommended = book.sheet("Recommended")
+    recommended.list_of(frame.iloc[[result.recommended]])
+    recommended.table(design.neighbours(result), title="One step up or down", wrap=True)
+    book.sheet("Components").table(design.components(result))
+    book.sheet("Checks").table(design.design_checks(result))
+    book.sheet("Search").list_of(design.search_summary(result))
+    return book.close()
+
+
+def check_workbook(report: CheckReport, language: Language = "en") -> bytes:
+    """Lay out a report of checks.
+
+    Returns
+    -------
+    bytes
+        An .xlsx file with the sheets Summary, Checks and Load cases.
+    """
+    from catopt.report import checks
+
+    book = Book(report.title, Words(language))
+    book.sheet("Summary").list_of(checks.check_summary(report))
+    book.sheet("Checks").table(checks.checks(report), wrap=True)
+    book.sheet("Load cases").table(checks.load_cases(report))
     return book.close()
 
 
@@ -131,16 +176,77 @@ def catalogue_workbook(frames: Mapping[str, pd.DataFrame]) -> bytes:
     bytes
         An .xlsx file with a sheet for each table.
     """
-    book = _Book("Components with the source of every figure")
+    book = Book("Components with the source of every figure")
     for name, frame in frames.items():
         book.sheet(name.capitalize()).table(frame, wrap=True)
+    return book.close()
+
+
+def system_workbook(title: str, frames: Mapping[str, pd.DataFrame]) -> bytes:
+    """Lay out a moored body: a sheet for itself and one for each further table.
+
+    Parameters
+    ----------
+    title : str
+        Of the case.
+    frames : mapping of str to DataFrame
+        As `catopt.report.system.frames` makes them.
+    """
+    book = Book(title)
+    for name, frame in frames.items():
+        sheet = book.sheet(name.replace("_", " ").capitalize())
+        if name == "body":
+            sheet.list_of(frame)
+            continue
+        sheet.table(frame)
+        if name.startswith("restoring"):
+            _, offset, force, *_ = frame.columns
+            _draw(sheet, frame, offset, (force,), title, place=(1, len(frame.columns) + 1))
+    return book.close()
+
+
+def verification_workbook(title: str, frames: Mapping[str, pd.DataFrame]) -> bytes:
+    """Lay out a verification: a sheet for each of its tables.
+
+    Parameters
+    ----------
+    title : str
+        Of the case or the search.
+    frames : mapping of str to DataFrame
+        As `catopt.report.verify.frames` makes them.
+    """
+    book = Book(title)
+    for name, frame in frames.items():
+        book.sheet(name.capitalize()).table(frame, wrap=name in {"designs", "verdicts"})
+    return book.close()
+
+
+def loads_workbook(of: Loads) -> bytes:
+    """Lay out loads: forces, numbers, assumptions and warnings.
+
+    Parameters
+    ----------
+    of : Loads
+        On a buoy or a ship.
+
+    Returns
+    -------
+    bytes
+        An .xlsx file.
+    """
+    from catopt.report import loads
+
+    book = Book(of.title)
+    book.sheet("Forces").table(loads.loads_table(of), wrap=True)
+    book.sheet("Numbers").table(loads.load_numbers(of), wrap=True)
+    book.sheet("Notes").table(loads.load_notes(of), wrap=True)
     return book.close()
 
 
 # ------------------------------------------------------------------ sheets
 
 
-def _inputs(book: _Book, case: Case, solution: Solution) -> None:
+def _inputs(book: Book, case: Case, solution: Solution) -> None:
     sheet = book.sheet("Inputs")
     sheet.list_of(tables.inputs(case))
     sheet.table(tables.segment_inputs(case.line), title="Segments, from the anchor to the fairlead")
@@ -150,7 +256,7 @@ def _inputs(book: _Book, case: Case, solution: Solution) -> None:
         sheet.table(tables.swarm_settings(case), title="Swarm")
 
 
-def _results(book: _Book, solution: Solution) -> None:
+def _results(book: Book, solution: Solution) -> None:
     sheet = book.sheet("Results")
     sheet.list_of(tables.summary(solution))
     sheet.table(tables.segments(solution), title="Segments, from the anchor to the fairlead")
@@ -158,16 +264,16 @@ def _results(book: _Book, solution: Solution) -> None:
         sheet.table(tables.point_loads(solution), title="Point loads")
 
 
-def _line_shape(book: _Book, solution: Solution) -> None:
+def _line_shape(book: Book, solution: Solution) -> None:
     frame = tables.profile(solution)
     sheet = book.sheet("Line shape")
     sheet.table(frame)
     s, x, z, tension = (QUANTITIES[key].heading for key in ("s", "x", "z", "tension"))
-    sheet.chart(frame, x, z, "Line shape", place=(1, 5))
-    sheet.chart(frame, s, tension, "Tension along the line", place=(21, 5))
+    _draw(sheet, frame, x, (z,), "Line shape", place=(1, 5))
+    _draw(sheet, frame, s, (tension,), "Tension along the line", place=(21, 5))
 
 
-def _swarm(book: _Book, swarm: SwarmReport) -> None:
+def _swarm(book: Book, swarm: SwarmReport) -> None:
     history, runs = tables.swarm_history(swarm), tables.swarm_runs(swarm)
     sheet = book.sheet("Swarm")
     sheet.table(history)
@@ -175,168 +281,33 @@ def _swarm(book: _Book, swarm: SwarmReport) -> None:
     iteration, objective, tension, _ = history.columns
     place = len(history.columns) + len(runs.columns) + 2
     # Excel leaves out what is 0 on a logarithmic axis; the title says so.
-    title = f"{objective}; exact zeros are not drawn"
+    title = book.words.sentence(f"{objective}; exact zeros are not drawn").text
     decades = _decades(history[objective])
-    sheet.chart(history, iteration, objective, title, place=(1, place), log=decades)
-    sheet.chart(history, iteration, tension, tension, place=(21, place))
+    _draw(sheet, history, iteration, (objective,), title, place=(1, place), log=decades)
+    _draw(sheet, history, iteration, (tension,), tension, place=(21, place))
 
 
-# ------------------------------------------------------------------ the workbook itself
-
-
-class _Book:
-    """A workbook in memory with its formats."""
-
-    def __init__(self, title: str) -> None:
-        self.stream = BytesIO()
-        self.workbook: Workbook = xlsxwriter.Workbook(self.stream, {"in_memory": True})
-        self.workbook.set_properties({"title": title, "comments": f"catopt {__version__}"})
-        self.heading = self._format(bold=True, text_wrap=True, bottom=1, valign="bottom")
-        self.title = self._format(bold=True, font_size=12)
-        self.text = self._format(valign="top", indent=1)
-        self.wrapped = self._format(valign="top", indent=1, text_wrap=True)
-        self.beside_numbers = self._format(valign="top", align="right")
-        self._numbers: dict[str, Any] = {}
-
-    def _format(self, **properties: Any) -> Any:
-        return self.workbook.add_format(properties)
-
-    def number(self, heading: str) -> Any:
-        """Choose the number format that goes with the unit in a heading."""
-        pattern = _pattern(heading)
-        if pattern not in self._numbers:
-            side = "center" if pattern == _COUNT else "right"
-            self._numbers[pattern] = self._format(num_format=pattern, valign="top", align=side)
-        return self._numbers[pattern]
-
-    def sheet(self, name: str) -> _Sheet:
-        """Add a sheet whose first row stays in sight."""
-        worksheet = self.workbook.add_worksheet(name)
-        worksheet.freeze_panes(1, 0)
-        worksheet.set_landscape()
-        worksheet.set_paper(9)  # A4
-        worksheet.fit_to_pages(1, 0)
-        worksheet.repeat_rows(0)
-        return _Sheet(self, worksheet)
-
-    def close(self) -> bytes:
-        """Finish the file."""
-        self.workbook.close()
-        return self.stream.getvalue()
-
-
-class _Sheet:
-    """A sheet that is filled from the top down."""
-
-    def __init__(self, book: _Book, worksheet: Worksheet) -> None:
-        self.book = book
-        self.worksheet = worksheet
-        self.row = 0
-        self.widths: dict[int, float] = {}
-
-    def list_of(self, frame: pd.DataFrame) -> None:
-        """Write the one row of a table as a list: heading with unit, value."""
-        self._heading(0, "Quantity (unit)", 44)
-        self._heading(1, "Value (unit of the row)", 24)
-        for row, (heading, value) in enumerate(frame.iloc[0].items(), start=1):
-            self.worksheet.write_string(row, 0, str(heading), self.book.text)
-            self._value(row, 1, str(heading), "-" if pd.isna(value) else value)
-        self.row = len(frame.columns) + 2
-
-    def table(
-        self, frame: pd.DataFrame, *, title: str = "", column: int = 0, wrap: bool = False
-    ) -> None:
-        """Write a table below what is there; beside it, from the top, when a column is given."""
-        top = 0 if column else self.row
-        if title:
-            self.worksheet.write_string(top, column, title, self.book.title)
-            top += 1
-        for index, name in enumerate(frame.columns):
-            place = column + index
-            self._heading(place, str(name), _width(frame[name], str(name)), top)
-            for row, value in enumerate(frame[name], start=top + 1):
-                self._value(row, place, str(name), value, wrap=wrap)
-        if not column:
-            self.row = top + len(frame) + 2
-
-    def chart(
-        self,
-        frame: pd.DataFrame,
-        x: str,
-        y: str,
-        title: str,
-        *,
-        place: tuple[int, int],
-        log: tuple[float, float] | None = None,
-        further: tuple[str, ...] = (),
-    ) -> None:
-        """Draw a column of a table that starts in the first row and column over another.
-
-        Parameters
-        ----------
-        frame : DataFrame
-            The table, as it stands on the sheet.
-        x, y : str
-            Headings of its columns.
-        title : str
-            Above the chart.
-        place : tuple of int
-            Row and column of its upper left corner.
-        log : tuple of float, optional
-            Ends of a logarithmic y axis.
-        further : tuple of str
-            Headings of more columns for the same y axis; a legend then tells which is which.
-        """
-        chart = self.book.workbook.add_chart({"type": "scatter", "subtype": "straight"})
-        for name, line in zip((y, *further), _LINES, strict=False):
-            columns = [frame.columns.get_loc(each) for each in (x, name)]
-            cells = [[self.worksheet.name, 1, column, len(frame), column] for column in columns]
-            chart.add_series(
-                {"name": name, "categories": cells[0], "values": cells[1], "line": line}
-            )
-        y_axis: dict[str, Any] = {
-            "name": " and ".join((y, *further)),
-            "major_gridlines": {"visible": True},
-        }
-        if log is not None:
-            y_axis |= {"log_base": 10, "min": log[0], "max": log[1], "crossing": log[0]}
-            y_axis |= {"num_format": "0E+00"}
-        chart.set_title({"name": title, "name_font": {"size": 12}})
-        chart.set_x_axis({"name": x, "label_position": "low"})
-        chart.set_y_axis(y_axis)
-        chart.set_legend({"position": "bottom"} if further else {"none": True})
-        chart.set_size(_CHART)
-        self.worksheet.insert_chart(*place, chart)
-
-    def _heading(self, column: int, name: str, width: float, row: int = 0) -> None:
-        self.worksheet.set_row(row, _HEADING_HEIGHT)
-        self.worksheet.write_string(row, column, name, self.book.heading)
-        self.widths[column] = max(self.widths.get(column, 0.0), width)
-        self.worksheet.set_column(column, column, self.widths[column])
-
-    def _value(
-        self, row: int, column: int, heading: str, value: object, *, wrap: bool = False
-    ) -> None:
-        text = self.book.wrapped if wrap else self.book.text
-        if isinstance(value, str):
-            # Never as a formula or a link, whatever a name in a case file looks like.
-            self.worksheet.write_string(row, column, value, text)
-        elif value is None or (isinstance(value, float) and math.isnan(value)):
-            self.worksheet.write_blank(row, column, None, text)
-        elif isinstance(value, float) and math.isinf(value):
-            self.worksheet.write_string(row, column, "inextensible", self.book.beside_numbers)
-        else:
-            self.worksheet.write_number(row, column, value, self.book.number(heading))
-
-
-def _pattern(heading: str) -> str:
-    if any(name in heading.lower() for name in _SCIENTIFIC):
-        return "0.00E+00"
-    unit = heading.rpartition("(")[2].rstrip(")")
-    digits = _DIGITS.get(unit) if heading.endswith(")") else None
-    if digits is None:
-        return _COUNT
-    return f"0.{'0' * digits}" if digits else "0"
+def _draw(
+    sheet: Sheet,
+    frame: pd.DataFrame,
+    x: str,
+    columns: tuple[str, ...],
+    title: str,
+    *,
+    place: tuple[int, int],
+    log: tuple[float, float] | None = None,
+    style: Literal["line", "points"] = "line",
+) -> None:
+    """Draw columns of a table that starts in the first row and column over another of them."""
+    said = sheet.book.said_heading
+    places = list(frame.columns)
+    series = tuple(
+        Series(said(name), (1, len(frame)), places.index(x), places.index(name), style, index)
+        for index, name in enumerate(columns)
+    )
+    axis = f" {sheet.book.words('workbook.and')} ".join(said(name) for name in columns)
+    row, column = place
+    sheet.chart(Chart(said(title), said(x), axis, series, log), row=row, column=column)
 
 
 def _decades(values: pd.Series[float]) -> tuple[float, float] | None:
@@ -346,9 +317,3 @@ def _decades(values: pd.Series[float]) -> tuple[float, float] | None:
         return None
     low, high = math.floor(math.log10(positive.min())), math.ceil(math.log10(positive.max()))
     return 10.0**low, 10.0 ** max(high, low + 1)
-
-
-def _width(values: pd.Series[Any], heading: str) -> float:
-    """Choose a column width, in characters: a heading may fold, a value may not."""
-    longest = max((len(value) for value in values if isinstance(value, str)), default=0)
-    return float(min(max(longest, 12, math.ceil(len(heading) / 2) + 3), _WIDEST))
