@@ -17,6 +17,7 @@ NAMES = (
     "buoy_9p5m",
     "ship_200m",
     "tanker_20m",
+    "tanker_20m_loads",
     "tanker_20m_sinker",
     "load_sharing",
     "fso_rang_dong",

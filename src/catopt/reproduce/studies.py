@@ -11,6 +11,7 @@ from catopt.reproduce import (
     load_sharing,
     ship_200m,
     tanker_20m,
+    tanker_20m_loads,
     tanker_20m_sinker,
 )
 from catopt.reproduce.items import Reproduction, Study
@@ -23,6 +24,7 @@ _STUDIES: dict[str, Callable[[Progress | None], Study]] = {
     buoy_9p5m.NAME: buoy_9p5m.study,
     ship_200m.NAME: lambda _progress: ship_200m.study(),
     tanker_20m.NAME: lambda _progress: tanker_20m.study(),
+    tanker_20m_loads.NAME: lambda _progress: tanker_20m_loads.study(),
     tanker_20m_sinker.NAME: lambda _progress: tanker_20m_sinker.study(),
     load_sharing.NAME: lambda _progress: load_sharing.study(),
     fso_rang_dong.NAME: lambda _progress: fso_rang_dong.study(),
