@@ -1,0 +1,123 @@
+"""What the pages need on the way to the site: mkdocs calls these functions, see mkdocs.yml.
+
+The pages are written for the repository: they link to files beside docs/ and mark what a test runs.
+Here the files that they link to become pages of the site, links follow them there, and the tables
+of docs/api.md give way to the docstrings themselves.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from mkdocs.config.defaults import MkDocsConfig
+    from mkdocs.structure.files import Files
+    from mkdocs.structure.pages import Page
+
+__all__ = ["described", "on_files", "on_page_markdown", "relinked", "title", "unmarked"]
+
+ROOT = Path(__file__).parents[2]
+BESIDE_DOCS = (
+    "CHANGELOG.md",
+    "benchmarks/results/*.md",
+    "cases/**/*.toml",
+    "reports/**/*.html",
+    "reports/**/*.md",
+    "reports/**/*.svg",
+)
+
+FENCE = re.compile(r"^(?P<fence>`{3,}).*?^(?P=fence)$", re.MULTILINE | re.DOTALL)
+MARK = re.compile(r"^(```\w+) run$", re.MULTILINE)
+LINK = re.compile(r"(?P<image>!?)\[(?P<text>(?:[^\]\[]|\[[^\]]*\])*)\]\((?P<target>[^)\s]+)\)")
+NAMES = re.compile(
+    r"^<!-- (?P<module>catopt[a-z_.]*)[\w ]*: python -m tests\.api_page -->\n"
+    r"(?P<table>.*?)^<!-- end -->$",
+    re.MULTILINE | re.DOTALL,
+)
+ROW = re.compile(r"^\| \[`(?P<name>\w+)`\]", re.MULTILINE)
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """Take in what the pages link to beside docs/: books, notes, benchmark results and cases."""
+    from mkdocs.structure.files import File
+
+    for pattern in BESIDE_DOCS:
+        for path in sorted(ROOT.glob(pattern)):
+            place = path.relative_to(ROOT).as_posix()
+            files.append(File.generated(config, place, abs_src_path=str(path)))
+    return files
+
+
+def on_page_markdown(markdown: str, page: Page, files: Files, **_: object) -> str:
+    """Make a page of the repository one of the site."""
+    known = {file.src_uri for file in files}
+    return relinked(unmarked(described(markdown)), page.file.src_uri, known)
+
+
+def unmarked(markdown: str) -> str:
+    """Take the marks of blocks that a test runs off."""
+    return MARK.sub(r"\1", markdown)
+
+
+def described(markdown: str) -> str:
+    """Put mkdocstrings' directives in the place of the tables of names of docs/api.md."""
+
+    def directives(found: re.Match[str]) -> str:
+        names = ROW.findall(found["table"])
+        return "\n\n".join(f"::: {found['module']}.{name}" for name in names)
+
+    return NAMES.sub(directives, markdown)
+
+
+def relinked(markdown: str, page: str, known: set[str]) -> str:
+    """Point links to where their targets are on the site.
+
+    Parameters
+    ----------
+    markdown : str
+        The text of a page.
+    page : str
+        Its place on the site.
+    known : set of str
+        Places of everything on the site. A link to anything else in the repository, source code
+        say, loses its target and keeps its words.
+    """
+    parts, end = [], 0
+    for fence in FENCE.finditer(markdown):
+        parts += [_relinked(markdown[end : fence.start()], page, known), fence[0]]
+        end = fence.end()
+    return "".join([*parts, _relinked(markdown[end:], page, known)])
+
+
+def _relinked(text: str, page: str, known: set[str]) -> str:
+    def moved(found: re.Match[str]) -> str:
+        path, hash_, anchor = found["target"].partition("#")
+        if not path or re.match(r"[a-z]+:", path):
+            return found[0]
+        goal = _on_site(posixpath.join(posixpath.dirname(_in_repository(page)), path))
+        if goal not in known:
+            return found["text"] if (ROOT / goal).exists() else found[0]
+        place = posixpath.relpath(goal, posixpath.dirname(page) or ".")
+        words = title(goal) if found["text"].endswith(".md") else found["text"]
+        return f"{found['image']}[{words}]({place}{hash_}{anchor})"
+
+    return LINK.sub(moved, text)
+
+
+def title(page: str) -> str:
+    """Title of a page of the site: readers of the site know no file names."""
+    first = (ROOT / _in_repository(page)).read_text("utf-8").partition("\n")[0]
+    return first.removeprefix("# ")
+
+
+def _in_repository(page: str) -> str:
+    """Path in the repository of what has a place on the site."""
+    return f"docs/{page}" if (ROOT / "docs" / page).exists() else page
+
+
+def _on_site(path: str) -> str:
+    """Place on the site of a path in the repository."""
+    return posixpath.normpath(path).removeprefix("docs/")

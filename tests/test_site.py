@@ -1,0 +1,233 @@
+"""The documentation site: built without a warning, whole without a network, and fit to be read.
+
+The longer checks want the extra ``docs``, and Chromium (Debian's package ``chromium``).
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any, Literal
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from markdown_it import MarkdownIt
+
+from tests.report.browser import CHROMIUM, Tab, chromium
+from tests.snippets import ROOT
+
+DOCS = ROOT / "docs"
+PAGES = sorted(path.relative_to(DOCS).as_posix() for path in DOCS.rglob("*.md"))
+GENERATED = {"api.md", "api-parts.md"}
+"""Pages whose tables give way to docstrings on the site."""
+
+
+def _hooks() -> Any:
+    spec = importlib.util.spec_from_file_location("hooks", DOCS / "site" / "hooks.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+HOOKS = _hooks()
+
+
+# ------------------------------------------------------------------ what the hooks do
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_page_is_in_the_navigation(page: str) -> None:
+    listed = re.findall(r"^ +- (?:[^:\n]+: )?(\S+\.md)$", (ROOT / "mkdocs.yml").read_text(), re.M)
+    assert page in listed, "add it to nav in mkdocs.yml"
+
+
+@pytest.mark.parametrize(
+    ("page", "link", "moved"),
+    [
+        ("theory.md", "[b](../benchmarks/results/swarm.md)", "[b](benchmarks/results/swarm.md)"),
+        ("how-to/a.md", "[t](../theory.md#on-the-bed)", "[t](../theory.md#on-the-bed)"),
+        ("theory.md", "![m](regime-map.svg)", "![m](regime-map.svg)"),
+        ("theory.md", "[theory.md](theory.md)", "[Theory](theory.md)"),
+        ("theory.md", "[`f`](../src/catopt/errors.py)", "`f`"),
+        ("reports/reproduction.md", "[t](../docs/theory.md)", "[t](../theory.md)"),
+        ("theory.md", "[s](#notation) [w](https://toml.io)", "[s](#notation) [w](https://toml.io)"),
+        ("theory.md", "[g](gone.md)", "[g](gone.md)"),
+        ("theory.md", "```text\n[a](../README.md)\n```", "```text\n[a](../README.md)\n```"),
+    ],
+)
+def test_links_follow_their_targets(page: str, link: str, moved: str) -> None:
+    known = {"theory.md", "regime-map.svg", "benchmarks/results/swarm.md"}
+    assert HOOKS.relinked(link, page, known) == moved
+
+
+def test_marks_of_what_is_run_are_taken_off() -> None:
+    assert HOOKS.unmarked("```sh run\na run\n```\n") == "```sh\na run\n```\n"
+
+
+def test_tables_of_names_give_way_to_docstrings() -> None:
+    table = (
+        "<!-- catopt.waves: python -m tests.api_page -->\n\n| name | what it is |\n|---|---|\n"
+        "| [`Sea`](../src/x.py) | A sea. |\n\n<!-- end -->\n"
+    )
+    assert HOOKS.described(f"a\n{table}b") == "a\n::: catopt.waves.Sea\nb"
+
+
+# ------------------------------------------------------------------ the site
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build the site where no network answers."""
+    pytest.importorskip("mkdocs", reason="optional extra: docs")
+    pytest.importorskip("material", reason="optional extra: docs")
+    pytest.importorskip("mkdocstrings", reason="optional extra: docs")
+    folder = tmp_path_factory.mktemp("site")
+    nowhere = dict.fromkeys(("http_proxy", "https_proxy", "all_proxy"), "http://127.0.0.1:9")
+    built = subprocess.run(
+        [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", str(folder)],
+        cwd=ROOT,
+        env={**os.environ, **nowhere, "NO_MKDOCS_2_WARNING": "1", "PYTHONWARNINGS": "error"},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+        timeout=180,
+    )
+    assert built.returncode == 0, built.stderr
+    assert "WARNING" not in built.stderr
+    return folder
+
+
+class Parts(HTMLParser):
+    """What a page is made of: tags of its text, names to link to, and what it refers to."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tags: Counter[str] = Counter()
+        self.names: set[str] = set()
+        self.links: list[str] = []
+        self.loads: list[str] = []
+        self._inside = 0
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        given = {name: value or "" for name, value in attributes}
+        self.names |= {given[name] for name in ("id", "name") if name in given}
+        if tag == "a" and "href" in given:
+            self.links.append(given["href"])
+        elif tag == "link" and given.get("rel") not in {"prev", "next", "canonical"}:
+            self.loads.append(given["href"])
+        elif "src" in given:
+            self.loads.append(given["src"])
+        if tag == "article":
+            self._inside += 1
+        elif self._inside:
+            self.tags[tag] += 1
+
+    def handle_endtag(self, tag: str) -> None:
+        self._inside -= tag == "article"
+
+
+@cache
+def parts(page: Path) -> Parts:
+    read = Parts()
+    read.feed(page.read_text("utf-8"))
+    return read
+
+
+def pages(site: Path) -> Iterator[Path]:
+    return (path for path in sorted(site.rglob("*.html")) if path.name != "404.html")
+
+
+@pytest.mark.slow
+def test_nothing_is_loaded_from_elsewhere(site: Path) -> None:
+    loaded = {load for page in pages(site) for load in parts(page).loads}
+    assert loaded
+    assert [load for load in loaded if urlsplit(load).netloc] == []
+    for style in site.rglob("*.css"):
+        assert re.findall(r"url\(['\"]?(?:https?:)?//", style.read_text("utf-8")) == [], style
+
+
+@pytest.mark.slow
+def test_every_link_of_the_site_leads_somewhere(site: Path) -> None:
+    broken = []
+    for page in pages(site):
+        for link in parts(page).links:
+            place = urlsplit(link)
+            if place.scheme or place.netloc:
+                continue
+            goal = (page.parent / unquote(place.path)).resolve() if place.path else page
+            anchor = unquote(place.fragment)
+            if not goal.is_file() or (
+                anchor and goal.suffix == ".html" and anchor not in parts(goal).names
+            ):
+                broken.append(f"{page.relative_to(site)}: {link}")
+    assert broken == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", [page for page in PAGES if page not in GENERATED])
+def test_a_page_is_made_of_the_same_parts_on_the_site_as_in_the_repository(
+    site: Path, page: str
+) -> None:
+    """Lists, tables, headings and blocks, as CommonMark with tables reads them."""
+    text = (DOCS / page).read_text("utf-8")
+    tokens = MarkdownIt("commonmark").enable("table").parse(text)
+    wanted = Counter(token.tag for token in tokens if token.nesting == 1)
+    wanted["pre"] = sum(token.type in {"fence", "code_block"} for token in tokens)
+    found = parts((site / page).with_suffix(".html")).tags
+    kinds = ("h1", "h2", "h3", "ol", "ul", "li", "table", "tr", "td", "pre")
+    assert {kind: found[kind] for kind in kinds} == {kind: wanted[kind] for kind in kinds}
+
+
+# ------------------------------------------------------------------ in a browser
+
+
+@pytest.fixture(scope="module")
+def tab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tab]:
+    if not CHROMIUM:
+        pytest.skip("Chromium is not installed")
+    with chromium(tmp_path_factory.mktemp("browser")) as opened:
+        yield opened
+
+
+SIZES: list[tuple[int, Literal["light", "dark"]]] = [(1280, "light"), (390, "dark")]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("width", "scheme"), SIZES)
+def test_no_page_is_wider_than_the_screen_or_complains(
+    site: Path, tab: Tab, width: int, scheme: Literal["light", "dark"]
+) -> None:
+    for page in pages(site):
+        if "cases" in page.relative_to(site).parts or "reports" in page.relative_to(site).parts:
+            continue
+        tab.messages.clear()
+        tab.open(page, width, scheme=scheme)
+        room = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+        assert (page.name, tab.value(room)) == (page.name, 0)
+        assert (page.name, tab.messages) == (page.name, [])
+
+
+@pytest.mark.slow
+def test_the_search_answers_from_disk(site: Path, tab: Tab) -> None:
+    tab.messages.clear()
+    tab.open(site / "index.html", 1280)
+    tab.value("document.querySelector('.md-search__input').focus()")
+    tab.call("Input.insertText", text="touchdown")
+    tab.press("n")
+    found = "document.querySelectorAll('.md-search-result__item a[href*=\"theory.html\"]').length"
+    until = time.monotonic() + 20.0
+    while not tab.value(found) and time.monotonic() < until:
+        time.sleep(0.1)
+    assert tab.value(found) > 0
+    assert tab.messages == []
