@@ -23,7 +23,13 @@ from catopt.fem.bar import axis
 from catopt.fem.bed import ABSENT, FREE, HELD, ON_BED, PULLED, SPRING, Ground, touches
 from catopt.fem.friction import drag_spring, rub
 from catopt.fem.loads import BarLoads
-from catopt.fem.touchdown import own_rest, share_weight
+from catopt.fem.touchdown import (
+    hanging_node,
+    own_rest,
+    share_slope,
+    share_weight,
+    shift_slope,
+)
 
 __all__ = ["Bars", "Law", "State", "assemble"]
 
@@ -142,6 +148,8 @@ def assemble(
     strain = 0.0
     for e in range(first, end):
         strain = max(strain, _bar(e, line, first, bars, state, loads, ground, law, band, rhs))
+    if law.ease == 0.0:
+        _touch_down(line, first, end, state, loads, ground, law, band)
     changed = 0
     for e in range(first + 1, end):
         changed += _node(e, line, bars, state, loads, ground, law, band, rhs)
@@ -196,10 +204,33 @@ def _bar(
                 band[up, DIAGONAL + j - i] += by_first - g
                 band[up, DIAGONAL + 4 + j - i] += by_second + g
                 band[down, DIAGONAL - 4 + j - i] += by_first + g
-    if law.ease == 0.0 and math.isinf(ground.stiffness[a]):
-        weight = -2.0 * loads.force[e, 2]
-        share_weight(a, row, has_first, T, t, across, weight, state.contact, state.balance, band)
     return 0.0 if slack else abs(misfit) / l0
+
+
+def _touch_down(
+    line: int, first: int, end: int, state: State, loads: BarLoads, ground: Ground, law: Law,
+    band: Any,
+) -> None:  # fmt: skip
+    """Let bars that lie in part on a rigid bed share their weight (`touchdown`)."""
+    for e in range(first, end):
+        a = e + line
+        hangs = hanging_node(a, state.contact)
+        if hangs >= 0 and math.isinf(ground.stiffness[a]):
+            rise = state.tension[e] * axis(state.x, a)[3]
+            share_weight(a, hangs, rise, -2.0 * loads.force[e, 2], state.balance)
+    # Only now is it known what each hanging node is left with.
+    for e in range(first, end):
+        a = e + line
+        hangs = hanging_node(a, state.contact)
+        if hangs >= 0 and math.isinf(ground.stiffness[a]):
+            size, tx, ty, tz = axis(state.x, a)
+            T = state.tension[e]
+            lift = T * tz if hangs > a else -T * tz
+            is_end = hangs in (first + line, end + line)
+            left = 0.0 if is_end else state.balance[hangs, 2]
+            slope = shift_slope(lift, -2.0 * loads.force[e, 2], left)
+            across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
+            share_slope(4 * e, e > first, slope, (tx, ty, tz), across, band)
 
 
 def _misfit(size: float, l0: float, T: float, compliance: float, law: Law) -> tuple[float, float]:

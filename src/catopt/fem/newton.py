@@ -85,9 +85,12 @@ class Newton:
         for _ in range(limit):
             report = self._look(law, ground)
             if _is_settled(report, tolerance):
-                if ease == 0.0:
-                    self._polish(law, ground)
-                return True
+                if ease > 0.0:
+                    return True
+                report = self._polish(law, ground)
+                # Where a node touches down or lifts off within the tolerance, there is more to do.
+                if _is_settled(report, tolerance):
+                    return True
             if report.singular or self.is_spent:
                 return False
             # A step that turns a bar by more than a radian is not to be followed all the way.
@@ -97,10 +100,10 @@ class Newton:
                 self._pull_springs()
         return False
 
-    def _polish(self, law: Law, ground: Ground) -> None:
+    def _polish(self, law: Law, ground: Ground) -> StepReport:
         """Take the step that is at hand: near the answer it leaves rounding errors only."""
         compiled(take_step)(self.problem.bars, self.state, law, self._room.rhs, 1.0)
-        self._look(law, ground)
+        return self._look(law, ground)
 
     def _look(self, law: Law, ground: Ground) -> StepReport:
         """Measure what is left over at the present shape, and find the step that balances it."""

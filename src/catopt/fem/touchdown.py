@@ -20,10 +20,17 @@ from typing import Any, Final
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.bed import FREE, ON_BED
 
-__all__ = ["hanging_part", "own_rest", "share_weight"]
+__all__ = [
+    "hanging_node",
+    "hanging_part",
+    "own_rest",
+    "share_slope",
+    "share_weight",
+    "shift_slope",
+]
 
-_LEAST: Final = 1e-3
-"""r below which the slope of the square root is no longer followed."""
+_LEAST: Final = 1e-14
+"""r that is rounding."""
 
 
 def hanging_part(lift: float, weight: float) -> float:
@@ -39,36 +46,83 @@ def hanging_part(lift: float, weight: float) -> float:
     return math.sqrt(2.0 * lift / weight) if lift > 0.0 else 0.0
 
 
-def share_weight(
-    a: int, row: int, has_first: bool, T: float, t: Any, across: float, weight: float,
-    contact: Any, balance: Any, band: Any,
-) -> None:  # fmt: skip
-    """Shift weight from the hanging node of a bar to the lying one, with its derivatives.
+def hanging_node(a: int, contact: Any) -> int:
+    """Give the node that hangs of a bar whose other node lies on the bed; -1 where there is none.
 
     Parameters
     ----------
-    a, row, has_first : int, int, bool
-        First node, row of the bar's tension, whether the first node has rows of its own.
-    T, t : float, tuple
-        Tension, N, and direction.
-    across, weight : float
-        Stiffness across the bar in the equations' unit, and its weight, N.
-    contact, balance, band : array
+    a : int
+        First node of the bar.
+    contact : array of int
+        States of the nodes.
+    """
+    if contact[a] == ON_BED and contact[a + 1] == FREE:
+        return a + 1
+    if contact[a] == FREE and contact[a + 1] == ON_BED:
+        return a
+    return -1
+
+
+def share_weight(a: int, hangs: int, rise: float, weight: float, balance: Any) -> None:
+    """Shift weight from the hanging node of a bar to the lying one.
+
+    Parameters
+    ----------
+    a, hangs : int
+        First node, and the node that hangs.
+    rise, weight : float
+        T t_z of the bar and its weight, N.
+    balance : array
         As in `assembly`.
     """
-    lies = contact[a] == ON_BED
-    other = contact[a + 1] if lies else contact[a]
-    if other != FREE or (not lies and contact[a + 1] != ON_BED):
-        return
-    sign = 1.0 if lies else -1.0
-    lift = sign * T * t[2]
-    r = hanging_part(lift, weight)
-    if r == 1.0:
-        return
-    shifted = sign * 0.5 * weight * (1.0 - r) ** 2
-    balance[a, 2] -= shifted
-    balance[a + 1, 2] += shifted
-    slope = (1.0 - r) / max(r, _LEAST)
+    lift = rise if hangs > a else -rise
+    shifted = 0.5 * weight * (1.0 - hanging_part(lift, weight)) ** 2
+    balance[2 * a + 1 - hangs, 2] -= shifted
+    balance[hangs, 2] += shifted
+
+
+def shift_slope(lift: float, weight: float, left: float) -> float:
+    """By how much less weight is shifted as the lift grows: (1 - r)/r, but between two points.
+
+    The square root is followed from the lift there is to the one that ends the imbalance of the
+    hanging node, not along its tangent, which is of no use near r = 0. With the shift that node is
+    left with W (q - r), where q is the part that has to hang; so what is wanted is the lift at q.
+    r and q go on below 0, as V/W, and above 1, as V/W + 1/2: there nothing more is shifted.
+
+    Parameters
+    ----------
+    lift, weight : float
+        V and W, N.
+    left : float
+        Upward force left over at the hanging node, N.
+    """
+    if weight <= 0.0 or 2.0 * lift >= weight:
+        return 0.0
+    now = lift / weight
+    r = math.sqrt(2.0 * now) if now > 0.0 else now
+    q = r + left / weight
+    if r >= 0.0 and 0.0 <= q <= 1.0:
+        return 2.0 / max(r + q, _LEAST) - 1.0
+    wanted = q if q < 0.0 else (0.5 * q * q if q <= 1.0 else q - 0.5)
+    return (q - r) / (wanted - now) - 1.0 if wanted != now else 0.0
+
+
+def share_slope(
+    row: int, has_first: bool, slope: float, t: Any, across: float, band: Any
+) -> None:  # fmt: skip
+    """Write the derivatives of `share_weight`.
+
+    Parameters
+    ----------
+    row, has_first : int, bool
+        Row of the bar's tension, whether the first node has rows of its own.
+    slope : float
+        Of the weight that is shifted (`shift_slope`).
+    t, across : tuple, float
+        Direction of the bar, and its stiffness across itself in the equations' unit.
+    band : array
+        As in `assembly`.
+    """
     band[row + 3, DIAGONAL - 3] -= slope * t[2]
     if has_first:
         band[row - 1, DIAGONAL + 1] += slope * t[2]

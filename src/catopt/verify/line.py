@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from catopt.catenary.solution import Solution
-from catopt.errors import NoEquilibriumError, NotConvergedError
+from catopt.errors import NoEquilibriumError
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
 from catopt.model import Line, Load
 from catopt.verify.compared import Compared, Unit
@@ -45,9 +45,6 @@ SLACK = (
 
 _HALVINGS = 5
 """Down to a horizontal force of 1/32 of the fairlead tension the truss model follows a line."""
-
-_TRIES = (1.0, 1.09, 1.23)
-"""Bars over those wanted, one after the other."""
 
 _TOP = "fairlead"
 _FOOT = "anchor"
@@ -101,25 +98,20 @@ def verify_line(
     name, refusal : str
         Load case, and why there is no closed form.
     """
-    trusses, remark = on_meshes(
+    trusses = on_meshes(
         elements,
         lambda bars: [mesh_line(moored.line, bars)],
         lambda meshes: _under_load(moored, meshes[0], closed),
     )
-    return compare_line(
-        moored, closed, trusses, tolerance=tolerance, name=name, refusal=refusal, remark=remark
-    )
+    return compare_line(moored, closed, trusses, tolerance=tolerance, name=name, refusal=refusal)
 
 
 def on_meshes(
     elements: int,
     cut: Callable[[int], list[LineMesh]],
     solve: Callable[[list[LineMesh]], Truss],
-) -> tuple[tuple[Truss, ...], str]:
+) -> tuple[Truss, ...]:
     """Solve on a mesh and on those of twice and four times as many bars.
-
-    A touchdown that falls on a node to within rounding may keep the truss model from telling
-    whether that node lies. Then all three meshes are made a little finer.
 
     Parameters
     ----------
@@ -129,36 +121,13 @@ def on_meshes(
         Makes the meshes of all lines, of so many bars a line.
     solve : callable
         Brings lines of these meshes to rest.
-
-    Returns
-    -------
-    tuple, str
-        A solution for each mesh, and what to know of them; empty where the first tries went well.
-
-    Raises
-    ------
-    NotConvergedError
-        Of the first try, when none went well.
     """
-    first: NotConvergedError | None = None
-    for finer in _TRIES:
-        bars = round(finer * elements)
-        meshes = cut(bars)
-        try:
-            solutions = []
-            for _ in range(MESHES):
-                solutions.append(solve(meshes))
-                meshes = [mesh.refined() for mesh in meshes]
-        except NotConvergedError as error:
-            first = first or error
-            continue
-        remark = (
-            f"on {elements} bars or a multiple the truss model did not come to rest; {bars} were "
-            "taken instead"
-        )
-        return tuple(solutions), "" if first is None else remark
-    assert first is not None
-    raise first
+    meshes = cut(elements)
+    solutions = []
+    for _ in range(MESHES):
+        solutions.append(solve(meshes))
+        meshes = [mesh.refined() for mesh in meshes]
+    return tuple(solutions)
 
 
 def compare_line(
@@ -169,7 +138,6 @@ def compare_line(
     tolerance: float,
     name: str = "",
     refusal: str = "",
-    remark: str = "",
 ) -> StaticComparison:
     """Hold solutions of the truss model against a closed form.
 
@@ -179,8 +147,6 @@ def compare_line(
         As for `verify_line`.
     trusses : sequence of TrussSolution
         Each of twice the bars of the one before.
-    remark : str
-        What to know of these; may be empty.
     """
     return StaticComparison(
         name=name,
@@ -193,7 +159,7 @@ def compare_line(
         lines=(LinePair(closed, tuple(trusses)),),
         tolerance=tolerance,
         refusal=refusal,
-        remarks=(*filter(None, [remark]), *_remarks(moored, closed, trusses[-1])),
+        remarks=tuple(_remarks(moored, closed, trusses[-1])),
     )
 
 

@@ -47,7 +47,7 @@ def verify_system(
     """
     closed, refusal = _closed_form(system)
     legs, height = truss_legs(system, 0.0 if closed is None else closed.position.yaw)
-    trusses, remark = on_meshes(
+    trusses = on_meshes(
         elements,
         lambda bars: [mesh_line(leg.line, bars) for leg in legs],
         lambda meshes: solve_truss(
@@ -58,9 +58,7 @@ def verify_system(
             meshes=meshes,
         ),
     )
-    return compare_system(
-        system, closed, trusses, tolerance=tolerance, name=name, refusal=refusal, remark=remark
-    )
+    return compare_system(system, closed, trusses, tolerance=tolerance, name=name, refusal=refusal)
 
 
 def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
@@ -96,7 +94,6 @@ def compare_system(
     tolerance: float,
     name: str = "",
     refusal: str = "",
-    remark: str = "",
 ) -> StaticComparison:
     """Hold solutions of the truss model against a system's closed form.
 
@@ -108,8 +105,8 @@ def compare_system(
         None where the closed form refuses.
     trusses : sequence of SystemSolution
         Of the truss model, each of twice the bars of the one before.
-    refusal, remark : str
-        Why there is no closed form, and what to know of the truss's solutions; may be empty.
+    refusal : str
+        Why there is no closed form.
     """
     count = len(system.legs)
     return StaticComparison(
@@ -137,7 +134,7 @@ def compare_system(
         ),
         tolerance=tolerance,
         refusal=refusal,
-        remarks=(*filter(None, [remark]), *_remarks(system, closed)),
+        remarks=tuple(_remarks(system, closed)),
     )
 
 

@@ -1,0 +1,297 @@
+"""Lines in motion against quasi-statics, against the closed form, and against what stops them."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import fields, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+
+from catopt import schemas
+from catopt.casefile import read_case
+from catopt.catenary.solve import solve
+from catopt.errors import InputError
+from catopt.fem.simulation import Simulation
+from catopt.model import (
+    Case,
+    CurrentProfile,
+    Dynamics,
+    Line,
+    Load,
+    LoadCase,
+    Motion,
+    Segment,
+    Site,
+    WaveState,
+)
+from catopt.verify.case import verify_case
+from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.dynamic_result import DynamicPart
+from catopt.verify.dynamic_setup import Drive
+from catopt.waves import Waves
+
+EXAMPLE = Path(__file__).parents[2] / "cases" / "dynamic-chain-56m" / "case.toml"
+
+CHAIN = Segment(
+    120.0, 1110.0, EA=4.0e8, mass=130.0, drag_diameter=0.076, drag_normal=2.4, drag_axial=0.4,
+    added_mass_normal=1.0, added_mass_axial=0.5,
+)  # fmt: skip
+
+
+RUN = {field.name for field in fields(Dynamics)}
+
+
+def chain(motion: Motion | None, duration: float = 60.0, **changes: Any) -> Case:
+    """Build a chain in 20 m of water; changes are of its run or of the case."""
+    of_run = {key: changes.pop(key) for key in list(changes) if key in RUN}
+    return replace(
+        Case(
+            site=Site(20.0, seabed_friction=0.5),
+            line=Line([CHAIN]),
+            load=Load(horizontal_force=300e3),
+            fairlead_height=20.0,
+            motion=motion,
+            waves=changes.pop("waves", None),
+            dynamics=Dynamics(duration, **({"elements": 40, "ramp": duration / 4.0} | of_run)),
+        ),
+        **changes,
+    )
+
+
+def run(case: Case) -> DynamicPart:
+    (part,) = verify_dynamic(case).parts
+    return part
+
+
+@cache
+def slow() -> DynamicPart:
+    return run(chain(Motion(period=1000.0, surge=0.6, heave=0.3), 1000.0, time_step=0.5))
+
+
+def test_a_slow_motion_is_quasi_static() -> None:
+    """At 1000 s inertia is (1/1000)^2 of what it is at 1 s; 40 bars are off by less than 1 %.
+
+    The closed form is second order away by (L/n)^2, here about 3e-4 of the tension.
+    """
+    part = slow()
+    history = part.runs[0].history
+    still = part.runs[0].quasi_static
+    assert np.abs(history.fairlead_tension[:, 0] / still - 1.0).max() < 2e-3
+    assert part.amplification == pytest.approx(1.0, abs=1e-3)
+    assert part.slack_time == 0.0
+
+
+def test_the_quasi_static_tension_is_that_of_a_line_held_there() -> None:
+    """Independent of the batch: one closed form for the outermost place."""
+    run_ = slow().runs[0]
+    at = int(np.nanargmax(run_.quasi_static))
+    x, _, z = run_.history.fairlead[at, 0]
+    held = solve(Line([CHAIN]), height=float(z), span=float(x), seabed_friction=0.5)
+    # Both solve the same equations to rounding.
+    assert run_.quasi_static[at] == pytest.approx(held.fairlead.tension, rel=1e-9)
+
+
+def test_a_fast_motion_of_a_deep_line_is_amplified() -> None:
+    """The line's own drag holds it in place, so that it has to stretch."""
+    deep = chain(
+        Motion(period=6.0, surge=1.0, heave=1.0, heave_phase=math.pi / 2.0),
+        site=Site(56.0),
+        line=Line([replace(CHAIN, length=300.0)]),
+        load=Load(horizontal_force=500e3),
+        fairlead_height=56.0,
+    )
+    assert (run(deep).amplification or 0.0) > 1.05
+    without = replace(deep, line=Line([replace(CHAIN, length=300.0, drag_normal=0.0,
+                                               drag_axial=0.0)]))  # fmt: skip
+    assert run(without).amplification != run(deep).amplification
+
+
+def test_statistics_are_those_of_the_series() -> None:
+    part = slow()
+    history = part.runs[0].history
+    tension = np.linalg.norm(history.fairlead_force[:, 0], axis=1)[history.time >= 250.0]
+    found = part.of("fairlead_tension")
+    assert found.mean == pytest.approx(tension.mean(), rel=1e-12)
+    assert found.std == pytest.approx(tension.std(), rel=1e-9)
+    assert (found.maximum, found.minimum) == (tension.max(), tension.min())
+    assert found.most_probable_maximum is None  # nothing is random
+    assert part.of("offset").maximum == pytest.approx(0.6, abs=1e-3)  # the amplitude, sampled
+
+
+def test_a_recorded_motion_is_the_harmonic_one_it_samples(tmp_path: Path) -> None:
+    t = np.arange(0.0, 31.0, 0.1)
+    x = 0.6 * np.cos(2.0 * np.pi * t / 8.0)
+    rows = "\n".join(f"{a:.6f},{b:.12f}" for a, b in zip(t, x, strict=True))
+    (tmp_path / "m.csv").write_text(f"# recorded\nt (s), x (m)\n{rows}\n", encoding="utf-8")
+    settings = {"time_step": 0.02}
+    recorded = run(chain(Motion(file=str(tmp_path / "m.csv")), 30.0, **settings))
+    harmonic = run(chain(Motion(period=8.0, surge=0.6), 30.0, **settings))
+    a, b = (each.runs[0].history.fairlead_tension for each in (recorded, harmonic))
+    # A cubic spline through 80 points a period is off by (2 pi/80)^4/384 = 1e-7; it starts with
+    # another end condition.
+    assert np.abs(a / b - 1.0).max() < 1e-4
+
+
+def test_raos_of_one_wave_make_the_harmonic_motion(tmp_path: Path) -> None:
+    """The crest passes the fairlead first, and the answer comes by its phase later."""
+    (tmp_path / "rao.csv").write_text(
+        "period,surge,surge_phase,heave\n4,0.3,90,0.8\n20,0.3,90,0.8\n", encoding="utf-8"
+    )
+    waves = WaveState("regular", 2.0, 8.0)
+    case = chain(Motion(rao_file=str(tmp_path / "rao.csv")), 30.0, waves=waves)
+    from catopt.verify.dynamic_setup import read_drive
+
+    drive = read_drive(case)
+    sea, span = drive.sea(0), 110.0
+    motion = drive.motion(sea, span)
+    assert motion is not None
+    t = 3.7
+    k = float(sea.wave_numbers[0])
+    omega = 2.0 * math.pi / 8.0
+    omega_, *amplitudes = motion.rows[0]  # type: ignore[union-attr]
+    x, _, z = (amplitudes[i] * math.cos(omega_ * t + amplitudes[3 + i]) for i in range(3))
+    assert x == pytest.approx(0.3 * math.cos(omega * t - k * span - math.pi / 2.0), abs=1e-12)
+    assert z == pytest.approx(0.8 * float(sea.elevation(t, span)), abs=1e-9)
+
+
+def test_every_run_has_its_own_seed_and_the_same_seed_the_same_sea() -> None:
+    waves = WaveState("jonswap", 2.0, 8.0, components=30)
+    drive = Drive(chain(None, 60.0, waves=waves, runs=3))
+
+    def phases(run: int) -> list[float]:
+        found = drive.sea(run).waves
+        assert isinstance(found, Waves)
+        return [float(phase) for phase in found.phase]
+
+    assert phases(0) == phases(0)
+    assert phases(0) != phases(1)
+
+
+@cache
+def two_runs() -> DynamicPart:
+    waves = WaveState("jonswap", 2.0, 6.0, components=20)
+    return run(chain(Motion(period=6.0, surge=0.2), 40.0, waves=waves, runs=2, time_step=0.1))
+
+
+def test_runs_in_a_random_sea_are_taken_together() -> None:
+    part = two_runs()
+    each = [run.statistics("fairlead_tension") for run in part.runs]
+    found = part.of("fairlead_tension")
+    assert len(part.runs) == 2
+    assert found.maximum == max(one.maximum for one in each)
+    assert found.mean == pytest.approx(np.mean([one.mean for one in each]), rel=1e-12)
+    # Gumbel by moments: mode = mean - 0.5772 sqrt(6)/pi s, with s of two values |a - b|/sqrt(2).
+    a, b = (one.maximum for one in each)
+    expected = 0.5 * (a + b) - 0.57721566490 * math.sqrt(6.0) / math.pi * abs(a - b) / math.sqrt(2)
+    assert found.most_probable_maximum == pytest.approx(expected, rel=1e-9)
+
+
+def test_the_document_fits_its_schema() -> None:
+    case = chain(Motion(period=8.0, surge=0.2), 16.0)
+    static = verify_case(case, elements=20).to_dict()
+    document = static | {"dynamic": verify_dynamic(case).to_dict()}
+    text = json.dumps(document, allow_nan=False)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.verify/1")).validate(json.loads(text))
+
+
+def test_every_load_case_or_one() -> None:
+    states = (LoadCase("a", 300e3), LoadCase("b", 200e3, water_level=1.0))
+    case = chain(Motion(period=8.0, surge=0.2), 8.0, load=None, load_cases=states)
+    assert [part.name for part in verify_dynamic(case).parts] == ["a", "b"]
+    (part,) = verify_dynamic(case, load_case="b").parts
+    assert part.runs[0].history.fairlead[0, 0, 2] == 21.0
+
+
+def test_all_that_a_line_in_motion_lacks_is_told_at_once() -> None:
+    with pytest.raises(InputError) as caught:
+        verify_dynamic(chain(Motion(period=8.0), runs=2, line=Line([Segment(120.0, 1110.0)])))
+    assert str(caught.value) == (
+        "--dynamic: 4 errors\n"
+        "  dynamics.runs: found 2; without a random sea all runs are alike; leave it out\n"
+        "  line.segments[0].mass: missing; a line in motion needs it\n"
+        "  line.segments[0].EA: missing; a line in motion needs its axial stiffness\n"
+        "  line.segments[0].drag_normal: missing; a line in motion needs it; 0 for no drag"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("t,x\n0,0\n1,a\n2\n", "line 3, x: found a; a number is wanted\n  line 4: found 1 cells"),
+        ("t,u\n0,0\n", "found u; one of t, x, y, z is wanted\n  headings: one of x, y, z"),
+        ("x,x\n0,0\n", "headings: t is missing\n  headings: found x; twice"),
+        ("t,x\n0,0\n1,0\n2,0\n3,0\n", "found 3 s from the first row to the last; the run of 60 s"),
+        ("t,x\n" + "".join(f"{k},0\n" for k in range(70) if k < 20 or k > 30), "a gap"),
+        ("", "rows: found 0"),
+        (None, "there is no such file"),
+    ],
+)
+def test_a_wrong_record_is_refused_with_its_place(
+    text: str | None, message: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "m.csv"
+    if text is not None:
+        path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        verify_dynamic(chain(Motion(file=str(path))))
+    assert message in str(caught.value)
+    assert str(path) in str(caught.value)
+
+
+def test_a_step_too_long_for_the_motion_is_refused() -> None:
+    with pytest.raises(InputError, match=r"dynamics.time_step: found 3 s; .*periods down to 8 s"):
+        verify_dynamic(chain(Motion(period=8.0, surge=0.1), time_step=3.0))
+
+
+def test_what_was_computed_is_kept_when_it_is_stopped() -> None:
+    """Ctrl-C in the second of three runs: the first is whole, the second short."""
+    waves = WaveState("jonswap", 2.0, 6.0, components=20)
+    case = chain(None, 60.0, waves=waves, runs=3, time_step=0.1)
+    reached: list[float] = []
+
+    def stop(done: int, total: int) -> None:
+        reached.append(done / total)
+        if done / total > 0.5:
+            raise KeyboardInterrupt
+
+    found = verify_dynamic(case, progress=stop)
+    (part,) = found.parts
+    assert not found.is_complete
+    assert [run.history.is_complete for run in part.runs] == [True, False]
+    assert 0.0 < part.runs[1].history.time[-1] < 60.0
+    assert "stopped in run 2 of 3" in part.remarks
+    assert reached == sorted(reached)
+
+
+def test_nothing_is_kept_of_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    def stop(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Simulation, "settle", stop)
+    with pytest.raises(KeyboardInterrupt):
+        verify_dynamic(chain(Motion(period=8.0, surge=0.1)))
+
+
+def test_the_current_and_its_profile_move_the_line() -> None:
+    across = CurrentProfile("table", depths=(0.0, 20.0), speeds=(1.0, 0.5), direction=math.pi / 2)
+    case = chain(Motion(period=8.0, surge=0.01), 8.0, current=across)
+    part = run(case)
+    # Drag across the line turns the fairlead's force to the side, y.
+    assert abs(part.runs[0].history.fairlead_force[0, 0, 1]) > 100.0
+    assert "the quasi-static tension is without the current" in part.remarks
+
+
+def test_the_example_reads_its_raos_from_its_own_folder() -> None:
+    case = read_case(EXAMPLE)
+    assert case.motion is not None
+    assert Path(case.motion.rao_file) == EXAMPLE.parent.absolute() / "rao.csv"
+    assert case.line.segments[0].drag_normal == 2.4  # catalogue: 2.4 on the nominal diameter
+    # DNV-RP-C205-like 1.15 on d/pi, here on d; the volume-equivalent added mass as it is.
+    assert case.line.segments[0].drag_axial == pytest.approx(1.15 / math.pi, rel=1e-12)
+    assert case.line.segments[0].added_mass_normal == 1.0
