@@ -12,6 +12,7 @@ from string import Formatter
 import pytest
 from jinja2 import nodes
 
+import catopt.cli
 import catopt.report.page
 from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.quantities import QUANTITIES
@@ -53,8 +54,9 @@ def test_a_sentence_has_the_same_holes_in_both_languages(english: str) -> None:
 
 
 def is_key(value: object) -> bool:
-    """Whether a constant looks like the key of a text; what ends in .html is a template."""
-    return isinstance(value, str) and KEY.fullmatch(value) is not None and ".html" not in value
+    """Whether a constant looks like the key of a text; a file is none."""
+    is_text = isinstance(value, str) and KEY.fullmatch(value) is not None
+    return is_text and not str(value).endswith((".html", ".csv"))
 
 
 def asked_by_code(source: str) -> Iterator[str]:
@@ -73,9 +75,10 @@ def asked_by_template(source: str) -> Iterator[str]:
 
 
 def asked() -> set[str]:
-    """Every text that the page asks for."""
+    """Every text that page, workbooks and terminal ask for."""
     found = {f"{section.key}.heading" for section in SECTIONS}
-    for module in PAGE.glob("*.py"):
+    views = Path(catopt.cli.__file__).parent.glob("*_view.py")
+    for module in (*PAGE.glob("*.py"), *PAGE.parent.glob("*workbook*.py"), *views):
         found |= set(asked_by_code(module.read_text("utf-8")))
     for template in TEMPLATES:
         found |= set(asked_by_template(template.read_text("utf-8")))

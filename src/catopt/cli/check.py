@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.options import CaseArgument, DesignOption, JsonOption
+from catopt.cli.options import CaseArgument, DesignOption, JsonOption, LangOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
@@ -51,6 +51,7 @@ def check(
             "--strict", help="End with exit status 3 when a check fails; the answer is printed."
         ),
     ] = False,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -72,14 +73,15 @@ def check(
         from catopt.report.bundle import check_bundle
         from catopt.report.files import write_files
 
-        written = write_files(out, check_bundle(report))
+        written = write_files(out, check_bundle(report, lang.value))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         output.json(report.to_dict())
     else:
         from catopt.cli.check_view import show_report
+        from catopt.report.texts import Words
 
-        show_report(output, report)
+        show_report(output, report, Words(lang.value))
     if strict and not report.passes:
         from catopt.report.check_words import verdict_sentence
 

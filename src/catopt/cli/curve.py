@@ -84,7 +84,8 @@ def curve(
         from catopt.report.bundle import curve_bundle
         from catopt.report.files import write_files
 
-        written = write_files(out, curve_bundle(result))
+        with output.progress("Tables and figures"):
+            written = write_files(out, curve_bundle(result))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         output.json(result.to_dict())

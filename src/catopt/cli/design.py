@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption, OutOption
+from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
@@ -50,6 +50,7 @@ def design(
     seed: Annotated[
         int | None, typer.Option(metavar="N", help="nsga2 and swarm: seed; overrides the case.")
     ] = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -69,7 +70,8 @@ def design(
         from catopt.report.bundle import design_bundle
         from catopt.report.files import write_files
 
-        written = write_files(out, design_bundle(result))
+        with output.progress("Tables and figures"):
+            written = write_files(out, design_bundle(result, lang.value))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         from catopt.design.document import design_document
@@ -77,8 +79,9 @@ def design(
         output.json(design_document(result))
     else:
         from catopt.cli.design_view import show_design
+        from catopt.report.texts import Words
 
-        show_design(output, result, out)
+        show_design(output, result, out, Words(lang.value))
     if result.interrupted:
         output.note("The front is that of the designs evaluated so far.")
         raise typer.Exit(INTERRUPTED)

@@ -2,12 +2,28 @@
 
 from __future__ import annotations
 
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-__all__ = ["CaseArgument", "DesignOption", "JsonOption", "OutOption"]
+__all__ = [
+    "CaseArgument",
+    "DesignOption",
+    "JsonOption",
+    "LangOption",
+    "OutOption",
+    "ReportLanguage",
+]
+
+
+class ReportLanguage(StrEnum):
+    """Language of what a person reads."""
+
+    ENGLISH = "en"
+    VIETNAMESE = "vi"
+
 
 JsonOption = Annotated[
     bool,
@@ -41,5 +57,15 @@ DesignOption = Annotated[
         "--design",
         metavar="K",
         help="Take design K of the front in the result directory CASE, by its number there.",
+    ),
+]
+
+LangOption = Annotated[
+    ReportLanguage,
+    typer.Option(
+        "--lang",
+        metavar="LANGUAGE",
+        help="Language of the tables and of the workbook: en, or vi for Vietnamese. JSON and CSV "
+        "are the same in both.",
     ),
 ]

@@ -103,7 +103,9 @@ class Output:
 
     @contextmanager
     def progress(self, what: str) -> Iterator[Progress | None]:
-        """Show a bar on standard error while the body runs, if that is a terminal.
+        """Show a bar with the time left on standard error while the body runs, on a terminal.
+
+        While nobody says how many steps there are, it shows that and how long something runs.
 
         Parameters
         ----------
@@ -118,9 +120,9 @@ class Output:
         if not sys.stderr.isatty():
             yield None
             return
-        from rich.progress import Progress as Bar
+        from catopt.cli.progress_bar import progress_bar
 
-        with Bar(console=self._console(sys.stderr), transient=True) as bar:
+        with progress_bar(self._console(sys.stderr)) as bar:
             task = bar.add_task(what, total=None)
             yield lambda done, total: bar.update(task, completed=done, total=total)
 

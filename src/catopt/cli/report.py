@@ -2,29 +2,21 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption
+from catopt.cli.options import JsonOption, ReportLanguage
 
 if TYPE_CHECKING:
-    from catopt.cli.output import Output
+    from catopt.cli.output import Output, Progress
     from catopt.report.page.note import Note
 
 __all__ = ["report"]
 
 PAGE_ENDINGS = (".html", ".htm")
 """What tells a file from a directory in --out."""
-
-
-class PageLanguage(StrEnum):
-    """Language of the page."""
-
-    ENGLISH = "en"
-    VIETNAMESE = "vi"
 
 
 def report(
@@ -45,9 +37,12 @@ def report(
         ),
     ] = None,
     lang: Annotated[
-        PageLanguage,
-        typer.Option(metavar="LANGUAGE", help="Language of the page: en, or vi for Vietnamese."),
-    ] = PageLanguage.ENGLISH,
+        ReportLanguage,
+        typer.Option(
+            metavar="LANGUAGE",
+            help="Language of page and workbook: en, or vi for Vietnamese.",
+        ),
+    ] = ReportLanguage.ENGLISH,
     date: Annotated[
         str,
         typer.Option(
@@ -55,64 +50,85 @@ def report(
             help="Date for the title block, as it is to stand there; no date when left out.",
         ),
     ] = "",
+    with_workbook: Annotated[
+        bool,
+        typer.Option(
+            "--xlsx",
+            help="Write the workbook of the same name beside the page, too; in a directory given "
+            "by --out it always is.",
+        ),
+    ] = False,
     as_json: JsonOption = False,
     out: Annotated[
         Path | None,
         typer.Option(
             "--out",
             metavar="PLACE",
-            help="File to write, ending in .html, or a directory for it; the working directory "
-            "when left out. A file of the same name is replaced.",
+            help="File to write, ending in .html, or a directory for page and workbook; the page "
+            "in the working directory when left out. Files of the same name are replaced.",
         ),
     ] = None,
 ) -> None:
-    """Write the calculation note of a case: one HTML page for a checker.
+    """Write the calculation note of a case: one HTML page for a checker, and a workbook.
 
-    It holds all it shows, opens from disk without a network and prints to A4: inputs, components
-    with their sources, the line to scale, tensions, checks, and every result with its equation and
-    its numbers put in. The same case gives the same page to the last byte.
+    The page holds all it shows, opens from disk without a network and prints to A4: inputs,
+    components with their sources, the line to scale, tensions, checks, and every result with its
+    equation and its numbers put in. The workbook has its tables with native charts. The same case
+    gives the same files to the last byte.
     """
     from catopt.report.files import write_files
     from catopt.report.page.note import file_name, read_note
     from catopt.report.page.render import render_page
 
     output: Output = context.obj
-    note = read_note(case, design, date=date)
-    number = None if note.chosen is None else note.chosen.number
-    folder, name = _place(out, file_name(case, number))
-    page = render_page(note, lang.value)
-    (written,) = write_files(folder, {name: page})
+    with output.progress("Calculation note") as tell:
+        note = read_note(case, design, date=date)
+        _tell(tell, 1)
+        number = None if note.chosen is None else note.chosen.number
+        folder, name, is_folder = _place(out, file_name(case, number))
+        files = {name: render_page(note, lang.value)}
+        _tell(tell, 2)
+        if with_workbook or is_folder:
+            from catopt.report.note_workbook import note_workbook
+
+            files[str(Path(name).with_suffix(".xlsx"))] = note_workbook(note, lang.value)
+    written = list(zip(write_files(folder, files), files.values(), strict=True))
     if as_json:
-        output.json(_document(note, lang.value, written, page))
+        output.json(_document(note, lang.value, written))
     else:
-        output.text(str(written))
+        for path, _ in written:
+            output.text(str(path))
 
 
-def _place(out: Path | None, name: str) -> tuple[Path, str]:
-    """Return the directory and the file's name that --out asks for."""
+def _tell(tell: Progress | None, steps: int) -> None:
+    """Tell how much is done: the note, its page, its workbook."""
+    if tell is not None:
+        tell(steps, 3)
+
+
+def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
+    """Return the directory and the page's name that --out asks for, and if it is a directory."""
     if out is None:
-        return Path(), name
+        return Path(), name, False
     if out.suffix.lower() in PAGE_ENDINGS and not out.is_dir():
-        return out.parent, out.name
-    return out, name
+        return out.parent, out.name, False
+    return out, name, True
 
 
-def _document(note: Note, language: str, written: Path, page: bytes) -> dict[str, Any]:
+def _document(note: Note, language: str, written: list[tuple[Path, bytes]]) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1)."""
-    from hashlib import sha256
-
     from catopt.report.page.render import sections_of
     from catopt.report.texts import Words
 
     words = Words("vi" if language == "vi" else "en")
     checks = note.checks
     governing = checks.governing
+    page, *workbook = [_file(*each) for each in written]
     return {
         "schema": "catopt.report/1",
         "title": note.case.title,
-        "path": str(written),
-        "bytes": len(page),
-        "sha256": sha256(page).hexdigest(),
+        **page,
+        "workbook": workbook[0] if workbook else None,
         "language": language,
         "date": note.date,
         "version": note.version,
@@ -124,3 +140,9 @@ def _document(note: Note, language: str, written: Path, page: bytes) -> dict[str
         "governing": "" if governing is None else f"{governing.name} ({governing.load_case})",
         "warnings": list(note.warnings),
     }
+
+
+def _file(path: Path, content: bytes) -> dict[str, Any]:
+    from hashlib import sha256
+
+    return {"path": str(path), "bytes": len(content), "sha256": sha256(content).hexdigest()}

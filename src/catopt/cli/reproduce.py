@@ -40,7 +40,8 @@ def reproduce(
         from catopt.report.bundle import reproduction_bundle
         from catopt.report.files import write_files
 
-        written = write_files(out, reproduction_bundle(result))
+        with output.progress("Tables and figures"):
+            written = write_files(out, reproduction_bundle(result))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         output.json(result.to_dict())

@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import CaseArgument, DesignOption, JsonOption, OutOption
+from catopt.cli.options import (
+    CaseArgument,
+    DesignOption,
+    JsonOption,
+    LangOption,
+    OutOption,
+    ReportLanguage,
+)
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -68,6 +75,7 @@ def solve(
     profile: Annotated[
         bool, typer.Option("--profile", help="Add the shape and the tension along the line.")
     ] = False,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -95,13 +103,14 @@ def solve(
     solution = _solved(read, method, output)
     read = _as_solved(read)
     if out is not None:
-        _write(read, solution, out, output)
+        _write(read, solution, out, output, lang)
     if as_json:
         output.json(solution.to_dict(profile=profile))
         return
     from catopt.cli.solution_view import show_solution
+    from catopt.report.texts import Words
 
-    show_solution(output, read, solution, with_profile=profile)
+    show_solution(output, read, solution, with_profile=profile, words=Words(lang.value))
 
 
 def _under(case: Case, name: str | None) -> Case:
@@ -159,9 +168,12 @@ def _as_solved(case: Case) -> Case:
     return under_a_load(case)[0]
 
 
-def _write(case: Case, solution: Solution, directory: Path, output: Output) -> None:
+def _write(
+    case: Case, solution: Solution, directory: Path, output: Output, lang: ReportLanguage
+) -> None:
     from catopt.report.bundle import solution_bundle
     from catopt.report.files import write_files
 
-    written = write_files(directory, solution_bundle(case, solution))
+    with output.progress("Tables and figures"):
+        written = write_files(directory, solution_bundle(case, solution, lang.value))
     output.note(f"{len(written)} files written to {directory}")

@@ -77,7 +77,8 @@ def system(
         from catopt.report.bundle import system_bundle
         from catopt.report.files import write_files
 
-        written = write_files(out, system_bundle(report))
+        with output.progress("Tables and figures"):
+            written = write_files(out, system_bundle(report))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         output.json(report.to_dict())

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport, CheckResult
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
     from catopt.model import Line
+    from catopt.report.texts import Words
 
 __all__ = [
     "CHECK_KINDS",
@@ -24,6 +25,8 @@ __all__ = [
     "clump_weight_words",
     "governing_words",
     "objective_quantities",
+    "said_change",
+    "said_governing",
     "segment_words",
     "tightest",
     "verdict",
@@ -97,6 +100,21 @@ def tightest(report: CheckReport, kind: str) -> CheckResult | None:
 def governing_words(result: CheckResult | None) -> str:
     """Say which check governs: ``"tension, segment 1 (storm)"``."""
     return "" if result is None else f"{result.name} ({result.load_case})"
+
+
+def said_governing(words: Words, result: CheckResult | None) -> str:
+    """Say in a language which check governs; the load case keeps its name."""
+    return "" if result is None else f"{words.sentence(result.name).text} ({result.load_case})"
+
+
+def said_change(words: Words, neighbour: Neighbour) -> str:
+    """Say in a language what is changed; components keep their names."""
+    from catopt.report.page.front_figure import change_words
+
+    if words.language == "en":
+        return neighbour.change
+    said = change_words(neighbour.change, words)
+    return words.name(said) if said == neighbour.change else said
 
 
 def verdict(neighbour: Neighbour) -> str:

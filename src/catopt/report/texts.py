@@ -8,10 +8,8 @@ that it makes, such as warnings, stand by their pattern.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from functools import cache
-from importlib.resources import files
 from string import Formatter
 from typing import Any, Literal, NamedTuple, get_args
 
@@ -42,6 +40,9 @@ class Phrase(NamedTuple):
 @cache
 def table() -> dict[str, Any]:
     """Read the table of texts: parts, groups and keys as the file has them."""
+    import tomllib
+    from importlib.resources import files
+
     return tomllib.loads(files("catopt.report").joinpath("texts.toml").read_text("utf-8"))
 
 
@@ -61,7 +62,6 @@ class Words:
 
     def __init__(self, language: Language = "en") -> None:
         self.language = language
-        self._texts: Mapping[str, Mapping[str, Mapping[str, str]]] = table()["texts"]
 
     def __call__(self, key: str, /, **values: object) -> str:
         """Return a text by its key: ``words("line.heading")``.
@@ -79,7 +79,8 @@ class Words:
             There is no such text, or a value for it is missing: a fault of the program.
         """
         group, _, name = key.partition(".")
-        return self._texts[group][name][self.language].format(**values)
+        texts: Mapping[str, Mapping[str, Mapping[str, str]]] = table()["texts"]
+        return texts[group][name][self.language].format(**values)
 
     def name(self, english: str) -> str:
         """Translate a name that the code has in English; as it is where the table lacks it."""
@@ -87,6 +88,22 @@ class Words:
             return english
         names: Mapping[str, str] = table()["names"]
         return names.get(english, english)
+
+    def heading(self, english: str) -> str:
+        """Translate a heading that the code has in English: name, symbol and unit.
+
+        ``"Span S (m)"`` becomes ``"Độ dạt ngang S (m)"``; what the table lacks stays as it is.
+        """
+        names: Mapping[str, str] = {} if self.language == "en" else table()["names"]
+        if self.language == "en" or english in names:
+            return names.get(english, english)
+        label, unit = _split(english)
+        name, _, symbol = label.rpartition(" ")
+        for said, rest in ((label, ""), (name, f" {symbol}")):
+            found = self.sentence(said)
+            if said and not found.lang:
+                return f"{found.text}{rest}{unit}"
+        return english
 
     def sentence(self, english: str) -> Phrase:
         """Translate a sentence that the code made; English where the table has no pattern of it."""
@@ -103,6 +120,12 @@ class Words:
                 }
                 return Phrase(text.format(**values))
         return Phrase(english, "en")
+
+
+def _split(heading: str) -> tuple[str, str]:
+    """Split a heading into its label and its unit in brackets, if it has one."""
+    label, bracket, unit = heading.rpartition(" (")
+    return (label, f"{bracket}{unit}") if bracket and unit.endswith(")") else (heading, "")
 
 
 @cache

@@ -10,7 +10,7 @@ import pandas as pd
 
 from catopt.quantities import QUANTITIES
 from catopt.report import tables
-from catopt.report.design_words import OBJECTIVES
+from catopt.report.design_words import OBJECTIVES, said_change, said_governing
 from catopt.report.texts import Language, Words
 from catopt.report.workbook_sheet import Book, Chart, Series, Sheet
 
@@ -133,13 +133,18 @@ def design_workbook(result: DesignResult, language: Language = "en") -> bytes:
 
     book = Book(result.case.title, Words(language))
     frame = design.front(result)
+    governing = [said_governing(book.words, point.governing) for point in result.front]
+    frame["Governing check (load case)"] = governing
     sheet = book.sheet("Front")
     sheet.table(frame)
     x, y = (OBJECTIVES[key].heading for key in result.objectives[:2])
     _draw(sheet, frame, x, (y,), result.case.title, place=(len(frame) + 3, 1), style="points")
     recommended = book.sheet("Recommended")
     recommended.list_of(frame.iloc[[result.recommended]])
-    recommended.table(design.neighbours(result), title="One step up or down", wrap=True)
+    steps = design.neighbours(result)
+    changed = (*result.neighbours, result.present)
+    steps[steps.columns[0]] = [said_change(book.words, each) for each in changed]
+    recommended.table(steps, title="One step up or down", wrap=True)
     book.sheet("Components").table(design.components(result))
     book.sheet("Checks").table(design.design_checks(result))
     book.sheet("Search").list_of(design.search_summary(result))
@@ -269,8 +274,9 @@ def _line_shape(book: Book, solution: Solution) -> None:
     sheet = book.sheet("Line shape")
     sheet.table(frame)
     s, x, z, tension = (QUANTITIES[key].heading for key in ("s", "x", "z", "tension"))
-    _draw(sheet, frame, x, (z,), "Line shape", place=(1, 5))
-    _draw(sheet, frame, s, (tension,), "Tension along the line", place=(21, 5))
+    _draw(sheet, frame, x, (z,), book.words.name("Line shape"), place=(1, 5))
+    title = book.words.name("Tension along the line")
+    _draw(sheet, frame, s, (tension,), title, place=(21, 5))
 
 
 def _swarm(book: Book, swarm: SwarmReport) -> None:
@@ -281,10 +287,10 @@ def _swarm(book: Book, swarm: SwarmReport) -> None:
     iteration, objective, tension, _ = history.columns
     place = len(history.columns) + len(runs.columns) + 2
     # Excel leaves out what is 0 on a logarithmic axis; the title says so.
-    title = book.words.sentence(f"{objective}; exact zeros are not drawn").text
+    title = book.said_heading(f"{objective}; exact zeros are not drawn")
     decades = _decades(history[objective])
     _draw(sheet, history, iteration, (objective,), title, place=(1, place), log=decades)
-    _draw(sheet, history, iteration, (tension,), tension, place=(21, place))
+    _draw(sheet, history, iteration, (tension,), book.said_heading(tension), place=(21, place))
 
 
 def _draw(
@@ -298,7 +304,10 @@ def _draw(
     log: tuple[float, float] | None = None,
     style: Literal["line", "points"] = "line",
 ) -> None:
-    """Draw columns of a table that starts in the first row and column over another of them."""
+    """Draw columns of a table that starts in the first row and column over another of them.
+
+    The title stands there as it is; a case's own is in no table of texts.
+    """
     said = sheet.book.said_heading
     places = list(frame.columns)
     series = tuple(
@@ -307,7 +316,7 @@ def _draw(
     )
     axis = f" {sheet.book.words('workbook.and')} ".join(said(name) for name in columns)
     row, column = place
-    sheet.chart(Chart(said(title), said(x), axis, series, log), row=row, column=column)
+    sheet.chart(Chart(title, said(x), axis, series, log), row=row, column=column)
 
 
 def _decades(values: pd.Series[float]) -> tuple[float, float] | None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from catopt.quantities import QUANTITIES
+from catopt.quantities import QUANTITIES, Quantity
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, called, measured, units
 from catopt.report.texts import Words
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from catopt.catalogue import Component, Source
     from catopt.model import Case, Segment
 
-__all__ = ["components"]
+__all__ = ["CatalogueFigure", "Part", "components", "figures_of", "looked_up", "sources_of"]
 
 _WET = "wet_strength_factor"
 _SHOWN = {
@@ -37,13 +37,12 @@ def components(note: Note, words: Words) -> dict[str, Any]:
     """Build the tables of segments and point loads, and of what the catalogue says of them."""
     case = note.case
     line = note.solution.line
-    parts = [part for part in _looked_up(case) if part.component is not None]
-    sources = {source.key: source for part in parts for source in _cited(part)}
+    parts = list(looked_up(case))
     return {
         "segments": _segments(line.segments, words),
         "point_loads": _point_loads(note, words) if line.point_loads else None,
         "catalogue": [_provenance(part, words) for part in parts],
-        "sources": [sources[key] for key in sorted(sources)],
+        "sources": sources_of(parts),
         "own": any(not segment.component for segment in line.segments),
     }
 
@@ -93,47 +92,87 @@ def _point_loads(note: Note, words: Words) -> Table:
 
 
 @dataclass(frozen=True)
-class _Part:
-    """A segment with its component in the catalogue, if it has one."""
+class Part:
+    """A segment with its component in the catalogue."""
 
-    index: int
     segment: Segment
-    component: Component | None
+    component: Component
 
 
-def _looked_up(case: Case) -> Iterator[_Part]:
+@dataclass(frozen=True)
+class CatalogueFigure:
+    """One figure of a component, with where it comes from.
+
+    Attributes
+    ----------
+    name : str
+        In English.
+    quantity : Quantity
+        What it is printed as.
+    value : float
+        In SI.
+    formula, confidence, source : str
+        As the catalogue has them; empty where the case file's own value takes its place.
+    """
+
+    name: str
+    quantity: Quantity
+    value: float
+    formula: str = ""
+    confidence: str = ""
+    source: str = ""
+
+
+def looked_up(case: Case) -> Iterator[Part]:
     """Look every segment's component up; segments with the same figures once."""
     from catopt.catalogue.choice import chosen
 
     seen = set()
     catalogue = None
-    for index, segment in enumerate(case.line.segments):
+    for segment in case.line.segments:
         own = (getattr(segment, each) for each in _OWN.values())
         key = (segment.component, segment.nominal_diameter, *own)
-        component = None
         if segment.component and segment.nominal_diameter is not None and key not in seen:
             seen.add(key)
             catalogue = catalogue or chosen(case.catalogue, case.site.water_density)
             component = catalogue.component(segment.component, segment.nominal_diameter)
-        yield _Part(index, segment, component)
+            yield Part(segment, component)
 
 
-def _cited(part: _Part) -> Iterator[Source]:
-    assert part.component is not None
+def sources_of(parts: Iterable[Part]) -> list[Source]:
+    """List the documents that the shown figures of components rest on, by their keys."""
+    sources = {
+        source.key: source
+        for part in parts
+        for key in _SHOWN
+        if key in part.component.provenance
+        for source in part.component.provenance[key].sources
+    }
+    return [sources[key] for key in sorted(sources)]
+
+
+def figures_of(part: Part) -> Iterator[CatalogueFigure]:
+    """Yield what this note rests on of a component: the catalogue's figures or the case file's."""
     for key in _SHOWN:
         if key in part.component.provenance:
-            yield from part.component.provenance[key].sources
+            yield _figure(key, getattr(part.component, key), part)
 
 
-def _provenance(part: _Part, words: Words) -> Table:
+def _figure(key: str, value: float, part: Part) -> CatalogueFigure:
+    quantity = QUANTITIES[_SHOWN[key]]
+    name = "Strength in water over dry" if key == _WET else quantity.name
+    own = getattr(part.segment, _OWN[key]) if key in _OWN else None
+    expected = part.component.MBL_in_water if key == "MBL" else value
+    if own is not None and expected is not None and not math.isclose(own, expected, rel_tol=1e-12):
+        return CatalogueFigure(name, quantity, own)
+    origin = part.component.provenance[key]
+    source = f"{', '.join(source.key for source in origin.sources)}: {origin.place}"
+    return CatalogueFigure(name, quantity, value, origin.formula, origin.confidence, source)
+
+
+def _provenance(part: Part, words: Words) -> Table:
     """Tabulate where each figure of a component comes from."""
-    component = part.component
-    assert component is not None
-    rows = tuple(
-        _figure(key, getattr(component, key), part, words)
-        for key in _SHOWN
-        if key in component.provenance
-    )
+    rows = tuple(_row(figure, words) for figure in figures_of(part))
     headings = (
         Heading(words("components.quantity")),
         Heading(words("components.value"), is_number=True),
@@ -141,25 +180,20 @@ def _provenance(part: _Part, words: Words) -> Table:
         Heading(words("components.confidence")),
         Heading(words("components.source")),
     )
-    return Table("component", headings, rows, component.name)
+    return Table("component", headings, rows, part.component.name)
 
 
-def _figure(key: str, value: float, part: _Part, words: Words) -> tuple[Cell, ...]:
+def _row(figure: CatalogueFigure, words: Words) -> tuple[Cell, ...]:
     """Show one figure: the catalogue's with its source, or the case file's in its place."""
-    assert part.component is not None
-    quantity = QUANTITIES[_SHOWN[key]]
-    name = words.name("Strength in water over dry" if key == _WET else quantity.name)
-    own = getattr(part.segment, _OWN[key]) if key in _OWN else None
-    expected = part.component.MBL_in_water if key == "MBL" else value
-    if own is not None and expected is not None and not math.isclose(own, expected, rel_tol=1e-12):
+    name = Cell(words.name(figure.name))
+    value = measured(figure.quantity, figure.value, unit=True)
+    if not figure.source:
         given = Cell(words("components.case_file"), style="words")
-        return Cell(name), measured(quantity, own, unit=True), Cell(""), Cell(""), given
-    origin = part.component.provenance[key]
-    source = f"{', '.join(source.key for source in origin.sources)}: {origin.place}"
+        return name, value, Cell(""), Cell(""), given
     return (
-        Cell(name),
-        measured(quantity, value, unit=True),
-        Cell(origin.formula, lang="en", style="words"),
-        Cell(origin.confidence),
-        Cell(source, lang="en", style="words"),
+        name,
+        value,
+        Cell(figure.formula, lang="en", style="words"),
+        Cell(figure.confidence),
+        Cell(figure.source, lang="en", style="words"),
     )

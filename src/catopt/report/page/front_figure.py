@@ -12,7 +12,15 @@ from catopt.report.page.note import Chosen, Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
 from catopt.report.texts import Phrase, Words
 
-__all__ = ["front_figure"]
+__all__ = [
+    "change_words",
+    "composition",
+    "front_figure",
+    "further_objectives",
+    "governing_phrase",
+    "sinker_words",
+    "verdict_cell",
+]
 
 _MOST = 25
 """Designs of a front that are all in the table; of a longer one some are."""
@@ -25,7 +33,7 @@ def front_figure(note: Note, words: Words) -> dict[str, Any] | None:
         return None
     document, number = note.chosen.document, note.chosen.number
     front: list[dict[str, Any]] = document["front"]
-    keys = [*document["objectives"], *_further(document)]
+    keys = [*document["objectives"], *further_objectives(document)]
     shown = _shown(len(front), number - 1, document["recommended"])
     return {
         "figure": _figure(note.chosen, words),
@@ -44,7 +52,7 @@ def front_figure(note: Note, words: Words) -> dict[str, Any] | None:
     }
 
 
-def _further(document: Mapping[str, Any]) -> list[str]:
+def further_objectives(document: Mapping[str, Any]) -> list[str]:
     """List objectives that are known beside those wanted."""
     first = document["front"][0]
     return [key for key in OBJECTIVES if key in first and key not in document["objectives"]]
@@ -98,7 +106,7 @@ def _present(document: Mapping[str, Any], keys: Sequence[str], words: Words) -> 
     if present is None:
         return ""
     values = _values([key for key in keys if present.get(key) is not None], present, words)
-    verdict = _verdict(present, document, words).text
+    verdict = verdict_cell(present, document, words).text
     return words("front.present", values=values or "–", verdict=verdict)
 
 
@@ -112,10 +120,10 @@ def _values(keys: Sequence[str], point: Mapping[str, Any], words: Words) -> str:
 
 def _said(index: int, point: Mapping[str, Any], document: Mapping[str, Any], words: Words) -> str:
     values = _values(document["objectives"], point, words)
-    return words("front.point", number=index + 1, values=values, made=_composition(point))
+    return words("front.point", number=index + 1, values=values, made=composition(point))
 
 
-def _composition(point: Mapping[str, Any]) -> str:
+def composition(point: Mapping[str, Any]) -> str:
     """Say what a design is made of: ``"chain studless R3 76 mm, 45 m; 2 t at 7 m"``."""
     parts = [
         f"{segment.get('name') or segment['component'] or '?'}, {segment['length_m']:g} m"
@@ -151,9 +159,9 @@ def _table(chosen: Chosen, keys: Sequence[str], shown: Sequence[int], words: Wor
             (
                 Cell(str(index + 1)),
                 *numbers,
-                Cell(_composition(point), style="words"),
-                *((Cell(_sinker(point)),) if has_sinker else ()),
-                said(_governing(point["governing"], chosen.document, words), "words"),
+                Cell(composition(point), style="words"),
+                *((Cell(sinker_words(point)),) if has_sinker else ()),
+                said(governing_phrase(point["governing"], chosen.document, words), "words"),
             )
         )
     headings = (
@@ -167,12 +175,13 @@ def _table(chosen: Chosen, keys: Sequence[str], shown: Sequence[int], words: Wor
     return Table("front", headings, tuple(rows), words("front.table"), marked)
 
 
-def _sinker(point: Mapping[str, Any]) -> str:
+def sinker_words(point: Mapping[str, Any]) -> str:
+    """Say the mass in air of a design's sinker; a dash where there is none."""
     sinker = point.get("sinker")
     return f"{sinker['mass_kg'] / 1e3:g} t" if sinker and sinker["mass_kg"] else "–"
 
 
-def _governing(governing: str, document: Mapping[str, Any], words: Words) -> Phrase:
+def governing_phrase(governing: str, document: Mapping[str, Any], words: Words) -> Phrase:
     """Name a check with its load case, as the document has them: ``"offset (storm)"``."""
     for state in document["load_cases"]:
         ending = f" ({state['name']})"
@@ -190,9 +199,9 @@ def _neighbours(document: Mapping[str, Any], keys: Sequence[str], words: Words) 
     quantities = [(key, OBJECTIVES[key]) for key in keys]
     rows = tuple(
         (
-            Cell(_change(step["change"], words), style="words"),
+            Cell(change_words(step["change"], words), style="words"),
             *(measured(quantity, step.get(key)) for key, quantity in quantities),
-            _verdict(step, document, words),
+            verdict_cell(step, document, words),
         )
         for step in steps
     )
@@ -205,7 +214,7 @@ def _neighbours(document: Mapping[str, Any], keys: Sequence[str], words: Words) 
     return Table("neighbours", headings, rows, caption)
 
 
-def _change(change: str, words: Words) -> str:
+def change_words(change: str, words: Words) -> str:
     """Say what is changed: ``"chain: 29 m for 28.5 m"``, with the user's own names in it."""
     part, between, added = change.partition(" put in: ")
     if between:
@@ -223,11 +232,12 @@ def _headings(quantities: Sequence[tuple[str, Quantity]], words: Words) -> Itera
     return (units(words, quantity) for _, quantity in quantities)
 
 
-def _verdict(step: Mapping[str, Any], document: Mapping[str, Any], words: Words) -> Cell:
+def verdict_cell(step: Mapping[str, Any], document: Mapping[str, Any], words: Words) -> Cell:
+    """Say whether a changed design passes, or why not."""
     if step["feasible"]:
         return Cell(words("checks.passes"), style="words passes")
     if step["reason"]:
         why = words.sentence(step["reason"])
     else:
-        why = _governing(step["governing"], document, words)
+        why = governing_phrase(step["governing"], document, words)
     return Cell(f"{words('checks.fails')}: {why.text}", lang=why.lang, style="words fails")

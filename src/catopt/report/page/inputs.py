@@ -14,13 +14,13 @@ from catopt.report.page.table import Table as ShownTable
 from catopt.report.texts import Words
 from catopt.units import as_written
 
-__all__ = ["inputs", "leaves"]
+__all__ = ["FREE_TEXT", "inputs", "leaves", "some"]
 
 _MOST = 8
 """Values of an array that are all shown; of a longer one the first two and the last are."""
 _LONGEST = 160
 """Characters of a text that are shown; the whole of it stands in the case file below."""
-_FREE_TEXT = ("title", "source")
+FREE_TEXT = ("title", "source")
 """What stands in the title block already."""
 
 
@@ -28,10 +28,10 @@ def inputs(note: Note, words: Words) -> dict[str, Any]:
     """Build the table of inputs."""
     rows = []
     for path, kind, value in leaves(note.inputs, CaseTable):
-        if path in {(key,) for key in _FREE_TEXT}:
+        if path in {(key,) for key in FREE_TEXT}:
             continue
         many = value if isinstance(value, list) else [value]
-        rows.append((Cell(dotted(path)), Cell(_some(many, _given)), _si(kind, many)))
+        rows.append((Cell(dotted(path)), Cell(some(many, _given)), _si(kind, many)))
     headings = (
         Heading(words("inputs.key")),
         Heading(words("inputs.given")),
@@ -77,7 +77,7 @@ def _si(kind: Kind | None, values: Sequence[Any]) -> Cell:
         return Cell("")
     unit = kind.dimension.si_unit
     read = [kind.read(value) for value in values]
-    shown = _some(read, lambda value: shown_si(value, unit))
+    shown = some(read, lambda value: shown_si(value, unit))
     return Cell(shown, read[0] if len(read) == 1 else None)
 
 
@@ -85,7 +85,7 @@ def _given(value: Any) -> str:
     return as_written(value, _LONGEST)
 
 
-def _some(values: Sequence[Any], show: Any) -> str:
+def some(values: Sequence[Any], show: Any) -> str:
     """Show all of a few values, or the ends of many with their number."""
     if len(values) <= _MOST:
         return ", ".join(show(value) for value in values)

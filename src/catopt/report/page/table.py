@@ -8,6 +8,7 @@ from catopt.quantities import Quantity
 from catopt.report.texts import Phrase, Words
 
 __all__ = [
+    "GREEK",
     "Cell",
     "Heading",
     "Table",
@@ -19,8 +20,8 @@ __all__ = [
     "units",
 ]
 
-
-_GREEK = {"theta0": "θ₀", "theta1": "θ₁", "theta": "θ", "mu": "μ", "rho": "ρ"}
+GREEK = {"theta0": "θ₀", "theta1": "θ₁", "theta": "θ", "mu": "μ", "rho": "ρ"}
+"""Symbols of quantities that are Greek letters."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +99,7 @@ def said(phrase: Phrase, style: str = "") -> Cell:
 
 def label_of(words: Words, quantity: Quantity) -> str:
     """Name a quantity with its symbol, Greek letters as such: ``Span S``."""
-    symbol = _GREEK.get(quantity.symbol, quantity.symbol)
+    symbol = GREEK.get(quantity.symbol, quantity.symbol)
     return f"{words.sentence(quantity.name).text} {symbol}".rstrip()
 
 

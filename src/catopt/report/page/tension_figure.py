@@ -22,9 +22,9 @@ from catopt.report.page.line_drawing import along, touchdowns
 from catopt.report.page.note import Note
 from catopt.report.texts import Words
 
-__all__ = ["capacities", "tension_figure"]
+__all__ = ["FAR", "capacities", "tension_figure"]
 
-_FAR = 2.5
+FAR = 2.5
 """A capacity above this multiple of the largest tension would press the curve to the axis."""
 _POINTS = 161
 
@@ -64,13 +64,13 @@ def tension_figure(note: Note, words: Words) -> dict[str, Any]:
     profile = solution.profile(_POINTS)
     allowed = capacities(note)
     largest = max(profile.tension)
-    drawn = [each for each in allowed if each is not None and each <= _FAR * largest]
+    drawn = [each for each in allowed if each is not None and each <= FAR * largest]
     top = 1.08 * quantity.to_field(max([largest, *drawn])) or 1.0
     frame = Frame(74.0, WIDTH - 18.0, 16.0, 290.0, (0.0, solution.line.length), (0.0, top))
     label = f"{words.name(quantity.name)} {quantity.symbol} ({quantity.field_unit})"
     shapes = axes(frame, f"{words.name('Arc length')} s (m)", label)
     shapes += _places(note, frame)
-    shapes += _capacities(note, frame, allowed, _FAR * largest)
+    shapes += _capacities(note, frame, allowed, FAR * largest)
     shapes.append(
         path("curve first", [
             frame.at(s, quantity.to_field(tension))
@@ -88,7 +88,7 @@ def tension_figure(note: Note, words: Words) -> dict[str, Any]:
         tuple(shapes),
         points,
         tuple(_legend(note, words, bool(drawn))),
-        tuple(_notes(words, allowed, _FAR * largest)),
+        tuple(_notes(words, allowed, FAR * largest)),
     )
     return {"figure": figure}
 

@@ -1,0 +1,68 @@
+"""Writes reports/ anew: the reproduction book and a calculation note for each case in cases/.
+
+``python -m tests.reports``; tests/test_reports.py fails when a note is out of date.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from catopt.casefile import read_case
+from catopt.design.search import design_case
+from catopt.report.bundle import design_bundle, reproduction_bundle
+from catopt.report.files import write_files
+from catopt.report.page.note import Note, read_note
+from catopt.report.page.render import render_page
+from catopt.reproduce import reproduce
+
+__all__ = ["CASES", "NOTES", "REPORTS", "note_of_case", "note_page"]
+
+ROOT = Path(__file__).parents[1]
+REPORTS = ROOT / "reports"
+NOTES = REPORTS / "notes"
+CASES = tuple(
+    path.parent.name
+    for path in sorted((ROOT / "cases").glob("*/case.toml"))
+    if read_case(path).system is None
+)
+"""Cases of one line; a body moored by several has tables and figures, and no note."""
+
+
+def note_of_case(name: str) -> Note:
+    """Compute the note of a case; that of the recommended design where one is asked for."""
+    path = ROOT / "cases" / name / "case.toml"
+    case = read_case(path)
+    if case.design is None:
+        return read_note(path)
+    files = design_bundle(design_case(case))
+    with TemporaryDirectory() as folder:
+        kept = {name: files[name] for name in ("case.toml", "design.json")}
+        write_files(Path(folder), kept)
+        return read_note(Path(folder))
+
+
+def note_page(name: str) -> bytes:
+    """Make the page of a case's note."""
+    return render_page(note_of_case(name))
+
+
+def _book() -> dict[str, bytes]:
+    """Make the reproduction book with the figures that it shows."""
+    files = reproduction_bundle(reproduce())
+    shown = re.findall(r"\((\w+\.svg)\)", files["reproduction.md"].decode())
+    return {name: files[name] for name in ("reproduction.md", *shown)}
+
+
+def _written() -> Iterator[Path]:
+    yield from write_files(REPORTS, _book())
+    for name in CASES:
+        yield from write_files(NOTES, {f"{name}.html": note_page(name)})
+
+
+if __name__ == "__main__":
+    for place in _written():
+        sys.stdout.write(f"{place.relative_to(ROOT)}\n")
