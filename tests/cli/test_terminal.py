@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
+from io import StringIO
 from pathlib import Path
 
 import pytest
+from rich.console import Console
+from rich.progress import Progress
 
-from .conftest import BUOY, Run
+from catopt.cli.progress_bar import progress_bar
+
+from .conftest import BUOY, CASES, Run
 
 ESCAPE = "\x1b"
 TITLE = "Phao luồng số 1, θ = 15° [x]"
@@ -93,6 +99,89 @@ def test_progress_is_for_terminals_only(run: Run) -> None:
     ran = run("solve", BUOY, *further)
     assert (ran.status, ran.err) == (0, "")
     assert "Swarm runs" not in ran.out
+
+
+class Clock:
+    """A clock that a test winds on."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def test_the_bar_tells_how_long_the_rest_will_take() -> None:
+    """Steps of 2 s each: after 4 of 100 another 192 s, 3 min 12 s."""
+    clock = Clock()
+    bar = progress_bar(Console(file=StringIO(), width=80), clock)
+    task = bar.add_task("Designs of a front", total=None)
+    assert ESCAPE not in drawn(bar)
+    assert drawn(bar).endswith("0:00")
+    for done in range(5):
+        clock.now = 2.0 * done
+        bar.update(task, completed=done, total=100)
+    assert drawn(bar).startswith("Designs of a front ")
+    assert drawn(bar).endswith("4 of 100, 0:08 3:12 left")
+    clock.now = 7300.0
+    bar.update(task, completed=100)
+    assert drawn(bar).endswith("100 of 100, 2:01:40")
+
+
+def drawn(bar: Progress) -> str:
+    """Draw a bar as plain text on a line of 80 columns."""
+    console = Console(file=StringIO(), width=80, color_system=None)
+    with console.capture() as captured:
+        console.print(bar.get_renderable())
+    (line,) = captured.get().splitlines()
+    return line.rstrip()
+
+
+@needs_pty
+@pytest.mark.parametrize("no_color", ["", "1"])
+def test_a_search_shows_its_progress_and_clears_it_away(no_color: str) -> None:
+    environment = {"NO_COLOR": no_color} if no_color else {}
+    case = CASES / "design-buoy-9.5m" / "case.toml"
+    status, shown = in_terminal("design", str(case), COLUMNS="80", **environment)
+    assert status == 0
+    bars = [line for line in re.split(r"[\r\n]", shown) if "Designs " in plain(line)]
+    assert bars
+    assert all(len(plain(line)) <= 80 for line in bars)
+    colours = [code for code in re.findall(r"\x1b\[([0-9;]*)m", shown) if code not in {"", "0"}]
+    assert bool(colours) == (not no_color)
+
+
+def plain(text: str) -> str:
+    """Take the escape codes out."""
+    return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", text)
+
+
+@pytest.mark.parametrize("columns", ["80", "132"])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("check", CASES / "design-buoy-9.5m" / "case.toml"),
+        ("design", CASES / "design-buoy-9.5m" / "case.toml"),
+        ("curve", BUOY),
+        ("system", CASES / "fso-rang-dong" / "case.toml"),
+        ("reproduce",),
+        ("catalog", "list"),
+        ("report", BUOY),
+    ],
+    ids=lambda arguments: arguments[0] if isinstance(arguments, tuple) else arguments,
+)
+def test_every_command_keeps_to_the_width(
+    run: Run,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    columns: str,
+    arguments: tuple[object, ...],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", columns)
+    ran = run(*arguments)
+    assert ran.status == 0
+    assert max(map(len, ran.out.splitlines())) <= int(columns)
 
 
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii", "utf-8"])

@@ -16,8 +16,11 @@ _SHORT = 4
 """Letters of a word that is another word when its first letter is another: wind is not find."""
 
 
-def nearest(table: type[Table], key: str) -> str | None:
-    """Return the key of `table` that `key` is a misspelling of or the symbol for, if any."""
+def nearest(table: type[Table], key: str, top: type[Table] = CaseTable) -> str | None:
+    """Return the key of `table` that `key` is a misspelling of or the symbol for, if any.
+
+    `top` is the schema of the whole file.
+    """
     own = list(entries(table))
     if key in table.symbols:
         return table.symbols[key]
@@ -28,7 +31,7 @@ def nearest(table: type[Table], key: str) -> str | None:
     longer = [known for known in own if known.endswith(f"_{plain}")]
     if len(longer) == 1:
         return longer[0]  # friction for seabed_friction
-    if any(_elsewhere(key)):
+    if any(_elsewhere(key, top)):
         return None  # right elsewhere, so hardly a misspelling
     from difflib import get_close_matches
 
@@ -37,17 +40,17 @@ def nearest(table: type[Table], key: str) -> str | None:
     return by_plain[close[0]] if close else None
 
 
-def stands_for(table: type[Table], key: str) -> str | None:
+def stands_for(table: type[Table], key: str, top: type[Table] = CaseTable) -> str | None:
     """Return the key of `table` that a key it does not have was to give, if any."""
-    return table.later[key] if key in table.later else nearest(table, key)
+    return table.later[key] if key in table.later else nearest(table, key, top)
 
 
-def hint(table: type[Table], key: str) -> str:
+def hint(table: type[Table], key: str, top: type[Table] = CaseTable) -> str:
     """Say what to do about a key that `table` does not have."""
-    near = nearest(table, key)
+    near = nearest(table, key, top)
     if near is not None:
         return f"did you mean {near}?"
-    places = list(_elsewhere(key))
+    places = list(_elsewhere(key, top))
     if places:
         *others, last = places
         return "move it to " + " or ".join([*([", ".join(others)] if others else []), last])
@@ -59,7 +62,7 @@ def _plain(key: str) -> str:
 
 
 def _elsewhere(
-    key: str, table: type[Table] = CaseTable, path: Path = (), *, array: bool = False
+    key: str, table: type[Table], path: Path = (), *, array: bool = False
 ) -> Iterator[str]:
     """List the tables in which `key` would be right, by the lines that open them."""
     for name, entry in entries(table).items():

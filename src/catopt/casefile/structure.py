@@ -15,50 +15,54 @@ from catopt.units import as_written
 __all__ = ["structure_findings"]
 
 
-def structure_findings(errors: Sequence[ErrorDetails]) -> list[Finding]:
-    """Translate pydantic's errors of a case file.
+def structure_findings(
+    errors: Sequence[ErrorDetails], top: type[Table] = CaseTable
+) -> list[Finding]:
+    """Translate pydantic's errors of a file, whose schema is `top`.
 
     A missing key is not reported when an unknown key beside it is a misspelling of it, or belongs
     to a later version and would stand for it: one mistake, one message.
     """
     unknown = [_path(error) for error in errors if error["type"] == "extra_forbidden"]
-    meant = {(*path[:-1], _stands_for(path)) for path in unknown}
+    meant = {(*path[:-1], _stands_for(path, top)) for path in unknown}
     return [
-        _finding(error)
+        _finding(error, top)
         for error in errors
         if not (error["type"] == "missing" and _path(error) in meant)
     ]
 
 
-def _finding(error: ErrorDetails) -> Finding:
+def _finding(error: ErrorDetails, top: type[Table]) -> Finding:
     path, given = _path(error), error["input"]
     if error["type"] == REFUSED:
         return Finding(path, error["ctx"]["found"], error["ctx"]["allowed"])
     if error["type"] == "extra_forbidden":
-        return _unknown(path, given)
+        return _unknown(path, given, top)
     if error["type"] == "missing":
-        return Finding(path, "", f"missing; {_wanted(path)}")
-    return Finding(path, as_written(given), _wanted(path))  # no table, no array or an empty one
+        return Finding(path, "", f"missing; {_wanted(path, top)}")
+    return Finding(
+        path, as_written(given), _wanted(path, top)
+    )  # no table, no array or an empty one
 
 
-def _unknown(path: Path, given: object) -> Finding:
-    table, key = _table(path[:-1]), str(path[-1])
+def _unknown(path: Path, given: object, top: type[Table]) -> Finding:
+    table, key = _table(path[:-1], top), str(path[-1])
     if key not in table.later:
-        return Finding(path, "an unknown key", hint(table, key))
-    instead = _stands_for(path)
-    advice = f"; give {_name_of(path[:-1], instead)} instead" if instead else ""
+        return Finding(path, "an unknown key", hint(table, key, top))
+    instead = _stands_for(path, top)
+    advice = f"; give {_name_of(path[:-1], instead, top)} instead" if instead else ""
     return Finding(path, as_written(given), "this version of catopt does not know it yet" + advice)
 
 
-def _stands_for(path: Path) -> str:
+def _stands_for(path: Path, top: type[Table]) -> str:
     """Return the key that an unknown key was to give."""
-    return stands_for(_table(path[:-1]), str(path[-1])) or ""
+    return stands_for(_table(path[:-1], top), str(path[-1]), top) or ""
 
 
-def _wanted(path: Path) -> str:
+def _wanted(path: Path, top: type[Table]) -> str:
     if isinstance(path[-1], int):
         return "a table is wanted"
-    entry = _entry(path)
+    entry = _entry(path, top)
     if entry.kind is not None:
         return entry.kind.wanted + (", in brackets" if entry.array else "")
     line = header(path, array=entry.array)
@@ -69,18 +73,18 @@ def _wanted(path: Path) -> str:
     return f"a table {line} is wanted"
 
 
-def _name_of(parent: Path, key: str) -> str:
+def _name_of(parent: Path, key: str, top: type[Table]) -> str:
     path = (*parent, key)
-    return key if _entry(path).table is None else header(path)
+    return key if _entry(path, top).table is None else header(path)
 
 
-def _entry(path: Path) -> Entry:
-    return entries(_table(path[:-1]))[str(path[-1])]
+def _entry(path: Path, top: type[Table]) -> Entry:
+    return entries(_table(path[:-1], top))[str(path[-1])]
 
 
-def _table(path: Path) -> type[Table]:
+def _table(path: Path, top: type[Table]) -> type[Table]:
     """Return the schema of the table at a path."""
-    table: type[Table] = CaseTable
+    table = top
     for part in path:
         if isinstance(part, str):
             inner = entries(table)[part].table

@@ -39,7 +39,8 @@ OutOption = Annotated[
     ),
 ]
 DepthOption = Annotated[
-    str, typer.Option("--depth", metavar="LENGTH", help='Water depth at high water, as "12 m".')
+    str | None,
+    typer.Option("--depth", metavar="LENGTH", help='Water depth at high water, as "12 m".'),
 ]
 WindOption = Annotated[
     str, typer.Option("--wind", metavar="SPEED", help='Wind at 10 m, such as "25 m/s".')
@@ -83,9 +84,13 @@ class Drift(StrEnum):
 def buoy(
     context: typer.Context,
     name: Annotated[
-        str, typer.Argument(metavar="BUOY", help='Name of the buoy, such as "pillar 1.8 m".')
+        str,
+        typer.Argument(
+            metavar="BUOY",
+            help='Name of the buoy, such as "pillar 1.8 m", or a file (.toml) for catopt size.',
+        ),
     ],
-    depth: DepthOption,
+    depth: DepthOption = None,
     low_water: Annotated[
         str | None,
         typer.Option(metavar="LENGTH", help="Water depth at low water; --depth when left out."),
@@ -124,68 +129,84 @@ def buoy(
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference.
 
     Wind, current and waves come from one side. catopt's buoys are generic ones of its own geometry;
-    a name that it lacks is answered with those it has.
+    a name that it lacks is answered with those it has. What a file leaves out is 0, and what is
+    given as an option goes before it.
     """
+    from catopt.cli.size_file import fill, is_file
     from catopt.loads import SurfaceCurrent, WaterLevels, Wind, buoy_loads
     from catopt.loads import buoys as library
     from catopt.loads.buoy_library import buoy as look_up
     from catopt.loads.buoy_library import read_buoys
-    from catopt.units import Dimension
 
-    values = _values(
-        {
-            "--depth": (depth, Dimension.LENGTH),
-            "--low-water": (low_water, Dimension.LENGTH),
-            "--wind": (wind, Dimension.SPEED),
-            "--current": (current, Dimension.SPEED),
-            "--hs": (hs, Dimension.LENGTH),
-            "--hmax": (hmax, Dimension.LENGTH),
-            "--period": (period, Dimension.TIME),
-            "--chain": (chain, Dimension.LENGTH),
-            "--pull": (pull, Dimension.FORCE),
-            "--growth": (growth, Dimension.LENGTH),
-            "--water-density": (water_density, Dimension.DENSITY),
-        }
-    )
-    known = (*library(), *(read_buoys(buoys) if buoys is not None else ()))
-    low = values.get("--low-water", values["--depth"])
-    shape, air, stream, sea, levels = _all(
-        lambda: look_up(name, known),
-        lambda: Wind(values["--wind"]),
-        lambda: SurfaceCurrent(values["--current"]),
-        lambda: _sea(values),
-        lambda: WaterLevels(low, values["--depth"]),
-    )
-    (result,) = _all(
-        lambda: buoy_loads(
-            shape,
-            air,
-            stream,
-            sea,
-            levels,
-            chain_diameter=values["--chain"],
-            pull=values["--pull"],
-            marine_growth=values["--growth"],
-            chain_speed=chain_speed.value,
-            water_density=values["--water-density"],
+    options = {
+        "BUOY": None if is_file(name) else name,
+        "--depth": depth,
+        "--low-water": low_water,
+        "--wind": wind,
+        "--current": current,
+        "--hs": hs,
+        "--hmax": hmax,
+        "--period": period,
+        "--growth": growth,
+        "--buoys": buoys,
+        "--water-density": water_density,
+    }
+    filled = fill(context, options, name if is_file(name) else None, "buoy")
+    given = filled.options
+    with filled.telling():
+        values = _values(given | {"--chain": chain, "--pull": pull}, _OF_BUOY)
+        own = given["--buoys"]
+        known = (*library(), *(read_buoys(own) if own is not None else ()))
+        shape, air, stream, sea, levels = _all(
+            lambda: look_up(_wanted(given, {"BUOY": "pillar 1.8 m"})["BUOY"], known),
+            lambda: Wind(values["--wind"]),
+            lambda: SurfaceCurrent(values["--current"]),
+            lambda: _sea(values),
+            lambda: WaterLevels(
+                values.get("--low-water", _wanted(values, {"--depth": "12 m"})["--depth"]),
+                values["--depth"],
+            ),
         )
-    )
+        (result,) = _all(
+            lambda: buoy_loads(
+                shape,
+                air,
+                stream,
+                sea,
+                levels,
+                chain_diameter=values["--chain"],
+                pull=values["--pull"],
+                marine_growth=values["--growth"],
+                chain_speed=chain_speed.value,
+                water_density=values["--water-density"],
+            )
+        )
     _give(context.obj, result, as_json, out)
 
 
 @loads.command()
 def ship(
     context: typer.Context,
-    length: Annotated[str, typer.Option(metavar="LENGTH", help="Length over all.")],
-    breadth: Annotated[str, typer.Option(metavar="LENGTH", help="Breadth.")],
-    draught: Annotated[str, typer.Option(metavar="LENGTH", help="Draught.")],
+    file: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="FILE", help="File (.toml) for catopt size tanker; or give options."
+        ),
+    ] = None,
+    length: Annotated[str | None, typer.Option(metavar="LENGTH", help="Length over all.")] = None,
+    breadth: Annotated[str | None, typer.Option(metavar="LENGTH", help="Breadth.")] = None,
+    draught: Annotated[str | None, typer.Option(metavar="LENGTH", help="Draught.")] = None,
     frontal_area: Annotated[
-        str, typer.Option(metavar="AREA", help="Above water, seen from ahead.")
-    ],
+        str | None,
+        typer.Option(
+            metavar="AREA", help="Above water, seen from ahead; estimated if a file has none."
+        ),
+    ] = None,
     lateral_area: Annotated[
-        str, typer.Option(metavar="AREA", help="Above water, seen from the side.")
-    ],
-    depth: DepthOption,
+        str | None,
+        typer.Option(metavar="AREA", help="Above water, seen from the side; the same."),
+    ] = None,
+    depth: DepthOption = None,
     kind: Annotated[
         str,
         typer.Option(metavar="KIND", help='Kind for the wind, such as "tanker ballast".'),
@@ -195,7 +216,7 @@ def ship(
         typer.Option(
             metavar="KIND",
             help="Kind for a locked propeller: destroyer, cruiser, carrier, cargo, tanker or "
-            "submarine; none when left out.",
+            "submarine; none when left out, with a file tanker.",
         ),
     ] = None,
     waterline: Annotated[
@@ -244,70 +265,84 @@ def ship(
 
     Wind after Blendermann, current after UFC 4-159-03, mean wave drift of a box that reflects.
 
-    Without angles the ship is taken for weathervaning, head to everything.
+    Without angles the ship is taken for weathervaning, head to everything. Of a file the loaded
+    tanker is taken; what it leaves out of wind, current and waves is 0, and what is given as an
+    option goes before it.
     """
+    from catopt.cli.size_file import fill
     from catopt.loads import Headings, Ship, SurfaceCurrent, Wind, ship_loads
-    from catopt.units import Dimension
 
-    values = _values(
-        {
-            "--length": (length, Dimension.LENGTH),
-            "--waterline": (waterline, Dimension.LENGTH),
-            "--breadth": (breadth, Dimension.LENGTH),
-            "--draught": (draught, Dimension.LENGTH),
-            "--frontal-area": (frontal_area, Dimension.AREA),
-            "--lateral-area": (lateral_area, Dimension.AREA),
-            "--depth": (depth, Dimension.LENGTH),
-            "--wind": (wind, Dimension.SPEED),
-            "--current": (current, Dimension.SPEED),
-            "--hs": (hs, Dimension.LENGTH),
-            "--hmax": (hmax, Dimension.LENGTH),
-            "--period": (period, Dimension.TIME),
-            "--wind-angle": (wind_angle, Dimension.ANGLE),
-            "--current-angle": (current_angle, Dimension.ANGLE),
-            "--wave-angle": (wave_angle, Dimension.ANGLE),
-            "--water-density": (water_density, Dimension.DENSITY),
+    options = {
+        "--length": length,
+        "--breadth": breadth,
+        "--draught": draught,
+        "--moulded-depth": None,
+        "--frontal-area": frontal_area,
+        "--lateral-area": lateral_area,
+        "--depth": depth,
+        "--wind": wind,
+        "--current": current,
+        "--hs": hs,
+        "--hmax": hmax,
+        "--period": period,
+        "--water-density": water_density,
+        "--buoys": None,
+    }
+    filled = fill(context, options, file, "tanker")
+    given = filled.options
+    estimated: tuple[str, ...] = ()
+    with filled.telling():
+        angles = {
+            "--wind-angle": wind_angle,
+            "--current-angle": current_angle,
+            "--wave-angle": wave_angle,
         }
-    )
-    at_waterline = values.get("--waterline", 0.97 * values["--length"])
-    section = values["--breadth"] * values["--draught"]
-    body, air, stream, sea, headings = _all(
-        lambda: Ship(
-            f"ship of {values['--length']:g} m",
-            values["--length"],
-            at_waterline,
-            values["--breadth"],
-            values["--draught"],
-            block * at_waterline * section,
-            midship * section,
-            values["--lateral-area"],
-            values["--frontal-area"],
-            propeller,
-        ),
-        lambda: Wind(values["--wind"]),
-        lambda: SurfaceCurrent(values["--current"]),
-        lambda: _sea(values),
-        lambda: Headings(values["--wind-angle"], values["--current-angle"], values["--wave-angle"]),
-    )
-    (result,) = _all(
-        lambda: ship_loads(
-            body,
-            air,
-            stream,
-            sea,
-            values["--depth"],
-            wind_on=kind,
-            headings=headings,
-            reflection=reflection,
-            drift="sea state" if drift is Drift.SEA_STATE else "largest wave",
-            water_density=values["--water-density"],
+        values = _values(given | {"--waterline": waterline} | angles, _OF_SHIP)
+        _wanted(values, _SHIP if file is None else _SHIP_IN_A_FILE)
+        if file is not None:
+            propeller = propeller or "tanker"
+            values, estimated = _with_areas(values)
+        at_waterline = values.get("--waterline", 0.97 * values["--length"])
+        section = values["--breadth"] * values["--draught"]
+        body, air, stream, sea, headings = _all(
+            lambda: Ship(
+                f"ship of {values['--length']:g} m",
+                values["--length"],
+                at_waterline,
+                values["--breadth"],
+                values["--draught"],
+                block * at_waterline * section,
+                midship * section,
+                values["--lateral-area"],
+                values["--frontal-area"],
+                propeller,
+            ),
+            lambda: Wind(values["--wind"]),
+            lambda: SurfaceCurrent(values["--current"]),
+            lambda: _sea(values),
+            lambda: Headings(
+                values["--wind-angle"], values["--current-angle"], values["--wave-angle"]
+            ),
         )
-    )
+        (result,) = _all(
+            lambda: ship_loads(
+                body,
+                air,
+                stream,
+                sea,
+                values["--depth"],
+                wind_on=kind,
+                headings=headings,
+                reflection=reflection,
+                drift="sea state" if drift is Drift.SEA_STATE else "largest wave",
+                water_density=values["--water-density"],
+            )
+        )
     hull = (
         f"Waterline {at_waterline:.5g} m, block coefficient {block:g}, midship coefficient "
         f"{midship:g}."
     )
-    result = replace(result, assumptions=(*result.assumptions, hull))
+    result = replace(result, assumptions=(*result.assumptions, hull, *estimated))
     _give(context.obj, result, as_json, out)
 
 
@@ -338,6 +373,7 @@ _OPTIONS = {
     "midship_area": "--midship",
     "frontal_area": "--frontal-area",
     "lateral_area": "--lateral-area",
+    "moulded_depth": "--moulded-depth",
     "kind": "--kind",
     "propeller": "--propeller",
     "wind": "--wind-angle",
@@ -348,10 +384,74 @@ _OPTIONS = {
 """Options by what they are called in Python."""
 
 
-def _values(given: Any) -> dict[str, float]:
-    from catopt.cli.values import in_si
+_WEATHER = {
+    "--depth": "LENGTH",
+    "--low-water": "LENGTH",
+    "--wind": "SPEED",
+    "--current": "SPEED",
+    "--hs": "LENGTH",
+    "--hmax": "LENGTH",
+    "--period": "TIME",
+    "--water-density": "DENSITY",
+}
+_OF_BUOY = _WEATHER | {"--chain": "LENGTH", "--pull": "FORCE", "--growth": "LENGTH"}
+_OF_SHIP = _WEATHER | {
+    "--length": "LENGTH",
+    "--waterline": "LENGTH",
+    "--breadth": "LENGTH",
+    "--draught": "LENGTH",
+    "--moulded-depth": "LENGTH",
+    "--frontal-area": "AREA",
+    "--lateral-area": "AREA",
+    "--wind-angle": "ANGLE",
+    "--current-angle": "ANGLE",
+    "--wave-angle": "ANGLE",
+}
+"""What each option is, by the name of its dimension."""
 
-    return in_si(given)
+
+def _values(options: dict[str, Any], dimensions: dict[str, str]) -> dict[str, float]:
+    from catopt.cli.values import in_si
+    from catopt.units import Dimension
+
+    return in_si({each: (options.get(each), Dimension[of]) for each, of in dimensions.items()})
+
+
+_SHIP_IN_A_FILE = {
+    "--length": "234 m",
+    "--breadth": "31.3 m",
+    "--draught": "12.4 m",
+    "--depth": "20 m",
+}
+_SHIP = _SHIP_IN_A_FILE | {"--frontal-area": "580 m^2", "--lateral-area": "1200 m^2"}
+"""What is wanted of a ship, with examples."""
+
+
+def _wanted(given: dict[str, Any], wanted: dict[str, str]) -> dict[str, Any]:
+    """Return what is given, once all that is wanted is there; examples by option."""
+    from catopt.errors import InputError, Problem
+
+    missing = [
+        Problem(option, "", f'missing; it is wanted, such as "{example}"')
+        for option, example in wanted.items()
+        if given.get(option) is None
+    ]
+    if missing:
+        raise InputError(missing, "options")
+    return given
+
+
+def _with_areas(values: dict[str, float]) -> tuple[dict[str, float], tuple[str, ...]]:
+    """Estimate a tanker's windage where it is not given; say so."""
+    from catopt.loads.ship_estimate import ESTIMATES, MOULDED, estimated_tanker
+
+    if "--frontal-area" in values and "--lateral-area" in values:
+        return values, ()
+    moulded = values.get("--moulded-depth", MOULDED * values["--draught"])
+    main = (values[option] for option in ("--length", "--breadth", "--draught"))
+    (ship,) = _all(lambda: estimated_tanker("tanker", *main, moulded_depth=moulded))
+    areas = {"--frontal-area": ship.frontal_area, "--lateral-area": ship.lateral_area}
+    return areas | values, ESTIMATES[1:]
 
 
 def _sea(values: dict[str, float]) -> SeaState:

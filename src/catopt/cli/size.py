@@ -75,8 +75,8 @@ def buoy(
         str | None,
         typer.Argument(
             metavar="BUOY",
-            help='Name of the buoy, such as "pillar 1.8 m"; or give --force and '
-            "--reserve-buoyancy.",
+            help='Name of the buoy, such as "pillar 1.8 m", or a file (.toml) with what is known; '
+            "or give --force and --reserve-buoyancy.",
         ),
     ] = None,
     depth: DepthOption = None,
@@ -129,15 +129,16 @@ def buoy(
 
     Wind, current and waves come from one side, after IALA's CALMAR reference. The chain is
     checked by IALA's rules under the storm at high and at low water; what is not given is taken,
-    and the answer says so.
+    and the answer says so. What is given as an option goes before what a file says.
     """
+    from catopt.cli.size_file import fill, is_file
     from catopt.cli.size_options import check_save, give, sized
     from catopt.cli.size_questions import asked_buoy
-    from catopt.cli.size_requests import Wishes, buoy_request
+    from catopt.cli.size_requests import Wishes, buoy_request, titled
     from catopt.sizing import size_buoy
 
-    given = {
-        "BUOY": name,
+    options = {
+        "BUOY": None if is_file(name) else name,
         "--depth": depth,
         "--low-water": low_water,
         "--force": force,
@@ -156,18 +157,33 @@ def buoy(
         "--length-step": length_step,
         "--life": life,
         "--wear": wear,
+        "--growth": growth,
         "--water-density": water_density,
+        "--chain": chain,
+        "--code": code,
+        "--prefer": prefer.value,
+        "--sinker": sinker.value,
+        "--buoys": buoys,
+        "--recalled": recalled,
     }
     check_save(save)
     _check_out(out)
-    wishes = Wishes(chain, code, prefer.value, sinker.value, buoys, recalled)
-    request = buoy_request(asked_buoy(given), growth, wishes)
-    give(context.obj, sized(size_buoy, request), as_json=as_json, out=out, save=save)
+    filled = fill(context, options, name if is_file(name) else None, "buoy")
+    with filled.telling():
+        given = asked_buoy(filled.options) if filled.is_sound else filled.options
+        request = buoy_request(given, given["--growth"], Wishes.among(given))
+        found = sized(size_buoy, titled(request, filled)) if filled.is_sound else None
+    if found is not None:
+        give(context.obj, found, as_json=as_json, out=out, save=save)
 
 
 @size.command()
 def tanker(
     context: typer.Context,
+    file: Annotated[
+        str | None,
+        typer.Argument(metavar="FILE", help="File (.toml) with what is known; or give options."),
+    ] = None,
     length: Annotated[str | None, typer.Option(metavar="LENGTH", help="Length over all.")] = None,
     breadth: Annotated[str | None, typer.Option(metavar="LENGTH", help="Breadth.")] = None,
     draught: Annotated[str | None, typer.Option(metavar="LENGTH", help="Draught, loaded.")] = None,
@@ -266,14 +282,16 @@ def tanker(
 
     One line from the bow, one leg from a mooring buoy with a hawser (--buoy), or several lines
     around a buoy or a turret (--lines). The ship lies head to wind, current and waves; what is not
-    given is taken or estimated, and the answer says so.
+    given is taken or estimated, and the answer says so. What is given as an option goes before
+    what a file says.
     """
+    from catopt.cli.size_file import fill
     from catopt.cli.size_options import check_save, give, sized
     from catopt.cli.size_questions import asked_tanker
-    from catopt.cli.size_requests import Wishes, tanker_request
+    from catopt.cli.size_requests import Wishes, tanker_request, titled
     from catopt.sizing import size_tanker
 
-    given = {
+    options = {
         "--length": length,
         "--breadth": breadth,
         "--draught": draught,
@@ -302,12 +320,25 @@ def tanker(
         "--life": life,
         "--wear": wear,
         "--water-density": water_density,
+        "--clump-weight": clump_weight,
+        "--chain": chain,
+        "--code": code,
+        "--prefer": prefer.value,
+        "--sinker": sinker.value,
+        "--buoys": buoys,
+        "--recalled": recalled,
+        "--anchor": anchor,
+        "--lines": lines,
     }
     check_save(save)
     _check_out(out)
-    wishes = Wishes(chain, code, prefer.value, sinker.value, buoys, recalled, anchor, lines)
-    request = tanker_request(asked_tanker(given), clump_weight or [], wishes)
-    give(context.obj, sized(size_tanker, request), as_json=as_json, out=out, save=save)
+    filled = fill(context, options, file, "tanker")
+    with filled.telling():
+        given = asked_tanker(filled.options) if filled.is_sound else filled.options
+        request = tanker_request(given, given["--clump-weight"] or [], Wishes.among(given))
+        found = sized(size_tanker, titled(request, filled)) if filled.is_sound else None
+    if found is not None:
+        give(context.obj, found, as_json=as_json, out=out, save=save)
 
 
 def _check_out(out: Path | None) -> None:

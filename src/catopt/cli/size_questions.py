@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from catopt.cli.wizard import Question
 
 __all__ = ["Given", "asked_buoy", "asked_tanker"]
 
-Given = dict[str, str | None]
-"""Options as they were given; None: left out."""
+Given = dict[str, Any]
+"""Options by name as they were given: mostly texts. None: left out."""
 
 
 def asked_buoy(given: Given) -> Given:

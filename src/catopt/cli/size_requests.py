@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from catopt.cli.size_questions import Given
 
 if TYPE_CHECKING:
     from catopt.cli.gathered import Gathered
+    from catopt.cli.size_file import Filled
     from catopt.loads import BuoyShape
     from catopt.sizing import (
         BuoyRequest,
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
     )
     from catopt.units import Dimension
 
-__all__ = ["SINKER", "Wishes", "buoy_request", "tanker_request"]
+__all__ = ["SINKER", "Wishes", "buoy_request", "tanker_request", "titled"]
 
 SINKER = "sinker"
 """As an anchor of a tanker: held by its weight."""
@@ -61,6 +63,20 @@ class Wishes(NamedTuple):
     recalled: bool
     anchor: str = SINKER
     lines: int = 1
+
+    @classmethod
+    def among(cls, options: Given) -> Wishes:
+        """Take them out of all options."""
+        return cls(
+            chains=options["--chain"],
+            code=options["--code"],
+            prefer=options["--prefer"],
+            material=options["--sinker"],
+            own_buoys=options["--buoys"],
+            recalled=options["--recalled"],
+            anchor=options.get("--anchor", SINKER),
+            lines=options.get("--lines", 1),
+        )
 
 
 _COMMON = {
@@ -104,8 +120,23 @@ _OF_TANKER = _COMMON | {
 _HAWSER = 50.0
 """m."""
 
-_MOULDED = 1.3
-"""Moulded depth in draughts."""
+
+Request = TypeVar("Request", "BuoyRequest", "TankerRequest")
+
+
+def titled(request: Request, filled: Filled) -> Request:
+    """Give a request the title and the source of the file that it came from.
+
+    Parameters
+    ----------
+    request : BuoyRequest or TankerRequest
+        Without them.
+    filled : Filled
+        Options and the file.
+    """
+    if filled.file is None:
+        return request
+    return replace(request, title=filled.file.text("title"), source=filled.file.text("source"))
 
 
 def _in_si(given: Given, dimensions: dict[str, str]) -> dict[str, float]:
@@ -371,12 +402,12 @@ def _ships(gathered: Gathered, values: dict[str, float]) -> tuple[MooredShip, ..
 
 
 def _ship(values: dict[str, float], condition: str) -> MooredShip:
-    from catopt.loads.ship_estimate import estimated_tanker
+    from catopt.loads.ship_estimate import MOULDED, estimated_tanker
     from catopt.sizing import MooredShip
 
     loaded = values["--draught"]
     draught = loaded if condition == "loaded" else values["--ballast-draught"]
-    moulded = values.get("--moulded-depth", _MOULDED * loaded)
+    moulded = values.get("--moulded-depth", MOULDED * loaded)
     # Where the areas are given, they are those of the loaded ship: it rises by the difference.
     risen = loaded - draught
     areas = {"--frontal-area": values["--breadth"], "--lateral-area": values["--length"]}

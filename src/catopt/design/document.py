@@ -68,7 +68,7 @@ def _point(point: DesignPoint) -> dict[str, Any]:
         "checks": [result_document(check) for check in point.checks.results],
         "governing": "" if governing is None else f"{governing.name} ({governing.load_case})",
         "feasible": point.checks.passes,
-        "spans_m": {name: solution.span for name, solution in point.checks.solutions},
+        "spans_m": [solution.span for _, solution in point.checks.solutions],
         "genes": list(point.genes),
     }
 

@@ -8,7 +8,7 @@ from typing import Final, Literal, get_args
 from catopt.loads.ship import Ship
 from catopt.model.validity import Findings
 
-__all__ = ["BLOCK", "ESTIMATES", "MIDSHIP", "WATERLINE", "Condition", "estimated_tanker"]
+__all__ = ["BLOCK", "ESTIMATES", "MIDSHIP", "MOULDED", "WATERLINE", "Condition", "estimated_tanker"]
 
 Condition = Literal["loaded", "ballast"]
 
@@ -20,6 +20,9 @@ BLOCK: Final = MappingProxyType({"loaded": 0.80, "ballast": 0.72})
 
 MIDSHIP: Final = 0.98
 """Midship coefficient."""
+
+MOULDED: Final = 1.3
+"""Moulded depth in draughts of the loaded ship."""
 
 HOUSE_HEIGHT: Final = 15.0
 HOUSE_LENGTH: Final = 25.0

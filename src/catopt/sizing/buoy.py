@@ -114,7 +114,7 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
         fairlead_height=levels.high - keel,
         checks=line.checks,
         title=request.title or f"{request.buoy.name} in {levels.high:g} m of water",
-        source="catopt size buoy",
+        source=request.source or "catopt size buoy",
         load_cases=tuple(
             LoadCase(each.load_case, each.horizontal_force, rise)
             for each, rise in zip(loads, rises, strict=True)

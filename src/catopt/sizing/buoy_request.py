@@ -68,6 +68,8 @@ class BuoyRequest:
         Thickness on hull and chain, m.
     title : str
         Of the case; made of the buoy and the depth when left out.
+    source : str
+        Of the case: where its figures come from; the command when left out.
     defaults : tuple of str
         What was not given and was taken, in words; for the answer.
     """
@@ -78,6 +80,7 @@ class BuoyRequest:
     ground: SinkerGround = field(default_factory=SinkerGround)
     marine_growth: float = 0.0
     title: str = ""
+    source: str = ""
     defaults: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

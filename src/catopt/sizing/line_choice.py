@@ -22,6 +22,10 @@ _STEPS_A_HEIGHT: Final = 25.0
 """A step of length is at least this part of the height that the line spans."""
 _LONGEST: Final = 12.0
 """Times the height: longer lines are not looked at."""
+_LONGEST_LIFE: Final = 100.0
+"""Years."""
+_FASTEST_WEAR: Final = 10e-3
+"""m a year."""
 
 
 @dataclass(frozen=True)
@@ -71,8 +75,14 @@ class LineChoice:
             found.add("diameter_max", f"{most * 1e3:g} mm", f"below diameter_min, {least * 1e3:g}")
         if self.prefer not in PREFERENCES:
             found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
-        found.number("life", self.life, "s", at_least=0.0, at_most=100.0 * YEAR)
-        found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0, at_most=10e-3 / YEAR)
+        found.number("life", self.life, "s", at_least=0.0)
+        if self.life > _LONGEST_LIFE * YEAR:
+            years = f"{self.life / YEAR:g} years"
+            found.add("life", years, f"must be {_LONGEST_LIFE:g} years or less")
+        found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
+        if self.wear_rate > _FASTEST_WEAR / YEAR:
+            rate = f"{self.wear_rate * YEAR * 1e3:g} mm/year"
+            found.add("wear_rate", rate, f"must be {_FASTEST_WEAR * 1e3:g} mm/year or less")
         try:
             profiles_of(self.checks)
         except InputError as error:

@@ -142,7 +142,7 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
         fairlead_height=base,
         checks=line.checks,
         title=request.title or f"{request.ships[0].ship.name} in {env.levels.high:g} m of water",
-        source="catopt size tanker",
+        source=request.source or "catopt size tanker",
         load_cases=tuple(cases),
         service=line.service,
         buoy=None if reserve is None else Buoy(reserve),

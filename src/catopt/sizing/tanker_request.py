@@ -98,6 +98,8 @@ class TankerRequest:
         kg/m3.
     title : str
         Of the case; made of the ship and the depth when left out.
+    source : str
+        Of the case: where its figures come from; the command when left out.
     defaults, estimates : tuple of str
         What was not given and was taken, and what was estimated, in words; for the answer.
     """
@@ -121,6 +123,7 @@ class TankerRequest:
     clump_masses: tuple[float, ...] = ()
     clump_density: float = 2400.0
     title: str = ""
+    source: str = ""
     defaults: tuple[str, ...] = ()
     estimates: tuple[str, ...] = ()
 

@@ -1,0 +1,433 @@
+"""``catopt size`` from a file: the same answers as from options, and what it says of mistakes.
+
+Beside every ``broken_sizing/NAME.toml`` stands ``NAME.txt``, the message word for word; the name
+begins with the command.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+import typer.main
+
+from catopt import read_case
+from catopt.casefile.fields import Measured
+from catopt.casefile.schema import Table, entries
+from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
+from catopt.cli.size import size
+from catopt.cli.size_file import OPTIONS
+from catopt.cli.size_options import DEFAULTS
+from tests.casefile.test_schema import accepts, parse_value, range_of
+
+from .conftest import Run
+from .test_size import BUOY, OWN, SHIP, Terminal
+
+ROOT = Path(__file__).parents[2]
+BROKEN = Path(__file__).parent / "broken_sizing"
+NAMES = sorted(path.stem for path in BROKEN.glob("*.toml"))
+PAGE = (ROOT / "docs" / "sizing.md").read_text(encoding="utf-8")
+
+BUOY_FILE = """
+[site]
+water_depth = "12 m"
+low_water = 10
+[environment]
+wind = "25 m/s"
+current = "1.5 m/s"
+hs = "1.5 m"
+period = 6.0
+[buoy]
+name = "pillar 2.4 m"
+[sinker]
+soil = "clean fine to medium sand"
+"""
+OWN_FILE = """
+[site]
+water_depth = "9.5 m"
+[buoy]
+horizontal_force = "0.343 tf"
+reserve_buoyancy = "12 kN"
+"""
+SHIP_FILE = """
+[site]
+water_depth = "22 m"
+low_water = "20 m"
+[environment]
+wind = "20 m/s"
+current = "1.2 m/s"
+hmax = "3.5 m"
+period = "8 s"
+[ship]
+length = "234 m"
+breadth = "31.3 m"
+draught = "12.4 m"
+moulded_depth = "16 m"
+"""
+
+EVERY_BUOY_OPTION = (
+    *("--water-density", "1010 kg/m^3", "--growth", "50 mm", "--hmax", "3 m"),
+    *("--chain", "chain open-link 4D Q2", "--diameter-min", "30 mm", "--diameter-max", "60 mm"),
+    *("--length-step", "1 m", "--code", "break/5", "--prefer", "lightest", "--life", "3 years"),
+    *("--wear", "0.3 mm/year", "--sinker", "steel", "--sinker-density", "7800 kg/m^3"),
+    *("--friction", "0.5", "--recalled"),
+)
+EVERY_BUOY_KEY = (
+    BUOY_FILE.replace("low_water", 'water_density = "1010 kg/m^3"\nlow_water')
+    .replace("period", 'marine_growth = "50 mm"\nhmax = "3 m"\nperiod')
+    .replace('soil = "clean fine to medium sand"', "friction = 0.5")
+    + """
+material = "steel"
+density = "7.8 t/m^3"
+[line]
+components = ["chain open-link 4D Q2"]
+diameter_min = "30 mm"
+diameter_max = 0.06
+length_step = "1 m"
+prefer = "lightest"
+[checks]
+code = "break/5"
+allow_recalled = true
+[service]
+life = "3 years"
+wear_rate = "0.3 mm/year"
+"""
+)
+SHIP_OPTIONS = (
+    *("--ballast-draught", "6 m", "--dwt", "50000 t", "--frontal-area", "600 m^2"),
+    *("--lateral-area", "1300 m^2", "--fairlead", "4 m", "--buoy", "mooring buoy 5.0 m"),
+    *("--hawser", "60 m", "--clump-weight", "10 t", "--clump-weight", "20 t"),
+    *("--anchor", "sinker", "--soil", "hard clay"),
+)
+SHIP_KEYS = (
+    SHIP_FILE
+    + """
+ballast_draught = "6 m"
+deadweight = "50000 t"
+frontal_area = 600
+lateral_area = "1300 m^2"
+fairlead_above_water = "4 m"
+[buoy]
+name = "mooring buoy 5.0 m"
+hawser_length = "60 m"
+[line]
+clump_weights = ["10 t", 20000]
+[sinker]
+soil = "hard clay"
+"""
+)
+AROUND_OPTIONS = (
+    *("--lines", "6", "--pretension", "12 %", "--buoy", "mooring buoy 5.0 m"),
+    *("--anchor", "Bruce FFTS Mk4", "--soil", "sand"),
+)
+AROUND_KEYS = (
+    SHIP_FILE
+    + """
+[buoy]
+name = "mooring buoy 5.0 m"
+[system]
+lines = 6
+pretension = 0.12
+[anchor]
+name = "Bruce FFTS Mk4"
+soil = "sand"
+"""
+)
+WITHOUT_SOIL = BUOY[: BUOY.index("--soil")]
+
+
+@pytest.fixture
+def written(tmp_path: Path) -> Path:
+    """Where a test puts its file."""
+    return tmp_path / "sizing.toml"
+
+
+@pytest.mark.parametrize(
+    ("text", "arguments"),
+    [
+        (BUOY_FILE, BUOY),
+        (OWN_FILE, OWN),
+        (EVERY_BUOY_KEY, (*WITHOUT_SOIL, *EVERY_BUOY_OPTION)),
+        (SHIP_FILE, SHIP),
+        (SHIP_KEYS, (*SHIP, *SHIP_OPTIONS)),
+        (AROUND_KEYS, (*SHIP, *AROUND_OPTIONS)),
+    ],
+    ids=["buoy", "own", "every key of a buoy", "ship", "sinker", "around"],
+)
+def test_a_file_gives_what_the_same_options_give(
+    run: Run, written: Path, text: str, arguments: tuple[str, ...]
+) -> None:
+    written.write_text(text, "utf-8")
+    by_options = run(*arguments, "--json")
+    by_file = run(*arguments[:2], written, "--json")
+    assert (by_file.status, by_file.err) == (by_options.status, by_options.err) == (0, "")
+    assert by_file.out == by_options.out
+
+
+def test_the_files_above_have_every_key_but_the_texts_and_a_file_of_buoys() -> None:
+    given = {
+        "buoy": keys_in(EVERY_BUOY_KEY) | keys_in(OWN_FILE) | keys_in(BUOY_FILE),
+        "tanker": keys_in(SHIP_KEYS) | keys_in(AROUND_KEYS) | keys_in(EVERY_BUOY_KEY),
+    }
+    for moored, keys in given.items():
+        assert set(OPTIONS[moored]) - keys <= {"buoy.file", "buoy.keel_depth"}  # type: ignore[index]
+
+
+def keys_in(text: str) -> set[str]:
+    """Dotted keys of a file of sections."""
+    return {f"{name}.{key}" for name, table in tomllib.loads(text).items() for key in table}
+
+
+def test_an_option_goes_before_the_file(run: Run, written: Path) -> None:
+    written.write_text(BUOY_FILE, "utf-8")
+    typed = run("size", "buoy", written, "--hs", "1 m", "--friction", "0.5", "--json")
+    same = run(*WITHOUT_SOIL, "--friction", "0.5", "--hs", "1 m", "--json")
+    assert typed.status == 0
+    assert typed.out == same.out
+    # Even one that is its own default.
+    written.write_text(BUOY_FILE + 'material = "steel"\n', "utf-8")
+    assert run("size", "buoy", written, "--sinker", "concrete", "--json").out == (
+        run(*BUOY, "--json").out
+    )
+
+
+def test_what_holds_the_line_is_what_was_typed(run: Run, written: Path) -> None:
+    written.write_text(SHIP_FILE + '[sinker]\nsoil = "hard clay"\n', "utf-8")
+    typed = run("size", "tanker", written, "--anchor", "Stevpris Mk5", "--json")
+    assert typed.out == run(*SHIP, "--json").out
+    written.write_text(SHIP_FILE + '[anchor]\nsoil = "sand"\n', "utf-8")
+    typed = run("size", "tanker", written, "--anchor", "sinker", "--json")
+    assert typed.status == 0
+    assert typed.out == run(*SHIP, "--anchor", "sinker", "--json").out
+
+
+def test_what_is_wrong_with_an_option_keeps_its_name(run: Run, written: Path) -> None:
+    written.write_text(BUOY_FILE.replace("1.5 m/s", "15 m/s"), "utf-8")
+    ran = run("size", "buoy", written, "--wind", "200 m/s", "--hmax", "1 m")
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err.startswith(f"catopt: {written}: 3 errors\n")
+    assert "--wind: found 200 m/s" in ran.err
+    assert 'environment.current: found "15 m/s"' in ran.err
+    assert "--hmax: found 1 m; below the significant height of 1.5 m" in ran.err
+
+
+def test_only_what_the_file_leaves_out_is_asked(
+    run: Run, written: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written.write_text(BUOY_FILE.replace('water_depth = "12 m"', ""), "utf-8")
+    terminal = Terminal("12 m")
+    monkeypatch.setattr(sys, "stdin", terminal)
+    ran = run("size", "buoy", written, "--json")
+    assert (ran.status, terminal.answers) == (0, [])
+    assert "Wind at 10 m" not in ran.err
+    monkeypatch.undo()
+    assert json.loads(ran.out) == json.loads(run(*BUOY, "--json").out)
+
+
+def test_a_file_at_fault_is_told_before_anything_is_asked(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stdin", Terminal())
+    ran = run("size", "buoy", BROKEN / "buoy-misspelt.toml")
+    assert (ran.status, ran.out) == (2, "")
+    assert "5 errors" in ran.err
+    assert "Water depth" not in ran.err
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_message_is_exactly_this(run: Run, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(BROKEN)
+    ran = run("size", name.partition("-")[0], f"{name}.toml")
+    assert (ran.status, ran.out) == (2, "")
+    assert ran.err == (BROKEN / f"{name}.txt").read_text(encoding="utf-8")
+
+
+def test_every_broken_file_has_its_message() -> None:
+    assert sorted(path.stem for path in BROKEN.glob("*.txt")) == NAMES
+    assert len(NAMES) >= 20
+
+
+def test_what_is_no_file_is_told(run: Run, tmp_path: Path) -> None:
+    for command in ("buoy", "tanker"):
+        ran = run("size", command, tmp_path / "gone.toml")
+        assert (ran.status, ran.out) == (2, "")
+        assert "there is no such file" in ran.err
+    assert "it is a folder" in run("size", "buoy", tmp_path).err
+
+
+def test_a_file_of_buoys_counts_from_the_folder_of_the_file(run: Run, tmp_path: Path) -> None:
+    library = (ROOT / "src/catopt/loads/data/buoys.toml").read_text("utf-8")
+    (tmp_path / "mine.toml").write_text(library.replace('"pillar ', '"my pillar '), "utf-8")
+    written = tmp_path / "sizing.toml"
+    text = BUOY_FILE.replace('"pillar 2.4 m"', '"my pillar 2.4 m"\nfile = "mine.toml"')
+    written.write_text(text, "utf-8")
+    by_file = run("size", "buoy", written, "--json")
+    options = ["my pillar 2.4 m" if each == "pillar 2.4 m" else each for each in BUOY]
+    by_options = run(*options, "--buoys", tmp_path / "mine.toml", "--json")
+    assert by_file.status == 0
+    assert by_file.out == by_options.out
+    (tmp_path / "mine.toml").unlink()
+    gone = run("size", "buoy", written)
+    assert gone.status == 2
+    assert "mine.toml" in gone.err
+
+
+def test_title_and_source_go_to_the_case(run: Run, written: Path, tmp_path: Path) -> None:
+    written.write_text('title = "Fairway"\nsource = "Survey"\n' + BUOY_FILE, "utf-8")
+    place = tmp_path / "case.toml"
+    assert run("size", "buoy", written, "--save", place).status == 0
+    case = read_case(place)
+    assert (case.title, case.source) == ("Fairway", "Survey")
+
+
+def test_the_examples_come_to_what_is_worked_by_hand(run: Run) -> None:
+    buoy = json.loads(run("size", "buoy", ROOT / "cases/size-buoy/sizing.toml", "--json").out)
+    # To the digits that docs/sizing.md prints: 38 mm, 54.5 m, 20 t.
+    assert buoy["chain"]["nominal_diameter_m"] == pytest.approx(0.038, abs=1e-12)
+    assert buoy["chain"]["length_m"] == 54.5
+    assert buoy["sinker"]["mass_kg"] == 20e3
+    assert buoy["title"] == "Pillar buoy in 12 m"
+    ship = json.loads(run("size", "tanker", ROOT / "cases/size-tanker/sizing.toml", "--json").out)
+    assert ship["chain"]["nominal_diameter_m"] == pytest.approx(0.084, abs=1e-12)
+    assert ship["chain"]["length_m"] == 137.5
+    # 288.0 kN in docs/loads.md, to its last digit.
+    assert ship["loads"][0]["horizontal_force_N"] == pytest.approx(288.0e3, abs=0.05e3)
+
+
+def test_loads_of_a_file_are_those_of_the_same_options(run: Run, written: Path) -> None:
+    written.write_text(BUOY_FILE, "utf-8")
+    by_file = run("loads", "buoy", written, "--chain", "38 mm", "--json")
+    weather = BUOY[2 : BUOY.index("--soil")]
+    assert by_file.status == 0
+    assert by_file.out == run("loads", "buoy", *weather, "--chain", "38 mm", "--json").out
+    calm = run("loads", "buoy", written, "--wind", "0 m/s", "--json")
+    assert calm.out == run("loads", "buoy", *weather, "--wind", "0 m/s", "--json").out
+
+
+def test_loads_of_a_tanker_s_file_are_those_worked_by_hand(run: Run) -> None:
+    place = ROOT / "cases/size-tanker/sizing.toml"
+    found = json.loads(run("loads", "ship", place, "--json").out)
+    # 288.0 kN in docs/loads.md, to its last digit.
+    assert found["horizontal_force_N"] == pytest.approx(288.0e3, abs=0.05e3)
+    assert any("deckhouse" in words for words in found["assumptions"])
+    typed = json.loads(run("loads", "ship", place, "--frontal-area", "600 m^2", "--json").out)
+    assert typed["horizontal_force_N"] > found["horizontal_force_N"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("buoy", "buoy-missing"), ("2 errors", "site.water_depth: missing", "buoy.name: missing")),
+        (("buoy", "buoy-many"), ("7 errors", "environment.wind: found 200", "buoy.name: found")),
+        (("ship", "tanker-missing"), ("4 errors", "did you mean breadth?", "ship.draught")),
+        (
+            ("ship", "tanker-aground"),
+            ("1 error", "ship.moulded_depth", "deck would be under water"),
+        ),
+    ],
+)
+def test_loads_tell_the_mistakes_of_a_file(
+    run: Run, arguments: tuple[str, str], words: tuple[str, ...]
+) -> None:
+    command, name = arguments
+    ran = run("loads", command, BROKEN / f"{name}.toml")
+    assert (ran.status, ran.out) == (2, "")
+    for each in words:
+        assert each in ran.err
+
+
+# The page: every key, and none that is not there.
+
+
+class Row(NamedTuple):
+    si: str
+    default: str
+    range: str
+    meaning: str
+    example: str
+
+
+SCHEMAS: dict[str, type[Table]] = {"buoy": BuoySizingTable, "tanker": TankerSizingTable}
+
+
+def documented() -> dict[str, dict[str, Row]]:
+    """Rows of the tables of keys, by section; the top of the file by an empty name."""
+    part = PAGE.split("## From a file\n")[1].split("\n## ")[0]
+    sections = {}
+    for section in part.split("\n### ")[1:]:
+        title = section.splitlines()[0]
+        rows = re.findall(r"^\| `([^`]+)` \| (.+) \|$", section, re.MULTILINE)
+        name = "" if title == "Top of the file" else title.strip("`[]")
+        sections[name] = {key: Row(*cells.split(" | ")) for key, cells in rows}
+    return sections
+
+
+def tables(schema: type[Table]) -> dict[str, type[Table]]:
+    """Tables of a schema by section."""
+    inner = {key: entry.table for key, entry in entries(schema).items()}
+    return {"": schema} | {key: table for key, table in inner.items() if table is not None}
+
+
+def keys(schema: type[Table]) -> dict[str, list[str]]:
+    """Keys by section."""
+    return {
+        name: [key for key, entry in entries(table).items() if entry.kind is not None]
+        for name, table in tables(schema).items()
+    }
+
+
+@pytest.mark.parametrize("moored", SCHEMAS)
+def test_the_page_has_exactly_the_sections_and_keys_of_the_schema(moored: str) -> None:
+    other = {"buoy": "tanker: ", "tanker": "buoy: "}[moored]
+    on_page = {
+        name: sorted(key for key, row in rows.items() if not row.meaning.startswith(other))
+        for name, rows in documented().items()
+    }
+    found = {name: sorted(each) for name, each in keys(SCHEMAS[moored]).items()}
+    assert {name: each for name, each in on_page.items() if each} == found
+
+
+def documented_keys() -> Iterator[tuple[str, str, Row]]:
+    for name, rows in documented().items():
+        for key, row in rows.items():
+            yield name, key, row
+
+
+@pytest.mark.parametrize(("name", "key", "row"), list(documented_keys()))
+def test_unit_range_and_example_are_right(name: str, key: str, row: Row) -> None:
+    here = [each for each in (tables(s).get(name) for s in SCHEMAS.values()) if each is not None]
+    found = [entries(table)[key] for table in here if key in entries(table)]
+    assert found
+    for entry in found:
+        assert entry.kind is not None
+        unit = entry.kind.dimension.si_unit if isinstance(entry.kind, Measured) else ""
+        assert row.si == (unit or "-")
+        assert row.range == range_of(entry.kind) + (", each" if entry.array else "")
+        assert row.default
+        assert row.meaning
+        example = parse_value(row.example)
+        assert isinstance(example, list) == entry.array
+        for value in example if isinstance(example, list) else [example]:
+            assert accepts(entry.kind.read, value)
+
+
+@pytest.mark.parametrize("moored", SCHEMAS)
+def test_every_key_stands_for_an_option_and_has_its_default(moored: str) -> None:
+    options: dict[str, str] = dict(OPTIONS[moored])  # type: ignore[index]
+    dotted = {f"{name}.{key}" for name, each in keys(SCHEMAS[moored]).items() for key in each}
+    assert set(options) == dotted - {".title", ".source"}
+    group: Any = typer.main.get_command(size)
+    known: dict[str, Any] = {each.opts[0]: each for each in group.commands[moored].params}
+    assert set(options.values()) - {"BUOY"} <= set(known)
+    for dotted_key, option in options.items():
+        name, _, key = dotted_key.partition(".")
+        fixed = DEFAULTS.get(option) or (known[option].default if option in known else None)
+        if fixed not in (None, ()):
+            told = documented()[name][key].default
+            assert told == (str(fixed).lower() if isinstance(fixed, bool) else str(fixed)), option

@@ -1,0 +1,151 @@
+"""``catopt verify --dynamic``: what it prints and writes, what it refuses, and how it ends."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import openpyxl
+import pytest
+
+from catopt import schemas
+from catopt.casefile.design_directory import read_case_or_design
+from catopt.cli import verify as command
+from catopt.verify.dynamic import verify_dynamic
+
+from .conftest import BUOY, Run
+
+CASE = """
+title = "A chain in motion"
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "120 m"
+submerged_weight = "1110 N/m"
+mass = "130 kg/m"
+EA = "400 MN"
+drag_diameter = "76 mm"
+drag_normal = 2.4
+[load]
+horizontal_force = "300 kN"
+[motion]
+period = "8 s"
+surge = "0.5 m"
+[dynamics]
+duration = "24 s"
+elements = 20
+"""
+
+
+@pytest.fixture
+def moving(tmp_path: Path) -> Path:
+    path = tmp_path / "moving.toml"
+    path.write_text(CASE, encoding="utf-8")
+    return path
+
+
+def document(text: str) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(text)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.verify/1")).validate(found)
+    return found
+
+
+def test_a_line_in_motion(run: Run, moving: Path) -> None:
+    ran = run("verify", moving, "--dynamic")
+    assert (ran.status, ran.err) == (0, "")
+    assert "The two models agree." in ran.out
+    assert "times the quasi-static" in ran.out
+    assert "No part of the line goes slack." in ran.out
+    assert max(map(len, ran.out.splitlines())) <= 80
+    assert "Line in motion" not in run("verify", moving).out
+
+
+def test_the_document_and_the_files(run: Run, moving: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    found = document(run("verify", moving, "--dynamic", "--json", "--out", out).out)
+    (part,) = found["dynamic"]["load_cases"]
+    assert found["dynamic"]["is_complete"]
+    assert document((out / "verify.json").read_text(encoding="utf-8")) == found
+    with (out / "dynamic_series.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    (ran,) = part["runs"]
+    since = ran["since_s"]
+    tensions = [
+        float(row["Fairlead tension T (N)"])
+        for row in rows
+        if float(row["Time (s)"]) > since - 1e-6  # the sample at the ramp's end counts
+    ]
+    assert max(tensions) == ran["max_fairlead_tension_N"]
+    sheets = openpyxl.load_workbook(out / "dynamic.xlsx", read_only=True).sheetnames
+    assert {"Series", "Statistics", "Envelope", "Runs", "Summary"} <= set(sheets)
+    assert (out / "dynamic.png").stat().st_size > 0
+    assert (out / "dynamic.svg").stat().st_size > 0
+
+
+def test_a_case_at_rest_says_what_it_lacks(run: Run) -> None:
+    ran = run("verify", BUOY, "--dynamic")
+    assert ran.status == 2
+    assert "dynamics: missing; write [dynamics] with a duration" in ran.err
+    assert "line.segments[0].drag_normal: missing" in ran.err
+
+
+def test_a_front_is_not_run_in_time(run: Run, tmp_path: Path) -> None:
+    ran = run("verify", tmp_path, "--all", "--dynamic")
+    assert ran.status == 2
+    assert "--dynamic: does not go with --all" in ran.err
+
+
+@pytest.fixture
+def stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Press Ctrl-C in the middle of the run."""
+
+    def tell(done: int, total: int) -> None:
+        if done > total / 2:
+            raise KeyboardInterrupt
+
+    def stops(*args: Any, **options: Any) -> Any:
+        return verify_dynamic(*args, **options | {"progress": tell})
+
+    monkeypatch.setattr("catopt.verify.dynamic.verify_dynamic", stops)
+
+
+@pytest.mark.usefixtures("stopped")
+def test_ctrl_c_keeps_what_was_computed_and_says_so(run: Run, moving: Path, tmp_path: Path) -> None:
+    ran = run("verify", moving, "--dynamic", "--json", "--out", tmp_path / "out")
+    assert ran.status == command.INTERRUPTED == 130
+    assert "stopped in load case load, run 1 of 1, after " in ran.err
+    found = document(ran.out)["dynamic"]
+    assert not found["is_complete"]
+    assert 0.0 < found["load_cases"][0]["runs"][0]["reached_s"] < 24.0
+    assert (tmp_path / "out" / "dynamic_series.csv").exists()
+
+
+DESIGN = """
+[[load_cases]]
+name = "storm"
+horizontal_force = "300 kN"
+[checks]
+safety_factor = 2.0
+[design]
+[[design.segments]]
+component = "chain studless R3"
+diameters = ["76 mm", "84 mm"]
+lengths = ["120 m", "130 m"]
+"""
+
+
+def test_a_design_has_the_drag_of_its_components(run: Run, tmp_path: Path) -> None:
+    path, out = tmp_path / "design.toml", tmp_path / "front"
+    path.write_text(CASE.replace('[load]\nhorizontal_force = "300 kN"', "") + DESIGN, "utf-8")
+    assert run("design", path, "--out", out).status == 0
+    line = read_case_or_design(out, 1).line
+    # The catalogue's 2.4 on the nominal diameter, not the line's own 76 mm.
+    assert line.segments[0].drag_normal == 2.4
+    assert line.segments[0].drag_diameter == line.segments[0].nominal_diameter
+    ran = run("verify", out, "--design", "1", "--dynamic")
+    assert ran.status == 0
+    assert "Load case storm: line in motion" in ran.out
