@@ -1,0 +1,96 @@
+"""Block elimination of a line's equations, three unknowns a node: linear in the nodes.
+
+    lower_i x_(i-1) + diagonal_i x_i + upper_i x_(i+1) = rest_i
+
+Lines that meet in one body make an arrow: each hands three equations for its last node over to the
+body, whose displacement is found first and then put back into every line. Inertia makes the
+diagonal blocks regular; so no rows are exchanged between nodes.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from catopt.compiled import inlined
+from catopt.fem.moving import Equations
+
+__all__ = ["back_substitute_blocks", "eliminate_blocks"]
+
+
+def eliminate_blocks(equations: Equations, first: int, end: int) -> bool:
+    """Eliminate the nodes from `first` up to the one before `end`.
+
+    Diagonal blocks are turned into their inverses. Node `end` keeps its block and right hand side,
+    less what the line takes from them.
+
+    Parameters
+    ----------
+    equations : Equations
+        Overwritten.
+    first, end : int
+        First node that moves, and the line's last node.
+
+    Returns
+    -------
+    bool
+        Whether all blocks were regular.
+    """
+    diagonal, lower, upper, rest = (
+        equations.diagonal, equations.lower, equations.upper, equations.rest,
+    )  # fmt: skip
+    regular = True
+    for n in range(first, end):
+        regular = invert_3(diagonal, n) and regular
+        after = n + 1
+        for i in range(3):
+            l0, l1, l2 = lower[after, i, 0], lower[after, i, 1], lower[after, i, 2]
+            w0 = l0 * diagonal[n, 0, 0] + l1 * diagonal[n, 1, 0] + l2 * diagonal[n, 2, 0]
+            w1 = l0 * diagonal[n, 0, 1] + l1 * diagonal[n, 1, 1] + l2 * diagonal[n, 2, 1]
+            w2 = l0 * diagonal[n, 0, 2] + l1 * diagonal[n, 1, 2] + l2 * diagonal[n, 2, 2]
+            for j in range(3):
+                diagonal[after, i, j] -= (
+                    w0 * upper[n, 0, j] + w1 * upper[n, 1, j] + w2 * upper[n, 2, j]
+                )
+            rest[after, i] -= w0 * rest[n, 0] + w1 * rest[n, 1] + w2 * rest[n, 2]
+    return regular
+
+
+def back_substitute_blocks(equations: Equations, first: int, end: int) -> None:
+    """Turn `rest` of the nodes from `first` on into displacements, given that of node `end`.
+
+    Parameters
+    ----------
+    equations, first, end
+        As `eliminate_blocks` left them.
+    """
+    diagonal, upper, rest = equations.diagonal, equations.upper, equations.rest
+    for n in range(end - 1, first - 1, -1):
+        x, y, z = rest[n + 1, 0], rest[n + 1, 1], rest[n + 1, 2]
+        r0 = rest[n, 0] - upper[n, 0, 0] * x - upper[n, 0, 1] * y - upper[n, 0, 2] * z
+        r1 = rest[n, 1] - upper[n, 1, 0] * x - upper[n, 1, 1] * y - upper[n, 1, 2] * z
+        r2 = rest[n, 2] - upper[n, 2, 0] * x - upper[n, 2, 1] * y - upper[n, 2, 2] * z
+        for i in range(3):
+            rest[n, i] = diagonal[n, i, 0] * r0 + diagonal[n, i, 1] * r1 + diagonal[n, i, 2] * r2
+
+
+@inlined
+def invert_3(blocks: Any, n: int) -> bool:
+    """Replace block n, of shape (3, 3), by its inverse; False when it has none."""
+    a, b, c = blocks[n, 0, 0], blocks[n, 0, 1], blocks[n, 0, 2]
+    d, e, f = blocks[n, 1, 0], blocks[n, 1, 1], blocks[n, 1, 2]
+    g, h, i = blocks[n, 2, 0], blocks[n, 2, 1], blocks[n, 2, 2]
+    A, B, C = e * i - f * h, f * g - d * i, d * h - e * g
+    determinant = a * A + b * B + c * C
+    if determinant == 0.0:
+        return False
+    over = 1.0 / determinant
+    blocks[n, 0, 0], blocks[n, 0, 1], blocks[n, 0, 2] = (
+        A * over, (c * h - b * i) * over, (b * f - c * e) * over,
+    )  # fmt: skip
+    blocks[n, 1, 0], blocks[n, 1, 1], blocks[n, 1, 2] = (
+        B * over, (a * i - c * g) * over, (c * d - a * f) * over,
+    )  # fmt: skip
+    blocks[n, 2, 0], blocks[n, 2, 1], blocks[n, 2, 2] = (
+        C * over, (b * g - a * h) * over, (a * e - b * d) * over,
+    )  # fmt: skip
+    return True

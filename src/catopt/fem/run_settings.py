@@ -1,0 +1,132 @@
+"""What a run in time is given beside lines, motion and sea."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from catopt.fem.bed import HeldBed
+from catopt.fem.damping import LineDamping
+from catopt.fem.dynamic_model import Fluid, MassMatrix
+from catopt.fem.morison import MorisonSection
+from catopt.fem.newmark import Scheme
+from catopt.fem.seabed import Seabed
+from catopt.fem.step_controls import StepControls
+from catopt.model.validity import Findings
+
+__all__ = ["BodyInertia", "LineProperties", "TimeStepping"]
+
+
+@dataclass(frozen=True)
+class TimeStepping:
+    """How long, in which steps, and what is kept.
+
+    Attributes
+    ----------
+    duration, step : float
+        s.
+    ramp_time : float
+        s over which motion, force and waves grow as (1 - cos(pi t/T))/2.
+    output_interval : float or None
+        From sample to sample, s, a multiple of the step; None: every step.
+    since : float or None
+        Where statistics begin, s; None: after the ramp.
+    scheme : Scheme
+        Generalised-alpha with the spectral radius 0.5 by default; S4's average acceleration is
+        ``Scheme.average_acceleration()``.
+    controls : StepControls
+        When a step is closed.
+    nodes : tuple of int
+        Nodes, counted over all lines, whose places are kept.
+    energy : bool
+        Whether energies are kept.
+    """
+
+    duration: float
+    step: float
+    ramp_time: float = 0.0
+    output_interval: float | None = None
+    since: float | None = None
+    scheme: Scheme = field(default_factory=Scheme.generalised_alpha)
+    controls: StepControls = field(default_factory=StepControls)
+    nodes: tuple[int, ...] = ()
+    energy: bool = False
+
+    def __post_init__(self) -> None:
+        found = Findings("TimeStepping")
+        found.number("duration", self.duration, "s", above=0.0)
+        found.number("step", self.step, "s", above=0.0)
+        found.number("ramp_time", self.ramp_time, "s", at_least=0.0)
+        if self.since is not None:
+            found.number("since", self.since, "s", at_least=0.0)
+        if self.output_interval is not None:
+            found.number("output_interval", self.output_interval, "s", above=0.0)
+        found.raise_if_any()
+        if self.step > self.duration:
+            found.add("step", f"{self.step:g} s", f"longer than the run of {self.duration:g} s")
+        if (self.since or 0.0) >= self.duration:
+            found.add("since", f"{self.since:g} s", f"the run ends at {self.duration:g} s")
+        ratio = (self.output_interval or self.step) / self.step
+        if abs(ratio - round(ratio)) > 1e-6 * ratio or round(ratio) < 1:
+            wanted = f"a multiple of the step of {self.step:g} s"
+            found.add("output_interval", f"{self.output_interval:g} s", wanted)
+        found.raise_if_any()
+
+    @property
+    def every(self) -> int:
+        """Steps from sample to sample."""
+        return round((self.output_interval or self.step) / self.step)
+
+    @property
+    def samples(self) -> int:
+        """Samples after the first."""
+        return math.ceil(self.duration / (self.every * self.step) - 1e-9)
+
+
+@dataclass(frozen=True)
+class LineProperties:
+    """What lines need for their dynamics beside their segments' figures.
+
+    Attributes
+    ----------
+    sections : sequence of MorisonSection or None
+        One for each segment from the anchor, for every line; None: the water does nothing but
+        carry.
+    damping : LineDamping
+        Of the line itself.
+    fluid : Fluid
+        Density and gravity.
+    seabed : Seabed, HeldBed or None
+        None: no bed. A `HeldBed` is the restraint of source S4, for comparison with its figures.
+    mass_matrix : {"consistent", "lumped"}
+        How a bar's mass acts on its nodes.
+    """
+
+    sections: Sequence[MorisonSection] | None = None
+    damping: LineDamping = field(default_factory=LineDamping)
+    fluid: Fluid = field(default_factory=Fluid)
+    seabed: Seabed | HeldBed | None = field(default_factory=Seabed)
+    mass_matrix: MassMatrix = "consistent"
+
+
+@dataclass(frozen=True)
+class BodyInertia:
+    """A body without rotation, which moves in x and y and is held in height.
+
+    Attributes
+    ----------
+    mass : float
+        With its added mass, kg; 0: that of the lines' ends alone.
+    damping : float
+        Linear, N s/m.
+    """
+
+    mass: float = 0.0
+    damping: float = 0.0
+
+    def __post_init__(self) -> None:
+        found = Findings("BodyInertia")
+        found.number("mass", self.mass, "kg", at_least=0.0)
+        found.number("damping", self.damping, "N s/m", at_least=0.0)
+        found.raise_if_any()
