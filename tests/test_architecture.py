@@ -44,7 +44,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "loads": BASE | {"model", "waves", "catalogue"},
     "checks": SOLVING | {"catalogue"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
-    "verify": SOLVING | {"mooring", "fem"},
+    "verify": SOLVING | {"mooring", "fem", "waves"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "fem", "verify"},
     "report": SOLVING

@@ -44,6 +44,7 @@ NAMES = [
     "solve_many",
     "solve_system",
     "verify_case",
+    "verify_dynamic",
 ]
 
 HEAVY = {"matplotlib", "numba", "numpy", "pandas", "pint", "pydantic", "pyswarms", "xlsxwriter"}

@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from catopt.sizing.buoy import size_buoy
     from catopt.sizing.tanker import size_tanker
     from catopt.verify.case import verify_case
+    from catopt.verify.dynamic import verify_dynamic
 
 __all__ = [
     "Case",
@@ -75,6 +76,7 @@ __all__ = [
     "solve_many",
     "solve_system",
     "verify_case",
+    "verify_dynamic",
 ]
 
 _HOMES = {
@@ -107,6 +109,7 @@ _HOMES = {
     "catopt.sizing.buoy": ("size_buoy",),
     "catopt.sizing.tanker": ("size_tanker",),
     "catopt.verify.case": ("verify_case",),
+    "catopt.verify.dynamic": ("verify_dynamic",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

@@ -47,6 +47,7 @@ class Dimension(Enum):
     TIME = ("a time", "s", '"8 s"')
     AREA = ("an area", "m^2", '"380 mm^2"')
     PRESSURE = ("a pressure or modulus", "Pa", '"56 GPa"')
+    DAMPING_PER_LENGTH = ("a damping per length", "N*s/m^2", '"10 kN*s/m^2"')
     PRICE_PER_LENGTH = ("a price per length", "USD/m", '"120 USD/m"')
     NUMBER = ("a pure number", "", "0.5")
 
@@ -112,6 +113,7 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
             "kN/m^2": 1e3,
             "N/mm^2": 1e6,
         },
+        Dimension.DAMPING_PER_LENGTH: {"N*s/m^2": 1.0, "kN*s/m^2": 1e3, "Pa*s": 1.0},
         Dimension.PRICE_PER_LENGTH: {"USD/m": 1.0},
         Dimension.NUMBER: {"%": 1e-2},
     }

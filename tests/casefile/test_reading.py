@@ -224,7 +224,9 @@ def test_the_slack_sister_differs_in_its_weight_alone() -> None:
     assert slack.line.length > math.sqrt(9.5 * (9.5 + 2.0 * a))
 
 
-@pytest.mark.parametrize("path", sorted(CASES.rglob("*.toml")), ids=lambda path: path.parent.name)
+@pytest.mark.parametrize(
+    "path", sorted(CASES.rglob("case.toml")), ids=lambda path: path.parent.name
+)
 def test_every_case_of_the_project_is_read(path: Path) -> None:
     assert read_case(path).title
 

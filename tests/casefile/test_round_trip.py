@@ -36,8 +36,8 @@ from catopt.model import (
 )
 from catopt.model.case import BOUNDARY_HANDLINGS
 from catopt.model.design import OBJECTIVES, SEARCH_METHODS
-from catopt.model.find import FIND_QUANTITIES
 from catopt.model.dynamics import TIME_SCHEMES
+from catopt.model.find import FIND_QUANTITIES
 from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.model.wave_state import STRETCHINGS
 

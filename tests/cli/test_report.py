@@ -11,6 +11,7 @@ import openpyxl
 import pytest
 
 from catopt import schemas
+from catopt.errors import NotConvergedError
 from tests.report.page_cases import design_directory
 from tests.report.page_reader import read_page
 
@@ -86,6 +87,39 @@ def test_json_tells_what_was_written(run: Run) -> None:
     assert document["sections"] == list(read_page(page).sections)
     assert document["passes"] is True
     assert document["governing"].startswith("tension, segment 1")
+
+
+def test_json_tells_of_the_verification(run: Run) -> None:
+    verified = json.loads(run("verify", BUOY, "--json").out)
+    worst = verified["static"]["worst"]
+    told = json.loads(run("report", BUOY, "--json").out)["verification"]
+    assert told == {
+        "verdict": verified["verdict"],
+        "worst": {key: worst[key] for key in ("quantity", "unit", "gap")},
+        "failure": "",
+    }
+
+
+def test_the_verification_may_be_left_out(run: Run) -> None:
+    document = json.loads(run("report", BUOY, "--no-verify", "--json").out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    assert document["verification"] is None
+    assert "verification" not in document["sections"]
+
+
+def test_a_truss_without_an_answer_is_told_and_the_note_written(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stops(*_: object, **__: object) -> None:
+        raise NotConvergedError("it stopped short")
+
+    monkeypatch.setattr("catopt.verify.case.verify_case", stops)
+    ran = run("report", BUOY, "--json")
+    document = json.loads(ran.out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    told = {"verdict": "no answer", "worst": None, "failure": "it stopped short"}
+    assert (ran.status, document["verification"]) == (0, told)
+    assert any("not verified" in warning for warning in document["warnings"])
 
 
 def test_the_same_case_gives_the_same_page(run: Run) -> None:

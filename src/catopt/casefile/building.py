@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.components import SIZES, FromCatalogue, catalogue_choice
+from catopt.casefile.hydrodynamics import hydrodynamic
 from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, Values
 from catopt.casefile.schema import (
     AnchorTable,
@@ -12,8 +14,10 @@ from catopt.casefile.schema import (
     CatalogueTable,
     ChecksTable,
     ClumpWeightChoiceTable,
+    CurrentTable,
     DesignTable,
     LineTable,
+    MotionTable,
     PointLoadTable,
     SegmentChoiceTable,
     SegmentTable,
@@ -28,11 +32,14 @@ from catopt.model import (
     CatalogueChoice,
     Checks,
     ClumpWeightChoice,
+    CurrentProfile,
     Design,
+    Dynamics,
     Find,
     Line,
     Load,
     LoadCase,
+    Motion,
     PointLoad,
     Segment,
     SegmentChoice,
@@ -41,6 +48,7 @@ from catopt.model import (
     Site,
     SwarmSettings,
     System,
+    WaveState,
 )
 from catopt.model.immersion import weight_in_water
 
@@ -94,7 +102,24 @@ def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
             if table.system
             else None
         ),
+        waves=WaveState(**table.waves.given()) if table.waves else None,
+        current=_current(table.current) if table.current else None,
+        motion=_motion(table.motion, folder) if table.motion else None,
+        dynamics=Dynamics(**table.dynamics.given()) if table.dynamics else None,
     )
+
+
+def _current(table: CurrentTable) -> CurrentProfile:
+    given = table.given()
+    return CurrentProfile(
+        **given | {key: tuple(given[key]) for key in ("depths", "speeds") if key in given}
+    )
+
+
+def _motion(table: MotionTable, folder: str) -> Motion:
+    given = table.given()
+    files = {key: given[key] for key in ("file", "rao_file") if key in given}
+    return Motion(**given | {k: str(FilePath(folder).absolute() / v) for k, v in files.items()})
 
 
 def _around(table: SystemTable) -> dict[str, Any]:
@@ -137,6 +162,7 @@ def _figures(component: Component) -> dict[str, Any]:
         "component": " ".join(part for part in (component.family, component.grade) if part),
         "proof_load": component.proof_load,
         "price": component.price,
+        **hydrodynamic(component),
     }
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from catopt.casefile.hydrodynamics import segment_in_motion
 from catopt.casefile.reading import read_case
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line, PointLoad, Segment
@@ -78,7 +79,9 @@ def read_design(directory: Path, number: int) -> Case:
     case = read_case(directory / DESIGN_CASE)
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
-    return replace(case, title=title, line=_line(design), anchor=_anchor(design, case), design=None)
+    return replace(
+        case, title=title, line=_line(design, case), anchor=_anchor(design, case), design=None
+    )
 
 
 def read_design_document(directory: Path) -> dict[str, Any]:
@@ -107,9 +110,9 @@ def read_design_document(directory: Path) -> dict[str, Any]:
     return document
 
 
-def _line(design: dict[str, Any]) -> Line:
+def _line(design: dict[str, Any], case: Case) -> Line:
     return Line(
-        [_segment(each) for each in design["segments"]],
+        [segment_in_motion(_segment(each), case) for each in design["segments"]],
         [
             PointLoad(
                 position=each["position_m"],

@@ -18,9 +18,12 @@ from pydantic import BaseModel, ConfigDict, Field
 from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.case import BOUNDARY_HANDLINGS
+from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.design import OBJECTIVES, SEARCH_METHODS
+from catopt.model.dynamics import TIME_SCHEMES
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.load_case import LOAD_CASE_KINDS
+from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 from catopt.units import Dimension
 
 __all__ = [
@@ -30,12 +33,15 @@ __all__ = [
     "CatalogueTable",
     "ChecksTable",
     "ClumpWeightChoiceTable",
+    "CurrentTable",
     "DesignTable",
+    "DynamicsTable",
     "Entry",
     "FindTable",
     "LineTable",
     "LoadCaseTable",
     "LoadTable",
+    "MotionTable",
     "PointLoadTable",
     "PsoTable",
     "SegmentChoiceTable",
@@ -46,6 +52,7 @@ __all__ = [
     "SystemTable",
     "Table",
     "VariantsTable",
+    "WavesTable",
     "entries",
 ]
 
@@ -63,6 +70,9 @@ Force = Annotated[float, Measured(Dimension.FORCE)]
 Variant = Annotated[str, Text(filled=True)]
 Lengths = Annotated[list[Length], Field(min_length=1)]
 Masses = Annotated[list[Mass], Field(min_length=1)]
+Time = Annotated[float, Measured(Dimension.TIME, above=0.0)]
+Height = Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)]
+Coefficient = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, example="1.2")]
 
 
 class Table(BaseModel):
@@ -107,6 +117,10 @@ class SegmentTable(Table):
         "m": "mass",
         "d": "diameter",
         "nominal_diameter": "diameter",
+        "Cd": "drag_normal",
+        "Ca": "added_mass_normal",
+        "drag_tangential": "drag_axial",
+        "added_mass_tangential": "added_mass_axial",
     }
 
     name: Name | None = None
@@ -120,6 +134,11 @@ class SegmentTable(Table):
     proof_load: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
     price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
     wear_rate: WearRate | None = None
+    drag_diameter: Length | None = None
+    drag_normal: Coefficient | None = None
+    drag_axial: Coefficient | None = None
+    added_mass_normal: Coefficient | None = None
+    added_mass_axial: Coefficient | None = None
 
 
 class PointLoadTable(Table):
@@ -352,13 +371,88 @@ class PsoTable(Table):
     boundary: Annotated[str, OneOf(BOUNDARY_HANDLINGS)] | None = None
 
 
+class WavesTable(Table):
+    """The waves of the sea, for a line in motion."""
+
+    symbols: ClassVar[Mapping[str, str]] = {
+        "Hs": "height",
+        "H": "height",
+        "Tp": "period",
+        "T": "period",
+        "gamma": "peak_enhancement",
+    }
+
+    spectrum: Annotated[str, OneOf(WAVE_SPECTRA)]
+    height: Length
+    period: Time
+    peak_enhancement: (
+        Annotated[float, Measured(Dimension.NUMBER, at_least=1.0, at_most=20.0, example="3.3")]
+        | None
+    ) = None
+    direction: Angle | None = None
+    components: Annotated[int, Whole(at_least=1, example=200)] | None = None
+    stretching: Annotated[str, OneOf(STRETCHINGS)] | None = None
+    seed: Annotated[int, Whole(at_least=0, example=1)] | None = None
+
+
+class CurrentTable(Table):
+    """A steady current over the depth, for a line in motion."""
+
+    profile: Annotated[str, OneOf(CURRENT_PROFILES)]
+    speed: Annotated[float, Measured(Dimension.SPEED, at_least=0.0)] | None = None
+    exponent: Annotated[float, Measured(Dimension.NUMBER, above=0.0)] | None = None
+    depth: Length | None = None
+    depths: Annotated[list[Height], Field(min_length=1)] | None = None
+    speeds: (
+        Annotated[list[Annotated[float, Measured(Dimension.SPEED)]], Field(min_length=1)] | None
+    ) = None
+    direction: Angle | None = None
+
+
+class MotionTable(Table):
+    """How the fairlead moves."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"T": "period", "RAO": "rao_file"}
+
+    period: Time | None = None
+    surge: Height | None = None
+    sway: Height | None = None
+    heave: Height | None = None
+    surge_phase: Angle | None = None
+    sway_phase: Angle | None = None
+    heave_phase: Angle | None = None
+    file: Annotated[str, Text(filled=True, example='"motion.csv"')] | None = None
+    rao_file: Annotated[str, Text(filled=True, example='"rao.csv"')] | None = None
+
+
+class DynamicsTable(Table):
+    """How the line is run in time."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"step": "time_step", "seeds": "runs"}
+
+    duration: Annotated[float, Measured(Dimension.TIME, above=0.0, example='"20 min"')]
+    ramp: Annotated[float, Measured(Dimension.TIME, at_least=0.0)] | None = None
+    time_step: Time | None = None
+    output_interval: Time | None = None
+    elements: Annotated[int, Whole(at_least=4, example=100)] | None = None
+    scheme: Annotated[str, OneOf(TIME_SCHEMES)] | None = None
+    spectral_radius: (
+        Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)] | None
+    ) = None
+    runs: Annotated[int, Whole(at_least=1, example=5)] | None = None
+    seabed_stiffness: (
+        Annotated[float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"')] | None
+    ) = None
+    seabed_damping: (
+        Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.0)] | None
+    ) = None
+    damping_time: Annotated[float, Measured(Dimension.TIME, at_least=0.0)] | None = None
+
+
 class CaseTable(Table):
     """A whole case file."""
 
     later: ClassVar[Mapping[str, str]] = {
-        "waves": "",
-        "current": "",
-        "dynamics": "",
         "verify": "",
         "environment": "",
     }
@@ -378,6 +472,10 @@ class CaseTable(Table):
     anchor: AnchorTable | None = None
     catalogue: CatalogueTable | None = None
     design: DesignTable | None = None
+    waves: WavesTable | None = None
+    current: CurrentTable | None = None
+    motion: MotionTable | None = None
+    dynamics: DynamicsTable | None = None
     pso: PsoTable | None = None
 
 

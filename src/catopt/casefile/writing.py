@@ -13,13 +13,17 @@ from catopt.model import (
     Buoy,
     Case,
     CatalogueChoice,
+    CurrentProfile,
+    Dynamics,
     Find,
     Load,
     LoadCase,
+    Motion,
     PointLoad,
     Segment,
     Service,
     System,
+    WaveState,
 )
 
 __all__ = ["write_case"]
@@ -55,6 +59,10 @@ def write_case(case: Case) -> str:
         *((("[anchor]", _anchor(case.anchor)),) if case.anchor else ()),
         *_catalogue(case.catalogue),
         *(design_sections(case.design) if case.design else ()),
+        *((("[waves]", _waves(case.waves)),) if case.waves else ()),
+        *((("[current]", _current(case.current)),) if case.current else ()),
+        *((("[motion]", _motion(case.motion)),) if case.motion else ()),
+        *((("[dynamics]", _dynamics(case.dynamics)),) if case.dynamics else ()),
         ("[pso]", _swarm(case)),
     ]
     head = [*text("title", case.title), *text("source", case.source)]
@@ -88,6 +96,9 @@ def _segment(segment: Segment) -> Iterator[str]:
     yield from measured("proof_load", segment.proof_load, "N")
     yield from measured("price", segment.price, "USD/m")
     yield from measured("wear_rate", segment.wear_rate, "m/s")
+    yield from measured("drag_diameter", segment.drag_diameter, "m")
+    for key in ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial"):
+        yield from measured(key, getattr(segment, key))
 
 
 def _point_load(load: PointLoad) -> Iterator[str]:
@@ -182,6 +193,50 @@ def _catalogue(choice: CatalogueChoice) -> Iterator[tuple[str, Iterable[str]]]:
     if choice.variants:
         lines = (line for quantity, name in choice.variants for line in text(quantity, name))
         yield "[catalogue.variants]", lines
+
+
+def _waves(waves: WaveState) -> Iterator[str]:
+    yield from text("spectrum", waves.spectrum)
+    yield from measured("height", waves.height, "m")
+    yield from measured("period", waves.period, "s")
+    yield from measured("peak_enhancement", waves.peak_enhancement)
+    yield from measured("direction", waves.direction, "rad")
+    yield from whole("components", waves.components)
+    yield from text("stretching", waves.stretching)
+    yield from whole("seed", waves.seed)
+
+
+def _current(current: CurrentProfile) -> Iterator[str]:
+    yield from text("profile", current.profile)
+    yield from measured("speed", current.speed, "m/s")
+    yield from measured("exponent", current.exponent)
+    yield from measured("depth", current.depth, "m")
+    yield from measures("depths", current.depths, "m")
+    yield from measures("speeds", current.speeds, "m/s")
+    yield from measured("direction", current.direction, "rad")
+
+
+def _motion(motion: Motion) -> Iterator[str]:
+    if motion.period is not None:
+        yield from measured("period", motion.period, "s")
+        for key in ("surge", "sway", "heave"):
+            yield from measured(key, getattr(motion, key), "m")
+        for key in ("surge_phase", "sway_phase", "heave_phase"):
+            yield from measured(key, getattr(motion, key), "rad")
+    yield from text("file", motion.file)
+    yield from text("rao_file", motion.rao_file)
+
+
+def _dynamics(dynamics: Dynamics) -> Iterator[str]:
+    for key in ("duration", "ramp", "time_step", "output_interval"):
+        yield from measured(key, getattr(dynamics, key), "s")
+    yield from whole("elements", dynamics.elements)
+    yield from text("scheme", dynamics.scheme)
+    yield from measured("spectral_radius", dynamics.spectral_radius)
+    yield from whole("runs", dynamics.runs)
+    yield from measured("seabed_stiffness", dynamics.seabed_stiffness, "N/m^2")
+    yield from measured("seabed_damping", dynamics.seabed_damping, "N*s/m^2")
+    yield from measured("damping_time", dynamics.damping_time, "s")
 
 
 def _swarm(case: Case) -> Iterator[str]:

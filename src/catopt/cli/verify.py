@@ -13,6 +13,7 @@ from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.model import Case
+    from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.front import Design, FrontVerification
     from catopt.verify.result import Verification
 
@@ -23,6 +24,9 @@ DIFFERS = 3
 
 STOPPED = 4
 """Of --all: for a design a solver did not converge."""
+
+INTERRUPTED = 130
+"""Of --dynamic: Ctrl-C; what was computed until then is printed and written."""
 
 
 def verify(
@@ -67,6 +71,14 @@ def verify(
             help="End with exit status 3 when the models do not agree; the answer is printed.",
         ),
     ] = False,
+    with_motion: Annotated[
+        bool,
+        typer.Option(
+            "--dynamic",
+            help="Also run the line in time, in the waves, the current and the motion of the case "
+            "file. Ctrl-C keeps what was computed until then.",
+        ),
+    ] = False,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -83,31 +95,50 @@ def verify(
         check_directory(out)
     check_settings(elements, tolerance, source="options", prefix="--")
     found: Verification | FrontVerification
+    dynamic: DynamicVerification | None = None
     if every:
-        _refuse(load_case, design)
+        _refuse(load_case, design, with_motion=with_motion)
         found = _front(case, output, elements, tolerance)
     else:
-        found = _case(case, output, design, load_case, elements, tolerance)
+        read = _read(case, design, with_motion=with_motion)
+        found = _case(read, output, load_case, elements, tolerance)
+        dynamic = _dynamic(read, output, load_case) if with_motion else None
     if out is not None:
         from catopt.report.bundle import verification_bundle
         from catopt.report.files import write_files
 
-        written = write_files(out, verification_bundle(found))
+        written = write_files(out, verification_bundle(found, dynamic))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
-        output.json(found.to_dict())
+        document = found.to_dict()
+        output.json(document if dynamic is None else document | {"dynamic": dynamic.to_dict()})
     else:
         from catopt.cli.verify_view import show_verification
 
         show_verification(output, found)
-    _end(output, found, strict=strict)
+        if dynamic is not None:
+            from catopt.cli.verify_dynamic_view import show_dynamic
+
+            show_dynamic(output, dynamic)
+    _end(output, found, dynamic, strict=strict)
 
 
-def _end(output: Output, found: Verification | FrontVerification, *, strict: bool) -> None:
+def _end(
+    output: Output,
+    found: Verification | FrontVerification,
+    dynamic: DynamicVerification | None,
+    *,
+    strict: bool,
+) -> None:
     """Leave with the exit status that the answer asks for."""
     from catopt.report.verify import verdict_sentence
     from catopt.verify.front import FrontVerification
 
+    if dynamic is not None and not dynamic.is_complete:
+        from catopt.report.dynamic import stopped_sentence
+
+        output.note(f"catopt: {stopped_sentence(dynamic)}")
+        raise typer.Exit(INTERRUPTED)
     if isinstance(found, FrontVerification) and not found.has_converged:
         output.note("catopt: for a design a solver did not converge")
         raise typer.Exit(STOPPED)
@@ -116,23 +147,35 @@ def _end(output: Output, found: Verification | FrontVerification, *, strict: boo
         raise typer.Exit(DIFFERS)
 
 
-def _case(
-    path: Path,
-    output: Output,
-    design: int | None,
-    load_case: str | None,
-    elements: int,
-    tolerance: float,
-) -> Verification:
+def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
+    """Read the case; what a line in motion lacks is told before anything is solved."""
     from catopt.casefile.design_directory import read_case_or_design
 
     case = read_case_or_design(path, design)
+    if with_motion:
+        from catopt.verify.dynamic_setup import check_for_motion, read_drive
+
+        check_for_motion(case)
+        read_drive(case)
+    return case
+
+
+def _case(
+    case: Case, output: Output, load_case: str | None, elements: int, tolerance: float
+) -> Verification:
     from catopt.verify.case import verify_case
 
     with output.progress("Load cases") as tell:
         return verify_case(
             case, load_case=load_case, elements=elements, tolerance=tolerance, progress=tell
         )
+
+
+def _dynamic(case: Case, output: Output, load_case: str | None) -> DynamicVerification:
+    from catopt.verify.dynamic import verify_dynamic
+
+    with output.progress("Line in motion") as tell:
+        return verify_dynamic(case, load_case=load_case, progress=tell)
 
 
 def _front(directory: Path, output: Output, elements: int, tolerance: float) -> FrontVerification:
@@ -147,7 +190,7 @@ def _front(directory: Path, output: Output, elements: int, tolerance: float) -> 
         return verify_front(title, designs, elements=elements, tolerance=tolerance, progress=tell)
 
 
-def _refuse(load_case: str | None, design: int | None) -> None:
+def _refuse(load_case: str | None, design: int | None, *, with_motion: bool) -> None:
     """Refuse what does not go with --all."""
     from catopt.errors import InputError, Problem
 
@@ -158,6 +201,9 @@ def _refuse(load_case: str | None, design: int | None) -> None:
         for option, value in given.items()
         if value is not None
     ]  # fmt: skip
+    if with_motion:
+        allowed = "does not go with --all: run one design by --design"
+        problems.append(Problem("--dynamic", "", allowed))
     if problems:
         raise InputError(problems, "options")
 

@@ -146,12 +146,8 @@ def _meshes(output: Output, part: StaticComparison) -> None:
 
 
 def _largest(part: StaticComparison, mesh: int) -> str:
-    gaps = [
-        abs(each.fem[mesh] - each.closed_form) / each.scale
-        for each in part.quantities
-        if each.closed_form is not None
-    ]
-    return in_parts(max(gaps)) if gaps else "-"
+    gap = part.mesh_gap(mesh)
+    return "-" if gap is None else in_parts(gap)
 
 
 def _label(each: Compared) -> str:

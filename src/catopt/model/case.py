@@ -9,20 +9,26 @@ from catopt.model.anchor import Anchor
 from catopt.model.buoy import Buoy
 from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import Checks
+from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import Design
+from catopt.model.dynamics import Dynamics, dynamics_misfits
 from catopt.model.find import Find, misfits
 from catopt.model.line import Line
 from catopt.model.load import Load
 from catopt.model.load_case import LoadCase
+from catopt.model.motion import Motion
 from catopt.model.service import Service
 from catopt.model.site import Site
 from catopt.model.system import System, system_misfits
 from catopt.model.validity import Findings
+from catopt.model.wave_state import WaveState
 
 __all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "SwarmSettings"]
 
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
 BOUNDARY_HANDLINGS: tuple[str, ...] = get_args(Boundary)
+
+_FOR_MOTION = ("waves", "current", "motion", "dynamics", "system")
 
 
 @dataclass(frozen=True)
@@ -103,6 +109,12 @@ class Case:
         What may vary.
     system : System or None
         A body moored by several lines like `line`, in the place of a load.
+    waves, current : WaveState, CurrentProfile or None
+        Of the sea, for a line in motion.
+    motion : Motion or None
+        Of the fairlead.
+    dynamics : Dynamics or None
+        How the line is run in time; needed by the three before it.
     """
 
     site: Site
@@ -122,6 +134,10 @@ class Case:
     catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
     design: Design | None = None
     system: System | None = None
+    waves: WaveState | None = None
+    current: CurrentProfile | None = None
+    motion: Motion | None = None
+    dynamics: Dynamics | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Case")
@@ -139,6 +155,10 @@ class Case:
             found.problems += system_misfits(
                 {"load": self.load, "load_cases": self.load_cases, "find": self.find}
             )
+        found.problems += dynamics_misfits(
+            [k for k in _FOR_MOTION if getattr(self, k) is not None],
+            has_raos=self.motion is not None and bool(self.motion.rao_file),
+        )
         self._check_load_cases(found)
         found.raise_if_any()
 

@@ -40,6 +40,13 @@ class Segment:
         Material only, USD/m; None when not known.
     wear_rate : float or None
         Loss of nominal diameter, m/s; None: that of the case's service.
+    drag_diameter : float or None
+        That both drag coefficients refer to, m; None when not known.
+    drag_normal, drag_axial : float or None
+        Drag coefficients across and along the line; None when not known.
+    added_mass_normal, added_mass_axial : float or None
+        Added-mass coefficients across and along the line, on the displaced water; None when not
+        known.
     """
 
     length: float
@@ -53,6 +60,11 @@ class Segment:
     proof_load: float | None = None
     price: float | None = None
     wear_rate: float | None = None
+    drag_diameter: float | None = None
+    drag_normal: float | None = None
+    drag_axial: float | None = None
+    added_mass_normal: float | None = None
+    added_mass_axial: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Segment")
@@ -71,6 +83,11 @@ class Segment:
             found.number("price", self.price, "USD/m", at_least=0.0)
         if self.wear_rate is not None:
             found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
+        if self.drag_diameter is not None:
+            found.number("drag_diameter", self.drag_diameter, "m", above=0.0)
+        for key in ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial"):
+            if getattr(self, key) is not None:
+                found.number(key, getattr(self, key), "", at_least=0.0)
         found.raise_if_any()
 
 

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from catopt.loads.component import Loads
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
+    from catopt.report.texts import Language
     from catopt.reproduce import Reproduction
+    from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.front import FrontVerification
     from catopt.verify.result import Verification
 
@@ -36,7 +38,7 @@ __all__ = [
 ]
 
 
-def solution_bundle(case: Case, solution: Solution) -> dict[str, bytes]:
+def solution_bundle(case: Case, solution: Solution, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt solve CASE --out DIR``.
 
     Parameters
@@ -45,6 +47,8 @@ def solution_bundle(case: Case, solution: Solution) -> dict[str, bytes]:
         What was given.
     solution : Solution
         What came out.
+    language : {"en", "vi"}
+        Of the workbook; tables and figures stay in English.
 
     Returns
     -------
@@ -56,7 +60,7 @@ def solution_bundle(case: Case, solution: Solution) -> dict[str, bytes]:
 
     files = {
         "solution.json": _json(solution.to_dict(profile=True)),
-        "solution.xlsx": solution_workbook(case, solution),
+        "solution.xlsx": solution_workbook(case, solution, language),
         "inputs.csv": _csv(tables.inputs(case)),
         "summary.csv": _csv(tables.summary(solution)),
         "segments.csv": _csv(tables.segments(solution)),
@@ -122,7 +126,7 @@ def reproduction_bundle(result: Reproduction) -> dict[str, bytes]:
     return files
 
 
-def design_bundle(result: DesignResult) -> dict[str, bytes]:
+def design_bundle(result: DesignResult, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt design CASE --out DIR``.
 
     Beside document, tables, workbook and figure there is the case itself, so that
@@ -137,7 +141,7 @@ def design_bundle(result: DesignResult) -> dict[str, bytes]:
     return {
         DESIGN_DOCUMENT: _json(design_document(result)),
         DESIGN_CASE: write_case(result.case).encode(),
-        "design.xlsx": design_workbook(result),
+        "design.xlsx": design_workbook(result, language),
         "front.csv": _csv(design.front(result)),
         "components.csv": _csv(design.components(result)),
         "checks.csv": _csv(design.design_checks(result)),
@@ -147,14 +151,14 @@ def design_bundle(result: DesignResult) -> dict[str, bytes]:
     }
 
 
-def check_bundle(report: CheckReport) -> dict[str, bytes]:
+def check_bundle(report: CheckReport, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt check CASE --out DIR``: document, tables and workbook."""
     from catopt.report import checks
     from catopt.report.workbook import check_workbook
 
     return {
         "check.json": _json(report.to_dict()),
-        "check.xlsx": check_workbook(report),
+        "check.xlsx": check_workbook(report, language),
         "checks.csv": _csv(checks.checks(report)),
         "load_cases.csv": _csv(checks.load_cases(report)),
     }
@@ -183,24 +187,44 @@ def system_bundle(report: SystemReport) -> dict[str, bytes]:
     return files
 
 
-def verification_bundle(found: Verification | FrontVerification) -> dict[str, bytes]:
+def verification_bundle(
+    found: Verification | FrontVerification, dynamic: DynamicVerification | None = None
+) -> dict[str, bytes]:
     """Make the files of ``catopt verify ... --out DIR``: document, tables, workbook and figures.
 
-    A front has no figures.
+    A front has no figures. A line in motion has tables, a workbook and figures of its own.
     """
     from catopt.report import verify, verify_plots
     from catopt.report.workbook import verification_workbook
     from catopt.verify.result import Verification
 
     frames = verify.frames(found)
+    document = found.to_dict()
     files = {
-        "verify.json": _json(found.to_dict()),
         "verify.xlsx": verification_workbook(verify.title_of(found), frames),
         **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
     }
     if isinstance(found, Verification):
         for name, figure in verify_plots.figures(found).items():
             files |= _figure(name, figure)
+    if dynamic is not None:
+        document["dynamic"] = dynamic.to_dict()
+        files |= _dynamic(dynamic)
+    return {"verify.json": _json(document), **files}
+
+
+def _dynamic(found: DynamicVerification) -> dict[str, bytes]:
+    from catopt.report import dynamic, dynamic_plots
+    from catopt.report.workbook import verification_workbook
+
+    frames = dynamic.frames(found)
+    sheets = dynamic.workbook_frames(frames)
+    files = {
+        "dynamic.xlsx": verification_workbook(found.case.title, sheets),
+        **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
+    }
+    for name, figure in dynamic_plots.figures(found).items():
+        files |= _figure(name, figure)
     return files
 
 

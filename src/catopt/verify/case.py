@@ -15,7 +15,7 @@ from catopt.verify.result import StaticComparison, Verification
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.system import verify_system
 
-__all__ = ["LOAD", "verify_case"]
+__all__ = ["LOAD", "load_states", "verify_case"]
 
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
@@ -76,7 +76,7 @@ def verify_case(
     2.0
     """
     check_settings(elements, tolerance, source="verify_case")
-    states = _states(case, load_case)
+    states = load_states(case, load_case)
     parts = []
     for done, (name, state) in enumerate(states):
         if progress is not None:
@@ -85,8 +85,21 @@ def verify_case(
     return Verification(case, tuple(parts))
 
 
-def _states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
-    """Name every state of a case that is to be verified."""
+def load_states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
+    """Name every state of a case that is to be verified, with the case under its load.
+
+    Parameters
+    ----------
+    case : Case
+        With or without load cases.
+    wanted : str or None
+        Name of one load case; None: all of them, or the load where there are none.
+
+    Raises
+    ------
+    InputError
+        When no load case has that name.
+    """
     states = dict(_named(case))
     if wanted is None:
         return list(states.items())

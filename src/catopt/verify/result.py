@@ -110,6 +110,15 @@ class StaticComparison:
         """Largest force left over at a node of the finest mesh, over the largest tension."""
         return self.meshes[-1].residual
 
+    def mesh_gap(self, mesh: int) -> float | None:
+        """Largest difference over its scale on one mesh, from 0; None without a closed form."""
+        gaps = [
+            abs(each.fem[mesh] - each.closed_form) / each.scale
+            for each in self.quantities
+            if each.closed_form is not None
+        ]
+        return max(gaps, default=None)
+
     def of(self, quantity: str, line: int | None = None) -> Compared:
         """Look a quantity up.
 

@@ -1,0 +1,69 @@
+"""A line in motion as the part ``dynamic`` of the document catopt.verify/1."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from catopt.verify.dynamic_result import (
+        DynamicPart,
+        DynamicRun,
+        DynamicVerification,
+        OverRuns,
+    )
+
+__all__ = ["dynamic_document"]
+
+
+def dynamic_document(found: DynamicVerification) -> dict[str, Any]:
+    """Build the part of a case in motion; all in SI. Series are in the files of ``--out``."""
+    return {
+        "is_complete": found.is_complete,
+        "load_cases": [_part(part) for part in found.parts],
+    }
+
+
+def _part(part: DynamicPart) -> dict[str, Any]:
+    return {
+        "load_case": part.name,
+        "is_complete": part.is_complete,
+        "elements": part.elements,
+        "quantities": [_quantity(each) for each in part.quantities],
+        "max_tension_N": part.max_tension,
+        "quasi_static_max_tension_N": part.quasi_static_max,
+        "amplification": part.amplification,
+        "slack_time_s": part.slack_time,
+        "runs": [_run(number, run) for number, run in enumerate(part.runs, start=1)],
+        "remarks": list(part.remarks),
+    }
+
+
+def _quantity(each: OverRuns) -> dict[str, Any]:
+    return {
+        "quantity": each.quantity,
+        "unit": each.unit,
+        "mean": each.mean,
+        "std": each.std,
+        "max": each.maximum,
+        "min": each.minimum,
+        "most_probable_max": each.most_probable_maximum,
+    }
+
+
+def _run(number: int, run: DynamicRun) -> dict[str, Any]:
+    history = run.history
+    tension = run.statistics("fairlead_tension")
+    return {
+        "run": number,
+        "is_complete": history.is_complete,
+        "reached_s": float(history.time[-1]),
+        "since_s": history.since,
+        "time_step_s": history.step,
+        "shortest_step_s": history.shortest_step,
+        "steps": history.steps,
+        "iterations": history.iterations,
+        "halvings": history.halvings,
+        "max_fairlead_tension_N": tension.maximum,
+        "time_of_max_s": tension.time_of_maximum,
+        "slack_time_s": history.line_slack_time(),
+    }

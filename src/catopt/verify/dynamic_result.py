@@ -1,0 +1,223 @@
+"""A line in motion, as values: statistics over its runs, and what it does beyond quasi-statics."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.fem.history import History
+from catopt.fem.statistics import (
+    SeriesStatistics,
+    gumbel_most_probable,
+    power_spectrum,
+    series_statistics,
+)
+from catopt.model import Case
+
+__all__ = ["SERIES", "DynamicPart", "DynamicRun", "DynamicVerification", "OverRuns"]
+
+Array = npt.NDArray[np.float64]
+
+SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
+    {
+        "fairlead_tension": lambda history: history.fairlead_tension[:, 0],
+        "anchor_tension": lambda history: history.anchor_tension[:, 0],
+        "grounded_length": lambda history: history.grounded_length[:, 0],
+        "offset": lambda history: history.offset[:, 0],
+    }
+)
+"""What statistics are made of; offset is the fairlead's horizontal way from its place at rest."""
+
+_UNITS = MappingProxyType({"grounded_length": "m", "offset": "m"})
+
+
+@dataclass(frozen=True)
+class OverRuns:
+    """Statistics of one quantity over all runs of a load case.
+
+    Attributes
+    ----------
+    quantity : str
+        A key of `SERIES`.
+    mean, std, maximum, minimum : float
+        Of all runs together, SI.
+    most_probable_maximum : float or None
+        Of one run in a random sea: by Gumbel's distribution of the maxima of several, or Weibull's
+        of the peaks of a single one. None where nothing is random, or for too few peaks.
+    """
+
+    quantity: str
+    mean: float
+    std: float
+    maximum: float
+    minimum: float
+    most_probable_maximum: float | None
+
+    @property
+    def unit(self) -> str:
+        """SI unit."""
+        return _UNITS.get(self.quantity, "N")
+
+
+@dataclass(frozen=True, eq=False)
+class DynamicRun:
+    """One run.
+
+    Attributes
+    ----------
+    history : History
+        What it did.
+    quasi_static : ndarray, shape (samples,)
+        Tension at the fairlead in closed form for each of its places, without current, N; nan where
+        the closed form has none.
+    """
+
+    history: History
+    quasi_static: Array
+
+    @cached_property
+    def counted(self) -> npt.NDArray[np.bool_]:
+        """Which samples count: those after the ramp; all, if the run was stopped before its end."""
+        counted = self.history.counted
+        return counted if counted.sum() > 1 else np.ones(counted.size, dtype=bool)
+
+    def statistics(self, quantity: str) -> SeriesStatistics:
+        """Statistics of one of `SERIES`."""
+        history = self.history
+        return series_statistics(
+            history.time[self.counted], SERIES[quantity](history)[self.counted]
+        )
+
+    def tension_spectrum(self) -> tuple[Array, Array]:
+        """Spectrum of the tension at the fairlead: rad/s, and N^2 s/rad."""
+        counted, history = self.counted, self.history
+        return power_spectrum(history.time[counted], history.fairlead_tension[counted, 0])
+
+    @property
+    def quasi_static_max(self) -> float | None:
+        """Largest quasi-static tension, N; None where the closed form has none at all."""
+        values = self.quasi_static[self.counted]
+        known = values[np.isfinite(values)]
+        return float(known.max()) if known.size else None
+
+
+@dataclass(frozen=True)
+class DynamicPart:
+    """A line in motion under one load.
+
+    Attributes
+    ----------
+    name : str
+        Of the load case.
+    runs : tuple of DynamicRun
+        One a seed.
+    is_random : bool
+        Whether the runs are drawn from a random sea.
+    elements : int
+        Bars.
+    remarks : tuple of str
+        What to know before the figures are used.
+    """
+
+    name: str
+    runs: tuple[DynamicRun, ...]
+    is_random: bool
+    elements: int
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether no run was stopped."""
+        return all(run.history.is_complete for run in self.runs)
+
+    @cached_property
+    def quantities(self) -> tuple[OverRuns, ...]:
+        """Statistics of every one of `SERIES`."""
+        return tuple(self._over_runs(quantity) for quantity in SERIES)
+
+    def of(self, quantity: str) -> OverRuns:
+        """Look a quantity up."""
+        return next(each for each in self.quantities if each.quantity == quantity)
+
+    @property
+    def max_tension(self) -> float:
+        """Largest tension, at an end or anywhere along the line, N."""
+        along = [np.fmax.reduce(run.history.max_tension, initial=0.0) for run in self.runs]
+        ends = [self.of(each).maximum for each in ("fairlead_tension", "anchor_tension")]
+        return float(max(*along, *ends))
+
+    @property
+    def slack_time(self) -> float:
+        """Longest time that a bar of the line had no tension in one run, after the ramp, s."""
+        return max(run.history.line_slack_time() for run in self.runs)
+
+    @property
+    def quasi_static_max(self) -> float | None:
+        """Largest tension at the fairlead, had the line moved infinitely slowly, N."""
+        known = [run.quasi_static_max for run in self.runs]
+        found = [value for value in known if value is not None]
+        return max(found) if len(found) == len(known) else None
+
+    @property
+    def amplification(self) -> float | None:
+        """Largest tension at the fairlead over the largest quasi-static one."""
+        still = self.quasi_static_max
+        return None if still is None else self.of("fairlead_tension").maximum / still
+
+    @property
+    def governing(self) -> DynamicRun:
+        """The run with the largest tension at the fairlead."""
+        return max(self.runs, key=lambda run: run.statistics("fairlead_tension").maximum)
+
+    def _over_runs(self, quantity: str) -> OverRuns:
+        each = [run.statistics(quantity) for run in self.runs]
+        means = np.array([one.mean for one in each])
+        variance = float(np.mean([one.std**2 for one in each]) + means.var())
+        return OverRuns(
+            quantity,
+            mean=float(means.mean()),
+            std=math.sqrt(variance),
+            maximum=max(one.maximum for one in each),
+            minimum=min(one.minimum for one in each),
+            most_probable_maximum=self._most_probable(quantity, each),
+        )
+
+    def _most_probable(self, quantity: str, each: list[SeriesStatistics]) -> float | None:
+        if not self.is_random or quantity == "grounded_length":
+            return None
+        whole = [
+            one.maximum for one, run in zip(each, self.runs, strict=True) if run.history.is_complete
+        ]
+        return gumbel_most_probable(whole) if len(whole) > 1 else each[0].most_probable_maximum
+
+
+@dataclass(frozen=True)
+class DynamicVerification:
+    """A case in motion.
+
+    Attributes
+    ----------
+    case : Case
+        What was run.
+    parts : tuple of DynamicPart
+        One a load case.
+    is_complete : bool
+        False when it was stopped (Ctrl-C): the last run is short, and others may be missing.
+    """
+
+    case: Case
+    parts: tuple[DynamicPart, ...]
+    is_complete: bool
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build what ``catopt verify --dynamic --json`` has under ``dynamic``."""
+        from catopt.verify.dynamic_document import dynamic_document
+
+        return dynamic_document(self)
