@@ -22,7 +22,6 @@ from catopt.quantities import QUANTITIES
 from catopt.report.note_workbook import note_workbook
 from catopt.report.page.note import Note, read_note
 from catopt.report.texts import LANGUAGES, Language
-from catopt.verify.case import verify_case
 
 from .page_cases import CASES, EVERY, design_directory, known_note
 
@@ -330,19 +329,29 @@ def test_inputs_are_numbers_in_si() -> None:
     assert "title" not in rows
 
 
-def test_a_verification_has_a_sheet() -> None:
-    note = known_note("buoy-9.5m")
-    verification = verify_case(note.case)
-    book = openpyxl.load_workbook(BytesIO(note_workbook(note, "en", verification)))
-    rows = table(book["Verification"], "Load case")
-    quantities = verification.static.quantities
-    assert [row["Verdict"] for row in rows] == ["agrees"] * len(quantities)
-    for row, each in zip(rows, quantities, strict=True):
-        assert each.closed_form is not None
+@pytest.mark.parametrize("name", EVERY)
+def test_every_number_of_the_verification(name: str) -> None:
+    verification = known_note(name).verification
+    assert verification is not None
+    document = verification.to_dict()["static"]
+    sheet = workbook(name)["Verification"]
+    rows = table(sheet, "Quantity")
+    assert len(rows) == len(document["quantities"])
+    for row, each in zip(rows, document["quantities"], strict=True):
         unit = UNITS[row["Unit"]]
-        assert same(row["Closed form"] * unit, each.closed_form)
-        assert same(row["Truss model, extrapolated"] * unit, each.extrapolated)
-        assert same(row["Difference over its scale"], each.gap)
+        assert same(row["Closed form"] * unit, each["closed_form"])
+        assert same(row["Truss model, extrapolated"] * unit, each["extrapolated"])
+        for mesh, value in zip(document["meshes"], each["fem"], strict=True):
+            assert same(row[f"Truss of {mesh['elements']} bars"] * unit, value)
+        gap = abs(each["difference"]) / each["scale"]
+        assert same(row["Difference over its scale"], gap)
+        order = row["Observed order"]
+        assert order is each["order"] is None or same(order, each["order"])
+        assert row["Verdict"] == ("agrees" if each["agrees"] else "DIFFERS")
+    places = [cell.row for row in sheet.iter_rows() for cell in row if cell.value == "Bars"]
+    for number, mesh in enumerate(document["meshes"], start=places[0] + 1):
+        assert sheet.cell(number, 1).value == mesh["elements"]
+        assert same(sheet.cell(number, 3).value, mesh["residual"])
 
 
 # ------------------------------------------------------------------ the look

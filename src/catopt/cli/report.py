@@ -58,6 +58,14 @@ def report(
             "by --out it always is.",
         ),
     ] = False,
+    verify: Annotated[
+        bool,
+        typer.Option(
+            "--verify/--no-verify",
+            help="Put the truss model beside the closed form, or leave that out, which saves a "
+            "second.",
+        ),
+    ] = True,
     as_json: JsonOption = False,
     out: Annotated[
         Path | None,
@@ -72,9 +80,9 @@ def report(
     """Write the calculation note of a case: one HTML page for a checker, and a workbook.
 
     The page holds all it shows, opens from disk without a network and prints to A4: inputs,
-    components with their sources, the line to scale, tensions, checks, and every result with its
-    equation and its numbers put in. The workbook has its tables with native charts. The same case
-    gives the same files to the last byte.
+    components with their sources, the line to scale, tensions, checks, every result with its
+    equation and its numbers put in, and the same line by a truss model. The workbook has its tables
+    with native charts. The same case gives the same files to the last byte.
     """
     from catopt.report.files import write_files
     from catopt.report.page.note import file_name, read_note
@@ -82,7 +90,7 @@ def report(
 
     output: Output = context.obj
     with output.progress("Calculation note") as tell:
-        note = read_note(case, design, date=date)
+        note = read_note(case, design, date=date, verify=verify)
         _tell(tell, 1)
         number = None if note.chosen is None else note.chosen.number
         folder, name, is_folder = _place(out, file_name(case, number))
@@ -138,8 +146,20 @@ def _document(note: Note, language: str, written: list[tuple[Path, bytes]]) -> d
         "sections": [key for key, _ in sections_of(note, words)],
         "passes": checks.passes if checks.results else None,
         "governing": "" if governing is None else f"{governing.name} ({governing.load_case})",
+        "verification": _verification(note),
         "warnings": list(note.warnings),
     }
+
+
+def _verification(note: Note) -> dict[str, Any] | None:
+    """Say what came of the truss model; None where it was left out."""
+    if note.verification_failure:
+        return {"verdict": "no answer", "worst": None, "failure": note.verification_failure}
+    if note.verification is None:
+        return None
+    worst = note.verification.static.worst
+    named = {"quantity": worst.quantity, "unit": worst.unit, "gap": worst.gap}
+    return {"verdict": note.verification.verdict, "worst": named, "failure": ""}
 
 
 def _file(path: Path, content: bytes) -> dict[str, Any]:

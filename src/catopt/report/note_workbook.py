@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from catopt.casefile.fields import Kind, Measured
 from catopt.casefile.location import dotted
@@ -30,9 +30,6 @@ from catopt.report.texts import Language, Words
 from catopt.report.workbook_sheet import Book, Cell, Number, Sheet, Style, Text
 from catopt.units import as_written
 
-if TYPE_CHECKING:
-    from catopt.verify.result import Verification
-
 __all__ = ["note_workbook"]
 
 _SUMMARY = (46.0, 15.0, 9.0, 22.0, 9.0)
@@ -50,9 +47,7 @@ _LONGEST = 250
 """Characters of a text of the case file that are shown."""
 
 
-def note_workbook(
-    note: Note, language: Language = "en", verification: Verification | None = None
-) -> bytes:
+def note_workbook(note: Note, language: Language = "en") -> bytes:
     """Lay a calculation note out.
 
     The same note gives the same bytes.
@@ -63,15 +58,12 @@ def note_workbook(
         What it shows.
     language : {"en", "vi"}
         Of its words.
-    verification : Verification, optional
-        The closed form beside the truss model.
 
     Returns
     -------
     bytes
-        An .xlsx file with the sheets Summary, Inputs, Components and Line; Catalogue,
-        Curve, Checks, Load
-        cases, Front, Neighbours and Verification where there is something to show.
+        An .xlsx file with the sheets Summary, Inputs, Components and Line; Catalogue, Curve,
+        Checks, Load cases, Front, Neighbours and Verification where there is something to show.
     """
     words = Words(language)
     book = Book(note.case.title or words("page.untitled"), words, typeset=True)
@@ -89,8 +81,8 @@ def note_workbook(
     if note.chosen is not None:
         front_sheet(book, note.chosen.document, note.chosen.number)
         neighbours_sheet(book, note.chosen.document)
-    if verification is not None:
-        verification_sheet(book, verification)
+    if note.verification is not None or note.verification_failure:
+        verification_sheet(book, note)
     return book.close()
 
 

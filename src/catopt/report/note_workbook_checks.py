@@ -17,12 +17,15 @@ from catopt.report.page.front_figure import (
     verdict_cell,
 )
 from catopt.report.page.note import Note
+from catopt.report.page.verification import rough_words
 from catopt.report.texts import Words
+from catopt.report.verify import QUANTITY_OF as COMPARED
+from catopt.report.verify import part_sentence
 from catopt.report.workbook_sheet import Book, Cell, Chart, Number, Series, Text
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
-    from catopt.verify.result import Verification
+    from catopt.verify.compared import Compared
 
 __all__ = ["checks_sheet", "front_sheet", "neighbours_sheet", "verification_sheet"]
 
@@ -161,49 +164,70 @@ def neighbours_sheet(book: Book, document: dict[str, Any]) -> None:
             sheet.across(words.sentence(text).text)
 
 
-def verification_sheet(book: Book, verification: Verification) -> None:
-    """Write the closed form beside the truss model, quantity by quantity."""
-    from catopt.report.verify import QUANTITY_OF as COMPARED
-    from catopt.report.verify import verdict_sentence as settled
-
+def verification_sheet(book: Book, note: Note) -> None:
+    """Write the closed form beside the truss model, or that the truss model has no answer."""
     words = book.words
     sheet = book.sheet("Verification")
-    rows: list[Sequence[Cell]] = []
-    for part in verification.parts:
-        for each in part.quantities:
-            quantity = COMPARED[each.quantity]
-            agrees = "workbook.agrees" if each.agrees else "workbook.differs"
-            rows.append(
-                (
-                    part.name,
-                    Text("" if each.line is None else str(each.line + 1), "text"),
-                    words.name(quantity.name),
-                    Text(unit_of(quantity.field_unit), "text"),
-                    number_of(quantity, each.closed_form),
-                    number_of(quantity, each.extrapolated),
-                    *(number_of(quantity, value) for value in each.fem),
-                    Number(each.gap, "0.0E+00"),
-                    Number(each.order, "0.00"),
-                    Text(words(agrees), "good" if each.agrees else "bad"),
-                )
-            )
-    meshes = [mesh.elements for mesh in verification.parts[0].meshes]
+    if note.verification is None:
+        sheet.set_widths([120.0])
+        sheet.across(words("verification.no_answer"), "bad")
+        sheet.across(words.sentence(note.verification_failure).text)
+        return
+    part = note.verification.static
+    meshes = [mesh.elements for mesh in part.meshes]
     sheet.grid(
         [
-            words("identity.load_case"),
-            words("workbook.line"),
             words("workbook.quantity"),
             words("workbook.unit"),
-            words("workbook.closed_form"),
-            words("workbook.truss"),
+            words("verification.closed_form"),
+            words("verification.truss"),
             *(words("workbook.bars", count=count) for count in meshes),
-            words("workbook.gap"),
-            words("workbook.order"),
+            words("verification.gap"),
+            words("verification.order"),
             words("checks.verdict"),
         ],
-        rows,
-        widths=[16, 8, 34, 8, *[15.0] * (len(meshes) + 2), 16, 11, 12],
-        right=range(4, 8 + len(meshes)),
+        [_compared(each, words) for each in part.quantities],
+        widths=[34, 8, *[15.0] * (len(meshes) + 2), 16, 11, 14],
+        right=range(2, 6 + len(meshes)),
     )
-    for text in (book.said(settled(verification)), words("workbook.scales")):
-        sheet.across(text)
+    sheet.across(words.sentence(part_sentence(part)).text, "good" if part.is_settled else "bad")
+    remarks = (words.sentence(remark).text for remark in part.remarks)
+    for text in (rough_words(part, words), *remarks, words("verification.legend")):
+        if text:
+            sheet.across(text)
+    sheet.row += 1
+    sheet.grid(
+        [
+            words("verification.bars"),
+            "",
+            words("verification.residual"),
+            words("verification.largest"),
+        ],
+        [
+            (
+                Number(mesh.elements),
+                None,
+                Number(mesh.residual, "0.0E+00"),
+                Number(part.mesh_gap(number), "0.0E+00"),
+            )
+            for number, mesh in enumerate(part.meshes)
+        ],
+        title=words("verification.meshes"),
+        right=(0, 2, 3),
+    )
+
+
+def _compared(each: Compared, words: Words) -> Sequence[Cell]:
+    """Lay one quantity out, on every mesh."""
+    quantity = COMPARED[each.quantity]
+    verdict = words("verification.agrees" if each.agrees else "verification.differs")
+    return (
+        words.name(quantity.name),
+        Text(unit_of(quantity.field_unit), "text"),
+        number_of(quantity, each.closed_form),
+        number_of(quantity, each.extrapolated),
+        *(number_of(quantity, value) for value in each.fem),
+        Number(each.gap, "0.0E+00"),
+        Number(each.order, "0.00"),
+        Text(verdict, "good" if each.agrees else "bad"),
+    )

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.report.summary import named
+from catopt.verify.richardson import ORDER
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "QUANTITY_OF",
+    "ROUNDING",
     "frames",
     "gap_words",
     "in_parts",
@@ -55,7 +57,7 @@ _SCALE_WORDS = MappingProxyType(
 )
 
 
-_NOISE = 1e-10
+ROUNDING = 1e-10
 """Tolerance of the truss model: what is below it is rounding."""
 
 
@@ -63,7 +65,7 @@ def in_parts(value: float) -> str:
     """Write a difference over its scale; below the truss's own tolerance its digits are chance."""
     if value == 0.0:
         return "0"
-    return f"{value:.1e}" if value >= _NOISE else f"<{_NOISE:.0e}"
+    return f"{value:.1e}" if value >= ROUNDING else f"<{ROUNDING:.0e}"
 
 
 def name_of(each: Compared) -> str:
@@ -77,6 +79,9 @@ def name_of(each: Compared) -> str:
 
 def gap_words(each: Compared) -> str:
     """Say how large a gap is: ``"3.1e-09 of the tension"``."""
+    if each.theory != ORDER:
+        # Of a slack line the scale may be that of a bar, over the tolerance.
+        return f"{in_parts(each.gap)} of its scale"
     position = each.quantity.startswith("position")
     return f"{in_parts(each.gap)} {'of the offset' if position else _SCALE_WORDS[each.unit]}"
 
@@ -93,8 +98,8 @@ def part_sentence(part: StaticComparison) -> str:
         )
     if part.verdict == "agrees":
         told = f"{name_of(worst)}, {gap_words(worst)}"
-        if worst.gap < _NOISE:
-            told = f"below {_NOISE:.0e} of its scale"
+        if worst.gap < ROUNDING:
+            told = f"below {ROUNDING:.0e} of its scale"
         return f"The two models agree. Largest difference: {told}; {limit}."
     others = [each for each in part.quantities if not each.agrees]
     told = "; ".join(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.model import Case
+    from catopt.verify.result import Verification
 
 __all__ = ["Chosen", "Note", "SourceFile", "file_name", "note_of", "read_note"]
 
@@ -82,6 +83,11 @@ class Note:
         Of catopt.
     warnings : tuple of str
         What an engineer should know before using the note, each once.
+    verification : Verification or None
+        The line under the load that is drawn by the truss model, too; None where it was left out
+        or failed.
+    verification_failure : str
+        Why the truss model has no answer; empty where it has one or was left out.
     """
 
     case: Case
@@ -95,9 +101,13 @@ class Note:
     date: str = ""
     version: str = __version__
     warnings: tuple[str, ...] = ()
+    verification: Verification | None = None
+    verification_failure: str = ""
 
 
-def read_note(path: Path, design: int | None = None, *, date: str = "") -> Note:
+def read_note(
+    path: Path, design: int | None = None, *, date: str = "", verify: bool = True
+) -> Note:
     """Read a case file, or a design out of a result directory, and compute its note.
 
     Parameters
@@ -108,6 +118,8 @@ def read_note(path: Path, design: int | None = None, *, date: str = "") -> Note:
         Number of the design, counted from 1; the recommended one when left out.
     date : str
         For the title block.
+    verify : bool
+        Whether the truss model is put beside the closed form.
 
     Raises
     ------
@@ -117,14 +129,15 @@ def read_note(path: Path, design: int | None = None, *, date: str = "") -> Note:
     if design is None and not (path / DESIGN_DOCUMENT).is_file():
         case, source = read_case(path), _source(path)
         _check_kind(case, source)
-        return note_of(case, (source,), date=date)
+        return note_of(case, (source,), date=date, verify=verify)
     from catopt.casefile.design_directory import read_design_document
 
     document = read_design_document(path)
     number = document["recommended"] + 1 if design is None else design
     case = read_design(path, number)
     sources = (_source(path / DESIGN_CASE), _source(path / DESIGN_DOCUMENT))
-    return note_of(case, sources, date=date, chosen=Chosen(document, number))
+    chosen = Chosen(document, number)
+    return note_of(case, sources, date=date, chosen=chosen, verify=verify)
 
 
 def _check_kind(case: Case, source: SourceFile) -> None:
@@ -135,7 +148,12 @@ def _check_kind(case: Case, source: SourceFile) -> None:
 
 
 def note_of(
-    case: Case, files: tuple[SourceFile, ...], *, date: str = "", chosen: Chosen | None = None
+    case: Case,
+    files: tuple[SourceFile, ...],
+    *,
+    date: str = "",
+    chosen: Chosen | None = None,
+    verify: bool = True,
 ) -> Note:
     """Compute the note of a case.
 
@@ -152,13 +170,21 @@ def note_of(
         For the title block.
     chosen : Chosen, optional
         When the line is a design of a front.
+    verify : bool
+        Whether the truss model is put beside the closed form.
     """
     checks = check_case(case)
     load_case, drawn = _drawn(case, checks)
     solution = solve_case(drawn)
     curve, curve_warnings = _curve(drawn, solution)
+    verification, failure = _verification(drawn, load_case) if verify else (None, "")
     of_the_search = () if chosen is None else chosen.document["warnings"]
-    warnings = (*_warnings(case, checks, solution), *curve_warnings, *of_the_search)
+    warnings = (
+        *_doubts(verification, failure),
+        *_warnings(case, checks, solution),
+        *curve_warnings,
+        *of_the_search,
+    )
     return Note(
         case=drawn,
         load_case=load_case,
@@ -170,6 +196,8 @@ def note_of(
         chosen=chosen,
         date=date,
         warnings=tuple(dict.fromkeys(warnings)),
+        verification=verification,
+        verification_failure=failure,
     )
 
 
@@ -226,6 +254,26 @@ def _curve(case: Case, solution: Solution) -> tuple[CaseCurve | None, tuple[str,
     except CatoptError as error:
         return None, (f"the load curve is left out: {error}",)
     return curve, ()
+
+
+def _verification(case: Case, load_case: str) -> tuple[Verification | None, str]:
+    """Put the truss model beside the closed form; say why where it has no answer."""
+    from catopt.verify.case import LOAD, verify_case
+
+    try:
+        found = verify_case(replace(case, load_cases=()))
+    except CatoptError as error:
+        return None, str(error)
+    (part,) = found.parts
+    return replace(found, parts=(replace(part, name=load_case or LOAD),)), ""
+
+
+def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
+    """Yield what the truss model leaves in doubt."""
+    if failure:
+        yield f"the line is not verified, for the truss model has no answer: {failure}"
+    if verification is not None and not verification.is_settled:
+        yield "closed form and truss model differ: see the verification"
 
 
 def _source(path: Path) -> SourceFile:

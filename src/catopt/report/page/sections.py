@@ -17,6 +17,7 @@ from catopt.report.page.line_drawing import line_drawing
 from catopt.report.page.note import Note
 from catopt.report.page.results import load_cases, results
 from catopt.report.page.tension_figure import tension_figure
+from catopt.report.page.verification import verification
 from catopt.report.texts import Words
 
 __all__ = ["SECTIONS", "Section"]
@@ -50,5 +51,6 @@ SECTIONS: tuple[Section, ...] = (
     Section("components", components),
     Section("inputs", inputs),
     Section("equations", equations),
+    Section("verification", verification),
     Section("case_file", case_file),
 )
