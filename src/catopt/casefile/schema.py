@@ -86,6 +86,9 @@ class Table(BaseModel):
     later: ClassVar[Mapping[str, str]] = {}
     """Keys that belong to a later version, each with the required key it would stand for."""
 
+    elsewhere: ClassVar[Mapping[str, str]] = {}
+    """Keys that belong to another kind of file, each with what that is for."""
+
     symbols: ClassVar[Mapping[str, str]] = {}
     """The field's symbols for some keys, so that a user who writes one is told the key."""
 
@@ -454,7 +457,10 @@ class CaseTable(Table):
 
     later: ClassVar[Mapping[str, str]] = {
         "verify": "",
-        "environment": "",
+    }
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "environment": "belongs to a file for catopt size and catopt loads (docs/sizing.md), "
+        "which finds the force; a case file gives it",
     }
     symbols: ClassVar[Mapping[str, str]] = {"catalog": "catalogue"}
 

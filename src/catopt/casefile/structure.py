@@ -47,6 +47,8 @@ def _finding(error: ErrorDetails, top: type[Table]) -> Finding:
 
 def _unknown(path: Path, given: object, top: type[Table]) -> Finding:
     table, key = _table(path[:-1], top), str(path[-1])
+    if key in table.elsewhere:
+        return Finding(path, as_written(given), table.elsewhere[key])
     if key not in table.later:
         return Finding(path, "an unknown key", hint(table, key, top))
     instead = _stands_for(path, top)
