@@ -12,16 +12,32 @@ from catopt.catenary.solution import Regime
 from tests.snippets import FENCE, PAGES, README, ROOT, Block, blocks, produce, shown
 
 
-@pytest.mark.parametrize("block", shown(), ids=str)
-def test_what_is_shown_runs_and_prints_what_is_shown(block: Block, tmp_path: Path) -> None:
-    printed = produce(block, tmp_path)
+def _of_the_first_pages() -> list[Block]:
+    """Select what a newcomer types first: README and the quick start."""
+    return [block for block in shown() if block.page.name in (README.name, "quick-start.md")]
+
+
+def check(block: Block, folder: Path) -> None:
+    """Run a block and compare what it prints with what the page shows, if it shows any."""
+    printed = produce(block, folder)
     if block.output is not None:
         fresh = "write it anew: python -m tests.snippets"
         assert block.output.strip("\n") == printed.strip("\n"), fresh
 
 
+@pytest.mark.parametrize("block", _of_the_first_pages(), ids=str)
+def test_what_the_first_pages_show_runs_and_prints_it(block: Block, tmp_path: Path) -> None:
+    check(block, tmp_path)
+
+
+@pytest.mark.slow  # each block is a process of its own, and there are many
+@pytest.mark.parametrize("block", shown(), ids=str)
+def test_what_every_page_shows_runs_and_prints_it(block: Block, tmp_path: Path) -> None:
+    check(block, tmp_path)
+
+
 def test_readme_shows_what_the_first_command_prints_and_python_that_runs() -> None:
-    """The test above has these to do."""
+    """The tests above have these to do."""
     install, *others = blocks(README)
     assert install.code == "catopt reproduce buoy_9p5m\n"
     assert install.output is not None

@@ -324,6 +324,7 @@ def compared(s: RandomLine) -> Compared:
     )
 
 
+@pytest.mark.slow
 def test_300_lines_as_they_are_built() -> None:
     """L/h 1.05 to 5, 1 to 4 segments, 0 to 2 clump weights; one run each.
 
