@@ -46,7 +46,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "design": SOLVING | {"catalogue", "mooring", "checks"},
     "verify": SOLVING | {"mooring", "fem", "waves"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
-    "reproduce": SOLVING | READING | {"mooring", "loads", "fem", "verify"},
+    "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "report": SOLVING
     | READING
     | DESIGNING

@@ -21,6 +21,7 @@ NAMES = (
     "tanker_20m_sinker",
     "load_sharing",
     "fso_rang_dong",
+    "fso_rang_dong_dynamic",
 )
 WITHOUT_SWARM = NAMES[1:]
 
@@ -61,6 +62,10 @@ def test_every_number_of_the_source_is_judged_once(name: str) -> None:
         (
             "fso_rang_dong",
             "Of 28 printed numbers 25 reproduce, 3 differ and 0 cannot be reproduced.",
+        ),
+        (
+            "fso_rang_dong_dynamic",
+            "Of 30 printed numbers 0 reproduce, 0 differ and 30 cannot be reproduced.",
         ),
     ],
 )

@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 
 from catopt.reproduce.items import Input, Item, Study
 from catopt.reproduce.published import Published
-from catopt.reproduce.verdict import by_digits
+from catopt.reproduce.verdict import by_digits, not_reproducible
 
-__all__ = ["compare", "study_of"]
+__all__ = ["compare", "set_aside", "study_of"]
 
 _UNITS = ("m", "kN", "tf")
 _PURE_NUMBER = "-"
@@ -49,6 +49,34 @@ def compare(
             computed=computed[quantity],
             judgement=by_digits(printed, computed[quantity], _unit(quantity).strip(_PURE_NUMBER)),
             remark=said.get(quantity, ""),
+        )
+        for quantity, printed in source.printed[method].items()
+    )
+
+
+def set_aside(source: Published, method: str, reason: str) -> tuple[Item, ...]:
+    """Tell of every number printed for a method that nothing computed can be held against it.
+
+    Parameters
+    ----------
+    source : Published
+        The calculation.
+    method : str
+        Which of its tables of printed numbers.
+    reason : str
+        Why.
+    """
+    return tuple(
+        Item(
+            source=source.source,
+            name=source.name,
+            quantity=quantity,
+            unit=_unit(quantity),
+            method=method,
+            computed_by="",
+            printed=printed,
+            computed=None,
+            judgement=not_reproducible(reason),
         )
         for quantity, printed in source.printed[method].items()
     )

@@ -15,12 +15,12 @@ from catopt.reproduce.published import Published, published
 from catopt.units import UNITS, Dimension
 
 if TYPE_CHECKING:
+    from catopt.fem import HeldBed, TrussSolution
     from catopt.fem import SystemSolution as TrussSystem
-    from catopt.fem import TrussSolution
     from catopt.mooring.solution import SystemSolution
     from catopt.verify.result import StaticComparison
 
-__all__ = ["BARS", "NAME", "as_run", "free_bed", "study", "turret"]
+__all__ = ["BARS", "NAME", "as_run", "free_bed", "held_bed", "study", "turret"]
 
 NAME = "fso_rang_dong"
 
@@ -104,7 +104,9 @@ def _stiffened(system: System, factor: float) -> System:
 
 
 @cache
-def as_run(*, stiffened: bool = True, azimuths: str = "azimuth_deg") -> TrussSystem:
+def as_run(
+    *, stiffened: bool = True, azimuths: str = "azimuth_deg", force: float | None = None
+) -> TrussSystem:
     """Solve with the source's restraint: nodes up to the second joint held in height both ways.
 
     Parameters
@@ -113,8 +115,10 @@ def as_run(*, stiffened: bool = True, azimuths: str = "azimuth_deg") -> TrussSys
         Whether EA is a hundredfold, as in the source's run, or as printed.
     azimuths : str
         Series of the published figures that has them.
+    force : float, optional
+        On the turret along x, N; the printed one when left out.
     """
-    from catopt.fem import HeldBed, solve_system
+    from catopt.fem import solve_system
     from catopt.verify.system import truss_legs
 
     source = published(NAME)
@@ -124,12 +128,19 @@ def as_run(*, stiffened: bool = True, azimuths: str = "azimuth_deg") -> TrussSys
     return solve_system(
         legs,
         height=height,
-        force=system.force,
+        force=system.force if force is None else (force, 0.0),
         elements=[bars] * len(system.legs[0].line.segments),
-        bed=HeldBed(
-            grounded_length=source.inputs["grounded_length_m"],
-            EA_multiplier=source.inputs["EA_multiplier"] if stiffened else 1.0,
-        ),
+        bed=held_bed(source, stiffened=stiffened),
+    )
+
+
+def held_bed(source: Published, *, stiffened: bool = True) -> HeldBed:
+    """Restraint of the source's run: nodes up to the second joint held, EA a hundredfold or not."""
+    from catopt.fem import HeldBed
+
+    return HeldBed(
+        grounded_length=source.inputs["grounded_length_m"],
+        EA_multiplier=source.inputs["EA_multiplier"] if stiffened else 1.0,
     )
 
 
