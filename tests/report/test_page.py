@@ -18,7 +18,8 @@ from catopt.quantities import QUANTITIES
 from catopt.report.check_words import QUANTITY_OF
 from catopt.report.load_curve import at_points
 from catopt.report.page.components import components
-from catopt.report.page.note import Note, SourceFile, file_name, note_of, read_note
+from catopt.report.page.note import Note, note_of, read_note
+from catopt.report.page.origin import SourceFile, file_name
 from catopt.report.page.render import render_page, sections_of
 from catopt.report.page.sections import SECTIONS
 from catopt.report.texts import Words
@@ -123,7 +124,9 @@ def test_sections_are_there_only_where_there_is_something_to_show(designed: Note
     buoy = read_note(CASES / "buoy-9.5m" / "case.toml")
     shown = [key for key, _ in sections_of(buoy, Words())]
     assert not {"checks", "load_cases", "front", "warnings"} & set(shown)
-    assert [key for key, _ in sections_of(designed, Words())] == [each.key for each in SECTIONS]
+    assert [key for key, _ in sections_of(designed, Words())] == [
+        each.key for each in SECTIONS[type(designed)]
+    ]
     page = read_page(render_page(buoy))
     assert list(page.sections) == shown
     headings = [element.section for element in page.tagged("h2")]
@@ -333,7 +336,8 @@ def test_inputs_of_many_values_are_shown_by_their_ends() -> None:
     note = read_note(CASES / "buoy-9.5m" / "case.toml")
     lengths = [f"{length} m" for length in range(10, 40)]
     design = {"design": {"segments": [{"lengths": lengths}]}}
-    table = read_page(render_page(replace(note, inputs=design))).table("inputs")
+    given_so = replace(note, origin=replace(note.origin, inputs=design))
+    table = read_page(render_page(given_so)).table("inputs")
     ((_, given, si),) = table.rows
     assert given.text == '"10 m", "11 m", … "39 m" (30)'
     assert si.text == "10 m, 11 m, … 39 m (30)"
@@ -376,8 +380,8 @@ def test_a_case_file_with_a_byte_order_mark_is_read_and_hashed_as_it_is(tmp_path
     path = tmp_path / "windows.toml"
     path.write_bytes(b"\xef\xbb\xbf" + TEXTS["slack"].replace("\n", "\r\n").encode())
     note = read_note(path)
-    assert note.files[0].sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
-    assert not note.files[0].text.startswith("\ufeff")
+    assert note.origin.files[0].sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
+    assert not note.origin.files[0].text.startswith("\ufeff")
 
 
 # ------------------------------------------------------------------ warnings

@@ -162,7 +162,7 @@ def test_a_quantity_that_is_not_smooth_is_named() -> None:
 @pytest.mark.parametrize("case", TOUCHES_TWICE.values(), ids=TOUCHES_TWICE)
 def test_a_line_that_the_closed_form_refuses_has_no_note(case: Case) -> None:
     """The truss model alone would answer, but the note follows the closed form's equations."""
-    source = known_note("buoy-9.5m").files
+    source = known_note("buoy-9.5m").origin.files
     with pytest.raises(TouchesTwiceError):
         note_of(case, source)
 

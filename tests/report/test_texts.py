@@ -76,9 +76,9 @@ def asked_by_template(source: str) -> Iterator[str]:
 
 def asked() -> set[str]:
     """Every text that page, workbooks and terminal ask for."""
-    found = {f"{section.key}.heading" for section in SECTIONS}
+    found = {f"{section.key}.heading" for sections in SECTIONS.values() for section in sections}
     views = Path(catopt.cli.__file__).parent.glob("*_view.py")
-    for module in (*PAGE.glob("*.py"), *PAGE.parent.glob("*workbook*.py"), *views):
+    for module in (*PAGE.rglob("*.py"), *PAGE.parent.glob("*workbook*.py"), *views):
         found |= set(asked_by_code(module.read_text("utf-8")))
     for template in TEMPLATES:
         found |= set(asked_by_template(template.read_text("utf-8")))

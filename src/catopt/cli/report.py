@@ -85,7 +85,8 @@ def report(
     with native charts. The same case gives the same files to the last byte.
     """
     from catopt.report.files import write_files
-    from catopt.report.page.note import file_name, read_note
+    from catopt.report.page.note import read_note
+    from catopt.report.page.origin import file_name
     from catopt.report.page.render import render_page
 
     output: Output = context.obj
@@ -134,13 +135,13 @@ def _document(note: Note, language: str, written: list[tuple[Path, bytes]]) -> d
     page, *workbook = [_file(*each) for each in written]
     return {
         "schema": "catopt.report/1",
-        "title": note.case.title,
+        "title": note.title,
         **page,
         "workbook": workbook[0] if workbook else None,
         "language": language,
-        "date": note.date,
-        "version": note.version,
-        "sources": [{"name": file.name, "sha256": file.sha256} for file in note.files],
+        "date": note.origin.date,
+        "version": note.origin.version,
+        "sources": [{"name": file.name, "sha256": file.sha256} for file in note.origin.files],
         "design": None if note.chosen is None else note.chosen.number,
         "load_case": note.load_case,
         "sections": [key for key, _ in sections_of(note, words)],

@@ -66,7 +66,7 @@ def note_workbook(note: Note, language: Language = "en") -> bytes:
         Checks, Load cases, Front, Neighbours and Verification where there is something to show.
     """
     words = Words(language)
-    book = Book(note.case.title or words("page.untitled"), words, typeset=True)
+    book = Book(note.title or words("page.untitled"), words, typeset=True)
     _summary(book, note)
     _inputs(book, note)
     _components(book, note)
@@ -96,8 +96,8 @@ def _summary(book: Book, note: Note) -> None:
     sheet.worksheet.set_portrait()
     sheet.worksheet.fit_to_pages(1, 1)
     sheet.set_widths(_SUMMARY)
-    sheet.across(note.case.title or words("page.untitled"), "large")
-    sheet.across(words("page.kind"), "grey")
+    sheet.across(note.title or words("page.untitled"), "large")
+    sheet.across(words(note.kind), "grey")
     _verdict(sheet, note)
     if note.warnings:
         sheet.row += 1
@@ -152,7 +152,7 @@ def _inputs(book: Book, note: Note) -> None:
     sheet = book.sheet("Inputs")
     rows = [
         row
-        for path, kind, value in leaves(note.inputs, CaseTable)
+        for path, kind, value in leaves(note.origin.inputs, CaseTable)
         if path not in {(key,) for key in FREE_TEXT}
         for row in _input_rows(dotted(path), kind, value)
     ]

@@ -1,8 +1,14 @@
 """What a report says in words, in English and in Vietnamese, out of one table.
 
-``texts.toml`` has three parts. Texts of templates and builders stand by a key, in both languages.
-Names that the code makes in English (quantities, regimes, checks) stand by that name. Sentences
-that it makes, such as warnings, stand by their pattern.
+The table is the files of ``vocabulary/`` taken together, each with up to three parts. Under
+``[texts.GROUP]`` texts of templates and views stand by a key, in both languages; what stands in
+braces is put in. Under ``[names]`` what the code calls things in English (quantities, regimes,
+checks), with the Vietnamese. Under ``[sentences]`` sentences that the code makes, such as warnings,
+by their pattern: what a placeholder holds goes over as it is, but is itself translated where its
+name begins with ``said``.
+
+Vietnamese terms are those of the sources: góc nghiêng dây neo tại đáy, độ dạt ngang, lực căng, khối
+gia tải, neo, phao, xích, mực nước, tải trọng, hệ số an toàn. Numbers keep the decimal point.
 """
 
 from __future__ import annotations
@@ -39,11 +45,33 @@ class Phrase(NamedTuple):
 
 @cache
 def table() -> dict[str, Any]:
-    """Read the table of texts: parts, groups and keys as the file has them."""
+    """Read the table of texts: parts, groups and keys of all files of ``vocabulary/``.
+
+    Raises
+    ------
+    ValueError
+        A text stands in two files: a fault of the program.
+    """
     import tomllib
     from importlib.resources import files
 
-    return tomllib.loads(files("catopt.report").joinpath("texts.toml").read_text("utf-8"))
+    places = files("catopt.report").joinpath("vocabulary").iterdir()
+    whole: dict[str, Any] = {}
+    for place in sorted(places, key=lambda each: each.name):
+        _put_in(whole, tomllib.loads(place.read_text("utf-8")), place.name)
+    return whole
+
+
+def _put_in(whole: dict[str, Any], part: Mapping[str, Any], file: str) -> None:
+    """Put what a file has in; a table that the whole has already grows."""
+    for key, value in part.items():
+        is_text = isinstance(value, str) or set(value) == set(LANGUAGES)
+        if is_text and key in whole:
+            raise ValueError(f"{file}: {key!r} stands in another file of texts already")
+        if is_text:
+            whole[key] = value
+        else:
+            _put_in(whole.setdefault(key, {}), value, file)
 
 
 class Words:
@@ -130,8 +158,18 @@ def _split(heading: str) -> tuple[str, str]:
 
 @cache
 def _patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
-    """Sentences with holes as regular expressions, each with its Vietnamese."""
-    return tuple((_pattern(english), text) for english, text in table()["sentences"].items())
+    """Sentences with holes as regular expressions, each with its Vietnamese; the fullest first.
+
+    Of two that fit, the one that says more itself is meant: its holes are the smaller ones.
+    """
+    told: Mapping[str, str] = table()["sentences"]
+    fullest = sorted(told, key=_words_of_its_own, reverse=True)
+    return tuple((_pattern(english), told[english]) for english in fullest)
+
+
+def _words_of_its_own(pattern: str) -> int:
+    """Count the letters of a pattern that stand outside of its holes."""
+    return sum(len(literal) for literal, _, _, _ in Formatter().parse(pattern))
 
 
 def _pattern(english: str) -> re.Pattern[str]:

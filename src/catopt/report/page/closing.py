@@ -2,21 +2,33 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Protocol
 
-from catopt.report.page.note import Note
+from catopt.report.page.origin import Origin
 from catopt.report.texts import Words
 
-__all__ = ["case_file", "warnings"]
+__all__ = ["Made", "case_file", "warnings"]
 
 
-def warnings(note: Note, words: Words) -> dict[str, Any] | None:
+class Made(Protocol):
+    """What every kind of note has."""
+
+    @property
+    def origin(self) -> Origin:
+        """The files that it rests on."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What an engineer should know before using it."""
+
+
+def warnings(note: Made, words: Words) -> dict[str, Any] | None:
     """List what an engineer should know; None where there is nothing to say."""
     if not note.warnings:
         return None
     return {"warnings": [words.sentence(warning) for warning in note.warnings]}
 
 
-def case_file(note: Note, words: Words) -> dict[str, Any]:  # noqa: ARG001 - as all builders
+def case_file(note: Made, words: Words) -> dict[str, Any]:  # noqa: ARG001 - as all builders
     """Show the case file as it was read."""
-    return {"file": note.files[0]}
+    return {"file": note.origin.files[0]}

@@ -14,7 +14,7 @@ from catopt.report.page.table import Table as ShownTable
 from catopt.report.texts import Words
 from catopt.units import as_written
 
-__all__ = ["FREE_TEXT", "inputs", "leaves", "some"]
+__all__ = ["FREE_TEXT", "inputs", "inputs_table", "leaves", "some"]
 
 _MOST = 8
 """Values of an array that are all shown; of a longer one the first two and the last are."""
@@ -25,9 +25,27 @@ FREE_TEXT = ("title", "source")
 
 
 def inputs(note: Note, words: Words) -> dict[str, Any]:
-    """Build the table of inputs."""
+    """Build the table of inputs of a line's case."""
+    return {
+        "table": inputs_table(note.origin.inputs, CaseTable, words),
+        "design": None if note.chosen is None else note.chosen.number,
+    }
+
+
+def inputs_table(document: dict[str, Any], schema: type[Table], words: Words) -> ShownTable:
+    """Tabulate every value of a file that is no free text.
+
+    Parameters
+    ----------
+    document : dict
+        The file as the TOML reader returns it.
+    schema : type of Table
+        What the file may hold.
+    words : Words
+        Language.
+    """
     rows = []
-    for path, kind, value in leaves(note.inputs, CaseTable):
+    for path, kind, value in leaves(document, schema):
         if path in {(key,) for key in FREE_TEXT}:
             continue
         many = value if isinstance(value, list) else [value]
@@ -37,10 +55,7 @@ def inputs(note: Note, words: Words) -> dict[str, Any]:
         Heading(words("inputs.given")),
         Heading(words("inputs.si"), is_number=True),
     )
-    return {
-        "table": ShownTable("inputs", headings, tuple(rows)),
-        "design": None if note.chosen is None else note.chosen.number,
-    }
+    return ShownTable("inputs", headings, tuple(rows))
 
 
 def leaves(

@@ -1,21 +1,19 @@
-"""What a calculation note is made of: a case with its answers, and the file it was read from."""
+"""What the note of one line is made of: a case with its answers, and where it comes from."""
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from catopt._version import __version__
 from catopt.casefile import read_case
 from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
-from catopt.casefile.syntax import parse_toml
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import LOAD, NO_CHECK, check_case
 from catopt.errors import CatoptError, InputError, Problem
+from catopt.report.page.origin import Origin, SourceFile, origin_of, read_source
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
@@ -24,19 +22,10 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.verify.result import Verification
 
-__all__ = ["Chosen", "Note", "SourceFile", "file_name", "note_of", "read_note"]
+__all__ = ["Chosen", "Note", "note_of", "read_note"]
 
 MOST_FORCE, LEAST_FORCE = 4.0, 0.01
 """The load curve goes up to this multiple of the case's force, and from this part of that."""
-
-
-@dataclass(frozen=True)
-class SourceFile:
-    """A file that the note rests on: its name, its text and the SHA-256 of its bytes."""
-
-    name: str
-    text: str
-    sha256: str
 
 
 @dataclass(frozen=True)
@@ -71,16 +60,10 @@ class Note:
         Under every load case.
     curve : CaseCurve or None
         None where it cannot be computed; `warnings` then says why.
-    files : tuple of SourceFile
-        The case file first.
-    inputs : dict
-        The case file as the TOML reader returns it.
+    origin : Origin
+        The files that it rests on.
     chosen : Chosen or None
         When the line is a design of a front.
-    date : str
-        As it was given; empty when none was.
-    version : str
-        Of catopt.
     warnings : tuple of str
         What an engineer should know before using the note, each once.
     verification : Verification or None
@@ -95,14 +78,19 @@ class Note:
     solution: Solution
     checks: CheckReport
     curve: CaseCurve | None
-    files: tuple[SourceFile, ...]
-    inputs: dict[str, Any]
+    origin: Origin
     chosen: Chosen | None = None
-    date: str = ""
-    version: str = __version__
     warnings: tuple[str, ...] = ()
     verification: Verification | None = None
     verification_failure: str = ""
+
+    kind: ClassVar[str] = "page.kind"
+    """Key of the text that says what kind of note it is."""
+
+    @property
+    def title(self) -> str:
+        """Title of the case; empty when it has none."""
+        return self.case.title
 
 
 def read_note(
@@ -127,7 +115,7 @@ def read_note(
         As for `read_case`, `read_design`, `solve_case` and `check_case`.
     """
     if design is None and not (path / DESIGN_DOCUMENT).is_file():
-        case, source = read_case(path), _source(path)
+        case, source = read_case(path), read_source(path)
         _check_kind(case, source)
         return note_of(case, (source,), date=date, verify=verify)
     from catopt.casefile.design_directory import read_design_document
@@ -135,7 +123,7 @@ def read_note(
     document = read_design_document(path)
     number = document["recommended"] + 1 if design is None else design
     case = read_design(path, number)
-    sources = (_source(path / DESIGN_CASE), _source(path / DESIGN_DOCUMENT))
+    sources = (read_source(path / DESIGN_CASE), read_source(path / DESIGN_DOCUMENT))
     chosen = Chosen(document, number)
     return note_of(case, sources, date=date, chosen=chosen, verify=verify)
 
@@ -191,31 +179,12 @@ def note_of(
         solution=solution,
         checks=checks,
         curve=curve,
-        files=files,
-        inputs=parse_toml(files[0].text, files[0].name),
+        origin=origin_of(files, date),
         chosen=chosen,
-        date=date,
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
         verification_failure=failure,
     )
-
-
-def file_name(path: Path, design: int | None) -> str:
-    """Name the page of a case: that of the file, or of the folder of a plain ``case.toml``.
-
-    Parameters
-    ----------
-    path : Path
-        Case file or result directory.
-    design : int or None
-        Number of the design, if it is one.
-    """
-    place = path.resolve()
-    name = place.name if place.is_dir() else place.stem
-    if name == Path(DESIGN_CASE).stem and not place.is_dir():
-        name = place.parent.name or name
-    return f"{name}.html" if design is None else f"{name}-design-{design}.html"
 
 
 def _drawn(case: Case, checks: CheckReport) -> tuple[str, Case]:
@@ -274,12 +243,3 @@ def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
         yield f"the line is not verified, for the truss model has no answer: {failure}"
     if verification is not None and not verification.is_settled:
         yield "closed form and truss model differ: see the verification"
-
-
-def _source(path: Path) -> SourceFile:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        why = f"it cannot be read: {error.strerror or error}"
-        raise InputError([Problem("case file", "", why)], str(path)) from error
-    return SourceFile(path.name, data.decode("utf-8-sig"), hashlib.sha256(data).hexdigest())

@@ -8,8 +8,7 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
-from catopt.report.page.note import Note
-from catopt.report.page.sections import SECTIONS
+from catopt.report.page.sections import SECTIONS, AnyNote
 from catopt.report.texts import Language, Words
 
 if TYPE_CHECKING:
@@ -18,14 +17,14 @@ if TYPE_CHECKING:
 __all__ = ["environment", "render_page", "sections_of"]
 
 
-def render_page(note: Note, language: Language = "en") -> bytes:
+def render_page(note: AnyNote, language: Language = "en") -> bytes:
     """Render the page.
 
     The same note gives the same bytes: nothing of the place or the hour goes in.
 
     Parameters
     ----------
-    note : Note
+    note : Note or another kind
         What it shows.
     language : {"en", "vi"}
         Of its words.
@@ -48,9 +47,9 @@ def render_page(note: Note, language: Language = "en") -> bytes:
     return page.encode()
 
 
-def sections_of(note: Note, words: Words) -> list[tuple[str, dict[str, object]]]:
+def sections_of(note: AnyNote, words: Words) -> list[tuple[str, dict[str, object]]]:
     """Build every section that has something to show, by its key."""
-    built = ((section.key, section.build(note, words)) for section in SECTIONS)
+    built = ((section.key, section.build(note, words)) for section in SECTIONS[type(note)])
     return [(key, shown) for key, shown in built if shown is not None]
 
 

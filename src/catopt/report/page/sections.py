@@ -1,8 +1,9 @@
-"""The parts of the page in their order; a further part is one more line here and a template."""
+"""The parts of each kind of page in order; a further part is one more line and a template."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from catopt.report.page.checks import checks
@@ -20,7 +21,10 @@ from catopt.report.page.tension_figure import tension_figure
 from catopt.report.page.verification import verification
 from catopt.report.texts import Words
 
-__all__ = ["SECTIONS", "Section"]
+__all__ = ["SECTIONS", "AnyNote", "Section"]
+
+AnyNote = Note
+"""Every kind of note that there is a page for."""
 
 
 class Section(NamedTuple):
@@ -35,10 +39,10 @@ class Section(NamedTuple):
     """
 
     key: str
-    build: Callable[[Note, Words], dict[str, Any] | None]
+    build: Callable[[Any, Words], dict[str, Any] | None]
 
 
-SECTIONS: tuple[Section, ...] = (
+_OF_A_LINE = (
     Section("identity", identity),
     Section("warnings", warnings),
     Section("line", line_drawing),
@@ -54,3 +58,6 @@ SECTIONS: tuple[Section, ...] = (
     Section("verification", verification),
     Section("case_file", case_file),
 )
+
+SECTIONS: Mapping[type, tuple[Section, ...]] = MappingProxyType({Note: _OF_A_LINE})
+"""The parts of a note's page, by the kind of note."""
