@@ -11,7 +11,7 @@ from functools import cache
 from types import FunctionType
 from typing import Any, TypeVar
 
-__all__ = ["compiled", "inlined"]
+__all__ = ["compiled", "inlined", "when_compiling"]
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -28,6 +28,40 @@ def inlined(function: F) -> F:
     return function
 
 
+_waiting: list[Callable[[], None]] = []
+"""To be called before the first function that has to be compiled."""
+
+
+def when_compiling(tell: Callable[[], None]) -> None:
+    """Have something said once when a function must be compiled; not when it is read from disk.
+
+    The first use of a part on a machine compiles for some ten seconds, and whoever waits should
+    know why.
+
+    Parameters
+    ----------
+    tell : callable
+        Takes the place of an earlier one.
+    """
+    _waiting[:] = [tell]
+
+
+@cache
+def _listen() -> None:
+    """Hear of numba's compilations."""
+    from numba.core import event
+
+    class Listener(event.Listener):
+        def on_start(self, event: object) -> None:  # noqa: ARG002 - as numba calls it
+            while _waiting:
+                _waiting.pop()()
+
+        def on_end(self, event: object) -> None:
+            """Nothing is said at the end."""
+
+    event.register("numba:compile", Listener())  # type: ignore[no-untyped-call]
+
+
 @cache
 def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compile a kernel function, and those it calls.
@@ -38,6 +72,7 @@ def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
     """
     import numba
 
+    _listen()
     plain = _twin(function)
     inline = hasattr(function, "is_inlined")
     try:

@@ -56,7 +56,9 @@ def catopt(
     ] = False,
 ) -> None:
     """Take the global options."""
-    context.ensure_object(Output).debug = debug
+    output = context.ensure_object(Output)
+    output.debug = debug
+    output.tell_when_compiling()
 
 
 for _command in (solve, curve, design, check, verify, system, report, reproduce, new):

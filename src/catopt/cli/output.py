@@ -13,6 +13,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TextIO
 
+from catopt.compiled import when_compiling
+
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
 
@@ -26,6 +28,10 @@ LEAST_WIDTH = 80
 
 BROKEN_PIPE_STATUS = 141
 """128 + SIGPIPE: what a shell reports of a program whose reader went away."""
+
+
+COMPILING = "catopt: compiling for this machine, once; the next run starts at once"
+"""Said when the first use of a part takes its time."""
 
 
 class Output:
@@ -100,6 +106,11 @@ class Output:
         if sys.stderr.isatty() and not self.debug:
             message = "\n".join(_folded(line) for line in message.splitlines())
         _write(sys.stderr, message + "\n")
+
+    def tell_when_compiling(self) -> None:
+        """Say it, to a terminal, when the first use of a part has to be compiled."""
+        if sys.stderr.isatty():
+            when_compiling(lambda: self.note(COMPILING))
 
     @contextmanager
     def progress(self, what: str) -> Iterator[Progress | None]:

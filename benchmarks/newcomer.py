@@ -1,0 +1,121 @@
+"""A newcomer's path, from ``git clone`` to a calculation note in the hand, stage by stage.
+
+    python benchmarks/newcomer.py [--out benchmarks/results/newcomer.md]
+
+Nothing is there but git, a Python and a package index: a fresh clone, an empty virtual environment
+and an empty cache of compiled code. Beside it, in the same run, the peer: an empty environment and
+``pip install MoorPy``. pip keeps the packages that it has fetched before in both alike.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+CASE = "cases/buoy-9.5m/case.toml"
+PEER = "MoorPy"
+LIMIT = 300.0
+"""s: a newcomer who waits for longer has gone for coffee."""
+
+
+def main() -> None:
+    """Measure and print; fail where the path takes longer than it may."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, help="also write the table here")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        ours, page = path(Path(folder))
+        theirs = peer(Path(folder))
+    text = report(ours, theirs, page)
+    print(text)
+    if arguments.out is not None:
+        arguments.out.write_text(text + "\n", encoding="utf-8")
+    if sum(ours.values()) > LIMIT:
+        sys.exit(f"the path takes longer than {LIMIT:g} s")
+
+
+def path(folder: Path) -> tuple[dict[str, float], int]:
+    """Seconds of every stage from the clone to the page, and the size of the page in bytes."""
+    clone, python = folder / "catopt", environment(folder / "ours")
+    bin_ = python.parent
+    seconds = {
+        "git clone": once(["git", "clone", "-q", str(ROOT), str(clone)], folder),
+        "python -m venv": once([sys.executable, "-m", "venv", str(folder / "ours")], folder),
+        "pip install .": once([str(python), "-m", "pip", "install", "-q", "."], clone),
+        f"catopt solve {CASE}": once([str(bin_ / "catopt"), "solve", CASE], clone),
+        f"catopt report {CASE}": once([str(bin_ / "catopt"), "report", CASE], clone),
+    }
+    page = clone / "buoy-9.5m.html"
+    seconds["the same again, compiled code kept"] = once(
+        [str(bin_ / "catopt"), "report", CASE], clone
+    )
+    return seconds, page.stat().st_size
+
+
+def peer(folder: Path) -> dict[str, float]:
+    """Seconds to an empty environment with the peer in it."""
+    python = environment(folder / "theirs")
+    return {
+        "python -m venv": once([sys.executable, "-m", "venv", str(folder / "theirs")], folder),
+        f"pip install {PEER}": once([str(python), "-m", "pip", "install", "-q", PEER], folder),
+    }
+
+
+def environment(folder: Path) -> Path:
+    """Where the Python of a virtual environment stands once it is made."""
+    windows = os.name == "nt"
+    return folder / ("Scripts" if windows else "bin") / ("python.exe" if windows else "python")
+
+
+def once(command: list[str], folder: Path) -> float:
+    """Run a command as in a new shell; return its seconds."""
+    kept = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
+    kept.pop("VIRTUAL_ENV", None)
+    start = time.perf_counter()
+    subprocess.run(
+        command,
+        cwd=folder,
+        env=kept | {"PIP_DISABLE_PIP_VERSION_CHECK": "1"},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        check=True,
+    )
+    return time.perf_counter() - start
+
+
+def report(ours: dict[str, float], theirs: dict[str, float], page: int) -> str:
+    """Lay the times out as a Markdown page."""
+    last = "the same again, compiled code kept"
+    total = sum(seconds for stage, seconds in ours.items() if stage != last)
+    rows = [f"| {stage} | {seconds:.1f} |" for stage, seconds in ours.items() if stage != last]
+    return "\n".join(
+        [
+            "# A newcomer's path: from git clone to the calculation note",
+            "",
+            "`python benchmarks/newcomer.py`: a fresh clone, an empty virtual environment, no "
+            "compiled code yet.",
+            f"Python {platform.python_version()}, {platform.system()} {platform.machine()}, "
+            f"{os.cpu_count()} cores.",
+            "",
+            "| stage | s |",
+            "|---|---|",
+            *rows,
+            f"| **clone to page, {page / 1e3:.0f} kB** | **{total:.1f}** |",
+            f"| {last} | {ours[last]:.1f} |",
+            "",
+            f"An empty environment with {PEER} in it, in the same run: "
+            f"{sum(theirs.values()):.1f} s; clone to page takes "
+            f"{total / sum(theirs.values()):.2f} times as long. The limit is {LIMIT:g} s.",
+        ]
+    )
+
+
+if __name__ == "__main__":
+    main()
