@@ -6,7 +6,8 @@ import pytest
 
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
-from catopt.loads.sinker import SOIL_FRICTION, friction_of, needed_weight, submerged_weight
+from catopt.loads.sinker import SOIL_FRICTION, friction_of, submerged_weight
+from catopt.model.anchor import sinker_needed
 
 G = 9.80665
 ROUNDING = 1e-12
@@ -50,7 +51,7 @@ def test_iala_s_rule_by_hand() -> None:
 
 def test_uplift_friction_and_factor_by_hand() -> None:
     """From mu (W - V) = SF H, W = 5 + 1.5 x 20/0.4 = 80 kN; steel 80e3/g/(1 - 1025/7850) kg."""
-    assert needed_weight(20e3, 5e3, 0.4, 1.5) == pytest.approx(80e3, rel=ROUNDING)
+    assert sinker_needed(20e3, 5e3, 0.4, 1.5) == pytest.approx(80e3, rel=ROUNDING)
     size = size_sinker(20e3, 5e3, friction=0.4, material="steel")
     assert size.needed_mass == pytest.approx(80e3 / (G * (1.0 - 1025.0 / 7850.0)), rel=ROUNDING)
     assert size.factor is not None

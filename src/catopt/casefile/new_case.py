@@ -1,23 +1,41 @@
-"""Commented case files to start from."""
+"""Commented files to start from."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import NamedTuple
 
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
 
-__all__ = ["TEMPLATES", "template"]
+__all__ = ["TEMPLATES", "Template", "template"]
 
-TEMPLATES: Mapping[str, str] = MappingProxyType(
-    {"buoy": "marker buoy in 9.5 m of water on 20 m of chain"}
+
+class Template(NamedTuple):
+    """What a template is of, and the command that takes its file: ``solve`` for most."""
+
+    about: str
+    command: str = "solve"
+
+
+TEMPLATES: Mapping[str, Template] = MappingProxyType(
+    {
+        "buoy": Template("marker buoy on 20 m of chain, every key with a comment"),
+        "tanker": Template("tanker on one chain with a sinker, two load cases", "check"),
+        "leg": Template("chain, wire and chain with a clump weight, water levels", "check"),
+        "system": Template("body moored by six lines", "system"),
+        "design": Template("search for the chain, length and sinker of a buoy", "design"),
+        "motion": Template("line in waves, current and motion", "verify --dynamic"),
+        "size-buoy": Template("buoy in its weather, in place of options", "size buoy"),
+        "size-tanker": Template("tanker in its weather, in place of options", "size tanker"),
+    }
 )
-"""Names of the templates, each with what it is."""
+"""Templates by name."""
 
 
 def template(name: str) -> str:
-    """Return a commented case file that solves as it stands.
+    """Return a commented file that its command takes as it stands.
 
     Parameters
     ----------

@@ -13,7 +13,6 @@ from catopt.checks.excess import (
     grounded_excess,
     holding_excess,
     offset_excess,
-    sinker_needed,
     sliding_excess,
     tension_excess,
     uplift_angle_excess,
@@ -22,6 +21,7 @@ from catopt.checks.excess import (
 from catopt.checks.result import CheckResult
 from catopt.checks.strength import Strength
 from catopt.model import Anchor, Segment
+from catopt.model.anchor import sinker_needed
 from catopt.model.load_case import LoadCaseKind
 
 __all__ = ["evaluate", "segment_words"]

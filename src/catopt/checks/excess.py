@@ -19,7 +19,6 @@ __all__ = [
     "grounded_excess",
     "holding_excess",
     "offset_excess",
-    "sinker_needed",
     "sliding_excess",
     "tension_excess",
     "uplift_angle_excess",
@@ -76,17 +75,8 @@ def buoyancy_excess(vertical: float, reserve: float) -> float:
 
 
 @inlined
-def sinker_needed(horizontal: float, vertical: float, friction: float, factor: float) -> float:
-    """Weight in water of a sinker that just does not slide: V + SF H / mu; N.
-
-    From mu (W - V) >= SF H with the forces of the line on the sinker, V positive where it lifts.
-    """
-    return vertical + factor * horizontal / friction
-
-
-@inlined
 def sliding_excess(needed: float, weight: float) -> float:
-    """Weight in water that a sinker needs (`sinker_needed`) beside its own; N."""
+    """Weight in water that a sinker needs (`sinker_needed` of model) beside its own; N."""
     return needed / weight - 1.0
 
 

@@ -1,4 +1,4 @@
-"""``catopt new``: a commented case to start from."""
+"""``catopt new``: a commented file to start from."""
 
 from __future__ import annotations
 
@@ -16,7 +16,13 @@ __all__ = ["new"]
 
 def new(
     context: typer.Context,
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Template: buoy.")],
+    name: Annotated[
+        str,
+        typer.Argument(
+            metavar="NAME",
+            help="Template: buoy, tanker, leg, system, design, motion, size-buoy or size-tanker.",
+        ),
+    ],
     path: Annotated[
         Path | None,
         typer.Argument(metavar="PATH", help="File to write; ./NAME.toml when left out."),
@@ -26,11 +32,13 @@ def new(
         typer.Option("--json", help="Print where it was written as one JSON document."),
     ] = False,
 ) -> None:
-    """Write a commented case file to start from.
+    """Write a commented file to start from.
 
-    A file that is already there is never overwritten.
+    buoy has every key of a case file with a comment; tanker, leg, system, design and motion are
+    shorter; size-buoy and size-tanker are for catopt size. Each works as it stands. A file that is
+    already there is never overwritten.
     """
-    from catopt.casefile import template
+    from catopt.casefile.new_case import template
 
     output: Output = context.obj
     place = path or Path(f"{name}.toml")
@@ -38,7 +46,15 @@ def new(
     if as_json:
         output.json({"schema": "catopt.new/1", "template": name, "path": str(place)})
     else:
-        output.text(f"{place} written; solve it with: catopt solve {place}")
+        output.text(f"{place} written; try it with: catopt {_command(name, place)}")
+
+
+def _command(name: str, place: Path) -> str:
+    """Say what to type next; options go behind the file."""
+    from catopt.casefile.new_case import TEMPLATES
+
+    command, *options = TEMPLATES[name].command.split(" --")
+    return " --".join([f"{command} {place}", *options])
 
 
 def _create(place: Path, text: str) -> None:

@@ -19,7 +19,6 @@ from catopt.checks.excess import (
     grounded_excess,
     holding_excess,
     offset_excess,
-    sinker_needed,
     sliding_excess,
     tension_excess,
     uplift_angle_excess,
@@ -29,6 +28,7 @@ from catopt.compiled import inlined
 from catopt.design.space import AT_END
 from catopt.design.tables import Room, Tables
 from catopt.design.tensions import segment_tensions
+from catopt.model.anchor import sinker_needed
 
 __all__ = ["COST", "EXCURSION", "MASS", "NO_DESIGN", "NO_EQUILIBRIUM", "OFFSET", "assess"]
 

@@ -10,6 +10,7 @@ from typing import Final, Literal
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.loads.sizes import SINKER_MASSES, neighbours, next_size
 from catopt.loads.source import CALMAR, NAVFAC, OWN, LoadSource, refuse_recalled
+from catopt.model.anchor import sinker_needed
 from catopt.model.validity import Findings
 
 __all__ = [
@@ -21,7 +22,6 @@ __all__ = [
     "SoilFriction",
     "friction_of",
     "holding_force",
-    "needed_weight",
     "size_sinker",
     "submerged_weight",
 ]
@@ -153,25 +153,6 @@ def submerged_weight(mass: float, density: float, water_density: float) -> float
     return STANDARD_GRAVITY * mass * (1.0 - water_density / density)
 
 
-def needed_weight(
-    horizontal_force: float, vertical_force: float, friction: float, safety_factor: float
-) -> float:
-    """Weight in water of a sinker that just does not slide: V + SF H/mu, N.
-
-    From mu (W - V) >= SF H.
-
-    Parameters
-    ----------
-    horizontal_force, vertical_force : float
-        Of the line on the sinker, N, the vertical one upwards.
-    friction : float
-        mu.
-    safety_factor : float
-        SF, on the horizontal force.
-    """
-    return vertical_force + safety_factor * horizontal_force / friction
-
-
 def holding_force(weight: float, vertical_force: float, friction: float) -> float:
     """Horizontal pull at which it slides, mu (W - V); 0 for one that is lifted, N.
 
@@ -273,7 +254,7 @@ def size_sinker(
         mu = friction
     rho = DENSITIES[_material(material)] if density is None else density
     _check_density(rho, water_density)
-    weight = needed_weight(horizontal_force, vertical_force, mu, safety_factor)
+    weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
     needed = weight / submerged_weight(1.0, rho, water_density)
     mass = next_size(needed, series, f"{material} sinker")
     smaller, larger = neighbours(mass, series)

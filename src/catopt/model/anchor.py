@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, get_args
 
+from catopt.compiled import inlined
 from catopt.model.validity import Findings
 
-__all__ = ["ANCHOR_KINDS", "Anchor"]
+__all__ = ["ANCHOR_KINDS", "Anchor", "sinker_needed"]
 
 AnchorKind = Literal["sinker", "drag"]
 ANCHOR_KINDS: tuple[str, ...] = get_args(AnchorKind)
@@ -65,3 +66,21 @@ class Anchor:
         if self.mass is not None:
             found.number("mass", self.mass, "kg", above=0.0)
         found.raise_if_any()
+
+
+@inlined
+def sinker_needed(horizontal: float, vertical: float, friction: float, factor: float) -> float:
+    """Weight in water of a sinker that just does not slide: V + SF H / mu, N.
+
+    From mu (W - V) >= SF H.
+
+    Parameters
+    ----------
+    horizontal, vertical : float
+        Of the line on the sinker, N, the vertical one positive where it lifts.
+    friction : float
+        mu, of the sinker on the soil.
+    factor : float
+        SF, on the horizontal force.
+    """
+    return vertical + factor * horizontal / friction
