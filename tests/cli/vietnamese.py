@@ -10,12 +10,8 @@ from catopt.report.texts import Phrase, Words
 
 __all__ = ["gathered", "untranslated"]
 
-CITED = re.compile(
-    r"IALA CALMAR technical reference .*|IALA-CALMAR.*|UFC 4-159-03.*|API RP 2SK.*"
-    r"|Least (mass|offset|excursion), design \d+: .*|the choices end for .*"
-    r"|the factor is printed as .*"
-)
-"""What is cited, and longer remarks that stay English (docs/report.md)."""
+CITED = re.compile(r"(IALA CALMAR technical reference|UFC 4-159-03|API RP 2SK) .*|IALA-CALMAR")
+"""Titles of documents, and names of codes."""
 THE_SAME = {"", "-", "reflective", "chain stud-link U1 22 mm"}
 """Nothing to translate; names of the swarm's settings."""
 
