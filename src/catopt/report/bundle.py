@@ -116,6 +116,10 @@ def reproduction_bundle(result: Reproduction) -> dict[str, bytes]:
         "reproduction.xlsx": reproduction_workbook(result),
     }
     for study in result.studies:
+        if study.drawn:
+            from catopt.report.study_views import lines_to_scale
+
+            files |= _figure(f"{study.name}_lines", lines_to_scale(study))
         if study.by_swarm is not None:
             files |= _swarm(study.by_swarm, study.name)
         if study.moorings:

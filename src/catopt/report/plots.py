@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from catopt.catenary.stretch import Stretch
 
 __all__ = [
+    "blank_to_scale",
     "fitness",
     "line_in_water",
     "load_curve",
@@ -75,7 +76,7 @@ def line_in_water(solution: Solution, water_depth: float) -> Figure:
     """
     shape = solution.profile(401)
     left, right, top = min(shape.x), max(shape.x), max(water_depth, *shape.z)
-    figure, axes = _blank_to_scale(left, right, top, folded(solution.title))
+    figure, axes = blank_to_scale(left, right, top, folded(solution.title))
     water_and_bed(axes, water_depth)
     axes.plot(shape.x, shape.z, color="black", label="Line")
     _grounded_parts(axes, solution)
@@ -84,7 +85,7 @@ def line_in_water(solution: Solution, water_depth: float) -> Figure:
     return figure
 
 
-def _blank_to_scale(left: float, right: float, top: float, title: str) -> tuple[Figure, Axes]:
+def blank_to_scale(left: float, right: float, top: float, title: str) -> tuple[Figure, Axes]:
     """Make axes of one scale both ways that hold the line with room around it.
 
     The frame is laid out in inches, so that neither a flat line nor a steep one squeezes the

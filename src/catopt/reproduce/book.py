@@ -10,11 +10,20 @@ from collections.abc import Sequence
 
 from catopt.reproduce.items import Item, Reproduction, Study
 
-__all__ = ["book"]
+__all__ = ["book", "views"]
 
 _FURTHER_DIGITS = 3
 _MOST_DECIMALS = 6
 """A print of more decimals is the output of a program; more of ours would be rounding."""
+
+_VIEWS = {
+    "lines": "To scale",
+    "fitness": "Objective of the swarm over its iterations",
+    "tension": "Tension of the swarm over its iterations",
+    "plan": "Plan",
+    "elevation": "Elevation",
+}
+"""What each figure shows."""
 
 _METHODS = {
     "pso": "Particle swarm",
@@ -68,9 +77,27 @@ def _study(study: Study) -> list[str]:
     lines += [f"{number}. {text}" for number, text in enumerate(study.findings, start=1)]
     for table in study.side_by_side:
         lines += ["", f"**{table.title}**", "", *_table(table.header, table.rows)]
-    for view in ("plan", "elevation") if study.moorings else ():
-        lines += ["", f"![{view} of {study.title}]({study.name}_{view}.svg)"]
+    for view in views(study):
+        lines += ["", f"![{_VIEWS[view]}: {study.title}]({study.name}_{view}.svg)"]
     return lines
+
+
+def views(study: Study) -> list[str]:
+    """Name the figures of a study by the ends of their files' names.
+
+    Parameters
+    ----------
+    study : Study
+        What is shown.
+    """
+    of_what = {
+        "lines": study.drawn,
+        "fitness": study.by_swarm,
+        "tension": study.by_swarm,
+        "plan": study.moorings,
+        "elevation": study.moorings,
+    }
+    return [view for view, shown in of_what.items() if shown]
 
 
 def _heading(method: str) -> str:

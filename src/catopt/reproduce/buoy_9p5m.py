@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from catopt.model import Line, Segment, SwarmSettings
 from catopt.reproduce.interval import Interval, interval
-from catopt.reproduce.items import Input, Item, Study
+from catopt.reproduce.items import Drawn, Input, Item, Study
 from catopt.reproduce.printed import Printed
 from catopt.reproduce.published import Published, published
 from catopt.reproduce.verdict import Judgement, by_digits, by_order, not_reproducible
@@ -67,6 +67,7 @@ def study(progress: Progress | None = None) -> Study:
             _about_the_objective(),
         ),
         by_swarm=solution,
+        drawn=(Drawn("20 m of chain under 0.343 tf", solution),),
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from catopt.reproduce.items import Input, Item, Study
+from catopt.reproduce.items import Drawn, Input, Item, Study
 from catopt.reproduce.published import Published
 from catopt.reproduce.verdict import by_digits, not_reproducible
 
@@ -83,7 +83,11 @@ def set_aside(source: Published, method: str, reason: str) -> tuple[Item, ...]:
 
 
 def study_of(
-    source: Published, inputs: Sequence[Input], items: Sequence[Item], findings: Sequence[str]
+    source: Published,
+    inputs: Sequence[Input],
+    items: Sequence[Item],
+    findings: Sequence[str],
+    drawn: Sequence[Drawn] = (),
 ) -> Study:
     """Put a study together that has no swarm.
 
@@ -91,7 +95,7 @@ def study_of(
     ----------
     source : Published
         The calculation.
-    inputs, items, findings : sequence
+    inputs, items, findings, drawn : sequence
         As in `Study`.
     """
     return Study(
@@ -104,6 +108,7 @@ def study_of(
         inputs=tuple(inputs),
         items=tuple(items),
         findings=tuple(findings),
+        drawn=tuple(drawn),
     )
 
 

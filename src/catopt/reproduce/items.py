@@ -11,7 +11,16 @@ from catopt.reproduce.verdict import Judgement, Verdict
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
-__all__ = ["Input", "Item", "MooredLine", "Mooring", "Reproduction", "SideBySide", "Study"]
+__all__ = [
+    "Drawn",
+    "Input",
+    "Item",
+    "MooredLine",
+    "Mooring",
+    "Reproduction",
+    "SideBySide",
+    "Study",
+]
 
 
 @dataclass(frozen=True)
@@ -142,6 +151,14 @@ class Mooring:
 
 
 @dataclass(frozen=True)
+class Drawn:
+    """A line of a study that is drawn: what it is called, and how it hangs."""
+
+    name: str
+    solution: Solution
+
+
+@dataclass(frozen=True)
 class Study:
     """One published calculation, recomputed.
 
@@ -167,6 +184,8 @@ class Study:
         The same body by several models, for a plan and an elevation.
     loaded_line : int
         Which line of these the elevation shows, from 0.
+    drawn : tuple of Drawn
+        Lines to be drawn to scale in one figure, in water as deep as their fairleads are high.
     """
 
     name: str
@@ -182,6 +201,7 @@ class Study:
     side_by_side: tuple[SideBySide, ...] = ()
     moorings: tuple[Mooring, ...] = ()
     loaded_line: int = 0
+    drawn: tuple[Drawn, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""

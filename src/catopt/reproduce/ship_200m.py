@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 from catopt.model import Line, PointLoad, Segment
 from catopt.reproduce.comparison import compare, study_of
 from catopt.reproduce.equivalent_length import SinkerLine, sinker_line
-from catopt.reproduce.items import Input, Item, Study
+from catopt.reproduce.items import Drawn, Input, Item, Study
 from catopt.reproduce.published import Published, published
 from catopt.units import UNITS, Dimension
 
 if TYPE_CHECKING:
+    from catopt.catenary.find import Found
     from catopt.catenary.solution import Solution
 
 __all__ = ["NAME", "study"]
@@ -25,11 +26,22 @@ _KN = UNITS[Dimension.FORCE]["kN"]
 def study() -> Study:
     """Recompute S2's worked example in closed form and judge every printed number."""
     source = published(NAME)
+    first = _hang(source, "initial_horizontal_force_kN")
+    loaded = _hang(source, "loaded_horizontal_force_kN")
+    held = _level_with_sinker(source)
     return study_of(
         source,
         inputs=_inputs(source),
-        items=(*_plain_items(source), *_sinker_items(source)),
-        findings=(_about_the_plain_spans(source), _about_the_span_with_the_sinker(source)),
+        items=(*_plain_items(source, first, loaded), *_sinker_items(source, held)),
+        findings=(
+            _about_the_plain_spans(source, first.span, loaded.span),
+            _about_the_span_with_the_sinker(source),
+        ),
+        drawn=(
+            Drawn("under 300 kN", first),
+            Drawn("under 800 kN", loaded),
+            Drawn("under 800 kN, with the sinker", held.solution),
+        ),
     )
 
 
@@ -63,10 +75,8 @@ def _hang(source: Published, force: str) -> Solution:
     return solve(line, height=given["water_depth_m"], horizontal_force=given[force] * _KN)
 
 
-def _plain_items(source: Published) -> tuple[Item, ...]:
+def _plain_items(source: Published, first: Solution, loaded: Solution) -> tuple[Item, ...]:
     method = "plain line"
-    first = _hang(source, "initial_horizontal_force_kN")
-    loaded = _hang(source, "loaded_horizontal_force_kN")
     printed = source.printed[method]
     spans = [printed[f"span_{state}_m"].text for state in ("loaded", "initial")]
     return compare(
@@ -91,8 +101,8 @@ def _plain_items(source: Published) -> tuple[Item, ...]:
 # ------------------------------------------------------------------ line with the sinker
 
 
-def _sinker_items(source: Published) -> tuple[Item, ...]:
-    """Shorten the line until its inclination at the anchor is 0, and judge what S2 prints of it."""
+def _level_with_sinker(source: Published) -> Found:
+    """Shorten the line until its inclination at the anchor is 0."""
     from catopt.catenary.find import find_length
 
     given = source.inputs
@@ -101,18 +111,23 @@ def _sinker_items(source: Published) -> tuple[Item, ...]:
         [Segment(given["line_length_m"], given["submerged_weight_N_per_m"])],
         [PointLoad(position, given["sinker_submerged_weight_kN"] * _KN)],
     )
-    found = find_length(
+    return find_length(
         line,
         height=given["water_depth_m"],
         horizontal_force=given["loaded_horizontal_force_kN"] * _KN,
         anchor_angle=0.0,
     )
+
+
+def _sinker_items(source: Published, found: Found) -> tuple[Item, ...]:
+    """Judge what S2 prints of the line with the sinker."""
+    given = source.inputs
     return compare(
         source,
         "line with the sinker",
         {
             "span_m": found.solution.span,
-            "suspended_length_m": found.value - position,
+            "suspended_length_m": found.value - given["sinker_position_m"],
             "fairlead_tension_kN": found.solution.fairlead.tension / _KN,
             "length_saved_m": given["line_length_m"] - found.value,
         },
@@ -128,9 +143,7 @@ def _cut_off(value: float) -> float:
     return math.floor(10.0 * value) / 10.0
 
 
-def _about_the_plain_spans(source: Published) -> str:
-    first = _hang(source, "initial_horizontal_force_kN").span
-    loaded = _hang(source, "loaded_horizontal_force_kN").span
+def _about_the_plain_spans(source: Published, first: float, loaded: float) -> str:
     table = source.printed["plain line"]
     return (
         f"The span under 300 kN is 200 + 300 ln 3 = {first:.3f} m. Rounded to one decimal it is "

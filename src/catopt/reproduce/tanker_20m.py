@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from catopt.model import Line, Segment
 from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Input, Item, Study
+from catopt.reproduce.items import Drawn, Input, Item, Study
 from catopt.reproduce.published import Published, published
 from catopt.units import UNITS, Dimension
+
+if TYPE_CHECKING:
+    from catopt.catenary.find import Found
+    from catopt.catenary.solution import Solution
 
 __all__ = ["NAME", "study"]
 
@@ -20,7 +26,8 @@ _TABLE = "Table 1"
 def study() -> Study:
     """Recompute Table 1 in closed form and judge every printed number."""
     source = published(NAME)
-    table = _table_1(source)
+    first, lifting = _hang(source)
+    table = _table_1(source, first, lifting)
     return study_of(
         source,
         inputs=_inputs(source),
@@ -29,6 +36,10 @@ def study() -> Study:
             *_safe_working(source, table),
         ),
         findings=(_about_the_digits(source, table),),
+        drawn=(
+            Drawn(f"under {first.horizontal_force / _KN:g} kN", first),
+            Drawn(f"under {lifting.value / _KN:.0f} kN: touchdown at the anchor", lifting.solution),
+        ),
     )
 
 
@@ -44,7 +55,7 @@ def _inputs(source: Published) -> tuple[Input, ...]:
     )
 
 
-def _table_1(source: Published) -> dict[str, float]:
+def _hang(source: Published) -> tuple[Solution, Found]:
     """Solve the line at first, and under the force that brings the touchdown to the anchor."""
     from catopt.catenary.find import find_touchdown_force
     from catopt.catenary.solve import solve
@@ -53,7 +64,12 @@ def _table_1(source: Published) -> dict[str, float]:
     line = Line([Segment(given["line_length_m"], given["submerged_weight_N_per_m"])])
     height, force = given["water_depth_m"], given["initial_horizontal_force_kN"] * _KN
     first = solve(line, height=height, horizontal_force=force)
-    lifting = find_touchdown_force(line, height=height)
+    return first, find_touchdown_force(line, height=height)
+
+
+def _table_1(source: Published, first: Solution, lifting: Found) -> dict[str, float]:
+    """Put the numbers of Table 1 together."""
+    force = source.inputs["initial_horizontal_force_kN"] * _KN
     lifted = lifting.solution
     return {
         "minimum_suspended_length_m": first.suspended_length,

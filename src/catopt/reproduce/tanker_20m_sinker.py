@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from catopt.model import Line, PointLoad, Segment
 from catopt.reproduce.comparison import compare, study_of
 from catopt.reproduce.equivalent_length import SinkerLine, sinker_line
 from catopt.reproduce.interval import interval
-from catopt.reproduce.items import Input, Study
+from catopt.reproduce.items import Drawn, Input, Study
 from catopt.reproduce.printed import Printed
 from catopt.reproduce.published import Published, published
 from catopt.units import UNITS, Dimension
+
+if TYPE_CHECKING:
+    from catopt.catenary.find import Found
 
 __all__ = ["NAME", "study"]
 
@@ -37,13 +41,14 @@ def study() -> Study:
     """Find the true equilibria beside Table 2, and what its columns can be made from."""
     source = published(NAME)
     rows = _rows(source)
+    found = [_equilibrium(source, row.weight) for row in rows]
     return study_of(
         source,
         inputs=_inputs(source),
         items=tuple(
             item
-            for row in rows
-            for item in compare(source, row.method, _equilibrium(source, row.weight))
+            for row, line in zip(rows, found, strict=True)
+            for item in compare(source, row.method, _numbers(line))
         ),
         findings=(
             _about_the_load(source, rows),
@@ -51,6 +56,7 @@ def study() -> Study:
             _about_the_lengths(source, rows),
             _about_the_tensions(source, rows),
         ),
+        drawn=[Drawn(row.method, line.solution) for row, line in zip(rows, found, strict=True)],
     )
 
 
@@ -76,14 +82,14 @@ def _inputs(source: Published) -> tuple[Input, ...]:
     )
 
 
-def _equilibrium(source: Published, weight: float) -> dict[str, float]:
+def _equilibrium(source: Published, weight: float) -> Found:
     """Find the line length that brings the anchor inclination to 0; the sinker's weight in kN."""
     from catopt.catenary.find import find_length
 
     given = source.inputs
     position = given["sinker_position_m"]
     start = 3.0 * given["water_depth_m"]  # m, where the search for the length begins
-    found = find_length(
+    return find_length(
         Line(
             [Segment(start, given["submerged_weight_N_per_m"])],
             [PointLoad(position, weight * _KN)],
@@ -92,6 +98,10 @@ def _equilibrium(source: Published, weight: float) -> dict[str, float]:
         horizontal_force=given["horizontal_force_kN"] * _KN,
         anchor_angle=0.0,
     )
+
+
+def _numbers(found: Found) -> dict[str, float]:
+    """Put the numbers of a row of Table 2 together."""
     return {_LENGTH: found.value, _TENSION: found.solution.fairlead.tension / _KN}
 
 
