@@ -8,11 +8,12 @@ from dataclasses import MISSING, fields
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 from catopt.catalogue.names import nearest
+from catopt.catalogue.table import Table
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
+from catopt.model.validity import Findings
 
 __all__ = ["SCHEMA", "buoy", "buoys", "parse_buoys", "read_buoys"]
 
@@ -92,52 +93,36 @@ def parse_buoys(text: str, source: str = "") -> tuple[BuoyShape, ...]:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise InputError([Problem("file", "", str(error))], source) from None
-    problems = [
-        Problem(key, "an unknown key", "allowed here: schema, origin, buoy")
-        for key in document
-        if key not in {"schema", "origin", "buoy"}
-    ]
-    if document.get("schema") != SCHEMA:
-        problems.append(Problem("schema", repr(document.get("schema")), f'"{SCHEMA}" is wanted'))
-    tables = document.get("buoy")
-    if not isinstance(tables, list) or not all(isinstance(each, dict) for each in tables):
-        problems.append(Problem("buoy", "", "missing; one or more [[buoy]] are wanted"))
-        tables = []
-    origin = document.get("origin", "the user's own")
-    read = [_read(table, f"buoy[{i}]", origin, problems) for i, table in enumerate(tables)]
+    findings = Findings(source)
+    file = Table(document, "", findings)
+    file.only("schema", "origin", "buoy")
+    if file.text("schema") not in {SCHEMA, None}:
+        file.problem("schema", f'"{SCHEMA}" is wanted')
+    origin = file.text("origin", required=False) or "the user's own"
+    read = [_read(table, origin, findings) for table in file.tables("buoy")]
     found = tuple(shape for shape in read if shape is not None)
     names = [shape.name for shape in found]
-    problems += [
-        Problem("buoy", f'"{name}"', "this name is used twice")
-        for name in sorted({name for name in names if names.count(name) > 1})
-    ]
-    if problems:
-        raise InputError(problems, source)
+    for name in sorted({name for name in names if names.count(name) > 1}):
+        findings.add("buoy", f'"{name}"', "this name is used twice")
+    findings.raise_if_any()
     return found
 
 
-def _read(
-    table: dict[str, Any], path: str, origin: Any, problems: list[Problem]
-) -> BuoyShape | None:
+def _read(table: Table, origin: str, findings: Findings) -> BuoyShape | None:
+    """Make a buoy; None where something is wrong with it."""
     allowed = {each.name: each for each in fields(BuoyShape)}
-    before = len(problems)
-    for key in table:
-        if key not in allowed:
-            near = nearest(key, tuple(allowed))
-            hint = f"did you mean {near}?" if near else f"allowed here: {', '.join(allowed)}"
-            problems.append(Problem(f"{path}.{key}", "an unknown key", hint))
-    missing = [k for k, f in allowed.items() if f.default is MISSING and k not in table]
-    problems.extend(Problem(f"{path}.{key}", "", "missing") for key in missing)
-    given = {"origin": origin, **table}
-    problems.extend(
-        Problem(f"{path}.{key}", repr(given[key]), "a text is wanted")
-        for key in ("name", "origin")
-        if key in given and not (isinstance(given[key], str) and given[key])
-    )
-    if len(problems) > before:
+    before = len(findings.problems)
+    table.only(*allowed)
+    table.text("name")
+    table.text("origin", required=False)
+    for key, each in allowed.items():
+        if each.default is MISSING and key not in {"name", "origin"} and not table.has(key):
+            table.problem(key, "a number is wanted")
+    if len(findings.problems) > before:
         return None
     try:
-        return BuoyShape(**given)
+        return BuoyShape(**{"origin": origin, **table.values})
     except InputError as error:
-        problems.extend(Problem(f"{path}.{p.key}", p.found, p.allowed) for p in error.problems)
+        for problem in error.problems:
+            findings.add(table.at(problem.key), problem.found, problem.allowed)
         return None
