@@ -15,7 +15,7 @@ import catopt
 
 PACKAGE = Path(catopt.__file__).parent
 
-BASE = {"errors", "constants", "units", "quantities", "compiled"}
+BASE = {"errors", "constants", "units", "quantities", "compiled", "interrupt"}
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile"}
 DESIGNING = {"checks", "design"}
@@ -23,7 +23,7 @@ ALL_BUT_CLI = (
     SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "report"}
+    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "export", "report"}
 )
 
 MAY_IMPORT: dict[str, set[str]] = {
@@ -33,6 +33,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "units": {"errors", "constants"},
     "quantities": {"errors", "constants", "units"},
     "compiled": set(),
+    "interrupt": set(),
     "schemas": {"errors"},
     "model": BASE,
     "catalogue": BASE | {"model"},
@@ -47,6 +48,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "verify": SOLVING | {"mooring", "fem", "waves"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
+    "export": SOLVING | {"mooring", "_version"},
     "report": SOLVING
     | READING
     | DESIGNING

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import os
+import signal
+import sys
 from dataclasses import replace
 from typing import Any
 
@@ -304,6 +307,27 @@ def test_ringing_is_no_result() -> None:
             line, stepping, height=3.3, span=32.554, properties=properties, elements=66,
             motion=Harmonic(3.5, (0.2, 0.0, 0.2), (0.0, 0.0, math.pi / 2)), sea=Sea(3.0),
         )  # fmt: skip
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a process cannot send itself Ctrl-C there")
+def test_ctrl_c_waits_for_the_end_of_a_piece_and_stops_there() -> None:
+    """An exception where compiled code takes over its arguments would end the process."""
+    pressed_at: list[float] = []
+
+    def press(t: float) -> None:
+        if t > 3.0 and not pressed_at:
+            pressed_at.append(t)
+            assert signal.getsignal(signal.SIGINT) is not signal.default_int_handler
+            os.kill(os.getpid(), signal.SIGINT)
+
+    before = signal.getsignal(signal.SIGINT)
+    history = run_dynamics(
+        CHAIN, TimeStepping(1e5, 0.1, ramp_time=8.0), height=80.0, span=280.0,
+        motion=Harmonic(8.0, (1.0, 0.0, 0.0)), properties=WET, elements=20, progress=press,
+    )  # fmt: skip
+    assert signal.getsignal(signal.SIGINT) is before
+    assert not history.is_complete
+    assert history.time[-1] == pytest.approx(pressed_at[0])
 
 
 def test_interruption_keeps_what_was_computed() -> None:

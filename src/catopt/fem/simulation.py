@@ -20,6 +20,7 @@ from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.fem.step_controls import StepControls, StepCounts
 from catopt.fem.water_at import fill_water
+from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
 
 __all__ = ["Simulation"]
@@ -268,9 +269,9 @@ class Simulation:
         flow = (self.sea or _STILL).flow
         has_sea = self.sea is not None
         fast, at, size = compiled(march), 0, 1
-        while at < samples:
-            end, began = min(at + size, samples), perf_counter()
-            try:
+        with waiting_interrupt() as ask:
+            while at < samples:
+                end, began = min(at + size, samples), perf_counter()
                 report = MarchReport(
                     *fast(
                         at, end, rules, self.lines, self.body, self.led, self.load, flow, has_sea,
@@ -283,12 +284,14 @@ class Simulation:
                     raise _not_closed(words, self, report.worst, report.node, step)
                 at = end
                 self._check_ringing(ways, step, at * every * step)
-                if progress is not None:
-                    progress(at * every * step)
+                try:
+                    if progress is not None:
+                        progress(at * every * step)
+                    ask()
+                except KeyboardInterrupt:
+                    return _cut(record, at), False
                 if perf_counter() - began < _PIECE:
                     size *= 2
-            except KeyboardInterrupt:
-                return _cut(record, at), False
         return record, True
 
     def _check_ringing(self, controls: StepControls, step: float, t: float) -> None:

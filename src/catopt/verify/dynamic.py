@@ -14,11 +14,11 @@ from catopt.errors import InputError, Problem, TouchesTwiceError
 from catopt.fem.dynamics import run_dynamics
 from catopt.fem.history import History
 from catopt.fem.solve import solve_line
+from catopt.interrupt import waiting_interrupt
 from catopt.model import Case, Load
 from catopt.verify.case import load_states
 from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
 from catopt.verify.dynamic_setup import Drive, check_for_motion, read_drive
-from catopt.verify.interrupt import waiting_interrupt
 
 __all__ = ["verify_dynamic"]
 
