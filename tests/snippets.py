@@ -2,7 +2,8 @@
 
 A fenced block marked ``sh run`` or ``python run`` is run in a folder of its own that holds a copy
 of ``cases/``. So is what follows ``&& `` in README's install line. A ``text`` block that comes
-next, with nothing but blank lines between, is the output, character for character.
+next, with nothing but blank lines or the beginning of a fold between, is the output, character for
+character.
 
 ``python -m tests.snippets`` writes every such output anew.
 """
@@ -30,6 +31,8 @@ PAGES = sorted(
     [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "reports").rglob("*.md")]
 )
 FENCE = re.compile(r"^```(?P<info>[^\n`]*)\n(?P<body>.*?)^```$", re.MULTILINE | re.DOTALL)
+FOLD = re.compile(r"</?details>|<summary>.*?</summary>", re.DOTALL)
+"""What folds a long output away; it may stand between a block and what it prints."""
 INSTALL = "pip install . && "
 
 
@@ -73,7 +76,8 @@ def blocks(page: Path) -> Iterator[Block]:
             continue
         after = found[index + 1] if index + 1 < len(found) else None
         line = text.count("\n", 0, match.start()) + 1
-        if after and after["info"] == "text" and not text[match.end() : after.start()].strip():
+        between = FOLD.sub("", text[match.end() : after.start()]) if after else ""
+        if after and after["info"] == "text" and not between.strip():
             yield Block(page, line, language, code, after["body"], after.span("body"))
         else:
             yield Block(page, line, language, code, None, (0, 0))
