@@ -27,7 +27,7 @@ def test_done_is_0_with_nothing_beside_the_answer(run: Run) -> None:
         (["solve", BUOY, "--method", "pso", "--particles", "1"], "--particles: found 1; must be 2"),
         (["solve", BUOY, "--method", "pso", "--boundary", "wall"], "--boundary: found 'wall'"),
         (["reproduce", "bouy_9p5m"], "did you mean buoy_9p5m?"),
-        (["new", "ship"], "one of buoy is wanted"),
+        (["new", "ship"], "one of buoy, tanker, leg,"),
         (["solve"], "Missing argument"),
         (["solve", BUOY, "--method", "magic"], "'magic' is not one of"),
         (["solve", BUOY, "--bogus"], "No such option: --bogus"),

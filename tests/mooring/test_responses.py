@@ -6,7 +6,16 @@ import math
 
 import pytest
 
-from catopt import InputError, Line, NoEquilibriumError, Segment, System, solve, solve_system
+from catopt import (
+    InputError,
+    Line,
+    NoEquilibriumError,
+    PointLoad,
+    Segment,
+    System,
+    solve,
+    solve_system,
+)
 from catopt.model import Leg
 from catopt.mooring.line_out import one_line_out
 from catopt.mooring.restoring import offset_curve, restoring_curve
@@ -176,3 +185,24 @@ def test_refused_directions_and_forces() -> None:
         watch_circle(fso(), force=1e6, directions=2)
     with pytest.raises(InputError, match=r"offsets\[1\]"):
         restoring_curve(fso(), direction=0.0, offsets=[1.0, math.nan])
+
+
+@pytest.mark.parametrize("first", [0, 1, 2, 3])
+def test_a_refusal_names_the_line_by_its_number_in_the_intact_system(first: int) -> None:
+    """The line with a buoy touches the bed twice when that which held the body is gone."""
+    chain = Line([Segment(200.0, 1000.0, EA=5e8)])
+    buoyed = Line([Segment(200.0, 1000.0, EA=5e8)], [PointLoad(100.0, -60e3)])
+    legs = [
+        Leg(chain, math.pi, 190.0, 30.0),
+        Leg(chain, math.pi / 2, 190.0, 30.0),
+        Leg(chain, -math.pi / 2, 190.0, 30.0),
+        Leg(buoyed, 0.0, 196.0, 30.0),
+    ]
+    turned = legs[first:] + legs[:first]
+    (refused,) = (
+        each
+        for each in one_line_out(System(tuple(turned), force=(150e3, 0.0)))
+        if each.response is None
+    )
+    assert turned[refused.missing] is legs[0]
+    assert refused.refusal.startswith(f"line {turned.index(legs[3]) + 1}, 189.257 m from its")
