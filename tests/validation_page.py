@@ -55,7 +55,12 @@ EVIDENCE = {
         "design/test_enumeration",
         "design/test_evaluation",
     ),
-    "Another program": ("peers/test_moorpy", "design/test_hypervolume"),
+    "Another program": (
+        "peers/test_moorpy",
+        "export/test_moorpy_finds_it",
+        "export/test_moordyn_finds_it",
+        "design/test_hypervolume",
+    ),
     "Worked by hand": (
         "checks/test_by_hand",
         "checks/test_strength",

@@ -11,6 +11,7 @@ from catopt.cli.catalog import catalog
 from catopt.cli.check import check
 from catopt.cli.curve import curve
 from catopt.cli.design import design
+from catopt.cli.export import export
 from catopt.cli.loads import loads
 from catopt.cli.new import new
 from catopt.cli.output import Output
@@ -61,7 +62,7 @@ def catopt(
     output.tell_when_compiling()
 
 
-for _command in (solve, curve, design, check, verify, system, report, reproduce, new):
+for _command in (solve, curve, design, check, verify, system, report, export, reproduce, new):
     app.command()(_command)
 app.add_typer(catalog)
 app.add_typer(loads)

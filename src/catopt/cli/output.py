@@ -59,6 +59,10 @@ class Output:
 
         self._print(Text(text, style="bold" if bold else ""))
 
+    def file(self, text: str) -> None:
+        """Print what would stand in a file, as it is, on standard output."""
+        _write(sys.stdout, text)
+
     def line(self) -> None:
         """Print an empty line on standard output."""
         _write(sys.stdout, "\n")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -85,6 +84,7 @@ def solve(
     residuals of the equilibrium. Forces are shown in kN and tf, the JSON document is in SI.
     """
     from catopt.casefile.design_directory import read_case_or_design
+    from catopt.cli.state import in_state
 
     output: Output = context.obj
     if out is not None:
@@ -99,11 +99,16 @@ def solve(
         "boundary": boundary,
     }
     given = {key: value for key, value in settings.items() if value is not None}
-    read = _with_settings(_under(read_case_or_design(case, design), load_case), given, method)
+    read = _with_settings(in_state(read_case_or_design(case, design), load_case), given, method)
     solution = _solved(read, method, output)
-    read = _as_solved(read)
+    given_case, read = read, _as_solved(read)
     if out is not None:
-        _write(read, solution, out, output, lang)
+        from catopt.cli.result_files import write_result
+        from catopt.report.bundle import solution_bundle
+
+        with output.progress("Tables and figures"):
+            files = solution_bundle(read, solution, lang.value)
+        write_result(output, out, files, given_case)
     if as_json:
         output.json(solution.to_dict(profile=profile))
         return
@@ -111,24 +116,6 @@ def solve(
     from catopt.report.texts import Words
 
     show_solution(output, read, solution, with_profile=profile, words=Words(lang.value))
-
-
-def _under(case: Case, name: str | None) -> Case:
-    """Return the case in the state that was asked for, if any."""
-    from catopt.errors import InputError, Problem
-    from catopt.units import as_written
-
-    if name is None:
-        return case
-    states = {state.name: state for state in case.load_cases}
-    if name in states and case.find is None:
-        return case.under(states[name])
-    allowed = "the case has no [[load_cases]]"
-    if name in states and case.find is not None:
-        allowed = f"the case seeks something, {case.find.quantity}; leave out the option or [find]"
-    elif states:
-        allowed = f"one of {', '.join(states)} is wanted"
-    raise InputError([Problem("--load-case", as_written(name), allowed)], "options")
 
 
 def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
@@ -166,14 +153,3 @@ def _as_solved(case: Case) -> Case:
     from catopt.catenary.case import under_a_load
 
     return under_a_load(case)[0]
-
-
-def _write(
-    case: Case, solution: Solution, directory: Path, output: Output, lang: ReportLanguage
-) -> None:
-    from catopt.report.bundle import solution_bundle
-    from catopt.report.files import write_files
-
-    with output.progress("Tables and figures"):
-        written = write_files(directory, solution_bundle(case, solution, lang.value))
-    output.note(f"{len(written)} files written to {directory}")

@@ -1,0 +1,1 @@
+"""Lines where they hang, written as the input of other programs."""

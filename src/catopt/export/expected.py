@@ -1,0 +1,71 @@
+"""What the closed form says of the lines, for whoever runs them in another program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from catopt.catenary.solution import Solution
+from catopt.export.hung import Hung, HungLine
+from catopt.export.text import plain, significant
+
+__all__ = ["expected", "in_words"]
+
+ROUNDING = 1e-12
+"""Of a number over the fairlead tension: what is below it is shown as 0."""
+
+
+def expected(line: HungLine) -> dict[str, Any]:
+    """List what should be found: under the case's friction, and where the bed has none."""
+    at_rest = None if line.at_rest is None else _forces(line.at_rest)
+    return {"name": line.name, **_forces(line.solution), "without_friction": at_rest}
+
+
+def in_words(hung: Hung) -> Iterator[str]:
+    """Yield lines of text that say what should be found, in SI."""
+    yield "Closed form of catopt, SI units, tensions without the water's pressure (effective):"
+    for line in hung.lines:
+        yield f"  {plain(line.name)}: {_sentence(line.solution)}"
+        if line.at_rest is not None:
+            yield f"    on a bed without friction: {_sentence(line.at_rest)}"
+    if hung.system is not None:
+        yield from _of_body(hung.lines, hung)
+
+
+def _of_body(lines: Sequence[HungLine], hung: Hung) -> Iterator[str]:
+    assert hung.system is not None
+    where, force = hung.system.position, hung.system.system.force
+    yield (
+        f"  body at x {significant(where.x)} m, y {significant(where.y)} m, yaw "
+        f"{significant(where.yaw)} rad, where the {len(lines)} lines balance a force of "
+        f"{significant(force[0])} N along x and {significant(force[1])} N along y"
+    )
+
+
+def _sentence(solution: Solution) -> str:
+    forces = _forces(solution)
+    rounding = ROUNDING * solution.fairlead.tension
+    return ", ".join(
+        f"{words} {significant(forces[key] if abs(forces[key]) > rounding else 0.0)} {unit}"
+        for key, words, unit in (
+            ("span_m", "span", "m"),
+            ("horizontal_force_N", "H", "N"),
+            ("fairlead_vertical_force_N", "V at fairlead", "N"),
+            ("fairlead_tension_N", "T at fairlead", "N"),
+            ("anchor_tension_N", "T at anchor", "N"),
+            ("anchor_vertical_force_N", "V at anchor", "N"),
+            ("grounded_length_m", "on the bed", "m"),
+        )
+    )
+
+
+def _forces(solution: Solution) -> dict[str, float]:
+    return {
+        "span_m": solution.span,
+        "horizontal_force_N": solution.horizontal_force,
+        "fairlead_vertical_force_N": solution.fairlead.vertical_force,
+        "fairlead_tension_N": solution.fairlead.tension,
+        "anchor_tension_N": solution.anchor.tension,
+        "anchor_vertical_force_N": solution.anchor.vertical_force,
+        "grounded_length_m": solution.grounded_length,
+    }

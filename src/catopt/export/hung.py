@@ -1,0 +1,205 @@
+"""The lines of a case where they hang: what is written for another program."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from catopt.catenary.case import solve_case, under_a_load
+from catopt.catenary.layout import end_of
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.model import Case, Line
+from catopt.mooring.case import report_system
+from catopt.mooring.solution import LegState, SystemSolution
+
+__all__ = ["Hung", "HungLine", "hang", "rigid_segments"]
+
+
+@dataclass(frozen=True)
+class HungLine:
+    """One line between its two ends.
+
+    Attributes
+    ----------
+    name : str
+        ``line 1``, or the name that its leg has.
+    solution : Solution
+        Its equilibrium in its own vertical plane, by closed form.
+    at_rest : Solution or None
+        The same line between the same ends on a bed without friction; None where that is no other.
+    own_tension : float
+        At the fairlead, N: of the line as the case has it, where `solution` has another EA.
+    anchor : (float, float)
+        x and y of the anchor, m.
+    heading : float
+        From the anchor to the fairlead, counter-clockwise from x, rad.
+    """
+
+    name: str
+    solution: Solution
+    at_rest: Solution | None
+    own_tension: float
+    anchor: tuple[float, float] = (0.0, 0.0)
+    heading: float = 0.0
+
+    @property
+    def expected(self) -> Solution:
+        """What a program that knows no friction at rest should find."""
+        return self.solution if self.at_rest is None else self.at_rest
+
+    def in_space(self, distance: float, height: float) -> tuple[float, float, float]:
+        """Place a point of the line's plane: x, y and height above the bed, m.
+
+        Parameters
+        ----------
+        distance, height : float
+            Horizontally from the anchor, and above the bed, m.
+        """
+        x, y = self.anchor
+        return (
+            x + distance * math.cos(self.heading),
+            y + distance * math.sin(self.heading),
+            height,
+        )
+
+    def in_plane(self, arc: float) -> tuple[float, float]:
+        """Distance and height of the point `arc` (m, unstretched) from the anchor, m."""
+        stretch = [each for each in self.solution.stretches if each.start <= arc][-1]
+        return end_of(stretch, min(arc - stretch.start, stretch.length))
+
+    def at(self, arc: float) -> tuple[float, float, float]:
+        """Place of the point `arc` (m, unstretched) from the anchor: x, y, height above the bed."""
+        return self.in_space(*self.in_plane(arc))
+
+
+@dataclass(frozen=True)
+class Hung:
+    """A case with its lines where they hang.
+
+    Attributes
+    ----------
+    case : Case
+        Under the load that was taken.
+    lines : tuple of HungLine
+        One, or those of the system.
+    system : SystemSolution or None
+        Of a moored body.
+    EA : float or None
+        Of the segments that do not stretch in the case, N; None: they were left as they are.
+    warnings : tuple of str
+        What an engineer should know before using the answer.
+    """
+
+    case: Case
+    lines: tuple[HungLine, ...]
+    system: SystemSolution | None
+    EA: float | None
+    warnings: tuple[str, ...]
+
+    @property
+    def highest(self) -> float:
+        """Largest height of any line above the bed, m."""
+        return max(max(line.solution.profile().z) for line in self.lines)
+
+
+def hang(case: Case, EA: float | None = None) -> Hung:
+    """Solve a case, and once more with an EA for the segments that do not stretch.
+
+    Parameters
+    ----------
+    case : Case
+        A line under a load or with something sought, or a body with several lines.
+    EA : float, optional
+        For segments without, N; the load stays what it is.
+
+    Raises
+    ------
+    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+        As for `solve_case` and `solve_system`.
+    """
+    return _line(case, EA) if case.system is None else _body(case, EA)
+
+
+def rigid_segments(case: Case) -> tuple[str, ...]:
+    """List the segments of a case that do not stretch, by their keys, each once.
+
+    Parameters
+    ----------
+    case : Case
+        Its own line; all lines of a system that was read from a case file are like it.
+    """
+    lines = [case.line] if case.system is None else [leg.line for leg in case.system.legs]
+    found = (
+        f"line.segments[{number}]"
+        for line in lines
+        for number, segment in enumerate(line.segments)
+        if math.isinf(segment.EA)
+    )
+    return tuple(dict.fromkeys(found))
+
+
+def _line(case: Case, EA: float | None) -> Hung:
+    own = solve_case(case)
+    case, _ = under_a_load(case)
+    solution = own if EA is None else _stretching(own, case, EA)
+    line = HungLine("line 1", solution, _at_rest(solution), own.fairlead.tension)
+    return Hung(case, (line,), None, EA, own.warnings)
+
+
+def _stretching(own: Solution, case: Case, EA: float) -> Solution:
+    """Solve the line with another EA under what is known of its load, or was found."""
+    known = {"horizontal_force": own.horizontal_force}
+    if case.find is None and case.load is not None:
+        (key,) = case.load.given
+        known = {key: getattr(case.load, key)}
+    return solve(
+        _with_EA(own.line, EA),
+        height=own.fairlead_height,
+        anchor_height=own.anchor_height,
+        seabed_friction=own.seabed_friction,
+        **known,
+    )
+
+
+def _body(case: Case, EA: float | None) -> Hung:
+    own = report_system(case).solution
+    assert case.system is not None
+    solved = own
+    if EA is not None:
+        legs = tuple(replace(leg, line=_with_EA(leg.line, EA)) for leg in case.system.legs)
+        case = replace(case, system=replace(case.system, legs=legs))
+        solved = report_system(case).solution
+    lines = tuple(
+        _of_leg(state, number, before.tension)
+        for number, (state, before) in enumerate(zip(solved.lines, own.lines, strict=True), start=1)
+    )
+    return Hung(case, lines, solved, EA, own.warnings)
+
+
+def _of_leg(state: LegState, number: int, own_tension: float) -> HungLine:
+    return HungLine(
+        state.leg.name or f"line {number}",
+        state.solution,
+        _at_rest(state.solution),
+        own_tension,
+        anchor=state.leg.anchor,
+        heading=state.direction + math.pi,
+    )
+
+
+def _with_EA(line: Line, EA: float) -> Line:
+    segments = [replace(s, EA=EA) if math.isinf(s.EA) else s for s in line.segments]
+    return Line(segments, line.point_loads)
+
+
+def _at_rest(solution: Solution) -> Solution | None:
+    """Solve the line anew between its ends, without friction; None where it feels none."""
+    if solution.seabed_friction == 0.0 or solution.grounded_length == 0.0:
+        return None
+    return solve(
+        solution.line,
+        height=solution.fairlead_height,
+        anchor_height=solution.anchor_height,
+        span=solution.span,
+    )

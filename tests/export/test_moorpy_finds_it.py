@@ -1,0 +1,85 @@
+"""MoorPy 1.3 on the exported file: the same equations, so the same forces to its own tolerance."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from catopt import Case, read_case
+from catopt.export.hung import Hung, hang
+from catopt.export.moordyn import moordyn_input
+
+from .cases import FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
+
+moorpy = pytest.importorskip("moorpy", reason="optional extra: peers")
+
+NEAR = 1e-3
+"""Height over the bed within which MoorPy is to take weight off a point, m; its own is 2 m."""
+
+
+def solved(hung: Hung, folder: Path, reach: float = NEAR) -> tuple[Any, Any]:
+    """Solve; forces that the lines exert on fairleads and anchors, N, shape (lines, 3)."""
+    path = folder / "lines.txt"
+    path.write_bytes(moordyn_input(hung).content)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # its own
+        system = moorpy.System(file=str(path))
+        for point in system.pointList:
+            point.zTol = reach
+        system.initialize()
+        # On displacements of its points, m: the forces are then balanced far more closely.
+        assert system.solveEquilibrium(DOFtype="free", tol=1e-7)
+        ends = {
+            kind: np.array([p.getForces(xyz=True) for p in system.pointList if p.type == kind])
+            for kind in (-1, 1)
+        }
+    return ends[-1], ends[1]
+
+
+@pytest.mark.parametrize(
+    ("case", "EA"),
+    [
+        (suspended(), None),
+        (tanker(), None),
+        (chain_and_wire(), None),
+        (chain_and_wire(friction=0.5), None),
+        (tanker_with_sinker(), 5e8),
+        (read_case(FSO), None),
+    ],
+    ids=["suspended", "grounded", "clump", "friction", "sinker", "FSO"],
+)
+def test_it_finds_the_closed_form(case: Case, EA: float | None, tmp_path: Path) -> None:
+    """Ten digits of the file and MoorPy's 1e-9 of the catenary leave 1e-7 of the tension.
+
+    With bed friction it is the answer without that is found, as the file says.
+    """
+    hung = hang(case, EA)
+    fairleads, anchors = solved(hung, tmp_path)
+    assert len(fairleads) == len(hung.lines)
+    for line, top, bottom in zip(hung.lines, fairleads, anchors, strict=True):
+        due = line.expected
+        size = due.fairlead.tension
+        assert np.linalg.norm(top) == pytest.approx(size, abs=1e-7 * size)
+        assert np.hypot(*top[:2]) == pytest.approx(due.horizontal_force, abs=1e-7 * size)
+        assert -top[2] == pytest.approx(due.fairlead.vertical_force, abs=1e-7 * size)
+        assert np.hypot(*bottom[:2]) == pytest.approx(due.anchor.horizontal_force, abs=1e-7 * size)
+        assert bottom[2] == pytest.approx(due.anchor.vertical_force, abs=1e-7 * size)
+
+
+def test_the_lines_of_the_turret_balance_its_load(tmp_path: Path) -> None:
+    hung = hang(read_case(FSO))
+    fairleads, _ = solved(hung, tmp_path)
+    assert -fairleads.sum(axis=0)[:2] == pytest.approx([-4281e3, 0.0], abs=1.0)  # 1e-7 of each line
+
+
+def test_what_the_remark_says_of_points_near_the_bed(tmp_path: Path) -> None:
+    """As MoorPy comes, it takes weight off the sinker 11 cm above the bed, and half the tension."""
+    hung = hang(tanker_with_sinker(), EA=5e8)
+    (line,) = hung.lines
+    assert 0.05 < line.solution.point_loads[0].z < 0.15
+    (top,), _ = solved(hung, tmp_path, reach=2.0)
+    assert np.linalg.norm(top) < 0.6 * line.solution.fairlead.tension
