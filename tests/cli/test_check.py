@@ -14,7 +14,7 @@ from .conftest import Run
 from .test_json import document_of
 from .test_out import column, names, rows
 
-FILES = {"check.json", "check.xlsx", "checks.csv", "load_cases.csv"}
+FILES = {"case.toml", "check.json", "check.xlsx", "checks.csv", "load_cases.csv"}
 
 CASE = """
 title = "Chain of 1000 N/m"

@@ -21,7 +21,7 @@ ROUNDING = 1e-15
 
 TABLES = {"inputs.csv", "summary.csv", "segments.csv", "profile.csv"}
 FIGURES = {"line.png", "line.svg", "tension.png", "tension.svg"}
-PLAIN = TABLES | FIGURES | {"solution.json", "solution.xlsx"}
+PLAIN = TABLES | FIGURES | {"solution.json", "solution.xlsx", "case.toml"}
 OF_SWARM = {
     "swarm_runs.csv",
     "swarm_history.csv",
@@ -85,7 +85,9 @@ def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> N
     assert run("reproduce", "--out", tmp_path / "out").status == 0
     swarm = {name.replace("swarm", "buoy_9p5m") for name in OF_SWARM}
     page = {f"reproduction.{end}" for end in ("md", "json", "csv", "xlsx")}
-    views = {f"fso_rang_dong_{v}.{end}" for v in ("plan", "elevation") for end in ("png", "svg")}
+    of_lines = ("buoy_9p5m", "ship_200m", "tanker_20m", "tanker_20m_sinker")
+    drawn = [*(f"{name}_lines" for name in of_lines), "fso_rang_dong_plan"]
+    views = {f"{v}.{end}" for v in (*drawn, "fso_rang_dong_elevation") for end in ("png", "svg")}
     assert names(tmp_path / "out") == page | swarm | views
     items = json.loads((tmp_path / "out" / "reproduction.json").read_text("utf-8"))["items"]
     table = rows(tmp_path / "out" / "reproduction.csv")

@@ -14,6 +14,7 @@ from catopt import schemas
 from catopt.errors import NotConvergedError
 from tests.report.page_cases import design_directory
 from tests.report.page_reader import read_page
+from tests.report.system_page_cases import system_path
 
 from .conftest import BUOY, CASES, Run
 
@@ -152,7 +153,7 @@ def test_a_design_is_named_or_recommended(run: Run, tmp_path: Path) -> None:
         (["result", "--design", "4"], "the front has the designs 1 to 3"),
         (["result", "--design", "0"], "the front has the designs 1 to 3"),
         ([str(BUOY), "--design", "1"], "a directory that catopt design --out wrote"),
-        ([str(CASES)], "it is a folder"),
+        ([str(CASES)], "a directory with a case.toml is wanted"),
         ([str(BUOY), "--lang", "fr"], "'fr' is not one of"),
         ([str(BUOY), "--out", "result/case.toml"], "is a file; give a directory"),
     ],
@@ -183,13 +184,71 @@ def test_a_strength_that_a_check_needs_is_asked_for(run: Run, chain_and_wire: Pa
     assert "line.segments[1].MBL: missing" in ran.err
 
 
-def test_a_moored_body_is_sent_to_its_own_command(run: Run) -> None:
-    path = Path("body.toml")
-    text = BUOY.read_text("utf-8").split("[load]")[0].replace('fairlead_height = "9.5 m"\n', "")
-    path.write_text(
-        text + '[system]\nanchor_radius = "17 m"\nazimuths = ["0 deg", "120 deg", "240 deg"]\n'
-        'force = ["0 N", "0 N"]\n'
-    )
+TURRET = CASES / "fso-rang-dong" / "case.toml"
+
+
+def test_a_moored_body_has_a_page_and_a_workbook(run: Run) -> None:
+    ran = run("report", TURRET, "--out", "notes", "--lang", "vi", "--no-verify")
+    assert (ran.status, ran.err) == (0, "")
+    written = ["notes/fso-rang-dong.html", "notes/fso-rang-dong.xlsx"]
+    assert ran.out.splitlines() == written
+    page = read_page(Path(written[0]).read_bytes())
+    assert page.tagged("html")[0].attributes["lang"] == "vi"
+    assert "system_plan" in page.sections
+    assert openpyxl.load_workbook(written[1]).sheetnames[0] == "Tóm tắt"
+
+
+def test_json_tells_of_a_moored_body(run: Run) -> None:
+    """With the keys of any other note; what does not apply is null or empty."""
+    document = json.loads(run("report", TURRET, "--json").out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    line = json.loads(run("report", BUOY, "--json", "--no-verify").out)
+    assert list(document) == list(line)
+    assert document["title"] == "FSO Rang Dong, nine-line turret"
+    assert (document["design"], document["load_case"], document["passes"]) == (None, "", None)
+    assert document["verification"]["verdict"] == "agrees"
+    assert document["sections"] == list(read_page(Path(document["path"]).read_bytes()).sections)
+
+
+def test_json_tells_which_line_of_a_body_governs(run: Run, tmp_path: Path) -> None:
+    path = system_path(tmp_path, "pulled")
+    document = json.loads(run("report", path, "--json").out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    assert document["passes"] is False
+    assert document["governing"] == "tension, segment 1 (line 1)"
+
+
+def test_what_catopt_system_wrote_has_a_note(run: Run) -> None:
+    """The same as that of its case file."""
+    assert run("system", TURRET, "--out", "fso").status == 0
+    assert run("report", "fso", "--no-verify").out == "fso.html\n"
+    run("report", TURRET, "--no-verify")
+    pages = [read_page(Path(name).read_bytes()) for name in ("fso.html", "fso-rang-dong.html")]
+    first, second = ([[c.value for c in r] for r in p.table("system_lines").rows] for p in pages)
+    assert first == second
+
+
+@pytest.mark.parametrize(
+    ("option", "told"),
+    [
+        (["--design", "1"], "--design: found 1"),
+        (["--method", "pso"], "--method: found pso"),
+        (["--dynamic"], "--dynamic: found given"),
+    ],
+)
+def test_what_is_for_one_line_is_refused_for_a_body(run: Run, option: list[str], told: str) -> None:
+    ran = run("report", TURRET, *option)
+    assert (ran.status, ran.out) == (2, "")
+    assert told in " ".join(ran.err.split())
+    assert "for one line with a load" in " ".join(ran.err.split())
+    assert list(Path().glob("*.html")) == []
+
+
+def test_a_body_without_equilibrium_ends_with_3_and_writes_nothing(
+    run: Run, tmp_path: Path
+) -> None:
+    path = system_path(tmp_path, "raised")
+    path.write_text(path.read_text("utf-8").replace('"260 m"', '"235 m"'), "utf-8")
     ran = run("report", path)
-    assert ran.status == 2
-    assert "catopt system CASE" in ran.err
+    assert (ran.status, ran.out) == (3, "")
+    assert list(Path().glob("*.html")) == []

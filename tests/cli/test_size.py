@@ -127,7 +127,7 @@ def test_a_case_that_is_there_is_kept(run: Run, tmp_path: Path) -> None:
 def test_what_is_written(run: Run, tmp_path: Path) -> None:
     assert run(*BUOY, "--out", str(tmp_path)).status == 0
     tables = {"sizing", "candidates", "checks", "forces", "numbers", "notes"}
-    files = {"size.json", "size.xlsx", "case.toml", "line.png", "line.svg"}
+    files = {"size.json", "size.xlsx", "case.toml", "line.png", "line.svg", "note.html"}
     assert {path.name for path in tmp_path.iterdir()} == files | {f"{t}.csv" for t in tables}
     rows = list(csv.DictReader((tmp_path / "forces.csv").read_text("utf-8").splitlines()))
     totals = [row for row in rows if row["Force"] == "horizontal force"]

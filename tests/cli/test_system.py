@@ -119,8 +119,9 @@ def test_the_files(run: Run, tmp_path: Path) -> None:
     ran = run("system", FSO, *EVERYTHING, "--out", out)
     assert ran.status == 0, ran.err
     assert sorted(path.name for path in out.iterdir()) == [
-        "body.csv", "line_out.csv", "lines.csv", "plan.png", "plan.svg", "restoring.png",
-        "restoring.svg", "restoring_1.csv", "restoring_2.csv", "system.json", "system.xlsx",
+        "body.csv", "case.toml", "line_out.csv", "lines.csv", "plan.png", "plan.svg",
+        "restoring.png", "restoring.svg", "restoring_1.csv", "restoring_2.csv", "system.json",
+        "system.xlsx",
         "watch_circle.csv", "watch_circle.png", "watch_circle.svg", "water_levels.csv",
     ]  # fmt: skip
     document = json.loads((out / "system.json").read_text("utf-8"))
@@ -137,7 +138,7 @@ def test_the_files(run: Run, tmp_path: Path) -> None:
 
 def test_only_what_was_asked_for_is_written(run: Run, tmp_path: Path) -> None:
     run("system", FSO, "--out", tmp_path)
-    assert {path.stem for path in tmp_path.iterdir()} == {"body", "lines", "plan", "system"}
+    assert {path.stem for path in tmp_path.iterdir()} == {"body", "case", "lines", "plan", "system"}
 
 
 def test_no_watch_circle_without_a_force(run: Run, tmp_path: Path) -> None:

@@ -243,7 +243,7 @@ def test_out_writes_tables_figures_and_the_document(run: Run, tmp_path: Path) ->
     assert ran.status == 0
     assert {path.name for path in (tmp_path / "out").iterdir()} == {
         "verify.json", "verify.xlsx", "verdicts.csv", "quantities.csv", "meshes.csv",
-        "shapes.csv", "comparison.png", "comparison.svg",
+        "shapes.csv", "comparison.png", "comparison.svg", "case.toml",
     }  # fmt: skip
     assert json.loads((tmp_path / "out" / "verify.json").read_text("utf-8")) == document(ran)
     book = openpyxl.load_workbook(tmp_path / "out" / "verify.xlsx")
@@ -257,7 +257,7 @@ def test_out_of_a_front(run: Run, front: Path, tmp_path: Path) -> None:
     assert run("verify", front, "--all", "--out", tmp_path / "out").status == 0
     assert {path.name for path in (tmp_path / "out").iterdir()} == {
         "verify.json", "verify.xlsx", "designs.csv", "verdicts.csv", "quantities.csv",
-        "meshes.csv",
+        "meshes.csv", "case.toml", "design.json",
     }  # fmt: skip
 
 

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import re
+from io import BytesIO
 
+import openpyxl
 import pytest
 
 from catopt.report.texts import Phrase, Words
 
-__all__ = ["gathered", "untranslated"]
+__all__ = ["gathered", "numbers", "untranslated"]
 
 CITED = re.compile(r"(IALA CALMAR technical reference|UFC 4-159-03|API RP 2SK) .*|IALA-CALMAR")
 """Titles of documents, and names of codes."""
 THE_SAME = {"", "-", "reflective", "chain stud-link U1 22 mm"}
 """Nothing to translate; names of the swarm's settings."""
+AS_IT_IS = re.compile(
+    r"-?[\d.]+( (t|kN|m|mm))?|([\w/]+ = [\d.e+-]+(, )?)+"
+    r"|chain (open-link|studless|stud-link) [\w ]+"
+)
+"""Numbers with their units, those of a formula, and components by their names."""
 
 
 def gathered(monkeypatch: pytest.MonkeyPatch) -> set[str]:
@@ -46,4 +53,18 @@ def gathered(monkeypatch: pytest.MonkeyPatch) -> set[str]:
 
 
 def untranslated(found: set[str]) -> list[str]:
-    return sorted(text for text in found if not CITED.fullmatch(text))
+    return sorted(
+        text for text in found if not CITED.fullmatch(text) and not AS_IT_IS.fullmatch(text)
+    )
+
+
+def numbers(workbook: bytes) -> list[tuple[int, str, object, str]]:
+    """List the numbers of a workbook: sheet, cell, value and format."""
+    book = openpyxl.load_workbook(BytesIO(workbook))
+    return [
+        (index, cell.coordinate, cell.value, cell.number_format)
+        for index, sheet in enumerate(book)
+        for row in sheet.iter_rows()
+        for cell in row
+        if cell.data_type == "n" and cell.value is not None
+    ]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption
+from catopt.cli.options import JsonOption, LangOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
@@ -74,13 +74,14 @@ WaterOption = Annotated[
 def list_families(
     context: typer.Context,
     families: FamiliesOption = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
     """List the families, their grades and diameters."""
     from catopt.catalogue.document import Answer
 
-    _give(context, Answer("list", _catalogue(families).families), as_json, out)
+    _give(context, Answer("list", _catalogue(families).families), lang, as_json, out)
 
 
 @catalog.command()
@@ -105,6 +106,7 @@ def show(
     recalled: RecalledOption = False,
     water_density: WaterOption = None,
     families: FamiliesOption = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -134,7 +136,7 @@ def show(
         else:
             components = known.sold(found.name, **settings)
     answer = Answer("show", (found,), components)
-    _give(context, answer, as_json, out, in_full="--diameter" in values)
+    _give(context, answer, lang, as_json, out, in_full="--diameter" in values)
 
 
 @catalog.command()
@@ -182,6 +184,7 @@ def search(
     recalled: RecalledOption = False,
     water_density: WaterOption = None,
     families: FamiliesOption = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -210,7 +213,7 @@ def search(
     found = _search(known, values, asked, all_sizes=all_sizes)
     of = {component.family for component in found}
     theirs = tuple(each for each in known.families if each.name in of)
-    _give(context, Answer("search", theirs, found), as_json, out)
+    _give(context, Answer("search", theirs, found), lang, as_json, out)
 
 
 # ------------------------------------------------------------------ parts of the commands
@@ -320,6 +323,7 @@ def _by_option(names: dict[str, str]) -> Iterator[None]:
 def _give(
     context: typer.Context,
     answer: Answer,
+    lang: ReportLanguage,
     as_json: bool,
     out: Path | None,
     *,
@@ -331,11 +335,12 @@ def _give(
         from catopt.report.bundle import catalogue_bundle
         from catopt.report.files import write_files
 
-        written = write_files(out, catalogue_bundle(answer))
+        written = write_files(out, catalogue_bundle(answer, lang.value))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         output.json(answer.to_dict())
         return
     from catopt.cli.catalog_view import show_answer
+    from catopt.report.texts import Words
 
-    show_answer(output, answer, in_full=in_full)
+    show_answer(output, answer, Words(lang.value), in_full=in_full)

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 from catopt.catalogue.family import in_mm
 from catopt.catalogue.figure import RECALLED, SPECS, weakest
 from catopt.quantities import QUANTITIES
+from catopt.report.catalogue_words import said_cited, said_formula, said_text
 
 if TYPE_CHECKING:
     from catopt.catalogue import Alternative, Component, Family, Figure, Hydrodynamic, Source
     from catopt.catalogue.components import Provenance
     from catopt.catalogue.document import Answer
     from catopt.cli.output import Output
+    from catopt.report.texts import Words
 
 __all__ = ["show_answer"]
 
@@ -23,7 +25,18 @@ _LEGEND = (
     "document."
 )
 
+_COLUMNS = (
+    "d is the nominal diameter, Sizes the number of those that are sold with the confidence of the "
+    "list, MBL the confidence of the breaking load. A list of sizes that is only recalled (R) is "
+    "used, for it is no figure of strength."
+)
+
 _SYMBOLS = "d nominal diameter, D volume-equivalent diameter, w weight in water per length."
+
+_SYMBOLS_FOUND = (
+    "m mass in air, w weight in water per length, MBL in water, new; Conf. is that of the MBL. "
+    "catopt catalog show has the sources."
+)
 
 _COEFFICIENTS = {
     "drag_normal": "Drag coefficient across",
@@ -36,7 +49,7 @@ _COEFFICIENTS = {
 Row = tuple[str, str, str, str]
 
 
-def show_answer(output: Output, answer: Answer, *, in_full: bool) -> None:
+def show_answer(output: Output, answer: Answer, words: Words, *, in_full: bool) -> None:
     """Print an answer for a reader.
 
     Parameters
@@ -45,28 +58,30 @@ def show_answer(output: Output, answer: Answer, *, in_full: bool) -> None:
         Where to.
     answer : Answer
         What was found.
+    words : Words
+        Language; names of components, their sources and keys are the same in both.
     in_full : bool
         Whether one component was asked for with all that is known of it.
     """
     if answer.question == "list":
-        _list(output, answer)
+        _list(output, words, answer)
     elif answer.question == "search":
-        _search(output, answer)
+        _search(output, words, answer)
     elif in_full:
-        _component(output, answer.families[0], answer.components[0])
-        _sources(output, answer)
+        _component(output, words, answer.families[0], answer.components[0])
+        _sources(output, words, answer)
     else:
-        _sizes(output, answer.families[0], answer.components)
-        _figures(output, answer.families[0], answer.components)
-        _sources(output, answer)
+        _sizes(output, words, answer.families[0], answer.components)
+        _figures(output, words, answer.families[0], answer.components)
+        _sources(output, words, answer)
     if answer.question != "search":
-        output.text(_LEGEND)
+        output.text(words.name(_LEGEND))
 
 
 # ------------------------------------------------------------------ list
 
 
-def _list(output: Output, answer: Answer) -> None:
+def _list(output: Output, words: Words, answer: Answer) -> None:
     rows = []
     for family in answer.families:
         low, high = (f"{round(end * 1e3, 6):g}" for end in family.range)
@@ -75,17 +90,14 @@ def _list(output: Output, answer: Answer) -> None:
             (
                 family.name,
                 ", ".join(family.grades) or "-",
-                f"{low} to {high}",
+                words("catalog.range", low=low, high=high),
                 f"{count} ({family.sizes.confidence})" if count else "-",
                 _strength(family),
             )
         )
-    output.table(["Family", "Grades", "d (mm)", "Sizes", "MBL"], rows, numbers=[2, 3, 4])
-    output.text(
-        "d is the nominal diameter, Sizes the number of those that are sold with the confidence "
-        "of the list, MBL the confidence of the breaking load. A list of sizes that is only "
-        "recalled (R) is used, for it is no figure of strength."
-    )
+    names = [words.name(each) for each in ("Family", "Grades")]
+    output.table([*names, "d (mm)", words.name("Sizes"), "MBL"], rows, numbers=[2, 3, 4])
+    output.text(words.name(_COLUMNS))
 
 
 def _strength(family: Family) -> str:
@@ -103,30 +115,32 @@ def _strength(family: Family) -> str:
 # ------------------------------------------------------------------ one component
 
 
-def _component(output: Output, family: Family, component: Component) -> None:
-    output.text(f"{family.title}: {component.name}", bold=True)
+def _component(output: Output, words: Words, family: Family, component: Component) -> None:
+    output.text(f"{said_text(words, family.title)}: {component.name}", bold=True)
     density = QUANTITIES["density"].format(component.water_density, unit=True)
-    output.text(f"Nominal diameter d = {in_mm(component.nominal_diameter)}; in water of {density}.")
+    diameter = in_mm(component.nominal_diameter)
+    output.text(words("catalog.water", diameter=diameter, density=density))
     if family.note:
-        output.text(family.note)
+        output.text(said_text(words, family.note))
     output.line()
-    output.table(["Quantity", "Value", "Conf.", "Sources"], list(_rows(component)), numbers=[1])
-    others = [_other(each) for each in component.alternatives]
+    columns = [words.name(each) for each in ("Quantity", "Value", "Conf.", "Sources")]
+    output.table(columns, list(_rows(words, component)), numbers=[1])
+    others = [_other(words, each) for each in component.alternatives]
     if others:
-        columns = ["Also published: --variant", "Value", "Conf.", "Sources"]
+        columns[0] = words.name("Also published: --variant")
         output.table(columns, others, numbers=[1])
-    output.text("How each figure follows", bold=True)
+    output.text(words.name("How each figure follows"), bold=True)
     for key, origin in component.provenance.items():
-        output.text(
-            f"  {_words(key)}{_named(origin.variant)}: {_explained(origin.formula, origin)}"
-        )
+        head = f"{_named(words, key)}{_variant(origin.variant)}"
+        output.text(f"  {head}: {_explained(words, origin.formula, origin)}")
     for key, why in component.missing.items():
-        output.text(f"  {_words(key)}: not known; {why}.")
+        said = words("catalog.unknown", quantity=_named(words, key), why=said_text(words, why))
+        output.text(f"  {said}")
     output.line()
-    _warn(output, [component])
+    _warn(output, words, [component])
 
 
-def _rows(component: Component) -> Iterator[Row]:
+def _rows(words: Words, component: Component) -> Iterator[Row]:
     origins = component.provenance
     plain = {
         "mass": ("mass_per_length", "Mass in air per length m", component.mass),
@@ -147,26 +161,28 @@ def _rows(component: Component) -> Iterator[Row]:
     }
     for key, (unit, name, value) in plain.items():
         if key in origins:
-            yield _row(name, QUANTITIES[unit].format(value, unit=True), origins[key])
+            shown = QUANTITIES[unit].format(value, unit=True)
+            yield _row(words.heading(name), shown, origins[key])
         if key == "MBL" and component.wet_strength_factor is not None:
             wet = QUANTITIES["MBL"].format(component.MBL_in_water, unit=True)
-            yield _row("MBL in water", wet, origins["wet_strength_factor"])
+            yield _row(words.name("MBL in water"), wet, origins["wet_strength_factor"])
         if key == "EA" and component.EA_dynamic_terms is not None:
             constant, slope = component.EA_dynamic_terms
             text = f"{constant:g} + {slope:g} Lm"
-            yield _row("Dynamic EA over MBL", text, origins["EA_dynamic"])
+            yield _row(words.name("Dynamic EA over MBL"), text, origins["EA_dynamic"])
     for key, name in _COEFFICIENTS.items():
         found: Hydrodynamic | None = getattr(component, key)
         if found is not None:
-            yield _row(name, f"{found.coefficient:g}", origins[key])
-            yield f"  {_which(key, found)}", _in_mm(found.diameter), "", ""
+            yield _row(words.name(name), f"{found.coefficient:g}", origins[key])
+            yield f"  {_which(words, key, found)}", _in_mm(found.diameter), "", ""
 
 
-def _which(key: str, found: Hydrodynamic) -> str:
+def _which(words: Words, key: str, found: Hydrodynamic) -> str:
     """Name the diameter that a coefficient is referred to."""
     if found.name == "volume":
-        return "volume-equivalent diameter"
-    return f"{'drag diameter' if key.startswith('drag') else 'diameter'} {found.name}"
+        return words("catalog.volume_diameter")
+    text = "catalog.drag_diameter" if key.startswith("drag") else "catalog.diameter"
+    return words(text, name=found.name)
 
 
 def _in_mm(diameter: float) -> str:
@@ -177,10 +193,10 @@ def _row(name: str, value: str, origin: Provenance) -> Row:
     return name, value, origin.confidence, _keys(origin.sources)
 
 
-def _other(other: Alternative) -> Row:
+def _other(words: Words, other: Alternative) -> Row:
     value = "-" if other.value is None else _value(other.quantity, other.value)
     if other.reference is not None:
-        value += f" on {_in_mm(other.reference)}"
+        value = words("catalog.on", coefficient=value, diameter=_in_mm(other.reference))
     return _row(f"{other.quantity}={other.variant}", value, other.provenance)
 
 
@@ -195,45 +211,57 @@ def _keys(sources: Iterable[Source]) -> str:
     return ", ".join(source.key for source in sources)
 
 
-def _named(variant: str) -> str:
+def _variant(variant: str) -> str:
     return f" ({variant})" if variant else ""
 
 
-def _words(key: str) -> str:
+def _named(words: Words, key: str) -> str:
+    """Name a quantity of the catalogue, with a capital."""
     text = SPECS[key].words if key in SPECS else "submerged weight per length"
-    return text[:1].upper() + text[1:]
+    return words.name(text[:1].upper() + text[1:])
 
 
-def _explained(formula: str, origin: Provenance | Figure) -> str:
+def _explained(words: Words, formula: str, origin: Provenance | Figure) -> str:
     """Say how a figure follows, for which diameters, who has it and why it is the default."""
     low, high = (in_mm(end) for end in origin.range)
-    known = f"{formula}; {low} to {high}. {origin.confidence}, {_keys(origin.sources)}: "
-    reason = f"Default: {origin.reason}." if origin.reason else ""
-    return " ".join(part for part in (f"{known}{origin.place}.", reason, origin.note) if part)
+    known = words(
+        "catalog.explained",
+        formula=said_formula(words, formula),
+        low=low,
+        high=high,
+        confidence=origin.confidence,
+        sources=_keys(origin.sources),
+        place=said_cited(words, origin.place),
+    )
+    reason = said_text(words, origin.reason)
+    if reason:
+        reason = words("catalog.reason", reason=reason)
+    return " ".join(part for part in (known, reason, said_text(words, origin.note)) if part)
 
 
 # ------------------------------------------------------------------ a family over its sizes
 
 
-def _sizes(output: Output, family: Family, components: Sequence[Component]) -> None:
-    output.text(family.title, bold=True)
+def _sizes(output: Output, words: Words, family: Family, components: Sequence[Component]) -> None:
+    output.text(said_text(words, family.title), bold=True)
     if family.note:
-        output.text(family.note)
+        output.text(said_text(words, family.note))
     if not components:
-        output.text(f"Nominal diameters {family.known_range}; no list of sizes is known.")
+        low, high = (in_mm(end) for end in family.range)
+        output.text(words("catalog.no_sizes", low=low, high=high))
         output.line()
         return
     output.line()
     grades = list(dict.fromkeys(component.grade for component in components))
     if len(grades) == 1:
-        _one_grade(output, components)
+        _one_grade(output, words, components)
     else:
-        _all_grades(output, components, [grade for grade in grades if grade])
-    _sizes_from(output, family)
-    _warn(output, components)
+        _all_grades(output, words, components, [grade for grade in grades if grade])
+    _sizes_from(output, words, family)
+    _warn(output, words, components)
 
 
-def _one_grade(output: Output, components: Sequence[Component]) -> None:
+def _one_grade(output: Output, words: Words, components: Sequence[Component]) -> None:
     with_proof = any(component.proof_load is not None for component in components)
     columns = ["d (mm)", "m (kg/m)", "w (N/m)", "D (mm)", "MBL (kN)"]
     rows = [
@@ -246,14 +274,18 @@ def _one_grade(output: Output, components: Sequence[Component]) -> None:
         ]
         for component in components
     ]
-    columns += [*(["Proof (kN)"] if with_proof else []), "EA (MN)", "USD/m"]
+    columns += [*([words("catalog.proof")] if with_proof else []), "EA (MN)", "USD/m"]
     output.table(columns, rows, numbers=range(len(columns)))
     factor = components[0].wet_strength_factor
-    wet = "" if factor is None else f" MBL is that of the dry rope, in water {factor:g} of it."
-    output.text(_SYMBOLS + wet)
+    said = words.name(_SYMBOLS)
+    if factor is not None:
+        said += " " + words("catalog.wet", factor=f"{factor:g}")
+    output.text(said)
 
 
-def _all_grades(output: Output, components: Sequence[Component], grades: Sequence[str]) -> None:
+def _all_grades(
+    output: Output, words: Words, components: Sequence[Component], grades: Sequence[str]
+) -> None:
     by_size: dict[float, dict[str | None, Component]] = {}
     for component in components:
         by_size.setdefault(component.nominal_diameter, {})[component.grade] = component
@@ -263,7 +295,7 @@ def _all_grades(output: Output, components: Sequence[Component], grades: Sequenc
         [_common(component) for component in first],
         numbers=range(4),
     )
-    output.text(_SYMBOLS)
+    output.text(words.name(_SYMBOLS))
     output.line()
     rows = [
         [
@@ -273,7 +305,8 @@ def _all_grades(output: Output, components: Sequence[Component], grades: Sequenc
         for diameter in sorted(by_size)
     ]
     columns = ["d (mm)", *grades]
-    output.table(columns, rows, title="MBL (kN) by grade", numbers=range(len(columns)))
+    title = words.name("MBL (kN) by grade")
+    output.table(columns, rows, title=title, numbers=range(len(columns)))
 
 
 def _common(component: Component) -> list[str]:
@@ -289,30 +322,38 @@ def _MBL(component: Component | None) -> str:
     return QUANTITIES["MBL"].format(component.MBL if component else None, digits=0)
 
 
-def _sizes_from(output: Output, family: Family) -> None:
+def _sizes_from(output: Output, words: Words, family: Family) -> None:
     sizes = family.sizes
-    keys = _keys(sizes.sources)
-    recalled = " Recalled: ask a maker." if sizes.confidence == RECALLED else ""
-    output.text(f"Sizes: {keys}, {sizes.place} ({sizes.confidence}).{recalled}")
+    said = words(
+        "catalog.sizes",
+        sources=_keys(sizes.sources),
+        place=said_cited(words, sizes.place),
+        confidence=sizes.confidence,
+    )
+    if sizes.confidence == RECALLED:
+        said += " " + words("catalog.ask")
+    output.text(said)
     output.line()
 
 
-def _figures(output: Output, family: Family, components: Sequence[Component]) -> None:
+def _figures(output: Output, words: Words, family: Family, components: Sequence[Component]) -> None:
     """Explain every figure of the grades that are shown."""
     grades = {component.grade for component in components} or set(family.grades or (None,))
-    output.text("How each figure follows", bold=True)
+    output.text(words.name("How each figure follows"), bold=True)
     for figure in family.figures:
         if any(figure.holds_for(grade) for grade in grades):
-            of = f" of {', '.join(figure.grades)}" if figure.grades else ""
-            head = f"{_words(figure.quantity)}{of}{_named(figure.variant)}"
-            output.text(f"  {head}: {_explained(figure.text, figure)}")
+            head = _named(words, figure.quantity)
+            if figure.grades:
+                head = words("catalog.grades", quantity=head, grades=", ".join(figure.grades))
+            head += _variant(figure.variant)
+            output.text(f"  {head}: {_explained(words, figure.text, figure)}")
     output.line()
 
 
 # ------------------------------------------------------------------ search
 
 
-def _search(output: Output, answer: Answer) -> None:
+def _search(output: Output, words: Words, answer: Answer) -> None:
     rows = [
         (
             component.name,
@@ -324,37 +365,36 @@ def _search(output: Output, answer: Answer) -> None:
         )
         for component in answer.components
     ]
-    columns = ["Component", "m (kg/m)", "w (N/m)", "MBL (kN)", "USD/m", "Conf."]
+    columns = ["m (kg/m)", "w (N/m)", "MBL (kN)", "USD/m"]
+    columns = [words.name("Component"), *columns, words.name("Conf.")]
     output.table(columns, rows, numbers=[1, 2, 3, 4])
-    output.text(
-        "m mass in air, w weight in water per length, MBL in water, new; Conf. is that of the MBL. "
-        "catopt catalog show has the sources."
-    )
+    output.text(words.name(_SYMBOLS_FOUND))
     recalled = [f.name for f in answer.families if f.sizes.confidence == RECALLED]
     if recalled:
-        output.text(f"Sizes from lists that are only recalled (R): {', '.join(recalled)}.")
-    _warn(output, answer.components)
+        output.text(words("catalog.recalled_sizes", families=", ".join(recalled)))
+    _warn(output, words, answer.components)
 
 
 # ------------------------------------------------------------------ common
 
 
-def _warn(output: Output, components: Iterable[Component]) -> None:
+def _warn(output: Output, words: Words, components: Iterable[Component]) -> None:
     """Name what rests on figures that were read in no document."""
     recalled = {key for component in components for key in component.recalled}
     if recalled:
-        named = ", ".join(_words(key).lower() for key in SPECS if key in recalled)
-        output.text(f"R, only recalled and read in no document: {named}. Check before use.")
+        named = ", ".join(_named(words, key).lower() for key in SPECS if key in recalled)
+        output.text(words("catalog.recalled", quantities=named))
         output.line()
 
 
-def _sources(output: Output, answer: Answer) -> None:
+def _sources(output: Output, words: Words, answer: Answer) -> None:
     used = {s for c in answer.components for p in c.provenance.values() for s in p.sources}
     if len(answer.components) == 1:
         used |= {s for a in answer.components[0].alternatives for s in a.provenance.sources}
         used |= set(answer.families[0].sizes.sources)
-    output.text("Sources", bold=True)
+    output.text(words.name("Sources"), bold=True)
     for source in answer.sources:
         if source in used or len(answer.components) != 1:
-            output.text(f"  {source.key}: {source.title}. {source.place}.")
+            title, place = (said_cited(words, text) for text in (source.title, source.place))
+            output.text(f"  {source.key}: {title}. {place}.")
     output.line()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.options import JsonOption, OutOption
+from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
@@ -63,6 +63,7 @@ def curve(
     points: Annotated[
         int, typer.Option(metavar="N", help="How many, from 2 to 10000, with both ends.")
     ] = 50,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -79,20 +80,22 @@ def curve(
         from catopt.report.files import check_directory
 
         check_directory(out)
-    result = _curve(read_case(case), over, start, stop, points)
+    read = read_case(case)
+    result = _curve(read, over, start, stop, points)
     if out is not None:
+        from catopt.cli.result_files import write_result
         from catopt.report.bundle import curve_bundle
-        from catopt.report.files import write_files
 
         with output.progress("Tables and figures"):
-            written = write_files(out, curve_bundle(result))
-        output.note(f"{len(written)} files written to {out}")
+            files = curve_bundle(result, lang.value)
+        write_result(output, out, files, read)
     if as_json:
         output.json(result.to_dict())
         return
     from catopt.cli.curve_view import show_curve
+    from catopt.report.texts import Words
 
-    show_curve(output, result)
+    show_curve(output, result, Words(lang.value))
 
 
 def _curve(case: Case, over: Over, start: str | None, stop: str | None, points: int) -> CaseCurve:

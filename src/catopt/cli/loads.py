@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -10,11 +10,20 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption
+from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
+from catopt.cli.size_options import (
+    BreadthOption,
+    DensityOption,
+    DepthOption,
+    GrowthOption,
+    HmaxOption,
+    LengthOption,
+    LowWaterOption,
+    measure,
+)
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
-    from catopt.errors import Problem
     from catopt.loads import Loads, SeaState
 
 __all__ = ["loads"]
@@ -29,41 +38,10 @@ loads = typer.Typer(
     "secondary one; R recalled, read in none.",
 )
 
-OutOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Also write tables (CSV and one .xlsx) and the JSON document here. Files of the same "
-        "name are replaced.",
-    ),
-]
-DepthOption = Annotated[
-    str | None,
-    typer.Option("--depth", metavar="LENGTH", help='Water depth at high water, as "12 m".'),
-]
-WindOption = Annotated[
-    str, typer.Option("--wind", metavar="SPEED", help='Wind at 10 m, such as "25 m/s".')
-]
-CurrentOption = Annotated[
-    str, typer.Option("--current", metavar="SPEED", help='Tidal current, such as "3 kn".')
-]
-HsOption = Annotated[
-    str | None,
-    typer.Option("--hs", metavar="LENGTH", help="Significant wave height; or give --hmax."),
-]
-HmaxOption = Annotated[
-    str | None,
-    typer.Option(
-        "--hmax", metavar="LENGTH", help="Height of the largest wave; 1.85 Hs when left out."
-    ),
-]
-PeriodOption = Annotated[
-    str | None, typer.Option("--period", metavar="TIME", help='Wave period, such as "8 s".')
-]
-WaterOption = Annotated[
-    str, typer.Option("--water-density", metavar="DENSITY", help="Density of the water.")
-]
+WindOption = Annotated[str, measure("--wind", 'Wind at 10 m, such as "25 m/s".')]
+CurrentOption = Annotated[str, measure("--current", 'Tidal current, such as "3 kn".')]
+HsOption = Annotated[str | None, measure("--hs", "Significant wave height; or give --hmax.")]
+PeriodOption = Annotated[str | None, measure("--period", 'Wave period, such as "8 s".')]
 
 
 class ChainSpeed(StrEnum):
@@ -91,10 +69,7 @@ def buoy(
         ),
     ],
     depth: DepthOption = None,
-    low_water: Annotated[
-        str | None,
-        typer.Option(metavar="LENGTH", help="Water depth at low water; --depth when left out."),
-    ] = None,
+    low_water: LowWaterOption = None,
     wind: WindOption = "0 m/s",
     current: CurrentOption = "0 m/s",
     hs: HsOption = None,
@@ -104,12 +79,8 @@ def buoy(
         str,
         typer.Option(metavar="LENGTH", help="Nominal diameter of the chain; 0 leaves it out."),
     ] = "0 mm",
-    pull: Annotated[
-        str, typer.Option(metavar="FORCE", help="Vertical pull of the line on the buoy.")
-    ] = "0 kN",
-    growth: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Thickness of marine growth on hull and chain.")
-    ] = "0 mm",
+    pull: Annotated[str, measure("--pull", "Vertical pull of the line on the buoy.")] = "0 kN",
+    growth: GrowthOption = "0 mm",
     chain_speed: Annotated[
         ChainSpeed,
         typer.Option(
@@ -122,9 +93,10 @@ def buoy(
         Path | None,
         typer.Option(metavar="FILE", help="File of buoys of your own (TOML), beside catopt's."),
     ] = None,
-    water_density: WaterOption = "1025 kg/m^3",
+    water_density: DensityOption = "1025 kg/m^3",
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
-    out: OutOption = None,
+    out: TablesOutOption = None,
 ) -> None:
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference.
 
@@ -133,6 +105,7 @@ def buoy(
     given as an option goes before it.
     """
     from catopt.cli.size_file import fill, is_file
+    from catopt.cli.size_parts import measured
     from catopt.loads import SurfaceCurrent, WaterLevels, Wind, buoy_loads
     from catopt.loads import buoys as library
     from catopt.loads.buoy_library import buoy as look_up
@@ -154,7 +127,7 @@ def buoy(
     filled = fill(context, options, name if is_file(name) else None, "buoy")
     given = filled.options
     with filled.telling():
-        values = _values(given | {"--chain": chain, "--pull": pull}, _OF_BUOY)
+        values = measured(given | {"--chain": chain, "--pull": pull}, {"--chain": "LENGTH"})
         own = given["--buoys"]
         known = (*library(), *(read_buoys(own) if own is not None else ()))
         shape, air, stream, sea, levels = _all(
@@ -181,7 +154,7 @@ def buoy(
                 water_density=values["--water-density"],
             )
         )
-    _give(context.obj, result, as_json, out)
+    _give(context.obj, result, lang, as_json=as_json, out=out)
 
 
 @loads.command()
@@ -193,18 +166,16 @@ def ship(
             metavar="FILE", help="File (.toml) for catopt size tanker; or give options."
         ),
     ] = None,
-    length: Annotated[str | None, typer.Option(metavar="LENGTH", help="Length over all.")] = None,
-    breadth: Annotated[str | None, typer.Option(metavar="LENGTH", help="Breadth.")] = None,
-    draught: Annotated[str | None, typer.Option(metavar="LENGTH", help="Draught.")] = None,
+    length: LengthOption = None,
+    breadth: BreadthOption = None,
+    draught: Annotated[str | None, measure("--draught", "Draught.")] = None,
     frontal_area: Annotated[
         str | None,
-        typer.Option(
-            metavar="AREA", help="Above water, seen from ahead; estimated if a file has none."
-        ),
+        measure("--frontal-area", "Above water, seen from ahead; estimated if a file has none."),
     ] = None,
     lateral_area: Annotated[
         str | None,
-        typer.Option(metavar="AREA", help="Above water, seen from the side; the same."),
+        measure("--lateral-area", "Above water, seen from the side; the same."),
     ] = None,
     depth: DepthOption = None,
     kind: Annotated[
@@ -221,7 +192,7 @@ def ship(
     ] = None,
     waterline: Annotated[
         str | None,
-        typer.Option(metavar="LENGTH", help="Waterline length; 0.97 of --length when left out."),
+        measure("--waterline", "Waterline length; 0.97 of --length when left out."),
     ] = None,
     block: Annotated[
         float, typer.Option(metavar="NUMBER", help="Block coefficient, for the displacement.")
@@ -235,13 +206,13 @@ def ship(
     hmax: HmaxOption = None,
     period: PeriodOption = None,
     wind_angle: Annotated[
-        str, typer.Option(metavar="ANGLE", help="From the bow to where the wind comes from.")
+        str, measure("--wind-angle", "From the bow to where the wind comes from.")
     ] = "0 deg",
     current_angle: Annotated[
-        str, typer.Option(metavar="ANGLE", help="From the bow to where the current comes from.")
+        str, measure("--current-angle", "From the bow to where the current comes from.")
     ] = "0 deg",
     wave_angle: Annotated[
-        str, typer.Option(metavar="ANGLE", help="From the bow to where the waves come from.")
+        str, measure("--wave-angle", "From the bow to where the waves come from.")
     ] = "0 deg",
     reflection: Annotated[
         float,
@@ -257,9 +228,10 @@ def ship(
             "Hmax (largest-wave).",
         ),
     ] = Drift.SEA_STATE,
-    water_density: WaterOption = "1025 kg/m^3",
+    water_density: DensityOption = "1025 kg/m^3",
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
-    out: OutOption = None,
+    out: TablesOutOption = None,
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves.
 
@@ -270,6 +242,7 @@ def ship(
     option goes before it.
     """
     from catopt.cli.size_file import fill
+    from catopt.cli.size_parts import measured
     from catopt.loads import Headings, Ship, SurfaceCurrent, Wind, ship_loads
 
     options = {
@@ -297,7 +270,7 @@ def ship(
             "--current-angle": current_angle,
             "--wave-angle": wave_angle,
         }
-        values = _values(given | {"--waterline": waterline} | angles, _OF_SHIP)
+        values = measured(given | {"--waterline": waterline} | angles)
         _wanted(values, _SHIP if file is None else _SHIP_IN_A_FILE)
         if file is not None:
             propeller = propeller or "tanker"
@@ -343,37 +316,17 @@ def ship(
         f"{midship:g}."
     )
     result = replace(result, assumptions=(*result.assumptions, hull, *estimated))
-    _give(context.obj, result, as_json, out)
+    _give(context.obj, result, lang, as_json=as_json, out=out)
 
 
 # ------------------------------------------------------------------ parts of the commands
 
-_OPTIONS = {
-    "buoy": "BUOY",
-    "Wind.speed": "--wind",
-    "SurfaceCurrent.speed": "--current",
-    "current.speed": "--current",
-    "significant_height": "--hs",
-    "maximum_height": "--hmax",
-    "period": "--period",
-    "low": "--low-water",
-    "levels.low": "--low-water",
-    "high": "--depth",
-    "levels.high": "--depth",
+_NAMES = {
     "depth": "--depth",
     "chain_diameter": "--chain",
-    "marine_growth": "--growth",
     "pull": "--pull",
-    "water_density": "--water-density",
-    "length_overall": "--length",
     "length_waterline": "--waterline",
-    "breadth": "--breadth",
-    "draught": "--draught",
-    "displacement": "--block",
     "midship_area": "--midship",
-    "frontal_area": "--frontal-area",
-    "lateral_area": "--lateral-area",
-    "moulded_depth": "--moulded-depth",
     "kind": "--kind",
     "propeller": "--propeller",
     "wind": "--wind-angle",
@@ -381,41 +334,7 @@ _OPTIONS = {
     "waves": "--wave-angle",
     "reflection": "--reflection",
 }
-"""Options by what they are called in Python."""
-
-
-_WEATHER = {
-    "--depth": "LENGTH",
-    "--low-water": "LENGTH",
-    "--wind": "SPEED",
-    "--current": "SPEED",
-    "--hs": "LENGTH",
-    "--hmax": "LENGTH",
-    "--period": "TIME",
-    "--water-density": "DENSITY",
-}
-_OF_BUOY = _WEATHER | {"--chain": "LENGTH", "--pull": "FORCE", "--growth": "LENGTH"}
-_OF_SHIP = _WEATHER | {
-    "--length": "LENGTH",
-    "--waterline": "LENGTH",
-    "--breadth": "LENGTH",
-    "--draught": "LENGTH",
-    "--moulded-depth": "LENGTH",
-    "--frontal-area": "AREA",
-    "--lateral-area": "AREA",
-    "--wind-angle": "ANGLE",
-    "--current-angle": "ANGLE",
-    "--wave-angle": "ANGLE",
-}
-"""What each option is, by the name of its dimension."""
-
-
-def _values(options: dict[str, Any], dimensions: dict[str, str]) -> dict[str, float]:
-    from catopt.cli.values import in_si
-    from catopt.units import Dimension
-
-    return in_si({each: (options.get(each), Dimension[of]) for each, of in dimensions.items()})
-
+"""Options by what they are called in Python, beside those of a sizing or in place of them."""
 
 _SHIP_IN_A_FILE = {
     "--length": "234 m",
@@ -429,15 +348,12 @@ _SHIP = _SHIP_IN_A_FILE | {"--frontal-area": "580 m^2", "--lateral-area": "1200 
 
 def _wanted(given: dict[str, Any], wanted: dict[str, str]) -> dict[str, Any]:
     """Return what is given, once all that is wanted is there; examples by option."""
-    from catopt.errors import InputError, Problem
+    from catopt.cli.gathered import Gathered
+    from catopt.cli.size_parts import missing
 
-    missing = [
-        Problem(option, "", f'missing; it is wanted, such as "{example}"')
-        for option, example in wanted.items()
-        if given.get(option) is None
-    ]
-    if missing:
-        raise InputError(missing, "options")
+    gathered = Gathered({})
+    missing(gathered, given, wanted)
+    gathered.raise_if_any()
     return given
 
 
@@ -469,34 +385,25 @@ def _sea(values: dict[str, float]) -> SeaState:
 
 def _all(*makers: Callable[[], Any]) -> list[Any]:
     """Make every value; what is wrong with any of them is told at once, by the options' names."""
-    from catopt.errors import InputError
+    from catopt.cli.gathered import Gathered
+    from catopt.cli.size_parts import NAMES
 
-    made, problems = [], []
-    for maker in makers:
-        try:
-            made.append(maker())
-        except InputError as error:
-            problems += _by_option(error.source, error.problems)
-    if problems:
-        raise InputError(problems, "options")
+    gathered = Gathered({**NAMES, **_NAMES})
+    made = [gathered.make(maker) for maker in makers]
+    gathered.raise_if_any()
     return made
 
 
-def _by_option(source: str, problems: Iterable[Problem]) -> list[Problem]:
-    def option(key: str) -> str:
-        return _OPTIONS.get(f"{source}.{key}", _OPTIONS.get(key, key))
-
-    return [replace(each, key=option(each.key)) for each in problems]
-
-
-def _give(output: Output, result: Loads, as_json: bool, out: Path | None) -> None:
+def _give(
+    output: Output, result: Loads, lang: ReportLanguage, *, as_json: bool, out: Path | None
+) -> None:
     """Write the files, then print the document or the view."""
     if out is not None:
         from catopt.report.bundle import loads_bundle
         from catopt.report.files import check_directory, write_files
 
         check_directory(out)
-        written = write_files(out, loads_bundle(result))
+        written = write_files(out, loads_bundle(result, lang.value))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         from catopt.loads.document import loads_document
@@ -504,5 +411,6 @@ def _give(output: Output, result: Loads, as_json: bool, out: Path | None) -> Non
         output.json(loads_document(result))
         return
     from catopt.cli.loads_view import show_loads
+    from catopt.report.texts import Words
 
-    show_loads(output, result)
+    show_loads(output, result, Words(lang.value))

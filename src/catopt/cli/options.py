@@ -15,6 +15,7 @@ __all__ = [
     "LangOption",
     "OutOption",
     "ReportLanguage",
+    "TablesOutOption",
 ]
 
 
@@ -40,6 +41,16 @@ OutOption = Annotated[
         metavar="DIR",
         help="Also write tables (CSV and one .xlsx), figures and the JSON document here. "
         "Files of the same name are replaced.",
+    ),
+]
+
+TablesOutOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Also write tables (CSV and one .xlsx) and the JSON document here. Files of the same "
+        "name are replaced.",
     ),
 ]
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.options import JsonOption, OutOption
+from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
@@ -20,6 +20,7 @@ def reproduce(
         str | None,
         typer.Argument(metavar="NAME", help="One study, such as buoy_9p5m; all when left out."),
     ] = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -41,11 +42,12 @@ def reproduce(
         from catopt.report.files import write_files
 
         with output.progress("Tables and figures"):
-            written = write_files(out, reproduction_bundle(result))
+            written = write_files(out, reproduction_bundle(result, lang.value))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
         output.json(result.to_dict())
         return
     from catopt.cli.reproduction_view import show_reproduction
+    from catopt.report.texts import Words
 
-    show_reproduction(output, result)
+    show_reproduction(output, result, Words(lang.value))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from catopt.cli.options import JsonOption, OutOption
+from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 from catopt.cli.size_options import (
+    BreadthOption,
+    BuoysOption,
     ChainOption,
     CodeOption,
     CurrentOption,
@@ -18,18 +18,24 @@ from catopt.cli.size_options import (
     DiameterMaxOption,
     DiameterMinOption,
     FrictionOption,
+    GrowthOption,
     HmaxOption,
     HsOption,
+    LengthOption,
     LifeOption,
     LowWaterOption,
+    Material,
     PeriodOption,
     Preference,
     PreferOption,
     RecalledOption,
     SaveOption,
+    SinkerDensityOption,
+    SinkerOption,
     StepOption,
     WearOption,
     WindOption,
+    measure,
 )
 
 __all__ = ["size"]
@@ -42,30 +48,6 @@ size = typer.Typer(
     epilog="On a terminal, what is missing is asked for. The loads are those of catopt loads, the "
     "line is searched as by catopt design; --save writes the case of it.",
 )
-
-
-class Material(StrEnum):
-    """Of a sinker."""
-
-    CONCRETE = "concrete"
-    STEEL = "steel"
-
-
-BuoysOption = Annotated[
-    Path | None,
-    typer.Option("--buoys", metavar="FILE", help="File of buoys of your own (TOML)."),
-]
-SinkerOption = Annotated[
-    Material, typer.Option("--sinker", metavar="MATERIAL", help="Of the sinker: concrete or steel.")
-]
-SinkerDensityOption = Annotated[
-    str | None,
-    typer.Option(
-        "--sinker-density",
-        metavar="DENSITY",
-        help="Of the sinker; 2400 or 7850 kg/m^3 if left out.",
-    ),
-]
 
 
 @size.command()
@@ -82,18 +64,14 @@ def buoy(
     depth: DepthOption = None,
     low_water: LowWaterOption = None,
     force: Annotated[
-        str | None,
-        typer.Option(
-            metavar="FORCE", help="Horizontal force of a buoy that is not in the library."
-        ),
+        str | None, measure("--force", "Horizontal force of a buoy that is not in the library.")
     ] = None,
     reserve_buoyancy: Annotated[
         str | None,
-        typer.Option(metavar="FORCE", help="Vertical pull that takes that buoy to its draught."),
+        measure("--reserve-buoyancy", "Vertical pull that takes that buoy to its draught."),
     ] = None,
     keel_depth: Annotated[
-        str | None,
-        typer.Option(metavar="LENGTH", help="From the water to that buoy's chain; 0 if left out."),
+        str | None, measure("--keel-depth", "From the water to that buoy's chain; 0 if left out.")
     ] = None,
     wind: WindOption = None,
     current: CurrentOption = None,
@@ -115,13 +93,12 @@ def buoy(
     prefer: PreferOption = Preference.BALANCED,
     life: LifeOption = None,
     wear: WearOption = None,
-    growth: Annotated[
-        str, typer.Option(metavar="LENGTH", help="Thickness of marine growth on hull and chain.")
-    ] = "0 mm",
+    growth: GrowthOption = "0 mm",
     buoys: BuoysOption = None,
     water_density: DensityOption = "1025 kg/m^3",
     recalled: RecalledOption = False,
     save: SaveOption = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -131,10 +108,12 @@ def buoy(
     checked by IALA's rules under the storm at high and at low water; what is not given is taken,
     and the answer says so. What is given as an option goes before what a file says.
     """
+    from catopt.cli.size_answer import check_places, give, sized
     from catopt.cli.size_file import fill, is_file
-    from catopt.cli.size_options import check_save, give, sized
+    from catopt.cli.size_note import given_to_size
     from catopt.cli.size_questions import asked_buoy
     from catopt.cli.size_requests import Wishes, buoy_request, titled
+    from catopt.report.texts import Words
     from catopt.sizing import size_buoy
 
     options = {
@@ -166,15 +145,16 @@ def buoy(
         "--buoys": buoys,
         "--recalled": recalled,
     }
-    check_save(save)
-    _check_out(out)
+    check_places(out, save)
+    words = Words(lang.value)
     filled = fill(context, options, name if is_file(name) else None, "buoy")
     with filled.telling():
-        given = asked_buoy(filled.options) if filled.is_sound else filled.options
-        request = buoy_request(given, given["--growth"], Wishes.among(given))
+        given = asked_buoy(filled.options, words) if filled.is_sound else filled.options
+        request = buoy_request(given, Wishes.among(given))
         found = sized(size_buoy, titled(request, filled)) if filled.is_sound else None
     if found is not None:
-        give(context.obj, found, as_json=as_json, out=out, save=save)
+        asked = given_to_size(context, filled, given)
+        give(context.obj, found, words, as_json=as_json, out=out, save=save, given=asked)
 
 
 @size.command()
@@ -184,36 +164,28 @@ def tanker(
         str | None,
         typer.Argument(metavar="FILE", help="File (.toml) with what is known; or give options."),
     ] = None,
-    length: Annotated[str | None, typer.Option(metavar="LENGTH", help="Length over all.")] = None,
-    breadth: Annotated[str | None, typer.Option(metavar="LENGTH", help="Breadth.")] = None,
-    draught: Annotated[str | None, typer.Option(metavar="LENGTH", help="Draught, loaded.")] = None,
+    length: LengthOption = None,
+    breadth: BreadthOption = None,
+    draught: Annotated[str | None, measure("--draught", "Draught, loaded.")] = None,
     ballast_draught: Annotated[
-        str | None,
-        typer.Option(metavar="LENGTH", help="Draught in ballast; only loaded when left out."),
+        str | None, measure("--ballast-draught", "Draught in ballast; only loaded when left out.")
     ] = None,
     moulded_depth: Annotated[
-        str | None,
-        typer.Option(metavar="LENGTH", help="From deck to keel; 1.3 draughts when left out."),
+        str | None, measure("--moulded-depth", "From deck to keel; 1.3 draughts when left out.")
     ] = None,
     dwt: Annotated[
-        str | None,
-        typer.Option(metavar="MASS", help="Deadweight, to hold against the displacement."),
+        str | None, measure("--dwt", "Deadweight, to hold against the displacement.")
     ] = None,
     frontal_area: Annotated[
         str | None,
-        typer.Option(
-            metavar="AREA", help="Above water, loaded, from ahead; estimated if left out."
-        ),
+        measure("--frontal-area", "Above water, loaded, from ahead; estimated if left out."),
     ] = None,
     lateral_area: Annotated[
-        str | None,
-        typer.Option(metavar="AREA", help="The same from the side; estimated when left out."),
+        str | None, measure("--lateral-area", "The same from the side; estimated when left out.")
     ] = None,
     fairlead: Annotated[
         str | None,
-        typer.Option(
-            metavar="LENGTH", help="Bow fairlead over the water, loaded; the deck when left out."
-        ),
+        measure("--fairlead", "Bow fairlead over the water, loaded; the deck when left out."),
     ] = None,
     depth: DepthOption = None,
     low_water: LowWaterOption = None,
@@ -229,8 +201,7 @@ def tanker(
         ),
     ] = None,
     hawser: Annotated[
-        str | None,
-        typer.Option(metavar="LENGTH", help="Length of the hawser to the buoy; 50 m if left out."),
+        str | None, measure("--hawser", "Length of the hawser to the buoy; 50 m if left out.")
     ] = None,
     lines: Annotated[
         int,
@@ -238,9 +209,7 @@ def tanker(
     ] = 1,
     pretension: Annotated[
         str,
-        typer.Option(
-            metavar="NUMBER", help="Of several lines, as a part of one line's largest force."
-        ),
+        measure("--pretension", "Of several lines, as a part of one line's largest force."),
     ] = "10 %",
     anchor: Annotated[
         str,
@@ -258,9 +227,9 @@ def tanker(
     sinker_density: SinkerDensityOption = None,
     clump_weight: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="MASS",
-            help="Clump weight on the line, in air, of concrete; several to choose from.",
+        measure(
+            "--clump-weight",
+            "Clump weight on the line, in air, of concrete; several to choose from.",
         ),
     ] = None,
     chain: ChainOption = None,
@@ -275,6 +244,7 @@ def tanker(
     water_density: DensityOption = "1025 kg/m^3",
     recalled: RecalledOption = False,
     save: SaveOption = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -285,10 +255,12 @@ def tanker(
     given is taken or estimated, and the answer says so. What is given as an option goes before
     what a file says.
     """
+    from catopt.cli.size_answer import check_places, give, sized
     from catopt.cli.size_file import fill
-    from catopt.cli.size_options import check_save, give, sized
+    from catopt.cli.size_note import given_to_size
     from catopt.cli.size_questions import asked_tanker
     from catopt.cli.size_requests import Wishes, tanker_request, titled
+    from catopt.report.texts import Words
     from catopt.sizing import size_tanker
 
     options = {
@@ -330,19 +302,13 @@ def tanker(
         "--anchor": anchor,
         "--lines": lines,
     }
-    check_save(save)
-    _check_out(out)
+    check_places(out, save)
+    words = Words(lang.value)
     filled = fill(context, options, file, "tanker")
     with filled.telling():
-        given = asked_tanker(filled.options) if filled.is_sound else filled.options
-        request = tanker_request(given, given["--clump-weight"] or [], Wishes.among(given))
+        given = asked_tanker(filled.options, words) if filled.is_sound else filled.options
+        request = tanker_request(given, Wishes.among(given))
         found = sized(size_tanker, titled(request, filled)) if filled.is_sound else None
     if found is not None:
-        give(context.obj, found, as_json=as_json, out=out, save=save)
-
-
-def _check_out(out: Path | None) -> None:
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
+        asked = given_to_size(context, filled, given)
+        give(context.obj, found, words, as_json=as_json, out=out, save=save, given=asked)

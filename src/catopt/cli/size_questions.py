@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from catopt.cli.wizard import Question
+    from catopt.report.texts import Words
 
 __all__ = ["Given", "asked_buoy", "asked_tanker"]
 
@@ -13,7 +14,7 @@ Given = dict[str, Any]
 """Options by name as they were given: mostly texts. None: left out."""
 
 
-def asked_buoy(given: Given) -> Given:
+def asked_buoy(given: Given, words: Words) -> Given:
     """Ask on a terminal, when what a buoy needs was not given."""
     by_force = given["--force"] is not None or given["--reserve-buoyancy"] is not None
     is_known = given["BUOY"] is not None or (
@@ -29,7 +30,8 @@ def asked_buoy(given: Given) -> Given:
         return given
     if given["BUOY"] is None and not by_force:
         names = (*(each.name for each in buoys()), "own")
-        answer = ask([Question("BUOY", "Buoy", "pillar 1.8 m", None, names)], given)["BUOY"]
+        question = Question("BUOY", "Buoy", "pillar 1.8 m", None, names)
+        answer = ask([question], given, words)["BUOY"]
         by_force = answer == "own"
         given = given if by_force else {**given, "BUOY": answer}
     questions: list[Question] = []
@@ -38,10 +40,10 @@ def asked_buoy(given: Given) -> Given:
             Question("--force", "Horizontal force on the buoy", "", Dimension.FORCE),
             Question("--reserve-buoyancy", "Its reserve buoyancy", "", Dimension.FORCE),
         ]
-    return _with_place(given, questions, soil=True, is_pushed=not by_force)
+    return _with_place(given, questions, words, soil=True, is_pushed=not by_force)
 
 
-def asked_tanker(given: Given) -> Given:
+def asked_tanker(given: Given, words: Words) -> Given:
     """Ask on a terminal, when what a ship needs was not given."""
     wanted = ("--length", "--breadth", "--draught", "--depth")
     if all(given[each] is not None for each in wanted):
@@ -56,11 +58,16 @@ def asked_tanker(given: Given) -> Given:
         Question("--breadth", "Breadth", "", Dimension.LENGTH),
         Question("--draught", "Draught, loaded", "", Dimension.LENGTH),
     ]
-    return _with_place(given, questions, soil=False)
+    return _with_place(given, questions, words, soil=False)
 
 
 def _with_place(
-    given: Given, questions: list[Question], *, soil: bool, is_pushed: bool = True
+    given: Given,
+    questions: list[Question],
+    words: Words,
+    *,
+    soil: bool,
+    is_pushed: bool = True,
 ) -> Given:
     """Ask the questions and those of the place; what stands in the file of defaults is offered."""
     from catopt.cli.size_options import DEFAULTS
@@ -69,7 +76,9 @@ def _with_place(
     from catopt.units import Dimension
 
     asked = ask(
-        [*questions, Question("--depth", "Water depth at high water", "", Dimension.LENGTH)], given
+        [*questions, Question("--depth", "Water depth at high water", "", Dimension.LENGTH)],
+        given,
+        words,
     )
     high = asked.get("--depth") or given["--depth"] or ""
     further = [Question("--low-water", "Water depth at low water", high, Dimension.LENGTH)]
@@ -84,4 +93,4 @@ def _with_place(
         )
     if soil and given["--friction"] is None:
         further.append(Question("--soil", "Soil", "fine or silty sand", None, tuple(SOIL_FRICTION)))
-    return {**given, **asked, **ask(further, given)}
+    return {**given, **asked, **ask(further, given, words)}

@@ -24,7 +24,6 @@ if TYPE_CHECKING:
         SinkerGround,
         TankerRequest,
     )
-    from catopt.units import Dimension
 
 __all__ = ["SINKER", "Wishes", "buoy_request", "tanker_request", "titled"]
 
@@ -79,44 +78,6 @@ class Wishes(NamedTuple):
         )
 
 
-_COMMON = {
-    "--depth": "LENGTH",
-    "--low-water": "LENGTH",
-    "--wind": "SPEED",
-    "--current": "SPEED",
-    "--hs": "LENGTH",
-    "--hmax": "LENGTH",
-    "--period": "TIME",
-    "--friction": "NUMBER",
-    "--sinker-density": "DENSITY",
-    "--diameter-min": "LENGTH",
-    "--diameter-max": "LENGTH",
-    "--length-step": "LENGTH",
-    "--life": "TIME",
-    "--wear": "SPEED",
-    "--water-density": "DENSITY",
-}
-_OF_BUOY = _COMMON | {
-    "--force": "FORCE",
-    "--reserve-buoyancy": "FORCE",
-    "--keel-depth": "LENGTH",
-    "--growth": "LENGTH",
-}
-_OF_TANKER = _COMMON | {
-    "--length": "LENGTH",
-    "--breadth": "LENGTH",
-    "--draught": "LENGTH",
-    "--ballast-draught": "LENGTH",
-    "--moulded-depth": "LENGTH",
-    "--dwt": "MASS",
-    "--frontal-area": "AREA",
-    "--lateral-area": "AREA",
-    "--fairlead": "LENGTH",
-    "--hawser": "LENGTH",
-    "--pretension": "NUMBER",
-}
-"""What each option is, by the name of its dimension."""
-
 _HAWSER = 50.0
 """m."""
 
@@ -139,25 +100,13 @@ def titled(request: Request, filled: Filled) -> Request:
     return replace(request, title=filled.file.text("title"), source=filled.file.text("source"))
 
 
-def _in_si(given: Given, dimensions: dict[str, str]) -> dict[str, float]:
-    from catopt.cli.values import in_si
-    from catopt.units import Dimension
-
-    wanted: dict[str, tuple[str | None, Dimension]] = {
-        option: (given.get(option), Dimension[name]) for option, name in dimensions.items()
-    }
-    return in_si(wanted)
-
-
-def buoy_request(given: Given, growth: str, wishes: Wishes) -> BuoyRequest:
+def buoy_request(given: Given, wishes: Wishes) -> BuoyRequest:
     """Make the request for a buoy.
 
     Parameters
     ----------
     given : dict of str to str or None
         Options by name, and ``BUOY``.
-    growth : str
-        Thickness of marine growth.
     wishes : Wishes
         The rest.
 
@@ -167,14 +116,14 @@ def buoy_request(given: Given, growth: str, wishes: Wishes) -> BuoyRequest:
         With every mistake, by the option.
     """
     from catopt.cli.gathered import Gathered
-    from catopt.cli.size_options import NAMES, environment, missing, taken
+    from catopt.cli.size_parts import NAMES, environment, measured, missing, taken
     from catopt.sizing import BuoyRequest
     from catopt.sizing.buoy_request import BUOY_CHAIN, BUOY_CODE
 
     is_given = given["--force"] is not None or given["--reserve-buoyancy"] is not None
     counted = ("--hs",) if is_given else ("--wind", "--current", "--hs")
     defaults = taken(given, (*counted, "--life", "--wear"))
-    values = _in_si({**given, **defaults, "--growth": growth}, _OF_BUOY)
+    values = measured(given | defaults)
     gathered = Gathered(NAMES)
     missing(gathered, given, {"--depth": "12 m"})
     body = _body(gathered, given, values, wishes.own_buoys)
@@ -198,7 +147,7 @@ def _body(
     gathered: Gathered, given: Given, values: dict[str, float], own_buoys: Path | None
 ) -> BuoyShape | GivenBuoy | None:
     """Look the buoy up, or take it by its force and its buoyancy."""
-    from catopt.cli.size_options import missing
+    from catopt.cli.size_parts import missing
     from catopt.sizing import GivenBuoy
 
     pair = {"--force": "5 kN", "--reserve-buoyancy": "12 kN"}
@@ -301,15 +250,13 @@ def _taken_words(
     return tuple(words)
 
 
-def tanker_request(given: Given, clump_weights: list[str], wishes: Wishes) -> TankerRequest:
+def tanker_request(given: Given, wishes: Wishes) -> TankerRequest:
     """Make the request for a tanker.
 
     Parameters
     ----------
     given : dict of str to str or None
         Options by name.
-    clump_weights : list of str
-        Masses to choose from.
     wishes : Wishes
         The rest.
 
@@ -319,14 +266,13 @@ def tanker_request(given: Given, clump_weights: list[str], wishes: Wishes) -> Ta
         With every mistake, by the option.
     """
     from catopt.cli.gathered import Gathered
-    from catopt.cli.size_options import NAMES, environment, missing, taken
+    from catopt.cli.size_parts import NAMES, environment, measured, missing, taken
     from catopt.loads.ship_estimate import ESTIMATES
     from catopt.sizing import TankerRequest
     from catopt.sizing.tanker_request import HALF_A_SHOT, SHIP_CHAIN, SHIP_CODE, SHIP_SIZES
 
     defaults = taken(given, ("--wind", "--current", "--hs", "--life", "--wear"))
-    weights: Given = {f"--clump-weight ({n})": each for n, each in enumerate(clump_weights, 1)}
-    values = _in_si({**given, **defaults, **weights}, _OF_TANKER | dict.fromkeys(weights, "MASS"))
+    values = measured(given | defaults)
     gathered = Gathered(NAMES)
     missing(
         gathered,
@@ -363,7 +309,9 @@ def tanker_request(given: Given, clump_weights: list[str], wishes: Wishes) -> Ta
             hawser=hawser,
             lines=wishes.lines,
             pretension=values["--pretension"],
-            clump_masses=tuple(values[each] for each in weights),
+            clump_masses=tuple(
+                value for option, value in values.items() if option.startswith("--clump-weight")
+            ),
             defaults=words,
             estimates=ESTIMATES,
         ),

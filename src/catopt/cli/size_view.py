@@ -14,13 +14,21 @@ from catopt.report.size_words import (
 )
 
 if TYPE_CHECKING:
+    from catopt.checks.result import CheckSource
     from catopt.cli.output import Output
+    from catopt.report.texts import Words
     from catopt.sizing import Sizing
 
 __all__ = ["show_sizing"]
 
+_CONFIDENCE = (
+    "--json and --out have each with formula, numbers and source. Confidence: A read in the "
+    "primary document; B in two secondary ones, or in one and checked by numbers; C in one "
+    "secondary one; R recalled, read in none."
+)
 
-def show_sizing(output: Output, of: Sizing) -> None:
+
+def show_sizing(output: Output, of: Sizing, words: Words) -> None:
     """Print a sizing for a reader.
 
     Parameters
@@ -29,71 +37,99 @@ def show_sizing(output: Output, of: Sizing) -> None:
         Where to.
     of : Sizing
         What came out.
+    words : Words
+        Language.
     """
     output.text(of.case.title, bold=True)
     output.line()
-    facts = [(fact.label, fact.words) for fact in summary(of) if fact.words]
-    output.table(["", ""], facts, title="Recommended")
-    output.text("What governs", bold=True)
+    facts = [
+        (words.name(fact.label), words.sentence(fact.words).text)
+        for fact in summary(of)
+        if fact.words
+    ]
+    output.table(["", ""], facts, title=words.name("Recommended"))
+    output.text(words.name("What governs"), bold=True)
     for line in governing_lines(of):
-        output.text(line)
-    output.text(of.why)
+        output.text(words.sentence(line).text)
+    output.text(words.sentence(of.why).text)
     output.line()
-    _candidates(output, of)
-    _checks(output, of)
-    _pattern(output, of)
-    _loads(output, of)
-    _notes(output, of)
+    _candidates(output, words, of)
+    _checks(output, words, of)
+    _pattern(output, words, of)
+    _loads(output, words, of)
+    _notes(output, words, of)
 
 
-def _candidates(output: Output, of: Sizing) -> None:
+def _candidates(output: Output, words: Words, of: Sizing) -> None:
     length, tonnes = QUANTITIES["length"], QUANTITIES["mass"]
     rows = [
         (
-            row.role,
+            words.name(row.role),
             row.chain,
             length.format(row.length, digits=2),
             tonnes.format(row.mass),
             length.format(row.swing, digits=1),
             "-" if row.anchor is None else f"{row.anchor / 1e3:g}",
-            row.verdict,
+            words.sentence(row.verdict).text,
         )
         for row in candidate_rows(of)
     ]
+    chain = words("size.chain")
     output.table(
-        ["", "Chain", "Length\n(m)", "Chain\n(t)", "Span\n(m)", "Anchor\n(t)", "Governing"],
+        [
+            "",
+            chain,
+            f"{words('size.length')}\n(m)",
+            f"{chain}\n(t)",
+            f"{words('size.span')}\n(m)",
+            f"{words('size.anchor')}\n(t)",
+            words.name("Governing"),
+        ],
         rows,
-        title="Between its neighbours, each the lightest that passes under its own loads",
+        title=words.name(
+            "Between its neighbours, each the lightest that passes under its own loads"
+        ),
         numbers=[2, 3, 4, 5],
     )
 
 
-def _checks(output: Output, of: Sizing) -> None:
+def _checks(output: Output, words: Words, of: Sizing) -> None:
     rows = [
         (
-            kind,
+            words.name(kind),
             demand,
             capacity,
             QUANTITIES["utilisation"].format(check.utilisation),
-            f"{check.load_case}; {check.source.text}",
+            f"{words.name(check.load_case)}; {_by(words, check.source)}",
         )
         for kind, check, demand, capacity in check_rows(of)
     ]
     output.table(
-        ["Check", "Demand", "Capacity", "Used", "Load case, source"],
+        [
+            words.name("Check"),
+            words("size.demand"),
+            words("size.capacity"),
+            words("size.used"),
+            words.name("Load case, source"),
+        ],
         rows,
-        title="Tightest check of each kind",
+        title=words.name("Tightest check of each kind"),
         numbers=[1, 2, 3],
     )
 
 
-def _pattern(output: Output, of: Sizing) -> None:
+def _by(words: Words, source: CheckSource) -> str:
+    """Say where a criterion comes from; a document is cited as it is called."""
+    return words.name(source.text) if source.confidence is None else source.text
+
+
+def _pattern(output: Output, words: Words, of: Sizing) -> None:
     if of.pattern is None:
         return
     force = QUANTITIES["horizontal_force"]
     rows = [
         (
-            state.load_case,
+            words.name(state.load_case),
             force.format(state.force, digits=1),
             force.format(state.rule_force, digits=1),
             force.format(state.line_force, digits=1),
@@ -104,45 +140,47 @@ def _pattern(output: Output, of: Sizing) -> None:
     ]
     output.table(
         [
-            "Load case",
-            "On the\nbody\n(kN)",
-            "Line by\nrule, H\n(kN)",
-            "Line in\nequil., H\n(kN)",
-            "Line,\nT\n(kN)",
-            "Offset\n(m)",
+            words.name("Load case"),
+            f"{words('size.body_force')}\n(kN)",
+            f"{words('size.rule_force')}\n(kN)",
+            f"{words('size.line_force')}\n(kN)",
+            f"{words('size.line_tension')}\n(kN)",
+            f"{words('size.offset')}\n(m)",
         ],
         rows,
-        title="Mooring equilibrium: the most loaded line under the hardest direction",
+        title=words.name("Mooring equilibrium: the most loaded line under the hardest direction"),
         numbers=[1, 2, 3, 4, 5],
     )
 
 
-def _loads(output: Output, of: Sizing) -> None:
+def _loads(output: Output, words: Words, of: Sizing) -> None:
     force = QUANTITIES["horizontal_force"]
     rows: list[tuple[str, str, str, str]] = []
     before = ""
     for load_case, name, newtons, confidence in load_rows(of):
-        said = load_case if load_case != before else ""
+        said = words.name(load_case) if load_case != before else ""
         before = load_case
         grade = f"[{confidence}]" if confidence else ""
-        rows.append((said, name, force.format(newtons), grade))
-    output.table(["Load case", "Force", "kN", ""], rows, title="Loads", numbers=[2])
+        rows.append((said, words.name(name), force.format(newtons), grade))
+    output.table(
+        [words.name("Load case"), words("loads.force"), "kN", ""],
+        rows,
+        title=words.name("Loads"),
+        numbers=[2],
+    )
     if of.settled.posed.loads[0].parts:
-        output.text(
-            "--json and --out have each with formula, numbers and source. Confidence: A read in "
-            "the primary document; B in two secondary ones, or in one and checked by numbers; C in "
-            "one secondary one; R recalled, read in none."
-        )
+        output.text(words.name(_CONFIDENCE))
         output.line()
 
 
-def _notes(output: Output, of: Sizing) -> None:
+def _notes(output: Output, words: Words, of: Sizing) -> None:
     for text in of.assumptions:
-        output.text(text)
+        output.text(words.sentence(text).text)
     if of.defaults:
-        output.text(f"Taken, for it was not given: {'; '.join(of.defaults)}.", bold=True)
+        items = "; ".join(words.sentence(each).text for each in of.defaults)
+        output.text(words("size.taken", items=items), bold=True)
     for warning in of.warnings:
-        output.text(f"Warning: {warning}", bold=True)
+        output.text(words("loads.warning", text=words.sentence(warning).text), bold=True)
     if of.recalled:
-        names = ", ".join(of.recalled)
-        output.text(f"Warning: recalled figures (R), read in no document: {names}", bold=True)
+        names = ", ".join(words.name(each) for each in of.recalled)
+        output.text(words("loads.recalled", names=names), bold=True)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.options import JsonOption, OutOption
+from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
@@ -45,6 +45,7 @@ def system(
             "floats up and down with it. Several may be given.",
         ),
     ] = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -55,37 +56,41 @@ def system(
     """
     from catopt.casefile import read_case
     from catopt.mooring.case import report_system
+    from catopt.report.texts import Words
     from catopt.units import Dimension
 
     output: Output = context.obj
+    words = Words(lang.value)
     if out is not None:
         from catopt.report.files import check_directory
 
         check_directory(out)
     directions = _in_si("--curve", curve or [], Dimension.ANGLE)
     levels = _in_si("--level", level or [], Dimension.LENGTH)
+    read = read_case(case)
     report = report_system(
-        read_case(case),
+        read,
         with_line_out=line_out,
         with_circle=watch_circle,
         directions=directions,
         levels=levels,
     )
     if watch_circle and report.circle is None:
-        output.note("no watch circle: the case has no force on the body")
+        why = "no watch circle: the case has no force on the body"
+        output.note(words.sentence(why).text)
     if out is not None:
+        from catopt.cli.result_files import write_result
         from catopt.report.bundle import system_bundle
-        from catopt.report.files import write_files
 
         with output.progress("Tables and figures"):
-            written = write_files(out, system_bundle(report))
-        output.note(f"{len(written)} files written to {out}")
+            files = system_bundle(report, lang.value)
+        write_result(output, out, files, read)
     if as_json:
         output.json(report.to_dict())
         return
     from catopt.cli.system_view import show_system
 
-    show_system(output, report)
+    show_system(output, report, words)
 
 
 def _in_si(option: str, texts: list[str], dimension: Dimension) -> list[float]:

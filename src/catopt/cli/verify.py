@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import CaseArgument, DesignOption, JsonOption, OutOption
+from catopt.cli.options import (
+    CaseArgument,
+    DesignOption,
+    JsonOption,
+    LangOption,
+    OutOption,
+    ReportLanguage,
+)
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 
 if TYPE_CHECKING:
@@ -79,6 +86,7 @@ def verify(
             "file. Ctrl-C keeps what was computed until then.",
         ),
     ] = False,
+    lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
@@ -99,34 +107,38 @@ def verify(
     if every:
         _refuse(load_case, design, with_motion=with_motion)
         found = _front(case, output, elements, tolerance)
+        read = _case_of_front(case)
     else:
         read = _read(case, design, with_motion=with_motion)
         found = _case(read, output, load_case, elements, tolerance)
         dynamic = _dynamic(read, output, load_case) if with_motion else None
     if out is not None:
+        from catopt.cli.result_files import write_result
         from catopt.report.bundle import verification_bundle
-        from catopt.report.files import write_files
 
-        written = write_files(out, verification_bundle(found, dynamic))
-        output.note(f"{len(written)} files written to {out}")
+        files = verification_bundle(found, dynamic, lang.value)
+        write_result(output, out, files, read, front=case if every else None)
     if as_json:
         document = found.to_dict()
         output.json(document if dynamic is None else document | {"dynamic": dynamic.to_dict()})
     else:
         from catopt.cli.verify_view import show_verification
+        from catopt.report.texts import Words
 
-        show_verification(output, found)
+        words = Words(lang.value)
+        show_verification(output, found, words)
         if dynamic is not None:
             from catopt.cli.verify_dynamic_view import show_dynamic
 
-            show_dynamic(output, dynamic)
-    _end(output, found, dynamic, strict=strict)
+            show_dynamic(output, dynamic, words)
+    _end(output, found, dynamic, lang, strict=strict)
 
 
 def _end(
     output: Output,
     found: Verification | FrontVerification,
     dynamic: DynamicVerification | None,
+    lang: ReportLanguage,
     *,
     strict: bool,
 ) -> None:
@@ -136,8 +148,10 @@ def _end(
 
     if dynamic is not None and not dynamic.is_complete:
         from catopt.report.dynamic import stopped_sentence
+        from catopt.report.texts import Words
 
-        output.note(f"catopt: {stopped_sentence(dynamic)}")
+        said = Words(lang.value).sentence(stopped_sentence(dynamic)).text
+        output.note(f"catopt: {said}")
         raise typer.Exit(INTERRUPTED)
     if isinstance(found, FrontVerification) and not found.has_converged:
         output.note("catopt: for a design a solver did not converge")
@@ -178,12 +192,16 @@ def _dynamic(case: Case, output: Output, load_case: str | None) -> DynamicVerifi
         return verify_dynamic(case, load_case=load_case, progress=tell)
 
 
-def _front(directory: Path, output: Output, elements: int, tolerance: float) -> FrontVerification:
+def _case_of_front(directory: Path) -> Case:
     from catopt.casefile import read_case
     from catopt.casefile.design_directory import DESIGN_CASE
 
+    return read_case(directory / DESIGN_CASE)
+
+
+def _front(directory: Path, output: Output, elements: int, tolerance: float) -> FrontVerification:
     designs = _designs(directory)
-    title = read_case(directory / DESIGN_CASE).title
+    title = _case_of_front(directory).title
     from catopt.verify.front import verify_front
 
     with output.progress("Designs") as tell:

@@ -8,12 +8,13 @@ from catopt.report.dynamic import DYNAMIC_QUANTITY_OF, dynamic_sentences
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
+    from catopt.report.texts import Words
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, OverRuns
 
 __all__ = ["show_dynamic"]
 
 
-def show_dynamic(output: Output, found: DynamicVerification) -> None:
+def show_dynamic(output: Output, found: DynamicVerification, words: Words) -> None:
     """Print a line in motion for a reader.
 
     Parameters
@@ -22,37 +23,55 @@ def show_dynamic(output: Output, found: DynamicVerification) -> None:
         Where to.
     found : DynamicVerification
         What came out.
+    words : Words
+        Language.
     """
     output.line()
     for part in found.parts:
-        _part(output, part, with_name=bool(found.case.load_cases))
+        _part(output, words, part, with_name=bool(found.case.load_cases))
 
 
-def _part(output: Output, part: DynamicPart, *, with_name: bool) -> None:
-    title = f"Load case {part.name}: line in motion" if with_name else "Line in motion"
+def _part(output: Output, words: Words, part: DynamicPart, *, with_name: bool) -> None:
+    title = words("moving.under", name=part.name) if with_name else words("moving.heading")
+    headings = [
+        words("moving.head_mean"),
+        words("moving.head_deviation"),
+        words("moving.head_minimum"),
+        words("moving.head_maximum"),
+        words("moving.head_probable"),
+    ]
     output.table(
-        ["", "\nMean", "Standard\ndeviation", "\nMin.", "\nMax.", "Most prob.\nmax."],
-        [_row(each) for each in part.quantities],
+        ["", *headings],
+        [_row(words, each) for each in part.quantities],
         title=title,
         numbers=range(1, 6),
     )
-    history = part.runs[-1].history
-    count = f"{len(part.runs)} runs" if len(part.runs) > 1 else "1 run"
-    output.text(
-        f"{count} of {history.time[-1]:.0f} s in steps of {history.step:.3g} s, "
-        f"{part.elements} bars; statistics from {history.since:.0f} s on."
-    )
+    output.text(_runs(words, part))
     for sentence in dynamic_sentences(part):
-        output.text(sentence, bold=True)
+        output.text(words.sentence(sentence).text, bold=True)
     for remark in part.remarks:
-        output.text(f"Note: {remark}.")
+        output.text(words("verified.note", remark=words.sentence(remark).text))
     output.line()
 
 
-def _row(each: OverRuns) -> tuple[str, ...]:
+def _runs(words: Words, part: DynamicPart) -> str:
+    """Say how the line was run."""
+    history = part.runs[-1].history
+    told = {
+        "time": f"{history.time[-1]:.0f}",
+        "step": f"{history.step:.3g}",
+        "bars": part.elements,
+        "since": f"{history.since:.0f}",
+    }
+    if len(part.runs) > 1:
+        return words("moving.runs", count=len(part.runs), **told)
+    return words("moving.run", **told)
+
+
+def _row(words: Words, each: OverRuns) -> tuple[str, ...]:
     quantity = DYNAMIC_QUANTITY_OF[each.quantity]
     values = (each.mean, each.std, each.minimum, each.maximum, each.most_probable_maximum)
     return (
-        f"{quantity.name} ({quantity.field_unit})",
+        words.heading(f"{quantity.name} ({quantity.field_unit})"),
         *(quantity.format(value) for value in values),
     )

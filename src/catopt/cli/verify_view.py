@@ -14,19 +14,17 @@ from catopt.report.verify import (
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
+    from catopt.report.texts import Words
     from catopt.verify.compared import Compared
     from catopt.verify.front import DesignVerification, FrontVerification
     from catopt.verify.result import StaticComparison, Verification
 
 __all__ = ["show_verification"]
 
-_SCALES = (
-    "Differences (Diff.) are over the fairlead tension, the line's length or a radian "
-    "(docs/verify.md)."
-)
 
-
-def show_verification(output: Output, found: Verification | FrontVerification) -> None:
+def show_verification(
+    output: Output, found: Verification | FrontVerification, words: Words
+) -> None:
     """Print a verification for a reader.
 
     Parameters
@@ -35,48 +33,57 @@ def show_verification(output: Output, found: Verification | FrontVerification) -
         Where to.
     found : Verification or FrontVerification
         What came out.
+    words : Words
+        Language.
     """
     from catopt.verify.front import FrontVerification
 
     if isinstance(found, FrontVerification):
-        _front(output, found)
+        _front(output, words, found)
         return
-    output.text(found.case.title or "Mooring line", bold=True)
+    output.text(found.case.title or words.name("Mooring line"), bold=True)
     output.line()
     for part in found.parts:
-        _part(output, part, with_name=len(found.parts) > 1 or bool(found.case.load_cases))
+        with_name = len(found.parts) > 1 or bool(found.case.load_cases)
+        _part(output, words, part, with_name=with_name)
     if len(found.parts) > 1:
-        output.text(verdict_sentence(found), bold=True)
+        output.text(words.sentence(verdict_sentence(found)).text, bold=True)
 
 
-def _part(output: Output, part: StaticComparison, *, with_name: bool) -> None:
-    title = f"Load case {part.name}" if with_name else "Closed form and truss model"
+def _part(output: Output, words: Words, part: StaticComparison, *, with_name: bool) -> None:
     if part.refusal:
-        title = f"Load case {part.name}: truss model" if with_name else "Truss model"
-        output.text(f"The closed form refuses: {part.refusal}")
+        why = words.sentence(part.refusal).text
+        output.text(words("verified.refuses", why=why))
         output.line()
     body = [each for each in part.quantities if each.line is None]
+    _table(output, words, _title(words, part, with_name=with_name), body)
     if part.kind == "system":
-        _table(output, "Body: closed form and truss model" if not part.refusal else "Body", body)
-        _lines(output, part)
-    else:
-        _table(output, title, body)
-    _meshes(output, part)
+        _lines(output, words, part)
+    _meshes(output, words, part)
     if not part.refusal:
-        output.text(_SCALES)
-    output.text(part_sentence(part), bold=True)
+        output.text(words("verified.scales"))
+    output.text(words.sentence(part_sentence(part)).text, bold=True)
     rough = rough_sentence(part)
     if rough:
-        output.text(rough)
+        output.text(words.sentence(rough).text)
     for remark in part.remarks:
-        output.text(f"Note: {remark}.")
+        output.text(words("verified.note", remark=words.sentence(remark).text))
     output.line()
 
 
-def _table(output: Output, title: str, quantities: list[Compared]) -> None:
+def _title(words: Words, part: StaticComparison, *, with_name: bool) -> str:
+    """Say what is compared in the first table."""
+    if part.kind == "system":
+        return words("verified.body" if part.refusal else "verified.body_both")
+    if not with_name:
+        return words("verified.truss" if part.refusal else "verified.both")
+    return words("verified.truss_under" if part.refusal else "checks.under", name=part.name)
+
+
+def _table(output: Output, words: Words, title: str, quantities: list[Compared]) -> None:
     rows = [
         (
-            _label(each),
+            _label(words, each),
             _value(each, each.closed_form),
             _value(each, each.extrapolated),
             _part_of(each, each.difference_before),
@@ -86,14 +93,21 @@ def _table(output: Output, title: str, quantities: list[Compared]) -> None:
         for each in quantities
     ]
     output.table(
-        ["", "Closed\nform", "Truss\nextrapol.", "Diff.,\nfinest", "Diff.,\nextrapol.", "\nOrder"],
+        [
+            "",
+            words("verified.head_closed"),
+            words("verified.head_truss"),
+            words("verified.head_finest"),
+            words("verified.head_gap"),
+            words("verified.head_order"),
+        ],
         rows,
         title=title,
         numbers=[1, 2, 3, 4, 5],
-    )  # fmt: skip
+    )
 
 
-def _lines(output: Output, part: StaticComparison) -> None:
+def _lines(output: Output, words: Words, part: StaticComparison) -> None:
     """Show each line's tensions, and the largest difference of all its quantities."""
     rows = []
     for k in range(len(part.lines)):
@@ -113,21 +127,21 @@ def _lines(output: Output, part: StaticComparison) -> None:
         )
     output.table(
         [
-            "\n\nLine",
-            "Fairlead\nclosed form\n(kN)",
-            "tension\ntruss\n(kN)",
-            "Anchor\nclosed form\n(kN)",
-            "tension\ntruss\n(kN)",
-            "Largest\ndifference\nover scale",
-            "\n\nOrder",
+            words("verified.head_line"),
+            words("verified.head_fairlead"),
+            words("verified.head_fairlead_truss"),
+            words("verified.head_anchor"),
+            words("verified.head_anchor_truss"),
+            words("verified.head_largest"),
+            words("verified.head_line_order"),
         ],
         rows,
-        title="Lines",
+        title=words("verified.lines"),
         numbers=range(7),
     )
 
 
-def _meshes(output: Output, part: StaticComparison) -> None:
+def _meshes(output: Output, words: Words, part: StaticComparison) -> None:
     rows = [
         (
             str(mesh.elements),
@@ -138,9 +152,14 @@ def _meshes(output: Output, part: StaticComparison) -> None:
         for number, mesh in enumerate(part.meshes)
     ]
     output.table(
-        ["\nBars", "\nIterations", "Residual\nover tension", "Largest differ-\nence over scale"],
+        [
+            words("verified.head_bars"),
+            words("verified.head_iterations"),
+            words("verified.head_residual"),
+            words("verified.head_mesh_gap"),
+        ],
         rows,
-        title="Meshes of the truss model",
+        title=words("verification.meshes"),
         numbers=[0, 1, 2, 3],
     )
 
@@ -150,10 +169,10 @@ def _largest(part: StaticComparison, mesh: int) -> str:
     return "-" if gap is None else in_parts(gap)
 
 
-def _label(each: Compared) -> str:
+def _label(words: Words, each: Compared) -> str:
     quantity = QUANTITY_OF[each.quantity]
     symbol = f" {quantity.symbol}" if each.quantity.startswith("position") else ""
-    return f"{quantity.name}{symbol} ({quantity.field_unit})"
+    return words.heading(f"{quantity.name}{symbol} ({quantity.field_unit})")
 
 
 def _value(each: Compared, value: float | None) -> str:
@@ -168,33 +187,35 @@ def _order(each: Compared) -> str:
     return "-" if each.order is None else f"{each.order:.2f}"
 
 
-def _front(output: Output, front: FrontVerification) -> None:
-    output.text(front.title or "Front", bold=True)
+def _front(output: Output, words: Words, front: FrontVerification) -> None:
+    output.text(front.title or words.name("Front"), bold=True)
     output.line()
     output.table(
         [
-            "\nDesign",
-            "\nLoad case",
-            "Fairlead T\n(kN)",
-            "\nTruss (kN)",
-            "Difference\nover scale",
-            "\nOrder",
-            "\nVerdict",
+            words("verified.head_design"),
+            words("verified.head_load_case"),
+            words("verified.head_tension"),
+            words("verified.head_truss_tension"),
+            words("verified.head_difference"),
+            words("verified.head_order"),
+            words("verified.head_verdict"),
         ],
-        [_design(each) for each in front.designs],
-        title="Designs",
+        [_design(words, each) for each in front.designs],
+        title=words("verified.designs"),
         numbers=[0, 2, 3, 4, 5],
     )
     for each in front.designs:
         if each.failure:
-            output.text(f"Design {each.design.number}: {each.failure}")
-    output.text(verdict_sentence(front), bold=True)
+            why = words.sentence(each.failure).text
+            output.text(words("verified.failed", number=each.design.number, why=why))
+    output.text(words.sentence(verdict_sentence(front)).text, bold=True)
 
 
-def _design(each: DesignVerification) -> tuple[str, ...]:
+def _design(words: Words, each: DesignVerification) -> tuple[str, ...]:
     number, found = str(each.design.number), each.verification
     if found is None:
-        return number, each.design.load_case or "", "-", "-", "-", "-", "NO ANSWER"
+        none = words("verified.no_answer")
+        return number, each.design.load_case or "", "-", "-", "-", "-", none
     part = found.static
     tension = part.of("fairlead_tension")
     verdict = "DIFFERS" if part.verdict == "differs" else part.verdict
@@ -205,5 +226,5 @@ def _design(each: DesignVerification) -> tuple[str, ...]:
         _value(tension, tension.extrapolated),
         in_parts(part.worst.gap),
         _order(tension),
-        verdict,
+        words.name(verdict),
     )

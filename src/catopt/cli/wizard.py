@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from catopt.errors import InputError, Problem
 
 if TYPE_CHECKING:
+    from catopt.report.texts import Words
     from catopt.units import Dimension
 
 __all__ = ["Question", "ask", "is_watched"]
@@ -22,7 +23,7 @@ class Question(NamedTuple):
     option : str
         Name of the option that it is an answer to.
     words : str
-        The question.
+        The question, in English.
     default : str
         Taken at the return key; empty where an answer is needed.
     dimension : Dimension or None
@@ -43,7 +44,9 @@ def is_watched() -> bool:
     return bool(sys.stdin is not None and sys.stdin.isatty())
 
 
-def ask(questions: Sequence[Question], given: Mapping[str, str | None]) -> dict[str, str]:
+def ask(
+    questions: Sequence[Question], given: Mapping[str, str | None], words: Words
+) -> dict[str, str]:
     """Ask every question whose option was not given; on standard error.
 
     Parameters
@@ -52,27 +55,31 @@ def ask(questions: Sequence[Question], given: Mapping[str, str | None]) -> dict[
         In order.
     given : mapping of str to str or None
         Options as they were given; None: left out.
+    words : Words
+        Language.
 
     Returns
     -------
     dict of str to str
         Answers by option, defaults among them.
     """
-    return {each.option: _answer(each) for each in questions if given.get(each.option) is None}
+    return {
+        each.option: _answer(each, words) for each in questions if given.get(each.option) is None
+    }
 
 
-def _answer(question: Question) -> str:
+def _answer(question: Question, words: Words) -> str:
     """Ask until the answer can be read."""
     if question.choices:
-        _say(f"  one of: {'; '.join(question.choices)}\n")
+        _say(f"  {words.name('one of')}: {'; '.join(question.choices)}\n")
     offered = f" [{question.default}]" if question.default else ""
     while True:
-        _say(f"{question.words}{offered}: ")
+        _say(f"{words.name(question.words)}{offered}: ")
         line = sys.stdin.readline()
         if not line:
             raise InputError([Problem(question.option, "", "missing; nobody answered")], "options")
         answer = line.strip() or question.default
-        wrong = _wrong(question, answer)
+        wrong = words.sentence(_wrong(question, answer)).text
         if not wrong:
             return answer
         _say(f"  {wrong}\n")

@@ -89,21 +89,21 @@ def _swarm(solution: Solution, name: str) -> dict[str, bytes]:
     }
 
 
-def curve_bundle(result: CaseCurve) -> dict[str, bytes]:
+def curve_bundle(result: CaseCurve, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt curve CASE --out DIR``: document, tables, workbook and figure."""
     from catopt.report import plots, tables
     from catopt.report.workbook import curve_workbook
 
     return {
         "curve.json": _json(result.to_dict()),
-        "curve.xlsx": curve_workbook(result),
+        "curve.xlsx": curve_workbook(result, language),
         "curve.csv": _csv(tables.curve_points(result)),
         "curve_marks.csv": _csv(tables.curve_marks(result)),
         **_figure("curve", plots.load_curve(result)),
     }
 
 
-def reproduction_bundle(result: Reproduction) -> dict[str, bytes]:
+def reproduction_bundle(result: Reproduction, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt reproduce --out DIR``: page, document, tables and figures."""
     from catopt.report import tables
     from catopt.report.workbook import reproduction_workbook
@@ -113,7 +113,7 @@ def reproduction_bundle(result: Reproduction) -> dict[str, bytes]:
         "reproduction.md": book(result).encode(),
         "reproduction.json": _json(result.to_dict()),
         "reproduction.csv": _csv(tables.reproduction(result)),
-        "reproduction.xlsx": reproduction_workbook(result),
+        "reproduction.xlsx": reproduction_workbook(result, language),
     }
     for study in result.studies:
         if study.drawn:
@@ -168,7 +168,7 @@ def check_bundle(report: CheckReport, language: Language = "en") -> dict[str, by
     }
 
 
-def system_bundle(report: SystemReport) -> dict[str, bytes]:
+def system_bundle(report: SystemReport, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt system CASE --out DIR``: document, tables, workbook and figures.
 
     The tables and figures of what was not asked for are left out.
@@ -180,7 +180,7 @@ def system_bundle(report: SystemReport) -> dict[str, bytes]:
     frames = system.frames(report)
     files = {
         "system.json": _json(report.to_dict()),
-        "system.xlsx": system_workbook(title, frames),
+        "system.xlsx": system_workbook(title, frames, language),
         **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
         **_figure("plan", system_plots.plan(report)),
     }
@@ -192,20 +192,24 @@ def system_bundle(report: SystemReport) -> dict[str, bytes]:
 
 
 def verification_bundle(
-    found: Verification | FrontVerification, dynamic: DynamicVerification | None = None
+    found: Verification | FrontVerification,
+    dynamic: DynamicVerification | None = None,
+    language: Language = "en",
 ) -> dict[str, bytes]:
     """Make the files of ``catopt verify ... --out DIR``: document, tables, workbook and figures.
 
     A front has no figures. A line in motion has tables, a workbook and figures of its own.
     """
     from catopt.report import verify, verify_plots
+    from catopt.report.texts import Words
     from catopt.report.workbook import verification_workbook
     from catopt.verify.result import Verification
 
     frames = verify.frames(found)
+    sheets = verify.said_frames(frames, Words(language))
     document = found.to_dict()
     files = {
-        "verify.xlsx": verification_workbook(verify.title_of(found), frames),
+        "verify.xlsx": verification_workbook(verify.title_of(found), sheets, language),
         **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
     }
     if isinstance(found, Verification):
@@ -213,18 +217,19 @@ def verification_bundle(
             files |= _figure(name, figure)
     if dynamic is not None:
         document["dynamic"] = dynamic.to_dict()
-        files |= _dynamic(dynamic)
+        files |= _dynamic(dynamic, language)
     return {"verify.json": _json(document), **files}
 
 
-def _dynamic(found: DynamicVerification) -> dict[str, bytes]:
+def _dynamic(found: DynamicVerification, language: Language) -> dict[str, bytes]:
     from catopt.report import dynamic, dynamic_plots
+    from catopt.report.texts import Words
     from catopt.report.workbook import verification_workbook
 
     frames = dynamic.frames(found)
-    sheets = dynamic.workbook_frames(frames)
+    sheets = dynamic.workbook_frames(frames, Words(language))
     files = {
-        "dynamic.xlsx": verification_workbook(found.case.title, sheets),
+        "dynamic.xlsx": verification_workbook(found.case.title, sheets, language),
         **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
     }
     for name, figure in dynamic_plots.figures(found).items():
@@ -232,7 +237,7 @@ def _dynamic(found: DynamicVerification) -> dict[str, bytes]:
     return files
 
 
-def catalogue_bundle(answer: Answer) -> dict[str, bytes]:
+def catalogue_bundle(answer: Answer, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt catalog ... --out DIR``: document, tables and workbook."""
     from catopt.report.catalogue import catalogue_tables
     from catopt.report.workbook import catalogue_workbook
@@ -240,12 +245,12 @@ def catalogue_bundle(answer: Answer) -> dict[str, bytes]:
     frames = catalogue_tables(answer)
     return {
         "catalog.json": _json(answer.to_dict()),
-        "catalog.xlsx": catalogue_workbook(frames),
+        "catalog.xlsx": catalogue_workbook(frames, language),
         **{f"{name}.csv": _csv(frame) for name, frame in frames.items()},
     }
 
 
-def loads_bundle(of: Loads) -> dict[str, bytes]:
+def loads_bundle(of: Loads, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt loads ... --out DIR``: document, tables and workbook."""
     from catopt.loads.document import loads_document
     from catopt.report import loads
@@ -253,7 +258,7 @@ def loads_bundle(of: Loads) -> dict[str, bytes]:
 
     return {
         "loads.json": _json(loads_document(of)),
-        "loads.xlsx": loads_workbook(of),
+        "loads.xlsx": loads_workbook(of, language),
         "loads.csv": _csv(loads.loads_table(of)),
         "numbers.csv": _csv(loads.load_numbers(of)),
         "notes.csv": _csv(loads.load_notes(of)),

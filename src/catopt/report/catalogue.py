@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 
 from catopt.quantities import QUANTITIES
+from catopt.report.catalogue_words import said_cited, said_formula, said_text
 from catopt.report.summary import named
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component, Family, Figure, Hydrodynamic, Source
     from catopt.catalogue.document import Answer
+    from catopt.report.texts import Words
 
-__all__ = ["catalogue_tables"]
+__all__ = ["catalogue_tables", "said_tables"]
 
 
 def catalogue_tables(answer: Answer) -> dict[str, pd.DataFrame]:
@@ -40,6 +42,41 @@ def catalogue_tables(answer: Answer) -> dict[str, pd.DataFrame]:
         ),
     }
     return {name: frame for name, frame in tables.items() if len(frame)}
+
+
+_SAID: Mapping[str, Mapping[str, Callable[[Words, str], str]]] = {
+    "figures": {
+        "Default": said_text,
+        "Formula": said_formula,
+        "Place": said_cited,
+        "Reason": said_text,
+        "Note": said_text,
+    },
+    "families": {"Title": said_text, "Note": said_text},
+    "sources": {"Title": said_cited, "Place": said_cited},
+}
+"""Columns of texts that are not names, keys or cited, by table, and how they are said."""
+
+
+def said_tables(words: Words, tables: Mapping[str, pd.DataFrame]) -> dict[str, pd.DataFrame]:
+    """Say the texts of an answer's tables in a language; headings stay English.
+
+    Parameters
+    ----------
+    words : Words
+        Language.
+    tables : mapping of str to DataFrame
+        As `catalogue_tables` makes them.
+    """
+    return {
+        name: frame.assign(
+            **{
+                heading: [say(words, text) for text in frame[heading]]
+                for heading, say in _SAID.get(name, {}).items()
+            }
+        )
+        for name, frame in tables.items()
+    }
 
 
 _OF_COMPONENTS: dict[str, tuple[str, Callable[[Component], float | None]]] = {

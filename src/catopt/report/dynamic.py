@@ -15,6 +15,7 @@ from catopt.report.summary import named
 if TYPE_CHECKING:
     import pandas as pd
 
+    from catopt.report.texts import Words
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, OverRuns
 
 __all__ = [
@@ -93,9 +94,24 @@ def frames(found: DynamicVerification) -> dict[str, pd.DataFrame]:
     }
 
 
-def workbook_frames(tables: Mapping[str, pd.DataFrame]) -> dict[str, pd.DataFrame]:
-    """Name the sheets of the workbook; of very long series it has the first rows."""
-    return {name.removeprefix("dynamic_"): table.head(_MOST_ROWS) for name, table in tables.items()}
+def workbook_frames(tables: Mapping[str, pd.DataFrame], words: Words) -> dict[str, pd.DataFrame]:
+    """Name the sheets of the workbook; of very long series it has the first rows.
+
+    Parameters
+    ----------
+    tables : mapping of str to DataFrame
+        As `frames` makes them.
+    words : Words
+        Language of the workbook; what is translated is named in words in place of by its key.
+    """
+    names = {key: quantity.name for key, quantity in DYNAMIC_QUANTITY_OF.items()}
+    sheets = {}
+    for name, table in tables.items():
+        shown = table.head(_MOST_ROWS)
+        if words.language != "en":
+            shown = shown.replace({"Quantity": names})
+        sheets[name.removeprefix("dynamic_")] = shown
+    return sheets
 
 
 def _statistics_row(part: DynamicPart, each: OverRuns) -> dict[str, object]:

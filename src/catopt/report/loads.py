@@ -9,7 +9,10 @@ import pandas as pd
 if TYPE_CHECKING:
     from catopt.loads.component import Loads
 
-__all__ = ["load_notes", "load_numbers", "loads_table"]
+__all__ = ["SAID", "load_notes", "load_numbers", "loads_table"]
+
+SAID = frozenset({"Force", "Axis", "Meaning", "Note", "Kind", "Text"})
+"""Headings of the columns with words; the others hold formulas, numbers and what is cited."""
 
 
 def loads_table(of: Loads) -> pd.DataFrame:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.fields import Kind, Measured
 from catopt.casefile.location import dotted
@@ -20,6 +20,8 @@ from catopt.report.note_workbook_checks import (
     verification_sheet,
 )
 from catopt.report.note_workbook_line import curve_sheet, line_sheet
+from catopt.report.note_workbook_motion import motion_sheet
+from catopt.report.note_workbook_swarm import swarm_sheet
 from catopt.report.page.components import figures_of, looked_up, sources_of
 from catopt.report.page.identity import identity
 from catopt.report.page.inputs import FREE_TEXT, leaves, some
@@ -30,7 +32,19 @@ from catopt.report.texts import Language, Words
 from catopt.report.workbook_sheet import Book, Cell, Number, Sheet, Style, Text
 from catopt.units import as_written
 
-__all__ = ["note_workbook"]
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.model import Case, Line
+
+__all__ = [
+    "catalogue_of",
+    "catalogue_sheet",
+    "components_of",
+    "components_sheet",
+    "entry_rows",
+    "input_rows",
+    "note_workbook",
+]
 
 _SUMMARY = (46.0, 15.0, 9.0, 22.0, 9.0)
 """Widths of the summary's columns: quantity, value, unit, the same in SI."""
@@ -63,14 +77,15 @@ def note_workbook(note: Note, language: Language = "en") -> bytes:
     -------
     bytes
         An .xlsx file with the sheets Summary, Inputs, Components and Line; Catalogue, Curve,
-        Checks, Load cases, Front, Neighbours and Verification where there is something to show.
+        Checks, Load cases, Front, Neighbours, Verification, Swarm and Motion where there is
+        something to show.
     """
     words = Words(language)
-    book = Book(note.title or words("page.untitled"), words, typeset=True)
+    book = Book(note.title or words(note.untitled), words, typeset=True)
     _summary(book, note)
     _inputs(book, note)
-    _components(book, note)
-    _catalogue(book, note)
+    components_sheet(book, note)
+    catalogue_sheet(book, note)
     line_sheet(book, note)
     if note.curve is not None:
         curve_sheet(book, note.curve)
@@ -83,6 +98,10 @@ def note_workbook(note: Note, language: Language = "en") -> bytes:
         neighbours_sheet(book, note.chosen.document)
     if note.verification is not None or note.verification_failure:
         verification_sheet(book, note)
+    if note.swarm is not None:
+        swarm_sheet(book, note)
+    if note.motion is not None:
+        motion_sheet(book, note)
     return book.close()
 
 
@@ -96,7 +115,7 @@ def _summary(book: Book, note: Note) -> None:
     sheet.worksheet.set_portrait()
     sheet.worksheet.fit_to_pages(1, 1)
     sheet.set_widths(_SUMMARY)
-    sheet.across(note.title or words("page.untitled"), "large")
+    sheet.across(note.title or words(note.untitled), "large")
     sheet.across(words(note.kind), "grey")
     _verdict(sheet, note)
     if note.warnings:
@@ -115,7 +134,7 @@ def _summary(book: Book, note: Note) -> None:
         sheet.across(words(title), "title")
         sheet.grid(
             [words(key) for key in _SUMMARY_HEADINGS],
-            list(_entries(entries, words)),
+            list(entry_rows(entries, words)),
             widths=_SUMMARY,
             right=(1, 3),
         )
@@ -130,7 +149,7 @@ def _verdict(sheet: Sheet, note: Note) -> None:
             sheet.across(sheet.book.words.sentence(english).text, style)
 
 
-def _entries(entries: Iterable[Entry], words: Words) -> Iterator[Sequence[Cell]]:
+def entry_rows(entries: Iterable[Entry], words: Words) -> Iterator[Sequence[Cell]]:
     """Yield what is known in each unit that it is shown in, and in SI."""
     for entry in entries:
         if entry.value is None:
@@ -154,7 +173,7 @@ def _inputs(book: Book, note: Note) -> None:
         row
         for path, kind, value in leaves(note.origin.inputs, CaseTable)
         if path not in {(key,) for key in FREE_TEXT}
-        for row in _input_rows(dotted(path), kind, value)
+        for row in input_rows(dotted(path), kind, value)
     ]
     headings = [
         words(key) for key in ("inputs.key", "inputs.given", "inputs.si", "workbook.si_unit")
@@ -164,12 +183,13 @@ def _inputs(book: Book, note: Note) -> None:
         sheet.across(words("inputs.design", number=note.chosen.number))
 
 
-def _input_rows(key: str, kind: Kind | None, value: Any) -> Iterator[Sequence[Cell]]:
+def input_rows(key: str, kind: Kind | None, value: Any) -> Iterator[Sequence[Cell]]:
+    """Yield the rows of one value of a file: as it stands there, in SI, and the SI unit."""
     if isinstance(value, list) and len(value) > _MOST:
         yield Text(key, "text"), some(value, str), None, None
     elif isinstance(value, list):
         for index, each in enumerate(value):
-            yield from _input_rows(f"{key}[{index}]", kind, each)
+            yield from input_rows(f"{key}[{index}]", kind, each)
     else:
         is_number = isinstance(value, int | float) and not isinstance(value, bool)
         as_given = value if isinstance(value, str) else as_written(value, _LONGEST)
@@ -184,11 +204,16 @@ def _input_rows(key: str, kind: Kind | None, value: Any) -> Iterator[Sequence[Ce
 # ------------------------------------------------------------------ components
 
 
-def _components(book: Book, note: Note) -> None:
-    """Write the figures of the line's parts, and where those of the catalogue come from."""
+def components_sheet(book: Book, note: Note) -> None:
+    """Write the figures of the line's parts, and what they carry."""
+    components_of(book, note.solution)
+
+
+def components_of(book: Book, solution: Solution) -> Sheet:
+    """Write the figures of a line's parts, and what they carry; return the sheet."""
     words = book.words
     sheet = book.sheet("Components")
-    line = note.solution.line
+    line = solution.line
     keys = ("nominal_diameter", "length", "submerged_weight", "mass_per_length", "EA", "MBL")
     quantities = [QUANTITIES[key] for key in (*keys, "proof_load")]
     rows: list[Sequence[Cell]] = []
@@ -205,16 +230,22 @@ def _components(book: Book, note: Note) -> None:
         widths=widths, right=flush,
     )  # fmt: skip
     if line.point_loads:
-        _point_loads(sheet, note)
-    sheet.table(tables.segments(note.solution), title=words("workbook.carried"))
+        _point_loads(sheet, line)
+    sheet.table(tables.segments(solution), title=words("workbook.carried"))
     if line.point_loads:
-        sheet.table(tables.point_loads(note.solution), title=words("workbook.loads_carried"))
+        sheet.table(tables.point_loads(solution), title=words("workbook.loads_carried"))
+    return sheet
 
 
-def _catalogue(book: Book, note: Note) -> None:
+def catalogue_sheet(book: Book, note: Note) -> None:
     """Write where every figure of the catalogue comes from; no sheet where there is none."""
+    catalogue_of(book, note.case)
+
+
+def catalogue_of(book: Book, case: Case) -> None:
+    """Write where every figure of the catalogue comes from that a case rests on."""
     words = book.words
-    parts = list(looked_up(note.case))
+    parts = list(looked_up(case))
     if not parts:
         return
     sheet = book.sheet("Catalogue")
@@ -250,11 +281,11 @@ def _catalogue(book: Book, note: Note) -> None:
         sheet.across(text)
 
 
-def _point_loads(sheet: Sheet, note: Note) -> None:
+def _point_loads(sheet: Sheet, line: Line) -> None:
     words = sheet.book.words
     quantities = [QUANTITIES[key] for key in ("position", "point_weight", "mass")]
     rows: list[Sequence[Cell]] = []
-    for index, load in enumerate(note.solution.line.point_loads, start=1):
+    for index, load in enumerate(line.point_loads, start=1):
         values = zip(quantities, (load.position, load.submerged_weight, load.mass), strict=True)
         name = called(words, load.submerged_weight, load.name)
         rows.append((Number(index), name, *(number_of(q, value) for q, value in values)))

@@ -21,13 +21,22 @@ from catopt.report.page.verification import rough_words
 from catopt.report.texts import Words
 from catopt.report.verify import QUANTITY_OF as COMPARED
 from catopt.report.verify import part_sentence
-from catopt.report.workbook_sheet import Book, Cell, Chart, Number, Series, Text
+from catopt.report.workbook_sheet import Book, Cell, Chart, Number, Series, Sheet, Text
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckResult
     from catopt.verify.compared import Compared
+    from catopt.verify.result import StaticComparison
 
-__all__ = ["checks_sheet", "front_sheet", "neighbours_sheet", "verification_sheet"]
+__all__ = [
+    "check_row",
+    "checks_sheet",
+    "compared_row",
+    "front_sheet",
+    "mesh_grid",
+    "neighbours_sheet",
+    "verification_sheet",
+]
 
 _FRONT = (680, 420)
 """Pixels."""
@@ -50,7 +59,7 @@ def checks_sheet(book: Book, note: Note) -> None:
             words("checks.note"),
         ],
         [
-            _check(check, row, words, governs=check is note.checks.governing)
+            check_row(check, row, words, governs=check is note.checks.governing)
             for row, check in enumerate(note.checks.results, start=2)
         ],
         widths=[16, 34, 16, 16, 8, 14, 18, 46, 40],
@@ -60,7 +69,8 @@ def checks_sheet(book: Book, note: Note) -> None:
         sheet.across(text)
 
 
-def _check(check: CheckResult, row: int, words: Words, *, governs: bool) -> Sequence[Cell]:
+def check_row(check: CheckResult, row: int, words: Words, *, governs: bool) -> Sequence[Cell]:
+    """Lay a check out that stands in a row of the sheet, counted from 1."""
     quantity = QUANTITY_OF[check.kind]
     used = check.utilisation
     formula = "" if used is None else f"=C{row}/D{row}"
@@ -186,7 +196,7 @@ def verification_sheet(book: Book, note: Note) -> None:
             words("verification.order"),
             words("checks.verdict"),
         ],
-        [_compared(each, words) for each in part.quantities],
+        [compared_row(each, words) for each in part.quantities],
         widths=[34, 8, *[15.0] * (len(meshes) + 2), 16, 11, 14],
         right=range(2, 6 + len(meshes)),
     )
@@ -195,6 +205,12 @@ def verification_sheet(book: Book, note: Note) -> None:
     for text in (rough_words(part, words), *remarks, words("verification.legend")):
         if text:
             sheet.across(text)
+    mesh_grid(sheet, part)
+
+
+def mesh_grid(sheet: Sheet, part: StaticComparison) -> None:
+    """Write the meshes of the truss model below what is there."""
+    words = sheet.book.words
     sheet.row += 1
     sheet.grid(
         [
@@ -217,7 +233,7 @@ def verification_sheet(book: Book, note: Note) -> None:
     )
 
 
-def _compared(each: Compared, words: Words) -> Sequence[Cell]:
+def compared_row(each: Compared, words: Words) -> Sequence[Cell]:
     """Lay one quantity out, on every mesh."""
     quantity = COMPARED[each.quantity]
     verdict = words("verification.agrees" if each.agrees else "verification.differs")

@@ -8,18 +8,34 @@ from typing import TYPE_CHECKING
 
 import pandas as pd
 
+from catopt.report import loads
 from catopt.report.loads import load_notes, load_numbers, loads_table
-from catopt.report.size_words import candidate_rows, governing_lines, summary
+from catopt.report.size_words import SHOTS, candidate_rows, governing_lines, summary
 
 if TYPE_CHECKING:
     from catopt.loads.component import Loads
+    from catopt.report.page.sizing.note import Given
+    from catopt.report.texts import Language
     from catopt.sizing import Sizing
 
-__all__ = ["size_bundle", "size_tables"]
+__all__ = ["SAID", "SHOTS", "size_bundle", "size_tables"]
 
 CASE = "case.toml"
+NOTE = "note.html"
 SYSTEM = "system.toml"
 """The whole pattern of several lines, for ``catopt system``."""
+
+SAID = loads.SAID | {
+    "What",
+    "In words",
+    "Which",
+    "Verdict",
+    "Load case",
+    "Check",
+    "Passes",
+    "On",
+}
+"""Headings of the columns with words; the others hold components, numbers and what is cited."""
 
 
 def size_tables(of: Sizing) -> dict[str, pd.DataFrame]:
@@ -49,16 +65,27 @@ def size_tables(of: Sizing) -> dict[str, pd.DataFrame]:
     return found
 
 
-def size_bundle(of: Sizing) -> dict[str, bytes]:
+def size_bundle(
+    of: Sizing, language: Language = "en", given: Given | None = None
+) -> dict[str, bytes]:
     """Make the files of ``catopt size ... --out DIR``.
 
-    Document, tables, workbook, the line in the water, and the case that all commands take; of
-    several lines the case of the whole pattern, too.
+    Document, tables, workbook, the line in the water, the calculation note, and the case that all
+    commands take; of several lines the case of the whole pattern, too.
+
+    Parameters
+    ----------
+    of : Sizing
+        Of a buoy or a tanker.
+    language : {"en", "vi"}
+        Of workbook and note; the rest is the same in both.
+    given : Given, optional
+        What was asked for; no note without it.
     """
     from catopt.casefile import write_case
     from catopt.report.figures import render
     from catopt.report.plots import line_in_water
-    from catopt.report.workbook import system_workbook
+    from catopt.report.workbook import size_workbook
     from catopt.sizing.pattern import system_case
 
     tables = size_tables(of)
@@ -69,7 +96,7 @@ def size_bundle(of: Sizing) -> dict[str, bytes]:
         "size.json": (
             json.dumps(of.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
         ).encode(),
-        "size.xlsx": system_workbook(of.case.title, tables),
+        "size.xlsx": size_workbook(of.case.title, tables, language),
         **{
             f"{key}.csv": str(frame.to_csv(index=False, lineterminator="\n")).encode()
             for key, frame in tables.items()
@@ -77,6 +104,11 @@ def size_bundle(of: Sizing) -> dict[str, bytes]:
         CASE: write_case(of.case).encode(),
         **{f"line.{kind}": render(line_in_water(solution, depth), kind) for kind in ("png", "svg")},
     }
+    if given is not None:
+        from catopt.report.page.render import render_page
+        from catopt.report.page.sizing.note import size_note
+
+        files[NOTE] = render_page(size_note(of, given), language)
     if of.pattern is not None:
         files[SYSTEM] = write_case(system_case(of.case, of.pattern)).encode()
     return files

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from catopt.sizing.candidates import Candidate
 
 __all__ = [
+    "SHOTS",
     "CandidateRow",
     "Fact",
     "candidate_rows",
@@ -28,6 +29,9 @@ __all__ = [
     "load_rows",
     "summary",
 ]
+
+SHOTS = "shots"
+"""Unit of a length of chain."""
 
 
 class Fact(NamedTuple):
@@ -84,7 +88,7 @@ def _line(of: Sizing) -> Iterator[Fact]:
     diameter = (line.segments[0].nominal_diameter or math.nan) * 1e3
     yield Fact("Chain", diameter, "mm", chain_words(of))
     yield Fact("Length", line.length, "m", "")
-    yield Fact("Length in shots", of.shots, "shots", "")
+    yield Fact("Length in shots", of.shots, SHOTS, "")
     if line.mass is not None:
         yield Fact("Mass of the line in air", line.mass / 1e3, "t", f"{line.mass / 1e3:.3f} t")
     for load in line.point_loads:

@@ -134,7 +134,10 @@ class Words:
         return english
 
     def sentence(self, english: str) -> Phrase:
-        """Translate a sentence that the code made; English where the table has no pattern of it."""
+        """Translate a sentence that the code made; English where the table has no pattern of it.
+
+        A sentence that the table has without a full stop is found with one, too.
+        """
         if self.language == "en" or not english:
             return Phrase(english)
         if english in table()["names"]:
@@ -147,7 +150,38 @@ class Words:
                     for key, value in match.groupdict().items()
                 }
                 return Phrase(text.format(**values))
+        if english.endswith("."):
+            bare = self.sentence(english[:-1])
+            return Phrase(english, "en") if bare.lang else Phrase(f"{bare.text}.")
         return Phrase(english, "en")
+
+    def sentences(self, english: str) -> str:
+        """Translate sentences that semicolons join, each by itself; what has no pattern stays.
+
+        The shortest that the table has is taken first, for the holes of one must not swallow the
+        next; some have a semicolon of their own.
+        """
+        if self.language == "en":
+            return english
+        parts, told = english.split("; "), []
+        while parts:
+            tried = range(1, len(parts) + 1)
+            count = next((n for n in tried if _is_known("; ".join(parts[:n]))), 1)
+            told.append(self.sentence("; ".join(parts[:count])).text)
+            parts = parts[count:]
+        return "; ".join(told)
+
+
+def _is_known(english: str) -> bool:
+    """Whether the table has a name or a sentence with all that it holds."""
+    if english in table()["names"]:
+        return True
+    for pattern, _ in _patterns():
+        match = pattern.fullmatch(english)
+        if match is not None:
+            held = match.groupdict().items()
+            return all(_is_known(value) for key, value in held if key.startswith(_SAID))
+    return english.endswith(".") and _is_known(english[:-1])
 
 
 def _split(heading: str) -> tuple[str, str]:

@@ -16,6 +16,7 @@ from catopt.verify.richardson import ORDER
 if TYPE_CHECKING:
     import pandas as pd
 
+    from catopt.report.texts import Words
     from catopt.verify.compared import Compared
     from catopt.verify.front import FrontVerification
     from catopt.verify.result import StaticComparison, Verification
@@ -29,6 +30,7 @@ __all__ = [
     "name_of",
     "part_sentence",
     "rough_sentence",
+    "said_frames",
     "title_of",
     "verdict_sentence",
 ]
@@ -190,6 +192,31 @@ def frames(found: Verification | FrontVerification) -> dict[str, pd.DataFrame]:
     if not isinstance(found, FrontVerification):
         made["shapes"] = _shapes(parts)
     return made
+
+
+def said_frames(frames: Mapping[str, pd.DataFrame], words: Words) -> dict[str, pd.DataFrame]:
+    """Put words for what the code writes by a key of its own, where the tables are translated.
+
+    Parameters
+    ----------
+    frames : mapping of str to DataFrame
+        As `frames` makes them.
+    words : Words
+        Language of the workbook; in English the tables stay as they are.
+    """
+    if words.language == "en":
+        return dict(frames)
+    names = {key: quantity.name for key, quantity in QUANTITY_OF.items()}
+    for axis in "xy":
+        names[f"position_{axis}"] = f"position of the body along {axis}"
+    told = {}
+    for sheet, frame in frames.items():
+        said = frame.replace({"Quantity": names})
+        if "designs" in frames and "Load case" in said:
+            # The design's number is ours, the name of its load case is the user's.
+            said["Load case"] = [words.sentence(each).text for each in said["Load case"]]
+        told[sheet] = said
+    return told
 
 
 def _design_rows(front: FrontVerification) -> Iterable[dict[str, object]]:

@@ -11,6 +11,7 @@ import pandas as pd
 from catopt.quantities import QUANTITIES
 from catopt.report import tables
 from catopt.report.design_words import OBJECTIVES, said_change, said_governing
+from catopt.report.reproduction_words import said_among_numbers, said_note
 from catopt.report.texts import Language, Words
 from catopt.report.workbook_sheet import Book, Chart, Series, Sheet
 
@@ -30,6 +31,7 @@ __all__ = [
     "design_workbook",
     "loads_workbook",
     "reproduction_workbook",
+    "size_workbook",
     "solution_workbook",
     "system_workbook",
     "verification_workbook",
@@ -62,15 +64,22 @@ def solution_workbook(case: Case, solution: Solution, language: Language = "en")
     return book.close()
 
 
-def curve_workbook(result: CaseCurve) -> bytes:
+def curve_workbook(result: CaseCurve, language: Language = "en") -> bytes:
     """Lay out a load curve, its marks, and the case that it belongs to.
+
+    Parameters
+    ----------
+    result : CaseCurve
+        What came out.
+    language : {"en", "vi"}
+        Of its words.
 
     Returns
     -------
     bytes
         An .xlsx file with the sheets Inputs, Results, Curve and Marks.
     """
-    book = Book(result.case.title)
+    book = Book(result.case.title, Words(language))
     _inputs(book, result.case, result.reference)
     _results(book, result.reference)
     frame = tables.curve_points(result)
@@ -83,41 +92,66 @@ def curve_workbook(result: CaseCurve) -> bytes:
     return book.close()
 
 
-def reproduction_workbook(result: Reproduction) -> bytes:
+def reproduction_workbook(result: Reproduction, language: Language = "en") -> bytes:
     """Lay out printed numbers beside computed ones, and what was found.
+
+    Parameters
+    ----------
+    result : Reproduction
+        What came out.
+    language : {"en", "vi"}
+        Of its words; names of studies and of printed quantities are those of the JSON document.
 
     Returns
     -------
     bytes
         An .xlsx file with the sheets Comparison, Inputs and Findings.
     """
-    book = Book("Published figures beside catopt's")
-    book.sheet("Comparison").table(tables.reproduction(result))
+    words = Words(language)
+    book = Book(words.name("Published figures beside catopt's"), words)
+    comparison = tables.reproduction(result)
+    comparison["Note"] = [said_note(words, item) for item in result.items]
+    rounded = "Computed, rounded as printed (unit of the row)"
+    said = {"Method", rounded, "Computed by", "Verdict"}
+    book.sheet("Comparison").table(comparison, said=said)
     given = book.sheet("Inputs")
     found = book.sheet("Findings")
     given.table(
         pd.DataFrame(
             [
-                (study.name, each.quantity, each.value, each.unit, each.origin)
+                (
+                    study.name,
+                    words.sentence(each.quantity).text,
+                    said_among_numbers(words, each.value),
+                    each.unit,
+                    words.sentence(each.origin).text,
+                )
                 for study in result.studies
                 for each in study.inputs
             ],
             columns=["Study", "Quantity", "Value (unit of the row)", "Unit", "Origin"],
-        )
+        ),
+        said=(),
     )
     found.table(
         pd.DataFrame(
-            [(study.name, text) for study in result.studies for text in study.findings],
+            [
+                (study.name, words.sentence(text).text)
+                for study in result.studies
+                for text in study.findings
+            ],
             columns=["Study", "Finding"],
         ),
         wrap=True,
+        said=(),
     )
     for study in result.studies:
         if study.side_by_side:
-            sheet = book.sheet(study.name[:31])
+            sheet = book.sheet(study.name, study.name)
             for table in study.side_by_side:
-                frame = pd.DataFrame(table.rows, columns=list(table.header))
-                sheet.table(frame, title=table.title, wrap=True)
+                rows = [[said_among_numbers(words, cell) for cell in row] for row in table.rows]
+                frame = pd.DataFrame(rows, columns=list(table.header))
+                sheet.table(frame, title=table.title, wrap=True, said=())
     return book.close()
 
 
@@ -168,26 +202,33 @@ def check_workbook(report: CheckReport, language: Language = "en") -> bytes:
     return book.close()
 
 
-def catalogue_workbook(frames: Mapping[str, pd.DataFrame]) -> bytes:
+def catalogue_workbook(frames: Mapping[str, pd.DataFrame], language: Language = "en") -> bytes:
     """Lay out an answer out of the catalogue.
 
     Parameters
     ----------
     frames : mapping of str to DataFrame
         Its tables by name.
+    language : {"en", "vi"}
+        Of its words; names, keys and what is cited are the same in both.
 
     Returns
     -------
     bytes
         An .xlsx file with a sheet for each table.
     """
-    book = Book("Components with the source of every figure")
-    for name, frame in frames.items():
-        book.sheet(name.capitalize()).table(frame, wrap=True)
+    from catopt.report.catalogue import said_tables
+
+    words = Words(language)
+    book = Book(words.name("Components with the source of every figure"), words)
+    for name, frame in said_tables(words, frames).items():
+        book.sheet(name.capitalize()).table(frame, wrap=True, said=())
     return book.close()
 
 
-def system_workbook(title: str, frames: Mapping[str, pd.DataFrame]) -> bytes:
+def system_workbook(
+    title: str, frames: Mapping[str, pd.DataFrame], language: Language = "en"
+) -> bytes:
     """Lay out a moored body: a sheet for itself and one for each further table.
 
     Parameters
@@ -196,8 +237,10 @@ def system_workbook(title: str, frames: Mapping[str, pd.DataFrame]) -> bytes:
         Of the case.
     frames : mapping of str to DataFrame
         As `catopt.report.system.frames` makes them.
+    language : {"en", "vi"}
+        Of its words.
     """
-    book = Book(title)
+    book = Book(title, Words(language))
     for name, frame in frames.items():
         sheet = book.sheet(name.replace("_", " ").capitalize())
         if name == "body":
@@ -210,7 +253,9 @@ def system_workbook(title: str, frames: Mapping[str, pd.DataFrame]) -> bytes:
     return book.close()
 
 
-def verification_workbook(title: str, frames: Mapping[str, pd.DataFrame]) -> bytes:
+def verification_workbook(
+    title: str, frames: Mapping[str, pd.DataFrame], language: Language = "en"
+) -> bytes:
     """Lay out a verification: a sheet for each of its tables.
 
     Parameters
@@ -218,21 +263,27 @@ def verification_workbook(title: str, frames: Mapping[str, pd.DataFrame]) -> byt
     title : str
         Of the case or the search.
     frames : mapping of str to DataFrame
-        As `catopt.report.verify.frames` makes them.
+        As `catopt.report.verify.said_frames` or `catopt.report.dynamic.workbook_frames` makes them.
+    language : {"en", "vi"}
+        Of its words.
     """
-    book = Book(title)
+    book = Book(title, Words(language))
     for name, frame in frames.items():
-        book.sheet(name.capitalize()).table(frame, wrap=name in {"designs", "verdicts"})
+        said = book.words("tab.runs") if name == "runs" else ""
+        sheet = book.sheet(name.capitalize(), said)
+        sheet.table(frame, wrap=name in {"designs", "verdicts"})
     return book.close()
 
 
-def loads_workbook(of: Loads) -> bytes:
+def loads_workbook(of: Loads, language: Language = "en") -> bytes:
     """Lay out loads: forces, numbers, assumptions and warnings.
 
     Parameters
     ----------
     of : Loads
         On a buoy or a ship.
+    language : {"en", "vi"}
+        Of its words; formulas, numbers and sources are the same in both.
 
     Returns
     -------
@@ -241,10 +292,37 @@ def loads_workbook(of: Loads) -> bytes:
     """
     from catopt.report import loads
 
-    book = Book(of.title)
-    book.sheet("Forces").table(loads.loads_table(of), wrap=True)
-    book.sheet("Numbers").table(loads.load_numbers(of), wrap=True)
-    book.sheet("Notes").table(loads.load_notes(of), wrap=True)
+    words = Words(language)
+    book = Book(words.sentence(of.title).text, words)
+    said = loads.SAID
+    book.sheet("Forces").table(loads.loads_table(of), wrap=True, said=said)
+    book.sheet("Numbers").table(loads.load_numbers(of), wrap=True, said=said)
+    book.sheet("Notes").table(loads.load_notes(of), wrap=True, said=said)
+    return book.close()
+
+
+def size_workbook(
+    title: str, frames: Mapping[str, pd.DataFrame], language: Language = "en"
+) -> bytes:
+    """Lay out a sizing: a sheet for each of its tables.
+
+    Parameters
+    ----------
+    title : str
+        Of its case.
+    frames : mapping of str to DataFrame
+        As `catopt.report.size.size_tables` makes them.
+    language : {"en", "vi"}
+        Of its words; components, formulas, numbers and sources are the same in both.
+    """
+    from catopt.report.size import SAID, SHOTS
+
+    words = Words(language)
+    book = Book(title, words)
+    # Columns of units and documents, but for these two of the code's own words.
+    own = {"Unit": {SHOTS: words.name(SHOTS)}, "Source": {"case file": words.name("case file")}}
+    for name, frame in frames.items():
+        book.sheet(name.capitalize()).table(frame.replace(own), said=SAID)
     return book.close()
 
 

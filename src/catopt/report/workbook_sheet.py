@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from io import BytesIO
@@ -210,20 +210,21 @@ class Book:
 
     def said(self, english: str) -> str:
         """Say a text that the code made; one that joins several is said part by part."""
-        phrase = self.words.sentence(english)
-        if phrase.lang and "; " in english:
-            return "; ".join(self.words.sentence(part).text for part in english.split("; "))
-        return phrase.text
+        if not any(map(str.isalpha, english)):
+            return english
+        return self.words.sentences(english)
 
-    def sheet(self, name: str) -> Sheet:
+    def sheet(self, name: str, said: str = "") -> Sheet:
         """Add a sheet whose first row stays in sight.
 
         Parameters
         ----------
         name : str
             In English; it is translated where the table of texts has it.
+        said : str
+            In the book's language, where the table has the name for something else.
         """
-        worksheet = self.workbook.add_worksheet(self.words.name(name)[:31])
+        worksheet = self.workbook.add_worksheet((said or self.words.sentence(name).text)[:31])
         worksheet.freeze_panes(1, 0)
         worksheet.set_landscape()
         worksheet.set_paper(9)  # A4
@@ -288,6 +289,7 @@ class Sheet:
         column: int = 0,
         row: int | None = None,
         wrap: bool = False,
+        said: Collection[str] | None = None,
     ) -> int:
         """Write a table below what is there; beside it, from the top, when a column is given.
 
@@ -301,6 +303,9 @@ class Sheet:
             Of its upper left corner, from 0.
         wrap : bool
             Whether texts fold.
+        said : collection of str, optional
+            Headings of the columns whose texts the code made; when left out all but those that are
+            known to hold what is the user's or cited.
 
         Returns
         -------
@@ -310,7 +315,7 @@ class Sheet:
         names = [str(name) for name in frame.columns]
         rows = [
             [
-                self._of_frame(name, value, wrap=wrap)
+                self._of_frame(name, value, wrap=wrap, said=said)
                 for name, value in zip(names, values, strict=True)
             ]
             for values in frame.itertuples(index=False, name=None)
@@ -503,11 +508,18 @@ class Sheet:
         self.worksheet.write_string(row, column, said, look)
         self._last = (max(self._last[0], row), max(self._last[1], column))
 
-    def _of_frame(self, heading: str, value: Any, *, wrap: bool = False) -> Cell:
+    def _of_frame(
+        self,
+        heading: str,
+        value: Any,
+        *,
+        wrap: bool = False,
+        said: Collection[str] | None = None,
+    ) -> Cell:
         """Make the cell of a value of a table."""
         if isinstance(value, str):
-            said = value if heading in _OF_THE_USER else self.book.said(value)
-            return Text(said, "wrapped" if wrap else "text")
+            is_ours = heading not in _OF_THE_USER if said is None else heading in said
+            return Text(self.book.said(value) if is_ours else value, "wrapped" if wrap else "text")
         if value is None:
             return None
         return Number(value, number_pattern(heading))

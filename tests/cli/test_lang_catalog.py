@@ -1,0 +1,117 @@
+"""``catopt catalog --lang vi``: every text is there, fits, and leaves the numbers alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from catopt import catalogue
+from catopt.report.catalogue_words import said_formula, said_text
+from catopt.report.texts import Words, table
+from tests.catalogue.test_user_families import GOOD
+
+from .conftest import Run
+from .test_catalog import QUESTIONS
+from .vietnamese import numbers, untranslated
+
+FAMILIES = [family.name for family in catalogue.families()]
+MORE = [
+    ("show", "wire 6-strand wire-core", "--diameter", "0.09"),
+    ("show", "chain stud-link U2", "--diameter", "60 mm", "--variant", "all=orcaflex-old"),
+    ("search", "--mbl", "500 kN", "--recalled"),
+    *(("show", name) for name in FAMILIES if name != "chain stud-link"),
+]
+
+
+@pytest.fixture(autouse=True)
+def narrow(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Print on a terminal of 80 columns."""
+    monkeypatch.setenv("COLUMNS", "80")
+
+
+@pytest.mark.parametrize("question", [*QUESTIONS, *MORE], ids=" ".join)
+def test_an_answer_in_vietnamese(run: Run, missing: set[str], question: tuple[str, ...]) -> None:
+    ran = run("catalog", *question, "--lang", "vi")
+    assert (ran.status, ran.err) == (0, "")
+    assert untranslated(missing) == []
+    assert "…" not in ran.out
+    assert max(map(len, ran.out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("question", QUESTIONS[:5], ids=" ".join)
+def test_the_files_have_the_same_numbers(
+    run: Run, missing: set[str], question: tuple[str, ...], tmp_path: Path
+) -> None:
+    for language in ("en", "vi"):
+        run("catalog", *question, "--lang", language, "--out", tmp_path / language)
+    assert untranslated(missing) == []
+    for place in sorted((tmp_path / "en").iterdir()):
+        english, said = place.read_bytes(), (tmp_path / "vi" / place.name).read_bytes()
+        if place.suffix == ".xlsx":
+            assert numbers(said) == numbers(english) != []
+        else:
+            assert said == english
+
+
+def test_the_document_is_the_same_in_both_languages(run: Run) -> None:
+    for question in (
+        ("list",),
+        ("show", "nylon", "--diameter", "64 mm"),
+        ("search", "--mbl", "1 MN"),
+    ):
+        english = run("catalog", *question, "--json").out
+        assert run("catalog", *question, "--json", "--lang", "vi").out == english
+
+
+def test_the_answer_in_words(run: Run, tmp_path: Path) -> None:
+    ran = run(
+        "catalog", "show", "nylon", "--diameter", "60 mm", "--lang", "vi", "--out", tmp_path
+    )  # fmt: skip
+    shown = " ".join(ran.out.split())
+    for part in (
+        "Cáp nylon: nylon 60 mm",
+        "Lực kéo đứt tối thiểu MBL 794.9 kN C MP",
+        "585 d^2 kg/m, d tính bằng m; 20 mm đến 200 mm. C, MP: nylon.mass_d2",
+        "Lực cản dọc dây: chưa biết; danh mục không có số liệu.",
+        "MP: NREL MoorPy, fits to makers' catalogues.",
+    ):
+        assert part in shown
+    assert openpyxl.load_workbook(tmp_path / "catalog.xlsx").sheetnames == [
+        "Cấu kiện", "Số liệu", "Các họ", "Nguồn",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_all_that_the_data_say_of_a_family_is_said(name: str, missing: set[str]) -> None:
+    """Its title and notes, and formula, reason and note of every figure, recalled ones included."""
+    vi, family = Words("vi"), catalogue.standard().family(name)
+    for text in (family.title, family.note):
+        said_text(vi, text)
+    for figure in family.figures:
+        said_formula(vi, figure.text)
+        for text in (figure.reason, figure.note):
+            said_text(vi, text)
+    assert untranslated(missing) == []
+
+
+def test_what_is_cited_is_in_no_table() -> None:
+    """Titles of documents and places in them; what is reckoned or recalled is in no document."""
+    known = set(table()["names"])
+    standard = catalogue.standard()
+    figures = [figure for family in standard.families for figure in family.figures]
+    cited = {figure.place for figure in figures if figure.confidence != "R"}
+    cited |= {s.title for figure in figures for s in figure.sources if s.key != "RECALLED"}
+    assert not cited & known
+
+
+def test_a_users_own_texts_stay(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(GOOD, encoding="utf-8")
+    (own,) = catalogue.read_families(path).families
+    ran = run("catalog", "list", "--families", path, "--lang", "vi")
+    assert own.name in ran.out
+    ran = run("catalog", "show", own.name, "--families", path, "--lang", "vi")
+    assert ran.status == 0, ran.err
+    assert own.title in " ".join(ran.out.split())

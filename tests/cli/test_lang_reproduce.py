@@ -1,0 +1,142 @@
+"""``catopt reproduce --lang vi``: every text is there, and a shared reason is printed once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from io import BytesIO
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from catopt.cli.output import Output
+from catopt.cli.reproduction_view import notes_of, show_reproduction
+from catopt.report.texts import Words
+from catopt.report.workbook import reproduction_workbook
+from catopt.reproduce import Item, Reproduction, fso_rang_dong_dynamic, names, reproduce
+from catopt.reproduce.fso_rang_dong_dynamic import Maxima
+
+from .conftest import Run
+from .vietnamese import numbers, untranslated
+
+PROPER = {
+    "catopt", "MOORING_2017", "OrcaFlex", "MOORING_2017, Pierson-Moskowitz",
+    "MOORING_2017, JONSWAP", "S4, PM", "S4, JONSWAP",
+}  # fmt: skip
+"""Names of programs and of sources, which are the same in both languages."""
+
+
+@pytest.fixture(scope="module")
+def everything() -> Iterator[Reproduction]:
+    """Recompute every study; the slow runs in time are made up, for their numbers are not read."""
+    with pytest.MonkeyPatch.context() as patched:
+        made_up = Maxima(tension=(4.3e6,) * 9, offset=6.2)
+        patched.setattr(fso_rang_dong_dynamic, "run", lambda *_, **__: made_up)
+        yield reproduce()
+
+
+def shown_of(result: Reproduction, words: Words, capsys: pytest.CaptureFixture[str]) -> str:
+    capsys.readouterr()
+    show_reproduction(Output(), result, words)
+    return capsys.readouterr().out
+
+
+@pytest.fixture(autouse=True)
+def narrow(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Print on a terminal of 80 columns."""
+    monkeypatch.setenv("COLUMNS", "80")
+
+
+def test_no_text_is_missing_on_the_terminal(
+    everything: Reproduction, missing: set[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert {study.name for study in everything.studies} == set(names())
+    shown = shown_of(everything, Words("vi"), capsys)
+    assert set(untranslated(missing)) <= PROPER
+    assert "…" not in shown
+    assert max(map(len, shown.splitlines())) <= 80
+
+
+def test_no_text_is_missing_in_the_workbook(everything: Reproduction, missing: set[str]) -> None:
+    said = reproduction_workbook(everything, "vi")
+    assert set(untranslated(missing)) <= PROPER
+    english = reproduction_workbook(everything)
+    assert numbers(said) == numbers(english) != []
+    assert openpyxl.load_workbook(BytesIO(said)).sheetnames == [
+        "So sánh", "Số liệu đầu vào", "Nhận xét", "fso_rang_dong", "fso_rang_dong_dynamic",
+    ]  # fmt: skip
+
+
+def test_what_is_found_is_in_vietnamese_with_its_numbers(
+    everything: Reproduction, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shown = " ".join(shown_of(everything, Words("vi"), capsys).split())
+    for part in (
+        "Trong 110 số công bố, 60 trùng khớp, 19 không khớp, 31 không tái lập được.",
+        "lực căng 0.446 tf cần 9.386 đến 9.526.",
+        "lệch -162 kN (-35.99 %); tính được 288 kN, không phù hợp với 450 kN công bố",
+        "lệch -0.066 m (-0.26 %); 554.5 - 529.5 theo các độ dạt ngang công bố",
+        "Cả 10 số: thiếu số liệu: chuỗi lực FT(t) là một hình đã mất.",
+    ):
+        assert part in shown
+
+
+# ------------------------------------------------------------------ the same reason once
+
+
+LOST = "inputs missing: the load series FT(t) is a lost figure"
+
+
+def test_a_reason_is_printed_once_for_the_rows_that_share_it(
+    everything: Reproduction, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Thirty numbers in three tables have it; the document has it with each of them."""
+    assert [item.to_dict()["note"] for item in everything.items].count(LOST) == 30
+    shown = shown_of(everything, Words(), capsys)
+    assert shown.count(f"All 10 numbers: {LOST}.") == 3
+    assert shown.count("FT(t) is a lost figure") == 3
+
+
+def described(words: Words, items: Sequence[Item]) -> list[str]:
+    return [which for which, _ in notes_of(words, items)]
+
+
+def test_rows_that_share_a_reason_are_named(everything: Reproduction) -> None:
+    lost = [item for item in everything.items if item.note == LOST][:10]
+    plain = next(item for item in everything.items if not item.note)
+    words = Words()
+    assert described(words, lost[:1]) == ["line_1_tension_max_kN"]
+    assert described(words, lost) == ["All 10 numbers"]
+    assert described(words, [plain, *lost[:3], plain, lost[4]]) == [
+        "line_1_tension_max_kN to line_3_tension_max_kN",
+        "line_5_tension_max_kN",
+    ]
+    assert described(Words("vi"), [plain, *lost[:2]]) == [
+        "line_1_tension_max_kN đến line_2_tension_max_kN"
+    ]
+    assert described(words, [plain, plain]) == []
+
+
+def test_reasons_that_differ_are_all_printed(
+    everything: Reproduction, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shown = " ".join(shown_of(everything, Words(), capsys).split())
+    for item in everything.items:
+        if item.note:
+            assert f"{item.note}." in shown
+
+
+# ------------------------------------------------------------------ the command
+
+
+def test_the_command(run: Run, tmp_path: Path) -> None:
+    for language in ("en", "vi"):
+        out = tmp_path / language
+        ran = run("reproduce", "load_sharing", "--lang", language, "--out", out)
+        assert ran.status == 0, ran.err
+    assert "Công bố cho quy tắc N/4" in ran.out
+    for place in sorted((tmp_path / "en").iterdir()):
+        same = place.read_bytes() == (tmp_path / "vi" / place.name).read_bytes()
+        assert same == (place.suffix != ".xlsx")
+    english = run("reproduce", "load_sharing", "--json").out
+    assert run("reproduce", "load_sharing", "--json", "--lang", "vi").out == english

@@ -1,0 +1,133 @@
+"""``catopt size --lang vi``: every text is there, fits, and leaves the numbers alone."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+import catopt.cli.size_answer
+from catopt.report.size import size_tables
+from catopt.report.texts import Words
+from catopt.report.workbook import size_workbook
+from catopt.sizing import Sizing
+
+from .conftest import Run
+from .test_size import answering
+from .vietnamese import numbers, untranslated
+
+SHIP = (
+    *("size", "tanker", "--length", "120 m", "--breadth", "18 m", "--draught", "7 m"),
+    *("--depth", "22 m"),
+)
+SIZED: dict[str, tuple[str, ...]] = {
+    "defaults": ("size", "buoy", "pillar 1.8 m", "--depth", "12 m"),
+    "given": (
+        *("size", "buoy", "--depth", "12 m", "--low-water", "10 m", "--force", "8 kN"),
+        *("--reserve-buoyancy", "25 kN", "--hs", "1.5 m", "--period", "6 s", "--life", "3 years"),
+        *("--wear", "0.2 mm/year", "--soil", "gravel or coarse sand", "--prefer", "lightest"),
+        *("--chain", "chain open-link 4D Q2", "--code", "IALA-CALMAR"),
+    ),
+    "both draughts": (*SHIP, "--ballast-draught", "4 m", "--dwt", "9000 t", "--draught", "7 m"),
+    "little water": (*SHIP, "--low-water", "7.5 m", "--anchor", "stockless", "--soil", "soft clay"),
+    "sinker": (*SHIP, "--anchor", "sinker", "--clump-weight", "5 t", "--clump-weight", "10 t"),
+    "around": (*SHIP, "--buoy", "mooring buoy 5.0 m", "--lines", "4", "--low-water", "20 m"),
+}
+"""A buoy and a tanker by everything that changes the words: with defaults and without them, by one
+line and by several, with a drag anchor and a sinker."""
+
+
+@pytest.fixture
+def sized(monkeypatch: pytest.MonkeyPatch) -> list[Sizing]:
+    """Keep what a run found, so that nothing is sized twice; on a terminal of 80 columns."""
+    monkeypatch.setenv("COLUMNS", "80")
+    kept: list[Sizing] = []
+    show = catopt.cli.size_answer.give
+
+    def kept_and_given(output: object, of: Sizing, words: Words, **where: object) -> None:
+        kept.append(of)
+        show(output, of, words, **where)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(catopt.cli.size_answer, "give", kept_and_given)
+    return kept
+
+
+@pytest.mark.parametrize("arguments", SIZED.values(), ids=SIZED)
+def test_a_sizing_in_vietnamese(
+    run: Run, missing: set[str], sized: list[Sizing], arguments: tuple[str, ...], tmp_path: Path
+) -> None:
+    ran = run(*arguments, "--lang", "vi", "--out", tmp_path)
+    assert ran.status == 0
+    assert untranslated(missing) == []
+    assert "…" not in ran.out
+    assert max(map(len, ran.out.splitlines())) <= 80
+    (of,) = sized
+    workbook = (tmp_path / "size.xlsx").read_bytes()
+    assert numbers(workbook) == numbers(size_workbook(of.case.title, size_tables(of)))
+    assert json.loads((tmp_path / "size.json").read_text("utf-8")) == of.to_dict()
+
+
+def test_the_document_is_the_same_in_both_languages(run: Run) -> None:
+    arguments = SIZED["given"]
+    assert run(*arguments, "--json", "--lang", "vi").out == run(*arguments, "--json").out
+
+
+def test_the_words_of_a_sizing(run: Run) -> None:
+    shown = " ".join(run(*SIZED["defaults"], "--lang", "vi").out.split())
+    for part in (
+        "pillar 1.8 m in 12 m of water",
+        "chain open-link 4D Q2 25 mm, 74 m = 2.69 đường lỉn",
+        "Rùa neo rùa neo bê tông 20 t (cần 16 t)",
+        "xích: 73 m thay cho 74 m: không đạt về góc nghiêng dây neo tại đáy (bão, mực nước cao).",
+        "dòng chảy lên thân phao 12.452 [A]",
+        "Lấy theo mặc định vì không cho trước: gió 25 m/s;",
+    ):
+        assert part in shown
+
+
+def test_questions_in_vietnamese(
+    run: Run, missing: set[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left = answering(monkeypatch, "raft", "own", "8 kN", "25 kN", "12 m", "", "", "")
+    ran = run("size", "buoy", "--lang", "vi")
+    assert (ran.status, left) == (0, [])
+    assert '"raft" không có trong danh sách' in ran.err
+    assert "Độ sâu nước ở mực nước thấp [12 m]: " in ran.err
+    left = answering(monkeypatch, "120 m", "18 m", "7 m", "22 m", "", "", "", "")
+    ran = run("size", "tanker", "--lang", "vi")
+    assert (ran.status, left) == (0, [])
+    assert "Chiều dài toàn bộ của tàu: " in ran.err
+    assert untranslated(missing) == []
+
+
+@pytest.mark.parametrize(
+    ("english", "said"),
+    [
+        (
+            "passes; tension, segment 1 (chain studless R3 76 mm) (loaded, high water)",
+            "đạt; lực căng, đoạn 1 (chain studless R3 76 mm) (đầy tải, mực nước cao)",
+        ),
+        (
+            "chain: 28 m for 28.5 m: fails by the tension, segment 1 (a b) (storm, low water).",
+            "xích: 28 m thay cho 28.5 m: không đạt về lực căng, đoạn 1 (a b) (bão, mực nước thấp).",
+        ),
+        (
+            "clump weight: at 24 m for 36 m: fails by the grounded length (everyday).",
+            "khối gia tải: tại 24 m thay cho 36 m: không đạt về chiều dài nằm trên đáy "
+            "(thường ngày).",
+        ),
+        (
+            "fails: vertical pull on the buoy (ballast, low water)",
+            "không đạt: lực kéo đứng lên phao (chạy dằn, mực nước thấp)",
+        ),
+        (
+            "Holding capacity after UFC: UFC, table 5-3 [R]; recalled, and used because it is the "
+            "lower; DTOcean has 120 kN.",
+            "Khả năng giữ theo UFC: UFC, table 5-3 [R]; theo trí nhớ, được dùng vì là giá trị nhỏ "
+            "hơn; DTOcean cho 120 kN.",
+        ),
+    ],
+)
+def test_a_part_of_a_sentence_does_not_swallow_the_next(english: str, said: str) -> None:
+    assert Words("vi").sentence(english) == (said, "")

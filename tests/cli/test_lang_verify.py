@@ -1,0 +1,518 @@
+"""``catopt verify --lang vi``: at rest, over a front and in motion; and its messages."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from io import BytesIO
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import openpyxl
+import pytest
+
+from catopt import read_case, verify_case
+from catopt.catenary.pieces import cut
+from catopt.catenary.refusal import refusal
+from catopt.catenary.setting import Setting
+from catopt.catenary.state import JUMPS, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, TOUCHES_TWICE
+from catopt.cli.output import Output
+from catopt.cli.verify_view import show_verification
+from catopt.errors import CatoptError, NotConvergedError
+from catopt.fem.plausible_step import step_warnings
+from catopt.fem.settle import Controls
+from catopt.fem.solve import solve_line
+from catopt.model import Case, Leg, Line, Load, PointLoad, Segment, System
+from catopt.report.texts import Words
+from catopt.report.verify import frames, part_sentence, rough_sentence, said_frames
+from catopt.report.workbook import verification_workbook
+from catopt.verify.compared import Compared, Unit
+from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.result import StaticComparison, Verification
+from catopt.waves import Sea, jonswap, random_waves
+
+from .conftest import BUOY, CASES, SLACK, Run
+from .test_lang_curve import said_alike
+from .vietnamese import untranslated
+
+DESIGN = CASES / "design-buoy-9.5m" / "case.toml"
+FSO = CASES / "fso-rang-dong" / "case.toml"
+VI = Words("vi")
+
+TWICE = """
+[site]
+water_depth = "50 m"
+[line]
+[[line.segments]]
+length = "300 m"
+submerged_weight = "1000 N/m"
+EA = "500 MN"
+[[line.point_loads]]
+name = "float"
+position = "150 m"
+submerged_weight = "-50 kN"
+[load]
+horizontal_force = "20 kN"
+"""
+
+BIGHTS = """
+[site]
+water_depth = "50 m"
+[line]
+[[line.segments]]
+length = "80 m"
+submerged_weight = "1000 N/m"
+[load]
+span = "10 m"
+"""
+
+TENSION_KNOWN = BIGHTS.replace('span = "10 m"', 'fairlead_tension = "80 kN"')
+
+MOVING = """
+title = "A chain in motion"
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "120 m"
+submerged_weight = "1110 N/m"
+mass = "130 kg/m"
+EA = "400 MN"
+drag_diameter = "76 mm"
+drag_normal = 2.4
+[load]
+horizontal_force = "300 kN"
+[motion]
+period = "8 s"
+surge = "0.5 m"
+[dynamics]
+duration = "24 s"
+elements = 20
+"""
+
+AT_SEA = (
+    MOVING.replace("[load]\n", '[[load_cases]]\nname = "storm"\n').replace(
+        "elements = 20", "elements = 10\nruns = 2"
+    )
+    + """
+[waves]
+spectrum = "jonswap"
+height = "4 m"
+period = "9 s"
+components = 20
+[current]
+profile = "power"
+speed = "0.8 m/s"
+"""
+)
+
+EXAMPLE = CASES / "dynamic-chain-56m"
+
+RAOS = (
+    (EXAMPLE / "case.toml")
+    .read_text("utf-8")
+    .replace('"5 min"', '"20 s"\nelements = 10')
+    .replace('period = "9 s"', 'period = "4 s"')
+)
+"""Waves of the example that are shorter than its table of RAOs goes."""
+
+TWICE_IN_MOTION = (
+    TWICE.replace('EA = "500 MN"', 'EA = "500 MN"\nmass = "120 kg/m"\ndrag_normal = 0').replace(
+        '"-50 kN"', '"-50 kN"\nmass = "1 t"'
+    )
+    + MOVING[MOVING.index("[motion]") :]
+)
+
+FILES = {
+    "twice.toml": TWICE,
+    "slack.toml": BIGHTS,
+    "tension-known.toml": TENSION_KNOWN,
+    "moving.toml": MOVING,
+    "raos.toml": RAOS,
+    "rao.csv": (EXAMPLE / "rao.csv").read_text("utf-8"),
+    "twice-in-motion.toml": TWICE_IN_MOTION,
+    "at-sea.toml": AT_SEA,
+    "slack-in-motion.toml": MOVING.replace('surge = "0.5 m"', 'heave = "3 m"').replace(
+        "300 kN", "20 kN"
+    ),
+}
+
+VERIFIED: list[list[object]] = [
+    [BUOY],
+    [SLACK],
+    [CASES / "ship-200m-sinker" / "case.toml"],
+    [CASES / "tanker-20m-sinker" / "case.toml"],
+    [DESIGN, "--elements", "40"],
+    [FSO, "--elements", "60"],
+    ["twice.toml", "--elements", "40"],
+    ["twice.toml", "--elements", "40", "--tolerance", "1e-9"],
+    ["slack.toml"],
+    ["tension-known.toml"],
+    ["moving.toml", "--dynamic"],
+    ["raos.toml", "--dynamic"],
+    ["twice-in-motion.toml", "--dynamic", "--elements", "40"],
+    ["at-sea.toml", "--dynamic"],
+    ["slack-in-motion.toml", "--dynamic"],
+]
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Work where the cases of this module are, on a terminal of 80 columns."""
+    for name, text in FILES.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "80")
+    # Figures are the same in every language and take most of the time.
+    monkeypatch.setattr("catopt.report.bundle._figure", lambda *_: {})
+
+
+def fits(text: str) -> bool:
+    return max(map(len, text.splitlines())) <= 80 and "…" not in text
+
+
+# ------------------------------------------------------------------ every regime
+
+
+@pytest.mark.parametrize("arguments", VERIFIED, ids=lambda arguments: " ".join(map(str, arguments)))
+def test_no_text_is_missing_and_it_fits(
+    run: Run, missing: set[str], arguments: list[object]
+) -> None:
+    ran = run("verify", *arguments, "--lang", "vi", "--out", "out")
+    assert ran.status == 0
+    assert untranslated(missing) == []
+    assert fits(ran.out)
+    english = run("verify", *arguments).out
+    assert said_alike(english, ran.out) <= {english.splitlines()[0]}
+
+
+@pytest.mark.parametrize("arguments", [["twice.toml"], ["at-sea.toml", "--dynamic"]], ids=str)
+def test_the_document_is_the_same_in_both_languages(run: Run, arguments: list[object]) -> None:
+    command = ["verify", *arguments, "--json"]
+    assert run(*command, "--lang", "vi").out == run(*command).out
+
+
+@pytest.mark.parametrize(
+    ("case", "sheets"),
+    [
+        ("twice.toml", {"verify": ["Kết luận", "Các đại lượng", "Các lưới", "Hình dạng"]}),
+        (
+            "at-sea.toml",
+            {
+                "verify": ["Kết luận", "Các đại lượng", "Các lưới", "Hình dạng"],
+                "dynamic": [
+                    "Thống kê", "Tóm tắt", "Các lần chạy", "Đường bao", "Chuỗi thời gian",
+                ],
+            },
+        ),
+    ],
+)  # fmt: skip
+def test_the_files_differ_in_the_words_of_the_workbooks_alone(
+    run: Run, tmp_path: Path, case: str, sheets: dict[str, list[str]]
+) -> None:
+    options = ["--dynamic"] if "dynamic" in sheets else []
+    for lang in ("en", "vi"):
+        run("verify", case, *options, "--lang", lang, "--out", tmp_path / lang)
+    for path in (tmp_path / "en").iterdir():
+        if path.suffix in {".csv", ".json"}:
+            assert (tmp_path / "vi" / path.name).read_bytes() == path.read_bytes()
+    for name, expected in sheets.items():
+        english, said = ((tmp_path / lang / f"{name}.xlsx").read_bytes() for lang in ("en", "vi"))
+        assert openpyxl.load_workbook(BytesIO(said)).sheetnames == expected
+        assert_same_numbers(english, said)
+
+
+def assert_same_numbers(english: bytes, said: bytes) -> None:
+    books = [openpyxl.load_workbook(BytesIO(book)) for book in (english, said)]
+    for ours, theirs in zip(*books, strict=True):
+        for row, other in zip(ours.iter_rows(), theirs.iter_rows(), strict=True):
+            for cell, there in zip(row, other, strict=True):
+                assert cell.data_type == there.data_type
+                if cell.data_type == "n":
+                    assert (there.value, there.number_format) == (cell.value, cell.number_format)
+
+
+def test_what_is_said_of_a_line_in_motion_and_of_a_slack_one(run: Run) -> None:
+    shown = " ".join(run("verify", "at-sea.toml", "--dynamic", "--lang", "vi").out.split())
+    for part in (
+        "Trường hợp tải trọng storm: dây chuyển động",
+        "2 lần chạy, mỗi lần 24 s",
+        "Lực căng tại điểm treo đạt",
+        "Cực đại khả dĩ nhất của một lần chạy như vậy là",
+        "Lưu ý: lực căng tựa tĩnh không kể dòng chảy.",
+    ):
+        assert part in shown
+    shown = " ".join(run("verify", "slack.toml", "--lang", "vi").out.split())
+    assert "Lưu ý: dây chùng: mô hình dàn chỉ xác định dây đến một thanh" in shown
+    shown = " ".join(run("verify", "slack-in-motion.toml", "--dynamic", "--lang", "vi").out.split())
+    assert "Dây bị CHÙNG: có thanh không chịu lực căng trong" in shown
+
+
+def test_a_run_that_was_stopped_says_so_in_vietnamese(
+    run: Run, missing: set[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def tell(done: int, total: int) -> None:
+        if done > total / 2:
+            raise KeyboardInterrupt
+
+    def stops(*args: Any, **options: Any) -> Any:
+        return verify_dynamic(*args, **options | {"progress": tell})
+
+    monkeypatch.setattr("catopt.verify.dynamic.verify_dynamic", stops)
+    ran = run("verify", "moving.toml", "--dynamic", "--lang", "vi", "--out", "out")
+    assert ran.status == 130
+    assert "catopt: bị ngắt ở trường hợp tải trọng load, lần chạy 1 trên 1, sau " in ran.err
+    assert "Lưu ý: bị ngắt ở lần chạy 1 trên 1." in ran.out
+    assert untranslated(missing) == []
+
+
+# ------------------------------------------------------------------ systems
+
+
+def turning() -> Verification:
+    """Verify a body with a yaw and two slack lines."""
+    chain = Line([Segment(600.0, 1000.0, EA=8e8)])
+    system = System.around(
+        chain,
+        azimuths=[math.radians(20.0 + 90.0 * k) for k in range(4)],
+        anchor_radius=565.0,
+        fairlead_radius=10.0,
+        fairlead_height=50.0,
+        force=(8e5, 2e5),
+        moment=2e6,
+    )
+    return verify_case(replace(read_case(FSO), system=system), elements=40)
+
+
+def lifted() -> Verification:
+    """Verify a body of whose lines the closed form has none."""
+    line = Line([Segment(600.0, 1000.0, EA=8e8)], [PointLoad(250.0, -8e4)])
+    azimuths = [math.radians(20.0 + 120.0 * k) for k in range(3)]
+    legs = tuple(
+        Leg.between(line, anchor=(565.0 * math.cos(a), 565.0 * math.sin(a)), fairlead_height=50.0)
+        for a in azimuths
+    )
+    return verify_case(replace(read_case(FSO), system=System(legs, (1e5, 0.0))), elements=60)
+
+
+@pytest.mark.parametrize("make", [turning, lifted])
+def test_a_system_with_every_remark(
+    capsys: pytest.CaptureFixture[str], missing: set[str], make: Any
+) -> None:
+    found = make()
+    assert make is lifted or len(found.static.remarks) == 3
+    show_verification(Output(), found, VI)
+    shown = capsys.readouterr().out
+    assert fits(shown)
+    tables = frames(found)
+    said = verification_workbook("", said_frames(tables, VI), "vi")
+    assert untranslated(missing) == []
+    assert_same_numbers(verification_workbook("", tables), said)
+    verdicts = openpyxl.load_workbook(BytesIO(said))["Kết luận"]
+    refused, remarks = (str(verdicts.cell(2, column).value) for column in (7, 8))
+    if make is turning:
+        assert remarks.startswith("dây 1: dây chùng: mô hình dàn")
+        assert remarks.count("dây chùng") == 2
+        assert "góc xoay của nghiệm giải tích" in remarks
+    else:
+        assert refused.startswith("dây ")
+        assert "cách neo của nó" in refused
+        assert "nhấc dây khỏi đáy" in refused
+
+
+# ------------------------------------------------------------------ models that differ
+
+
+@pytest.fixture
+def off(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the closed form be wrong: its line weighs one part in a hundred more."""
+    from catopt.catenary.case import solve_case
+
+    def wrong(case: Case) -> object:
+        heavier = [replace(s, submerged_weight=1.01 * s.submerged_weight)
+                   for s in case.line.segments]  # fmt: skip
+        return solve_case(replace(case, line=Line(heavier, case.line.point_loads)))
+
+    monkeypatch.setattr("catopt.verify.case.solve_case", wrong)
+
+
+@pytest.mark.usefixtures("off")
+@pytest.mark.parametrize("case", [BUOY, DESIGN], ids=str)
+def test_models_that_differ(run: Run, missing: set[str], case: Path) -> None:
+    ran = run("verify", case, "--elements", "20", "--lang", "vi", "--strict", "--out", "out")
+    assert ran.status == 3
+    assert "Hai mô hình KHÔNG KHỚP: độ dạt ngang lệch" in " ".join(ran.out.split())
+    assert ran.err.splitlines()[-1].startswith("catopt: The two models")
+    assert untranslated(missing) == []
+    assert fits(ran.out)
+
+
+@cache
+def plain() -> StaticComparison:
+    return verify_case(read_case(BUOY), elements=40).static
+
+
+UNITS: list[tuple[Unit, str]] = [
+    ("N", "fairlead_tension"),
+    ("m", "span"),
+    ("m", "position_x"),
+    ("rad", "anchor_angle"),
+    ("Nm", "moment_of_lines"),
+]
+
+
+@pytest.mark.parametrize(("unit", "quantity"), UNITS)
+@pytest.mark.parametrize("closed_form", [None, 1.0, 1.0001, 2.0])
+def test_every_verdict_is_said_in_vietnamese(
+    unit: Unit, quantity: str, closed_form: float | None
+) -> None:
+    """With and without a closed form, near and far, settled and not, of a slack line and not."""
+    for theory, finest in product((1.0, 2.0), (1.0, 1.1)):
+        fem = (1.0, 1.0, finest)
+        each = Compared(quantity, unit, closed_form, fem, 1.0, 1e-3, line=1, theory=theory)
+        refusal = "" if closed_form else "why"
+        part = replace(plain(), quantities=(each,), refusal=refusal)
+        for english in (part_sentence(part), rough_sentence(part)):
+            said = VI.sentence(english)
+            assert said.lang == ""
+            assert not any(word in said.text for word in (" by ", " of ", "change", "allowed"))
+
+
+@pytest.mark.parametrize("count", range(1, 7))
+def test_however_much_is_not_smooth_is_said_in_vietnamese(count: int) -> None:
+    quantities = plain().quantities
+    rough = [replace(each, fem=(1.0, 2.0, 1.0), scale=1.0) for each in quantities[:count]]
+    english = rough_sentence(replace(plain(), quantities=(*rough, *quantities[count:])))
+    said = VI.sentence(english)
+    assert said.lang == ""
+    assert said.text.startswith("Không hội tụ đều nên lấy giá trị của lưới mịn nhất")
+    assert said.text.count("(") == 1 + min(count, 4)
+    assert not any(word in said.text for word in ("tension", "span", "inclination", "more"))
+
+
+# ------------------------------------------------------------------ fronts
+
+
+@pytest.fixture(scope="module")
+def front(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Search a small front once, and keep its directory."""
+    from catopt.__main__ import main
+
+    directory = tmp_path_factory.mktemp("front")
+    options = ["--method", "nsga2", "--evaluations", "200", "--seed", "3", "--out"]
+    assert main(["design", str(DESIGN), *options, str(directory)]) == 0
+    return directory
+
+
+def test_a_front(run: Run, missing: set[str], front: Path, tmp_path: Path) -> None:
+    command = ["verify", front, "--all", "--elements", "40"]
+    ran = run(*command, "--lang", "vi", "--out", tmp_path / "vi")
+    assert ran.status == 0
+    assert untranslated(missing) == []
+    assert fits(ran.out)
+    assert "Hai mô hình khớp nhau với cả" in ran.out
+    english = run(*command, "--out", tmp_path / "en").out
+    loads = {line for line in said_alike(english, ran.out) if line.split() in (["water"],)}
+    assert said_alike(english, ran.out) - loads <= {english.splitlines()[0]}
+    books = [(tmp_path / lang / "verify.xlsx").read_bytes() for lang in ("en", "vi")]
+    assert_same_numbers(*books)
+    said = openpyxl.load_workbook(BytesIO(books[1]))
+    assert said.sheetnames == ["Các phương án", "Kết luận", "Các đại lượng", "Các lưới"]
+    assert said["Kết luận"].cell(2, 1).value == "phương án 1, storm, high water"
+
+
+@pytest.mark.parametrize("differing", [False, True])
+def test_designs_without_an_answer(
+    run: Run, missing: set[str], front: Path, monkeypatch: pytest.MonkeyPatch, differing: bool
+) -> None:
+    seen: list[Case] = []
+
+    def first_fails(case: Case, **settings: Any) -> Verification:
+        seen.append(case)
+        if len(seen) == 1:
+            raise stuck()
+        found = verify_case(case, **settings)
+        if len(seen) > 2 or not differing:
+            return found
+        worse = [replace(each, closed_form=(each.closed_form or 0.0) + each.scale)
+                 for each in found.static.quantities]  # fmt: skip
+        return replace(found, parts=(replace(found.static, quantities=tuple(worse)),))
+
+    monkeypatch.setattr("catopt.verify.front.verify_case", first_fails)
+    ran = run("verify", front, "--all", "--elements", "20", "--lang", "vi", "--out", "out")
+    assert ran.status == 4
+    shown = " ".join(ran.out.split())
+    assert "Phương án 1: mô hình dàn không đạt cân bằng: sau 1 vòng lặp" in shown
+    assert "KHÔNG CÓ" in shown
+    assert ("KHÔNG KHỚP" in shown) == differing
+    assert "1 phương án không có kết quả." in shown
+    assert untranslated(missing) == []
+    assert fits(ran.out)
+
+
+def stuck() -> CatoptError:
+    """Stop Newton's method after its first step."""
+    line = Line([Segment(120.0, 1000.0)])
+    with pytest.raises(NotConvergedError) as stopped:
+        solve_line(line, height=50.0, span=100.0, controls=Controls(max_iterations=1))
+    return stopped.value
+
+
+# ------------------------------------------------------------------ messages
+
+
+def refusals() -> Iterator[str]:
+    """Make every message for a line that cannot hang as asked."""
+    plain_line = Line([Segment(100.0, 1000.0)])
+    buoyed = Line([Segment(100.0, 1000.0)], [PointLoad(50.0, -9e4, name="float")])
+    floating = Line([Segment(100.0, 1000.0), Segment(50.0, -500.0, name="rope")])
+    for line in (plain_line, buoyed, floating):
+        setting = Setting(cut(line)[0], 0.0, 120.0, 0.5)
+        level = Setting(cut(line)[0], 0.0, 60.0, 0.5)
+        span = Load(span=80.0)
+        for load in (span, Load(fairlead_tension=100.0)):
+            yield str(refusal(TOO_SHORT, line, load, setting))
+            yield str(refusal(JUMPS, line, load, setting))
+        yield str(refusal(TOO_SHORT, plain_line, span, level))  # 60, 80, 100: just as long
+        yield str(refusal(TOUCHES_TWICE, line, span, setting))
+    straight_up = Setting(cut(plain_line)[0], 0.0, 100.0, 0.5)
+    yield str(refusal(TOO_SHORT, plain_line, Load(fairlead_tension=1.0), straight_up))
+    yield str(refusal(TOO_HEAVY, plain_line, Load(fairlead_tension=100.0), level))
+    yield str(refusal(NOT_CONVERGED, plain_line, span, setting))
+    yield str(stuck())
+    with pytest.raises(CatoptError) as stopped:
+        solve_line(plain_line, height=60.0, span=90.0)
+    yield str(stopped.value)
+
+
+def test_every_refusal_is_said_in_vietnamese(missing: set[str]) -> None:
+    told = list(refusals())
+    for english in told:
+        said = VI.sentence(english)
+        assert said.lang == ""
+        assert not any(word in said.text for word in (" the ", " is ", " of ", " Give "))
+    assert len(set(told)) >= 12
+    assert untranslated(missing) == []
+
+
+def test_a_tension_too_small_for_the_truss_model(missing: set[str]) -> None:
+    case = read_case("twice.toml")
+    with pytest.raises(CatoptError) as stopped:
+        verify_case(replace(case, load=Load(fairlead_tension=40e3)), elements=40)
+    assert VI.sentence(str(stopped.value)).lang == ""
+    assert untranslated(missing) == []
+
+
+def test_warnings_of_a_run_are_said_in_vietnamese(missing: set[str]) -> None:
+    """Waves that break and nearly repeat themselves, and a step that is rather long."""
+    sea = Sea(8.0, random_waves(jonswap(7.0, 9.0), 12, np.random.default_rng(1)))
+    told = step_warnings(0.5, 600.0, {"the motion or force": 8.0}, sea)
+    assert [part.split()[0] for part in told] == ["the", "12", "the", "the"]
+    for english in told:
+        assert VI.sentence(english).lang == ""
+    assert VI.sentences("; ".join(told)) == "; ".join(VI.sentence(each).text for each in told)
+    assert untranslated(missing) == []

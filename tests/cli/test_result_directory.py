@@ -1,0 +1,284 @@
+"""Directories that ``--out`` wrote: each has its case; ``catopt report`` makes the note of it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from catopt import schemas
+from catopt.casefile import read_case
+from catopt.verify.dynamic import verify_dynamic
+from tests.report.further_cases import HARMONIC, SWARM
+from tests.report.page_cases import TEXTS
+from tests.report.page_reader import read_page
+
+from .conftest import BUOY, CASES, Run
+
+FSO = CASES / "fso-rang-dong" / "case.toml"
+FOUND = CASES / "tanker-20m-find-length" / "case.toml"
+DESIGN = """
+[[load_cases]]
+name = "storm"
+horizontal_force = "300 kN"
+[design]
+[[design.segments]]
+component = "chain studless R3"
+diameters = ["76 mm", "84 mm"]
+lengths = ["120 m", "130 m"]
+"""
+
+
+@pytest.fixture(autouse=True)
+def _inside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture
+def chain(tmp_path: Path) -> Path:
+    path = tmp_path / "chain.toml"
+    path.write_text(SWARM, encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def moving(tmp_path: Path) -> Path:
+    path = tmp_path / "moving.toml"
+    path.write_text(HARMONIC, encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def states(tmp_path: Path) -> Path:
+    path = tmp_path / "states.toml"
+    path.write_text(TEXTS["states"], encoding="utf-8")
+    return path
+
+
+def report(run: Run, *arguments: object) -> dict[str, Any]:
+    ran = run("report", *arguments, "--no-verify", "--json")
+    assert (ran.status, ran.err) == (0, "")
+    document: dict[str, Any] = json.loads(ran.out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    return document
+
+
+# ------------------------------------------------------------------ the case is written
+
+
+@pytest.mark.parametrize("path", sorted(CASES.glob("*/case.toml")), ids=lambda p: p.parent.name)
+def test_every_case_comes_back_the_same(run: Run, path: Path) -> None:
+    command = "system" if "[system]" in path.read_text("utf-8") else "check"
+    assert run(command, path, "--out", "out").status == 0
+    assert read_case("out/case.toml") == read_case(path)
+
+
+@pytest.mark.parametrize("command", ["solve", "check", "curve", "verify"])
+def test_each_command_leaves_a_directory_that_can_be_reported_on(run: Run, command: str) -> None:
+    assert run(command, BUOY, "--out", "result").status == 0
+    document = report(run, "result")
+    assert document["path"] == "result.html"
+    assert document["title"] == "Marker buoy, 9.5 m"
+    assert [each["name"] for each in document["sources"]] == ["case.toml"]
+    assert (document["swarm"], document["motion"]) == (None, None)
+
+
+def test_a_body_and_a_line_that_is_sought_can_be_reported_on(run: Run) -> None:
+    assert run("system", FSO, "--out", "body").status == 0
+    assert "system_plan" in report(run, "body")["sections"]
+    assert run("solve", FOUND, "--out", "found").status == 0
+    page = read_page(Path(report(run, "found")["path"]).read_bytes())
+    solved = json.loads(run("solve", FOUND, "--json").out)
+    assert (
+        page.table("results").row("Found length of segment 1 L")[1].value
+        == (solved["found"]["value"])
+    )
+
+
+def test_what_the_options_changed_is_in_the_case(run: Run, chain: Path, states: Path) -> None:
+    assert run("solve", chain, "--method", "pso", "--runs", 2, "--out", "a").status == 0
+    swarm = read_case("a/case.toml").swarm
+    assert (swarm.runs, swarm.particles, swarm.seed) == (2, 40, 7)
+    assert run("check", states, "--code", "UFC-4-159-03", "--out", "b").status == 0
+    assert read_case("b/case.toml") == read_case(states)
+    assert run("solve", states, "--load-case", "everyday", "--out", "c").status == 0
+    case = read_case("c/case.toml")
+    assert case.load is not None
+    assert (case.load.horizontal_force, case.load_cases) == (5e3, ())
+    # Without the option no load case is lost, although only the first was solved.
+    assert run("solve", states, "--out", "d").status == 0
+    assert read_case("d/case.toml") == read_case(states)
+
+
+# ------------------------------------------------------------------ what was asked for there
+
+
+def test_the_swarm_of_a_directory_is_in_its_note(run: Run, chain: Path) -> None:
+    ran = run("solve", chain, "--method", "pso", "--runs", 2, "--json", "--out", "out")
+    told = json.loads(ran.out)["pso"]
+    document = report(run, "out")
+    assert "swarm" in document["sections"]
+    keys = ("objective", "evaluations", "runs", "converged_runs", "closed_form_difference")
+    assert document["swarm"] == {key: told[key] for key in keys}
+    assert told["runs"] == 2
+    assert report(run, "out", "--method", "closed-form")["swarm"] is None
+    assert report(run, chain)["swarm"] is None
+    assert report(run, chain, "--method", "pso")["swarm"]["runs"] == 3
+
+
+def test_the_motion_of_a_directory_is_in_its_note(run: Run, moving: Path) -> None:
+    ran = run("verify", moving, "--dynamic", "--json", "--out", "out")
+    (told,) = json.loads(ran.out)["dynamic"]["load_cases"]
+    document = report(run, "out")
+    assert "in_motion" in document["sections"]
+    motion = document["motion"]
+    for key in ("max_tension_N", "amplification", "slack_time_s"):
+        assert motion[key] == told[key]
+    assert motion["max_fairlead_tension_N"] == told["quantities"][0]["max"]
+    assert motion["utilisation"] == told["max_tension_N"] / 1e6  # 3000 kN over 3
+    assert report(run, "out", "--no-dynamic")["motion"] is None
+    assert report(run, moving)["motion"] is None
+    assert report(run, moving, "--dynamic")["motion"] == motion
+
+
+def test_both_go_together(run: Run, moving: Path) -> None:
+    for arguments in (["solve", moving, "--method", "pso"], ["verify", moving, "--dynamic"]):
+        assert run(*arguments, "--out", "out").status == 0
+    sections = report(run, "out")["sections"]
+    assert [key for key in sections if key in {"swarm", "in_motion"}] == ["swarm", "in_motion"]
+
+
+def test_documents_of_another_program_ask_for_nothing(run: Run) -> None:
+    assert run("solve", BUOY, "--out", "out").status == 0
+    Path("out/verify.json").write_text('{"dynamic": {}}', encoding="utf-8")
+    Path("out/solution.json").write_text("not JSON", encoding="utf-8")
+    document = report(run, "out")
+    assert (document["swarm"], document["motion"]) == (None, None)
+
+
+# ------------------------------------------------------------------ a case file that stays
+
+
+def test_a_case_of_the_users_own_is_never_replaced(run: Run) -> None:
+    own = BUOY.read_text("utf-8")
+    Path("case.toml").write_text(own, encoding="utf-8")
+    ran = run("solve", "case.toml", "--out", ".")
+    assert ran.status == 0
+    assert ran.err.count("\n") == 1, "nothing to be told: it is of the same case"
+    assert Path("case.toml").read_text("utf-8") == own
+    ran = run("solve", "case.toml", "--method", "pso", "--seed", 5, "--out", ".")
+    assert "case.toml in . stays as it is, for catopt did not write it" in ran.err
+    assert Path("case.toml").read_text("utf-8") == own
+
+
+def test_a_design_search_refuses_to_replace_it(run: Run) -> None:
+    own = (CASES / "design-buoy-9.5m" / "case.toml").read_text("utf-8")
+    Path("case.toml").write_text(own, encoding="utf-8")
+    ran = run("design", "case.toml", "--out", ".")
+    assert (ran.status, ran.out) == (2, "")
+    assert "--out: found .; has a case.toml that catopt did not write" in ran.err
+    assert [path.name for path in Path().iterdir()] == ["case.toml"]
+    assert Path("case.toml").read_text("utf-8") == own
+
+
+def test_a_sizing_refuses_to_replace_it(run: Run) -> None:
+    Path("case.toml").write_text("# my own\n", encoding="utf-8")
+    given = ("--depth", "9.5 m", "--force", "0.343 tf", "--reserve-buoyancy", "12 kN")
+    ran = run("size", "buoy", *given, "--out", ".")
+    assert (ran.status, ran.out) == (2, "")
+    assert "--out: found .; has a case.toml that catopt did not write" in ran.err
+    assert Path("case.toml").read_text("utf-8") == "# my own\n"
+
+
+def test_a_case_that_catopt_wrote_is_replaced(run: Run, chain: Path) -> None:
+    for path in (BUOY, chain):
+        ran = run("solve", path, "--out", "out")
+        assert (ran.status, "stays" in ran.err) == (0, False)
+    assert read_case("out/case.toml") == read_case(chain)
+
+
+def test_the_case_of_a_design_search_stays_with_its_front(run: Run, moving: Path) -> None:
+    path = Path("search.toml")
+    text = HARMONIC.replace('[load]\nhorizontal_force = "300 kN"\n', "")
+    path.write_text(text + DESIGN, encoding="utf-8")
+    assert run("design", path, "--out", "front").status == 0
+    before = Path("front/case.toml").read_bytes()
+    ran = run("solve", "front", "--design", 1, "--out", "front")
+    assert "stays as it is, for the front in design.json goes with it" in ran.err
+    assert Path("front/case.toml").read_bytes() == before
+    assert report(run, "front")["design"] is not None
+    # A design on its own is a case like any other.
+    assert run("verify", "front", "--design", 1, "--dynamic", "--out", "one").status == 0
+    document = report(run, "one")
+    assert (document["design"], document["title"]) == (None, "A chain in motion, design 1")
+    assert document["motion"]["load_case"] == "storm"
+    # All of them take the front along.
+    assert run("verify", "front", "--all", "--out", "all").status == 0
+    assert report(run, "all", "--design", 2)["design"] == 2
+    assert run("solve", moving, "--out", "all").status == 0
+    assert Path("all/case.toml").read_bytes() == before
+
+
+# ------------------------------------------------------------------ what is refused
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [((), "nothing in it"), (("loads.json", "loads.csv"), "there is loads.csv, loads.json")],
+)
+def test_a_directory_without_a_case_says_what_is_there(
+    run: Run, files: tuple[str, ...], told: str
+) -> None:
+    Path("some").mkdir()
+    for name in files:
+        Path("some", name).write_text("{}", encoding="utf-8")
+    ran = run("report", "some")
+    assert (ran.status, ran.out) == (2, "")
+    assert "a directory with a case.toml is wanted" in ran.err
+    assert told in ran.err
+    assert "Give a case file, or run the command with --out once more" in ran.err
+    assert list(Path().glob("*.html")) == []
+
+
+@pytest.mark.parametrize("option", [["--method", "pso"], ["--dynamic"]], ids=" ".join)
+def test_what_is_of_one_line_is_refused_for_a_body(run: Run, option: list[str]) -> None:
+    ran = run("report", FSO, *option)
+    assert (ran.status, ran.out) == (2, "")
+    assert f"{option[0]}: " in ran.err
+
+
+def test_what_the_line_lacks_is_told_as_by_the_commands(run: Run, states: Path) -> None:
+    ran = run("report", BUOY, "--dynamic")
+    assert ran.status == 2
+    assert "dynamics: missing; write [dynamics] with a duration" in ran.err
+    ran = run("report", FOUND, "--method", "pso")
+    assert ran.status == 2
+    assert "find: " in ran.err
+    assert report(run, states, "--method", "pso")["load_case"] == "storm (high water)"
+    assert [path.name for path in Path().glob("*.html")] == ["states.html"]
+
+
+def test_ctrl_c_writes_no_note_and_says_so(
+    run: Run, moving: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An older note stays: one of half a run must not take its place."""
+
+    def tell(done: int, total: int) -> None:
+        if done > total / 2:
+            raise KeyboardInterrupt
+
+    def stops(*args: Any, **options: Any) -> Any:
+        return verify_dynamic(*args, **options | {"progress": tell})
+
+    assert run("report", moving).status == 0
+    older = Path("moving.html").read_bytes()
+    monkeypatch.setattr("catopt.verify.dynamic.verify_dynamic", stops)
+    ran = run("report", moving, "--dynamic", "--json")
+    assert (ran.status, ran.out) == (130, "")
+    assert "stopped in load case load, run 1 of 1, after " in ran.err
+    assert "no note was written" in ran.err
+    assert "catopt verify CASE --dynamic --out DIR keeps" in ran.err
+    assert Path("moving.html").read_bytes() == older

@@ -1,0 +1,192 @@
+"""The calculation note of a sizing by ``catopt report FILE`` and by ``catopt size ... --out``."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import jsonschema
+import openpyxl
+import pytest
+
+from catopt import schemas
+from catopt.casefile.sizing_file import moored_in
+from catopt.casefile.syntax import parse_toml
+from catopt.cli.size_note import sizing_of_file
+from tests.report.page_reader import read_page
+
+from .conftest import BUOY, CASES, Run
+
+SIZE_BUOY = CASES / "size-buoy" / "sizing.toml"
+SIZE_TANKER = CASES / "size-tanker" / "sizing.toml"
+
+
+@pytest.fixture(autouse=True)
+def _inside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+# ------------------------------------------------------------------ which file is which
+
+
+def test_a_sizing_file_is_told_from_a_case_file() -> None:
+    found = {path.parent.name: moored_in(path) for path in CASES.glob("*/*.toml")}
+    sizings = {name: moored for name, moored in found.items() if moored is not None}
+    assert sizings == {"size-buoy": "buoy", "size-tanker": "tanker"}
+    assert len(found) > 10
+
+
+@pytest.mark.parametrize(
+    ("text", "moored"),
+    [
+        ("[ship]\nlength = 200", "tanker"),
+        ('[buoy]\nname = "pillar 1.8 m"', "buoy"),
+        ("[buoy]\nhorizontal_force = 5e3", "buoy"),
+        ("[environment]\nwind = 20", "buoy"),
+        ("[buoy]\nreserve_buoyancy = 5e3", None),
+        ("[environment]\nwind = 20\n[load]\nhorizontal_force = 5e3", None),
+        ("[ship]\n[[line.segments]]\nlength = 20", None),
+        ("line = 3\n[ship]", "tanker"),
+        ("", None),
+        ("no toml", None),
+    ],
+)
+def test_what_a_file_is_for_follows_from_what_is_in_it(text: str, moored: str | None) -> None:
+    path = Path("some.toml")
+    path.write_text(text, encoding="utf-8")
+    assert moored_in(path) == moored
+    assert moored_in(Path("gone.toml")) is None
+    assert moored_in(Path()) is None
+
+
+def test_a_sizing_out_of_a_file_is_that_of_the_command(run: Run) -> None:
+    for path, moored in ((SIZE_BUOY, "buoy"), (SIZE_TANKER, "tanker")):
+        ran = run("size", moored, path, "--json")
+        found = sizing_of_file(path, "buoy" if moored == "buoy" else "tanker")
+        assert json.loads(ran.out) == json.loads(json.dumps(found.to_dict()))
+
+
+# ------------------------------------------------------------------ catopt report
+
+
+def test_report_takes_a_sizing_file(run: Run) -> None:
+    ran = run("report", SIZE_TANKER)
+    assert (ran.status, ran.err, ran.out) == (0, "", "size-tanker.html\n")
+    page = read_page(Path("size-tanker.html").read_bytes())
+    assert page.styled("kind")[0].text == "Calculation note: sizing of a mooring"
+    assert page.tagged("h1")[0].text == "Tanker of 50,000 DWT in 20 m"
+
+
+def test_page_and_workbook_in_vietnamese(run: Run) -> None:
+    ran = run("report", SIZE_BUOY, "--lang", "vi", "--out", "notes", "--no-verify")
+    assert ran.out.splitlines() == ["notes/size-buoy.html", "notes/size-buoy.xlsx"]
+    page = read_page(Path("notes/size-buoy.html").read_bytes())
+    assert page.tagged("html")[0].attributes["lang"] == "vi"
+    assert "verification" not in page.sections
+    assert "Tải trọng" in openpyxl.load_workbook("notes/size-buoy.xlsx").sheetnames
+
+
+def test_the_document_says_what_was_written(run: Run) -> None:
+    ran = run("report", SIZE_BUOY, "--json", "--xlsx", "--date", "today", "--method", "pso")
+    document = json.loads(ran.out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
+    data = Path(document["path"]).read_bytes()
+    assert document["sha256"] == hashlib.sha256(data).hexdigest()
+    assert document["workbook"]["path"] == "size-buoy.xlsx"
+    assert "Swarm" in openpyxl.load_workbook("size-buoy.xlsx").sheetnames
+    assert document["passes"] is True
+    assert document["governing"] == "sliding of the sinker (storm, high water)"
+    assert document["verification"]["verdict"] == "agrees"
+    digest = hashlib.sha256(SIZE_BUOY.read_bytes()).hexdigest()
+    assert document["sources"] == [{"name": "sizing.toml", "sha256": digest}]
+    page = read_page(data)
+    assert document["sections"] == list(page.sections)
+    assert "swarm" in page.sections
+    assert page.table("identity").row("Date")[1].text == "today"
+
+
+def test_what_is_of_a_known_line_is_refused(run: Run) -> None:
+    ran = run("report", SIZE_BUOY, "--design", "2", "--dynamic")
+    assert ran.status == 2
+    assert "--design" in ran.err
+    assert "--dynamic" in ran.err
+    assert "catopt size buoy" in ran.err
+    assert list(Path().iterdir()) == []
+
+
+def test_every_mistake_of_the_file_is_told_by_its_key(run: Run) -> None:
+    path = Path("wrong.toml")
+    text = SIZE_BUOY.read_text("utf-8").replace('"12 m"', '"12 s"')
+    path.write_text(text.replace('material = "concrete"', 'material = "wood"'), encoding="utf-8")
+    ran = run("report", path)
+    assert ran.status == 2
+    assert "site.water_depth" in ran.err
+    assert "sinker.material" in ran.err
+    assert "Traceback" not in ran.err
+
+
+def test_what_is_missing_in_the_file_is_told_and_not_asked_for(run: Run) -> None:
+    Path("short.toml").write_text('[buoy]\nname = "pillar 2.4 m"\n', encoding="utf-8")
+    ran = run("report", "short.toml")
+    assert ran.status == 2
+    assert "site.water_depth" in ran.err
+
+
+def test_a_case_file_still_has_its_own_note(run: Run) -> None:
+    ran = run("report", BUOY, "--no-verify")
+    assert ran.out == "buoy-9.5m.html\n"
+    page = read_page(Path("buoy-9.5m.html").read_bytes())
+    assert "size_loads" not in page.sections
+
+
+# ------------------------------------------------------------------ catopt size --out
+
+
+def test_size_writes_the_note_of_its_file_among_the_others(run: Run) -> None:
+    assert run("size", "buoy", SIZE_BUOY, "--out", "out", "--json").status == 0
+    assert run("report", SIZE_BUOY).status == 0
+    assert Path("out/note.html").read_bytes() == Path("size-buoy.html").read_bytes()
+
+
+def test_without_a_file_the_note_has_the_options_as_typed(run: Run) -> None:
+    ran = run(
+        "size", "buoy", "pillar 2.4 m", "--depth", "12 m", "--hs", "1.5 m", "--recalled",
+        "--chain", "chain open-link 4D Q2", "--lang", "vi", "--out", "out", "--json",
+    )  # fmt: skip
+    page = read_page(Path("out/note.html").read_bytes())
+    shown = {row[0].text: row[1].text for row in page.table("size_options").rows}
+    assert shown == {
+        "BUOY": "pillar 2.4 m",
+        "--depth": "12 m",
+        "--hs": "1.5 m",
+        "--recalled": "",
+        "--chain": "chain open-link 4D Q2",
+    }
+    assert "size_file" not in page.sections
+    assert page.tagged("html")[0].attributes["lang"] == "vi"
+    document = json.loads(ran.out)
+    chain = page.table("size_found").rows[0][1].value
+    assert chain == document["chain"]["nominal_diameter_m"]
+
+
+def test_options_beside_a_file_are_named_as_going_before_it(run: Run) -> None:
+    arguments = ("size", "tanker", SIZE_TANKER, "--lines", 6, "--out", "out", "--json")
+    assert run(*arguments).status == 0
+    page = read_page(Path("out/note.html").read_bytes())
+    assert [[cell.text for cell in row] for row in page.table("size_options").rows] == [
+        ["--lines", "6"]
+    ]
+    assert len(page.table("inputs").rows) == len(values_of(SIZE_TANKER)) - 2
+    assert "These options went before what the file says." in page.sections["size_inputs"]
+    assert "size_pattern" in page.sections
+
+
+def values_of(path: Path) -> list[str]:
+    """Every value of a file whose tables hold values only, by its key."""
+    document = parse_toml(path.read_text("utf-8"), path.name)
+    return [
+        key
+        for name, value in document.items()
+        for key in (value if isinstance(value, dict) else [name])
+    ]
