@@ -12,30 +12,34 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from catopt.casefile import read_case
+from catopt.casefile.sizing_file import SIZING, moored_in
+from catopt.cli.size_note import note_of_file
 from catopt.design.search import design_case
 from catopt.report.bundle import design_bundle, reproduction_bundle
 from catopt.report.files import write_files
 from catopt.report.page.note import Note, read_note
 from catopt.report.page.render import render_page
+from catopt.report.page.sizing.note import SizeNote
+from catopt.report.page.system.note import SystemNote, read_system_note
 from catopt.reproduce import reproduce
 
-__all__ = ["CASES", "NOTES", "REPORTS", "note_of_case", "note_page"]
+__all__ = ["CASES", "NOTES", "REPORTS", "SIZINGS", "note_of_case", "note_page"]
 
 ROOT = Path(__file__).parents[1]
 REPORTS = ROOT / "reports"
 NOTES = REPORTS / "notes"
-CASES = tuple(
-    path.parent.name
-    for path in sorted((ROOT / "cases").glob("*/case.toml"))
-    if read_case(path).system is None
-)
-"""Cases of one line; a body moored by several has tables and figures, and no note."""
+CASES = tuple(path.parent.name for path in sorted((ROOT / "cases").glob("*/case.toml")))
+"""Cases of a line, and of a body that several moor."""
+SIZINGS = tuple(path.parent.name for path in sorted((ROOT / "cases").glob(f"*/{SIZING}")))
+"""What is known of a buoy or a ship before there is a line."""
 
 
-def note_of_case(name: str) -> Note:
+def note_of_case(name: str) -> Note | SystemNote:
     """Compute the note of a case; that of the recommended design where one is asked for."""
     path = ROOT / "cases" / name / "case.toml"
     case = read_case(path)
+    if case.system is not None:
+        return read_system_note(path)
     if case.design is None:
         return read_note(path)
     files = design_bundle(design_case(case))
@@ -46,8 +50,18 @@ def note_of_case(name: str) -> Note:
 
 
 def note_page(name: str) -> bytes:
-    """Make the page of a case's note."""
+    """Make the page of a case's note, or of a sizing's."""
+    if name in SIZINGS:
+        return render_page(size_note_of_case(name))
     return render_page(note_of_case(name))
+
+
+def size_note_of_case(name: str) -> SizeNote:
+    """Compute the note of a sizing file."""
+    path = ROOT / "cases" / name / SIZING
+    moored = moored_in(path)
+    assert moored is not None
+    return note_of_file(path, moored)
 
 
 def _book() -> dict[str, bytes]:
@@ -59,7 +73,7 @@ def _book() -> dict[str, bytes]:
 
 def _written() -> Iterator[Path]:
     yield from write_files(REPORTS, _book())
-    for name in CASES:
+    for name in (*CASES, *SIZINGS):
         yield from write_files(NOTES, {f"{name}.html": note_page(name)})
 
 

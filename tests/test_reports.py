@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from tests.reports import CASES, NOTES, REPORTS, note_page
+from tests.reports import CASES, NOTES, REPORTS, SIZINGS, note_page
 
 LAST_DIGITS = 1e-9
 """Relative, and in SI: notes carry every digit, of which another C library may round the last."""
@@ -45,7 +45,7 @@ def _value(text: str) -> float:
     "name",
     [
         pytest.param(name, marks=pytest.mark.slow) if name.startswith("design-") else name
-        for name in CASES
+        for name in (*CASES, *SIZINGS)
     ],
 )
 def test_a_note_is_fresh(name: str) -> None:
@@ -58,7 +58,7 @@ def test_a_note_is_fresh(name: str) -> None:
 
 
 def test_every_case_has_a_note_and_every_note_a_case() -> None:
-    assert sorted(path.stem for path in NOTES.iterdir()) == sorted(CASES)
+    assert sorted(path.stem for path in NOTES.iterdir()) == sorted((*CASES, *SIZINGS))
     assert len(CASES) >= 10
 
 

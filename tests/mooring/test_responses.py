@@ -18,6 +18,7 @@ from catopt import (
 )
 from catopt.model import Leg
 from catopt.mooring.line_out import one_line_out
+from catopt.mooring.most_loaded import most_loaded
 from catopt.mooring.restoring import offset_curve, restoring_curve
 from catopt.mooring.sharing_rule import sharing_rule
 from catopt.mooring.watch_circle import watch_circle
@@ -206,3 +207,10 @@ def test_a_refusal_names_the_line_by_its_number_in_the_intact_system(first: int)
     )
     assert turned[refused.missing] is legs[0]
     assert refused.refusal.startswith(f"line {turned.index(legs[3]) + 1}, 189.257 m from its")
+
+
+def test_of_lines_that_carry_the_same_the_first_is_the_most_loaded() -> None:
+    assert most_loaded([1.0, 2.0 - 1e-10, 2.0]) == 1
+    assert most_loaded([1.0, 2.0 - 1e-6, 2.0]) == 2
+    # A body without load on six lines alike: whichever rounding makes the largest.
+    assert solve_system(spread(6, force=(0.0, 0.0))).most_loaded == 0

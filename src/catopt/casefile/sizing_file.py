@@ -20,10 +20,13 @@ from catopt.casefile.structure import structure_findings
 from catopt.casefile.syntax import parse_toml, read_text
 from catopt.errors import InputError, Problem
 
-__all__ = ["Moored", "SizingFile", "parse_sizing", "read_sizing"]
+__all__ = ["SIZING", "Moored", "SizingFile", "moored_in", "parse_sizing", "read_sizing"]
 
 Moored = Literal["buoy", "tanker"]
 """What is to be moored."""
+
+SIZING: Final = "sizing.toml"
+"""Usual name of a sizing file, as ``case.toml`` is of a case file."""
 
 _SCHEMAS: Final[Mapping[Moored, type[Table]]] = MappingProxyType(
     {"buoy": BuoySizingTable, "tanker": TankerSizingTable}
@@ -108,6 +111,29 @@ class SizingFile:
                 meant = stands_for(schema, str(key), top)
                 if meant is not None:
                     yield (*above, meant)
+
+
+def moored_in(path: str | os.PathLike[str]) -> Moored | None:
+    """Say what a file is to find the mooring of; None for a case file and for what is no TOML.
+
+    Parameters
+    ----------
+    path : str or path
+        Of any file.
+    """
+    try:
+        document = parse_toml(read_text(FilePath(path), os.fspath(path)), os.fspath(path))
+    except InputError:
+        return None
+    has_line = "segments" in table(document, "line")
+    if has_line or any(key in document for key in _OF_A_CASE):
+        return None
+    if "ship" in document:
+        return "tanker"
+    is_found = "environment" in document or {"name", "horizontal_force"} & {
+        *table(document, "buoy")
+    }
+    return "buoy" if is_found else None
 
 
 def read_sizing(path: str | os.PathLike[str], moored: Moored) -> SizingFile:

@@ -68,13 +68,13 @@ def check(
         from catopt.report.files import check_directory
 
         check_directory(out)
-    report = check_case(_with_codes(read_case_or_design(case, design), code, recalled=recalled))
+    read = _with_codes(read_case_or_design(case, design), code, recalled=recalled)
+    report = check_case(read)
     if out is not None:
+        from catopt.cli.result_files import write_result
         from catopt.report.bundle import check_bundle
-        from catopt.report.files import write_files
 
-        written = write_files(out, check_bundle(report, lang.value))
-        output.note(f"{len(written)} files written to {out}")
+        write_result(output, out, check_bundle(report, lang.value), read)
     if as_json:
         output.json(report.to_dict())
     else:

@@ -62,9 +62,11 @@ def design(
     """
     output: Output = context.obj
     if out is not None:
+        from catopt.cli.result_files import refuse_own_case
         from catopt.report.files import check_directory
 
         check_directory(out)
+        refuse_own_case(out)
     result = _searched(_asked(case, method, evaluations, seed), output)
     if out is not None:
         from catopt.report.bundle import design_bundle

@@ -8,10 +8,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.cli.options import JsonOption, ReportLanguage
+from catopt.cli.solve import Method
+from catopt.cli.verify import INTERRUPTED
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output, Progress
     from catopt.report.page.note import Note
+    from catopt.report.page.sections import AnyNote
+    from catopt.report.page.system.note import SystemNote
 
 __all__ = ["report"]
 
@@ -25,7 +29,8 @@ def report(
         Path,
         typer.Argument(
             metavar="CASE",
-            help="Case file (TOML), or a directory that catopt design --out wrote.",
+            help="Case file (TOML), file of catopt size, or a directory that --out of catopt "
+            "solve, check, curve, verify, system or design wrote.",
         ),
     ],
     design: Annotated[
@@ -66,6 +71,23 @@ def report(
             "second.",
         ),
     ] = True,
+    method: Annotated[
+        Method | None,
+        typer.Option(
+            metavar="METHOD",
+            help="pso puts the particle swarm beside the closed form, on which the note rests in "
+            "any case. When left out: of a result directory, what catopt solve was asked for "
+            "there.",
+        ),
+    ] = None,
+    motion: Annotated[
+        bool | None,
+        typer.Option(
+            "--dynamic/--no-dynamic",
+            help="Also run the line in time, as catopt verify --dynamic does, or leave that out. "
+            "When left out: of a result directory, what catopt verify was asked for there.",
+        ),
+    ] = None,
     as_json: JsonOption = False,
     out: Annotated[
         Path | None,
@@ -84,23 +106,27 @@ def report(
     equation and its numbers put in, and the same line by a truss model. The workbook has its tables
     with native charts. The same case gives the same files to the last byte.
     """
+    from catopt.cli.note_kind import Wanted, note_of_file, workbook_of
     from catopt.report.files import write_files
-    from catopt.report.page.note import read_note
+    from catopt.report.page.note import Note
     from catopt.report.page.origin import file_name
     from catopt.report.page.render import render_page
 
     output: Output = context.obj
     with output.progress("Calculation note") as tell:
-        note = read_note(case, design, date=date, verify=verify)
+        swarm = None if method is None else method is Method.PSO
+        wanted = Wanted(design, date, verify, swarm, motion)
+        note = note_of_file(case, wanted, _first_of_three(tell))
+        number = None
+        if isinstance(note, Note):
+            _stop_if_interrupted(note, output)
+            number = None if note.chosen is None else note.chosen.number
         _tell(tell, 1)
-        number = None if note.chosen is None else note.chosen.number
         folder, name, is_folder = _place(out, file_name(case, number))
         files = {name: render_page(note, lang.value)}
         _tell(tell, 2)
         if with_workbook or is_folder:
-            from catopt.report.note_workbook import note_workbook
-
-            files[str(Path(name).with_suffix(".xlsx"))] = note_workbook(note, lang.value)
+            files[str(Path(name).with_suffix(".xlsx"))] = workbook_of(note, lang.value)
     written = list(zip(write_files(folder, files), files.values(), strict=True))
     if as_json:
         output.json(_document(note, lang.value, written))
@@ -115,6 +141,24 @@ def _tell(tell: Progress | None, steps: int) -> None:
         tell(steps, 3)
 
 
+def _first_of_three(tell: Progress | None) -> Progress | None:
+    """Tell of the line in motion as of the first step."""
+    return None if tell is None else lambda done, total: tell(done, 3 * total)
+
+
+def _stop_if_interrupted(note: Note, output: Output) -> None:
+    """Write nothing after Ctrl-C: a note of half a run is none, and an older one is worth more."""
+    if note.motion is not None and not note.motion.found.is_complete:
+        from catopt.report.dynamic import stopped_sentence
+
+        stopped = stopped_sentence(note.motion.found).partition(";")[0]
+        output.note(
+            f"catopt: {stopped}; no note was written. "
+            "catopt verify CASE --dynamic --out DIR keeps what a stopped run has computed"
+        )
+        raise typer.Exit(INTERRUPTED)
+
+
 def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
     """Return the directory and the page's name that --out asks for, and if it is a directory."""
     if out is None:
@@ -124,13 +168,19 @@ def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
     return out, name, True
 
 
-def _document(note: Note, language: str, written: list[tuple[Path, bytes]]) -> dict[str, Any]:
-    """Say what was written (schema catopt.report/1)."""
+def _document(note: AnyNote, language: str, written: list[tuple[Path, bytes]]) -> dict[str, Any]:
+    """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
+    from catopt.cli.note_kind import line_of
+    from catopt.report.page.further_document import motion_document, swarm_document
     from catopt.report.page.render import sections_of
+    from catopt.report.page.system.note import SystemNote
     from catopt.report.texts import Words
 
     words = Words("vi" if language == "vi" else "en")
-    checks = note.checks
+    line = line_of(note)
+    of = note if isinstance(note, SystemNote) else line
+    assert of is not None
+    checks = of.checks
     governing = checks.governing
     page, *workbook = [_file(*each) for each in written]
     return {
@@ -142,17 +192,19 @@ def _document(note: Note, language: str, written: list[tuple[Path, bytes]]) -> d
         "date": note.origin.date,
         "version": note.origin.version,
         "sources": [{"name": file.name, "sha256": file.sha256} for file in note.origin.files],
-        "design": None if note.chosen is None else note.chosen.number,
-        "load_case": note.load_case,
+        "design": None if line is None or line.chosen is None else line.chosen.number,
+        "load_case": "" if line is None else line.load_case,
         "sections": [key for key, _ in sections_of(note, words)],
         "passes": checks.passes if checks.results else None,
         "governing": "" if governing is None else f"{governing.name} ({governing.load_case})",
-        "verification": _verification(note),
+        "verification": _verification(of),
+        "swarm": None if line is None else swarm_document(line),
+        "motion": None if line is None else motion_document(line),
         "warnings": list(note.warnings),
     }
 
 
-def _verification(note: Note) -> dict[str, Any] | None:
+def _verification(note: Note | SystemNote) -> dict[str, Any] | None:
     """Say what came of the truss model; None where it was left out."""
     if note.verification_failure:
         return {"verdict": "no answer", "worst": None, "failure": note.verification_failure}

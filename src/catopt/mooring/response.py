@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.moored import Moored
+from catopt.mooring.most_loaded import most_loaded
 from catopt.mooring.settle import Rest
 
 __all__ = ["Response", "response_of"]
@@ -25,7 +26,8 @@ class Response:
     largest_tension : float
         At a fairlead, N.
     most_loaded : int
-        The line that carries it, counted from 0 in the system as it was given.
+        The line that carries it, the first of several alike, counted from 0 in the system as it was
+        given.
     largest_anchor_tension : float
         N.
     largest_uplift : float
@@ -59,14 +61,13 @@ def response_of(moored: Moored, rest: Rest, lines: Lines, zero: Rest | None = No
     """
     start = moored.neutral if zero is None else zero
     tensions = [math.hypot(H, V) for H, V in zip(lines.H, lines.V, strict=True)]
-    largest = max(tensions)
     return Response(
         x=rest.x,
         y=rest.y,
         yaw=rest.yaw,
         offset=math.hypot(rest.x - start.x, rest.y - start.y),
-        largest_tension=largest,
-        most_loaded=tensions.index(largest),
+        largest_tension=max(tensions),
+        most_loaded=most_loaded(tensions),
         largest_anchor_tension=max(map(math.hypot, lines.H_anchor, lines.V_anchor)),
         largest_uplift=max(lines.V_anchor),
         least_grounded=min(lines.grounded),

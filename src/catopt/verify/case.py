@@ -111,9 +111,9 @@ def load_states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
 
 
 def _named(case: Case) -> Iterator[tuple[str, Case]]:
+    found = _found(case)
     if not case.load_cases:
-        yield LOAD, case
-    found = _found(case) if case.load_cases else case
+        yield LOAD, found
     for state in case.load_cases:
         yield state.name, found.under(state)
 

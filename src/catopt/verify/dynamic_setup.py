@@ -25,6 +25,7 @@ from catopt.waves import (
     Waves,
     WindCurrent,
     jonswap,
+    peak_enhancement,
     pierson_moskowitz,
     random_waves,
     regular_wave,
@@ -121,6 +122,14 @@ class Drive:
             output_interval=every * step,
             scheme=self.scheme,
         )
+
+    @property
+    def peak_enhancement(self) -> float | None:
+        """Peak enhancement gamma of the waves, given or by the rule; None of any but JONSWAP."""
+        given = self.case.waves
+        if given is None or given.spectrum != "jonswap":
+            return None
+        return given.peak_enhancement or peak_enhancement(given.height, given.period)
 
     @property
     def ramp(self) -> float:

@@ -10,7 +10,7 @@ from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said
 from catopt.report.texts import Words
 
-__all__ = ["checks"]
+__all__ = ["check_cells", "check_headings", "checks"]
 
 
 def checks(note: Note, words: Words) -> dict[str, Any] | None:
@@ -21,10 +21,10 @@ def checks(note: Note, words: Words) -> dict[str, Any] | None:
     tables = []
     for name, _ in report.solutions:
         results = [result for result in report.results if result.load_case == name]
-        rows = tuple(_row(result, words) for result in results)
+        rows = tuple(check_cells(result, words) for result in results)
         marked = next((i for i, each in enumerate(results) if each is report.governing), None)
         caption = words("checks.under", name=name) if len(report.solutions) > 1 else ""
-        tables.append(Table("checks", _headings(words), rows, caption, marked))
+        tables.append(Table("checks", check_headings(words), rows, caption, marked))
     governing = report.governing
     return {
         "tables": [each for each in tables if each.rows],
@@ -34,7 +34,8 @@ def checks(note: Note, words: Words) -> dict[str, Any] | None:
     }
 
 
-def _headings(words: Words) -> tuple[Heading, ...]:
+def check_headings(words: Words) -> tuple[Heading, ...]:
+    """Head the columns of a check."""
     return (
         Heading(words("checks.check")),
         Heading(words("checks.demand"), is_number=True),
@@ -46,7 +47,8 @@ def _headings(words: Words) -> tuple[Heading, ...]:
     )
 
 
-def _row(result: CheckResult, words: Words) -> tuple[Cell, ...]:
+def check_cells(result: CheckResult, words: Words) -> tuple[Cell, ...]:
+    """Lay a check out."""
     quantity = QUANTITY_OF[result.kind]
     used = result.utilisation
     shown = "–" if used is None else f"{used:.3f}"

@@ -14,9 +14,17 @@ from catopt.report.texts import Words
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component, Source
-    from catopt.model import Case, Segment
+    from catopt.model import Case, Line, Segment
 
-__all__ = ["CatalogueFigure", "Part", "components", "figures_of", "looked_up", "sources_of"]
+__all__ = [
+    "CatalogueFigure",
+    "Part",
+    "components",
+    "figures_of",
+    "looked_up",
+    "parts_of",
+    "sources_of",
+]
 
 _WET = "wet_strength_factor"
 _SHOWN = {
@@ -35,12 +43,15 @@ _OWN = {"mass": "mass", "MBL": "MBL", "proof_load": "proof_load", "EA": "EA", "p
 
 def components(note: Note, words: Words) -> dict[str, Any]:
     """Build the tables of segments and point loads, and of what the catalogue says of them."""
-    case = note.case
-    line = note.solution.line
+    return parts_of(note.case, note.solution.line, words)
+
+
+def parts_of(case: Case, line: Line, words: Words) -> dict[str, Any]:
+    """Tabulate the parts of a line, and what the catalogue says of those of its case."""
     parts = list(looked_up(case))
     return {
         "segments": _segments(line.segments, words),
-        "point_loads": _point_loads(note, words) if line.point_loads else None,
+        "point_loads": _point_loads(line, words) if line.point_loads else None,
         "catalogue": [_provenance(part, words) for part in parts],
         "sources": sources_of(parts),
         "own": any(not segment.component for segment in line.segments),
@@ -75,10 +86,10 @@ def _segments(segments: tuple[Segment, ...], words: Words) -> Table:
     return Table("segments", headings, tuple(rows), words("components.segments"))
 
 
-def _point_loads(note: Note, words: Words) -> Table:
+def _point_loads(line: Line, words: Words) -> Table:
     quantities = (QUANTITIES["position"], QUANTITIES["point_weight"], QUANTITIES["mass"])
     rows = []
-    for index, load in enumerate(note.solution.line.point_loads):
+    for index, load in enumerate(line.point_loads):
         numbers = zip(quantities, (load.position, load.submerged_weight, load.mass), strict=True)
         name = called(words, load.submerged_weight, load.name)
         cells = (measured(quantity, value) for quantity, value in numbers)

@@ -3,39 +3,73 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
 
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table
 from catopt.report.page.trail import Row, Step, digits, trail_of
 from catopt.report.texts import Words
 
-__all__ = ["equations"]
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+
+__all__ = ["equations", "followed", "steps_table"]
 
 
 def equations(note: Note, words: Words) -> dict[str, Any]:
     """Build the steps, and for a line of several pieces what each contributes."""
-    trail = trail_of(note.solution)
-    headings = (
-        Heading(words("table.what")),
-        Heading(words("equations.equation")),
-        Heading(words("equations.put_in")),
-        Heading(words("table.value"), is_number=True),
-        Heading(words("equations.stated"), is_number=True),
-    )
-    steps = Table("trail", headings, tuple(_step(step, words) for step in trail.steps))
+    return followed(note.solution, words)
+
+
+def followed(solution: Solution, words: Words) -> dict[str, Any]:
+    """Follow a line through the equations: the steps, and its pieces where it has several."""
+    trail = trail_of(solution)
     return {
-        "steps": steps,
+        "steps": steps_table("trail", trail.steps, words),
         "rows": _rows(trail.rows, words) if trail.rows else None,
-        "is_slack": note.solution.regime == "slack",
-        "H": digits(note.solution.horizontal_force),
+        "is_slack": solution.regime == "slack",
+        "H": digits(solution.horizontal_force),
     }
 
 
-def _step(step: Step, words: Words) -> tuple[Cell, ...]:
+def steps_table(
+    key: str,
+    steps: Iterable[Step],
+    words: Words,
+    *,
+    is_numbered: bool = True,
+    stated: str = "equations.stated",
+) -> Table:
+    """Tabulate steps: what comes out, its equation, its numbers put in, and what the solver has.
+
+    Parameters
+    ----------
+    key : str
+        Of the table.
+    steps : iterable of Step
+        A row each.
+    words : Words
+        Language.
+    is_numbered : bool
+        Whether the equations have numbers in docs/theory.md.
+    stated : str
+        Key of what stands beside each value.
+    """
+    headings = (
+        Heading(words("table.what")),
+        *((Heading(words("equations.equation")),) if is_numbered else ()),
+        Heading(words("equations.put_in")),
+        Heading(words("table.value"), is_number=True),
+        Heading(words(stated), is_number=True),
+    )
+    return Table(key, headings, tuple(_step(step, words, is_numbered) for step in steps))
+
+
+def _step(step: Step, words: Words, is_numbered: bool) -> tuple[Cell, ...]:
     return (
         Cell(words(step.name), style="words"),
-        Cell(step.equation),
+        *((Cell(step.equation),) if is_numbered else ()),
         Cell(f"{step.formula}\n= {step.put_in}", style="formula"),
         _shown(step.value, step.unit),
         Cell("") if step.stated is None else _shown(step.stated, step.unit),

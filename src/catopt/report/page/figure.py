@@ -171,8 +171,18 @@ def ticks(low: float, high: float, most: int = 6) -> list[float]:
     return [step * index for index in range(first, last + 1)]
 
 
-def axes(frame: Frame, x_label: str, y_label: str) -> list[Shape]:
-    """Draw the grid, the round values along two edges and what they are."""
+def axes(frame: Frame, x_label: str, y_label: str, across: Sequence[float] = ()) -> list[Shape]:
+    """Draw the grid, the values along two edges and what they are.
+
+    Parameters
+    ----------
+    frame : Frame
+        Where.
+    x_label, y_label : str
+        What the values are.
+    across : sequence of float
+        Those of x; round ones when left out.
+    """
     shapes = [
         shape(
             "rect",
@@ -183,7 +193,7 @@ def axes(frame: Frame, x_label: str, y_label: str) -> list[Shape]:
             height=frame.bottom - frame.top,
         )
     ]
-    for values, label in ((ticks(*frame.x), "x"), (ticks(*frame.y), "y")):
+    for values, label in ((across or ticks(*frame.x), "x"), (ticks(*frame.y), "y")):
         for value, words in zip(values, tick_words(values), strict=True):
             if label == "x":
                 at = frame.across(value)

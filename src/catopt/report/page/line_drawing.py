@@ -27,7 +27,7 @@ from catopt.report.texts import Words
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
-__all__ = ["along", "line_drawing", "touchdowns"]
+__all__ = ["along", "drawing_of", "grounded_ends", "line_drawing", "touchdowns"]
 
 _LEFT, _RIGHT, _TOP = 88.0, 88.0, 44.0
 _TALLEST = 460.0
@@ -43,7 +43,11 @@ _POINTS = 161
 
 def line_drawing(note: Note, words: Words) -> dict[str, Any]:
     """Build the drawing of the line."""
-    solution, depth = note.solution, note.case.site.water_depth
+    return {"figure": drawing_of(note.solution, note.case.site.water_depth, words)}
+
+
+def drawing_of(solution: Solution, depth: float, words: Words) -> Figure:
+    """Draw a line in water of a depth (m), to scale."""
     frame, height = _frame(solution, depth)
     shapes = [
         *_water(frame, depth, words),
@@ -53,7 +57,7 @@ def line_drawing(note: Note, words: Words) -> dict[str, Any]:
         *_marks(solution, frame),
     ]
     title = words("line.alt", span=QUANTITIES["span"].format(solution.span, unit=True))
-    figure = Figure(
+    return Figure(
         "line",
         title,
         height,
@@ -61,7 +65,6 @@ def line_drawing(note: Note, words: Words) -> dict[str, Any]:
         tuple(_points(solution, frame, words)),
         tuple(_legend(solution, words)),
     )
-    return {"figure": figure}
 
 
 def _frame(solution: Solution, depth: float) -> tuple[Frame, float]:
@@ -163,7 +166,7 @@ def _upright(
             )
 
 
-def _grounded_ends(solution: Solution) -> list[tuple[float, float]]:
+def grounded_ends(solution: Solution) -> list[tuple[float, float]]:
     """Find where the line lies on the bed: from and to, m; parts that touch are one."""
     ends = [stretch.x for stretch in solution.stretches[1:]] + [solution.span]
     found: list[tuple[float, float]] = []
@@ -180,7 +183,7 @@ def _dimensioned(solution: Solution, frame: Frame) -> list[tuple[float, float]]:
     """Find the parts on the bed that are long enough on the drawing for a dimension."""
     return [
         (start, end)
-        for start, end in _grounded_ends(solution)
+        for start, end in grounded_ends(solution)
         if frame.across(end) - frame.across(start) > _SHORTEST
     ]
 

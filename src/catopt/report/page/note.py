@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,8 +12,10 @@ from catopt.casefile import read_case
 from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import LOAD, NO_CHECK, check_case
-from catopt.errors import CatoptError, InputError, Problem
+from catopt.errors import CatoptError
+from catopt.report.page.in_motion import InMotion, in_motion, motion_files, motion_warnings
 from catopt.report.page.origin import Origin, SourceFile, origin_of, read_source
+from catopt.report.page.result_directory import Asked, asked_in, case_path
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
     from catopt.verify.result import Verification
 
 __all__ = ["Chosen", "Note", "note_of", "read_note"]
+
+Progress = Callable[[int, int], None]
 
 MOST_FORCE, LEAST_FORCE = 4.0, 0.01
 """The load curve goes up to this multiple of the case's force, and from this part of that."""
@@ -71,6 +75,10 @@ class Note:
         or failed.
     verification_failure : str
         Why the truss model has no answer; empty where it has one or was left out.
+    swarm : Solution or None
+        The line under the load that is drawn by the particle swarm, too; None where nobody asked.
+    motion : InMotion or None
+        The line in time under every load case; None where nobody asked.
     """
 
     case: Case
@@ -83,9 +91,14 @@ class Note:
     warnings: tuple[str, ...] = ()
     verification: Verification | None = None
     verification_failure: str = ""
+    swarm: Solution | None = None
+    motion: InMotion | None = None
 
     kind: ClassVar[str] = "page.kind"
     """Key of the text that says what kind of note it is."""
+
+    untitled: ClassVar[str] = "page.untitled"
+    """Key of the title of a case without one."""
 
     @property
     def title(self) -> str:
@@ -94,30 +107,47 @@ class Note:
 
 
 def read_note(
-    path: Path, design: int | None = None, *, date: str = "", verify: bool = True
+    path: Path,
+    design: int | None = None,
+    *,
+    date: str = "",
+    verify: bool = True,
+    swarm: bool | None = None,
+    motion: bool | None = None,
+    progress: Progress | None = None,
 ) -> Note:
     """Read a case file, or a design out of a result directory, and compute its note.
 
     Parameters
     ----------
     path : Path
-        A case file, or a directory that ``catopt design --out`` wrote.
+        A case file, or a directory that ``--out`` wrote: of ``catopt design`` with its front, of
+        another command with the case.
     design : int, optional
         Number of the design, counted from 1; the recommended one when left out.
     date : str
         For the title block.
     verify : bool
         Whether the truss model is put beside the closed form.
+    swarm, motion : bool, optional
+        Whether the particle swarm is put beside the closed form, and whether the line is run in
+        time. When left out, a directory has what was asked for there, a case file neither.
+    progress : callable, optional
+        Told how far the line in motion is and how far it goes.
 
     Raises
     ------
     InputError, NoAnswerError, NotConvergedError
-        As for `read_case`, `read_design`, `solve_case` and `check_case`.
+        As for `read_case`, `read_design`, `solve_case`, `check_case` and `verify_dynamic`.
     """
+    there = asked_in(path)
+    asked = Asked(
+        there.swarm if swarm is None else swarm, there.motion if motion is None else motion
+    )
     if design is None and not (path / DESIGN_DOCUMENT).is_file():
-        case, source = read_case(path), read_source(path)
-        _check_kind(case, source)
-        return note_of(case, (source,), date=date, verify=verify)
+        place = case_path(path)
+        case, source = read_case(place), read_source(place)
+        return note_of(case, (source,), date=date, verify=verify, asked=asked, progress=progress)
     from catopt.casefile.design_directory import read_design_document
 
     document = read_design_document(path)
@@ -125,14 +155,9 @@ def read_note(
     case = read_design(path, number)
     sources = (read_source(path / DESIGN_CASE), read_source(path / DESIGN_DOCUMENT))
     chosen = Chosen(document, number)
-    return note_of(case, sources, date=date, chosen=chosen, verify=verify)
-
-
-def _check_kind(case: Case, source: SourceFile) -> None:
-    """Refuse a moored body, which has lines of its own and no load at a fairlead."""
-    if case.system is not None:
-        allowed = "this page is of one line; catopt system CASE --out DIR writes that of a body"
-        raise InputError([Problem("system", "a table", allowed)], source.name)
+    return note_of(
+        case, sources, date=date, chosen=chosen, verify=verify, asked=asked, progress=progress
+    )
 
 
 def note_of(
@@ -142,6 +167,8 @@ def note_of(
     date: str = "",
     chosen: Chosen | None = None,
     verify: bool = True,
+    asked: Asked | None = None,
+    progress: Progress | None = None,
 ) -> Note:
     """Compute the note of a case.
 
@@ -160,15 +187,24 @@ def note_of(
         When the line is a design of a front.
     verify : bool
         Whether the truss model is put beside the closed form.
+    asked : Asked, optional
+        What else it shows; the closed form alone when left out.
+    progress : callable, optional
+        Told how far the line in motion is and how far it goes.
     """
+    asked = asked or Asked()
     checks = check_case(case)
     load_case, drawn = _drawn(case, checks)
     solution = solve_case(drawn)
+    swarm = solve_case(drawn, "pso") if asked.swarm else None
+    motion = in_motion(case, checks, progress) if asked.motion else None
     curve, curve_warnings = _curve(drawn, solution)
     verification, failure = _verification(drawn, load_case) if verify else (None, "")
     of_the_search = () if chosen is None else chosen.document["warnings"]
     warnings = (
         *_doubts(verification, failure),
+        *_swarm_doubts(swarm),
+        *(() if motion is None else motion_warnings(motion)),
         *_warnings(case, checks, solution),
         *curve_warnings,
         *of_the_search,
@@ -179,11 +215,13 @@ def note_of(
         solution=solution,
         checks=checks,
         curve=curve,
-        origin=origin_of(files, date),
+        origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), date),
         chosen=chosen,
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
         verification_failure=failure,
+        swarm=swarm,
+        motion=motion,
     )
 
 
@@ -243,3 +281,12 @@ def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
         yield f"the line is not verified, for the truss model has no answer: {failure}"
     if verification is not None and not verification.is_settled:
         yield "closed form and truss model differ: see the verification"
+
+
+def _swarm_doubts(swarm: Solution | None) -> Iterator[str]:
+    """Yield that even the best run of the swarm did not converge."""
+    if swarm is not None and swarm.swarm is not None and swarm.swarm.converged_runs == 0:
+        yield (
+            f"no run of the particle swarm reached f < 1e-9 m; the best ended at "
+            f"{swarm.swarm.objective:.2e} m"
+        )

@@ -9,6 +9,7 @@ from typing import Any
 
 from catopt._version import __version__
 from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.sizing_file import SIZING
 from catopt.casefile.syntax import parse_toml
 from catopt.errors import InputError, Problem
 
@@ -68,7 +69,7 @@ def read_source(path: Path) -> SourceFile:
 
 
 def file_name(path: Path, design: int | None) -> str:
-    """Name the page of a case: that of the file, or of the folder of a plain ``case.toml``.
+    """Name the page of a case: that of the file, or of the folder of a file with the usual name.
 
     Parameters
     ----------
@@ -79,6 +80,6 @@ def file_name(path: Path, design: int | None) -> str:
     """
     place = path.resolve()
     name = place.name if place.is_dir() else place.stem
-    if name == Path(DESIGN_CASE).stem and not place.is_dir():
+    if place.name in (DESIGN_CASE, SIZING) and not place.is_dir():
         name = place.parent.name or name
     return f"{name}.html" if design is None else f"{name}-design-{design}.html"

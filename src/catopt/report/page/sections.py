@@ -15,15 +15,21 @@ from catopt.report.page.front_figure import front_figure
 from catopt.report.page.identity import identity
 from catopt.report.page.inputs import inputs
 from catopt.report.page.line_drawing import line_drawing
+from catopt.report.page.motion import motion
 from catopt.report.page.note import Note
 from catopt.report.page.results import load_cases, results
+from catopt.report.page.sizing.note import SizeNote
+from catopt.report.page.sizing.parts import OF_A_SIZING
+from catopt.report.page.swarm import swarm
+from catopt.report.page.system.note import SystemNote
+from catopt.report.page.system.parts import OF_A_BODY
 from catopt.report.page.tension_figure import tension_figure
 from catopt.report.page.verification import verification
 from catopt.report.texts import Words
 
 __all__ = ["SECTIONS", "AnyNote", "Section"]
 
-AnyNote = Note
+AnyNote = Note | SizeNote | SystemNote
 """Every kind of note that there is a page for."""
 
 
@@ -56,8 +62,16 @@ _OF_A_LINE = (
     Section("inputs", inputs),
     Section("equations", equations),
     Section("verification", verification),
+    Section("swarm", swarm),
+    Section("in_motion", motion),
     Section("case_file", case_file),
 )
 
-SECTIONS: Mapping[type, tuple[Section, ...]] = MappingProxyType({Note: _OF_A_LINE})
+SECTIONS: Mapping[type, tuple[Section, ...]] = MappingProxyType(
+    {
+        Note: _OF_A_LINE,
+        SizeNote: tuple(Section(*each) for each in OF_A_SIZING),
+        SystemNote: tuple(Section(*each) for each in OF_A_BODY),
+    }
+)
 """The parts of a note's page, by the kind of note."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from catopt.quantities import QUANTITIES
+from catopt.report.page.capacity import allowed_tensions
 from catopt.report.page.figure import (
     WIDTH,
     Figure,
@@ -30,32 +31,8 @@ _POINTS = 161
 
 
 def capacities(note: Note) -> list[float | None]:
-    """Find the least tension that each segment is allowed in the load case drawn, N.
-
-    By the checks of that load case; without any, the MBL over the safety factor; None where
-    neither is known.
-    """
-    solution = note.solution
-    found: list[float | None] = []
-    for index, segment in enumerate(solution.segments, start=1):
-        checked = [
-            result.capacity
-            for result in note.checks.results
-            if result.kind == "tension"
-            and (result.load_case == note.load_case or not note.load_case)
-            and _is_of(result.name, index)
-        ]
-        if checked:
-            found.append(min(checked))
-        else:
-            found.append(None if segment.MBL is None else segment.MBL / solution.safety_factor)
-    return found
-
-
-def _is_of(name: str, number: int) -> bool:
-    """Whether a check's name is that of a segment: ``"tension, segment 2 (wire)"``."""
-    prefix = f"tension, segment {number}"
-    return name == prefix or name.startswith(f"{prefix} ")
+    """Find the least tension that each segment is allowed in the load case drawn, N."""
+    return allowed_tensions(note.checks, note.solution, note.load_case)
 
 
 def tension_figure(note: Note, words: Words) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from catopt.report.page.note import Note
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
     from catopt.verify.compared import Compared
     from catopt.verify.result import StaticComparison
 
-__all__ = ["rough_words", "verification"]
+__all__ = ["compared_table", "difference_cell", "mesh_table", "rough_words", "verification"]
 
 
 def verification(note: Note, words: Words) -> dict[str, Any] | None:
@@ -27,8 +28,8 @@ def verification(note: Note, words: Words) -> dict[str, Any] | None:
         "failure": None,
         "verdict": words.sentence(part_sentence(part)),
         "agrees": part.is_settled,
-        "quantities": _quantities(part, words),
-        "meshes": _meshes(part, words),
+        "quantities": compared_table(part.quantities, words),
+        "meshes": mesh_table(part, words),
         "rough": rough_words(part, words),
         "remarks": [words.sentence(remark) for remark in part.remarks],
     }
@@ -40,7 +41,8 @@ def rough_words(part: StaticComparison, words: Words) -> str:
     return words("verification.rough", names=names) if names else ""
 
 
-def _quantities(part: StaticComparison, words: Words) -> Table:
+def compared_table(quantities: Iterable[Compared], words: Words, caption: str = "") -> Table:
+    """Tabulate quantities by both models, and how far these are apart."""
     headings = (
         Heading(words("workbook.quantity")),
         Heading(words("verification.closed_form"), is_number=True),
@@ -49,8 +51,8 @@ def _quantities(part: StaticComparison, words: Words) -> Table:
         Heading(words("verification.order"), is_number=True),
         Heading(words("checks.verdict")),
     )
-    rows = tuple(_row(each, words) for each in part.quantities)
-    return Table("verification", headings, rows)
+    rows = tuple(_row(each, words) for each in quantities)
+    return Table("verification", headings, rows, caption)
 
 
 def _row(each: Compared, words: Words) -> tuple[Cell, ...]:
@@ -62,13 +64,14 @@ def _row(each: Compared, words: Words) -> tuple[Cell, ...]:
         Cell(label_of(words, quantity), style="words"),
         measured(quantity, each.closed_form, unit=True),
         measured(quantity, each.extrapolated, unit=True),
-        _difference(each.gap),
+        difference_cell(each.gap),
         Cell(order),
         Cell(agrees, style="passes" if each.agrees else "fails"),
     )
 
 
-def _meshes(part: StaticComparison, words: Words) -> Table:
+def mesh_table(part: StaticComparison, words: Words) -> Table:
+    """Tabulate the meshes of the truss model."""
     headings = (
         Heading(words("verification.bars"), is_number=True),
         Heading(words("verification.residual"), is_number=True),
@@ -78,14 +81,14 @@ def _meshes(part: StaticComparison, words: Words) -> Table:
         (
             Cell(str(mesh.elements), mesh.elements),
             Cell(f"{mesh.residual:.1e}", mesh.residual),
-            _difference(part.mesh_gap(number)),
+            difference_cell(part.mesh_gap(number)),
         )
         for number, mesh in enumerate(part.meshes)
     )
     return Table("meshes", headings, rows, words("verification.meshes"))
 
 
-def _difference(gap: float | None) -> Cell:
+def difference_cell(gap: float | None) -> Cell:
     """Show a difference over its scale; what is rounding is chance and has no value."""
     if gap is None:
         return Cell("–")

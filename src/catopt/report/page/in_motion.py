@@ -1,0 +1,171 @@
+"""The line of a note in motion, as a value: the runs, what drove them, and what is to be known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from catopt.report.page.capacity import allowed_tensions
+from catopt.report.page.origin import SourceFile, read_source
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.checks.result import CheckReport
+    from catopt.model import Case
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_setup import Drive
+
+__all__ = ["InMotion", "SegmentUse", "in_motion", "motion_files", "motion_warnings"]
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class SegmentUse:
+    """What a segment carries in motion beside what it may.
+
+    Attributes
+    ----------
+    number : int
+        From 1 at the anchor.
+    name : str
+        Of the segment; empty when it has none.
+    largest, at_rest : float
+        Tension in motion, at an end or in a bar, and in closed form at rest, N.
+    capacity : float or None
+        Least tension that the checks allow at rest, or MBL over the safety factor, N.
+    """
+
+    number: int
+    name: str
+    largest: float
+    at_rest: float
+    capacity: float | None
+
+    @property
+    def utilisation(self) -> float | None:
+        """Largest tension over what is allowed; None where that is not known or 0."""
+        return self.largest / self.capacity if self.capacity else None
+
+
+@dataclass(frozen=True)
+class InMotion:
+    """A line in motion.
+
+    Attributes
+    ----------
+    found : DynamicVerification
+        Every load case.
+    drive : Drive
+        What drove it, with its files read.
+    uses : tuple of tuple of SegmentUse
+        Of each segment, by load case as in `found.parts`.
+    solutions : tuple of Solution
+        At rest, by load case.
+    """
+
+    found: DynamicVerification
+    drive: Drive
+    uses: tuple[tuple[SegmentUse, ...], ...]
+    solutions: tuple[Solution, ...]
+
+    @property
+    def governing(self) -> int:
+        """Index of the load case with the largest utilisation, or else the largest tension."""
+        return max(range(len(self.found.parts)), key=self._severity)
+
+    def used(self, index: int) -> float | None:
+        """Largest utilisation of a load case; None where no tension is limited."""
+        known = [use.utilisation for use in self.uses[index] if use.utilisation is not None]
+        return max(known, default=None)
+
+    def _severity(self, index: int) -> tuple[float, float]:
+        return self.used(index) or 0.0, self.found.parts[index].max_tension
+
+
+def in_motion(case: Case, checks: CheckReport, progress: Progress | None = None) -> InMotion:
+    """Run the line of a case in time under every load case.
+
+    Parameters
+    ----------
+    case : Case
+        With what a line in motion needs.
+    checks : CheckReport
+        The same at rest.
+    progress : callable, optional
+        Told how far it is and how far it goes.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError, NotConvergedError
+        As for `verify_dynamic`.
+    """
+    from catopt.verify.dynamic import verify_dynamic
+    from catopt.verify.dynamic_setup import check_for_motion, read_drive
+
+    check_for_motion(case)
+    drive = read_drive(case)
+    found = verify_dynamic(case, progress=progress)
+    at_rest = dict(checks.solutions)
+    solutions = tuple(at_rest[part.name] for part in found.parts)
+    uses = tuple(
+        tuple(_uses(part, solution, checks))
+        for part, solution in zip(found.parts, solutions, strict=True)
+    )
+    return InMotion(found, drive, uses, solutions)
+
+
+def _uses(part: DynamicPart, solution: Solution, checks: CheckReport) -> Iterator[SegmentUse]:
+    """Yield what each segment carries: the largest of its bars, and of its end where it is held."""
+    import numpy as np
+
+    high = np.fmax.reduce([run.history.max_tension for run in part.runs])
+    arc = part.runs[0].history.arc
+    allowed = allowed_tensions(checks, solution, part.name)
+    ends = {0: part.of("anchor_tension").maximum}
+    last = len(solution.segments) - 1
+    ends[last] = max(ends.get(last, 0.0), part.of("fairlead_tension").maximum)
+    start = 0.0
+    for index, (segment, capacity) in enumerate(zip(solution.segments, allowed, strict=True)):
+        end = start + segment.length
+        of_bars = high[(arc >= start) & (arc <= end)]
+        largest = float(np.fmax.reduce(of_bars, initial=ends.get(index, 0.0)))
+        yield SegmentUse(index + 1, segment.name, largest, segment.max_tension, capacity)
+        start = end
+
+
+def motion_warnings(moved: InMotion) -> Iterator[str]:
+    """Yield what is to be known before the note is used: what fails, and what was remarked on."""
+    from catopt.report.dynamic import stopped_sentence
+
+    if not moved.found.is_complete:
+        yield f"the line in motion is not complete: {stopped_sentence(moved.found)}"
+    named = bool(moved.found.case.load_cases)
+    first, *others = moved.found.parts
+    of_all = [each for each in first.remarks if all(each in part.remarks for part in others)]
+    for remark in of_all:
+        yield f"in motion: {remark}"
+    for part, uses in zip(moved.found.parts, moved.uses, strict=True):
+        where = f"in motion, load case {part.name}" if named else "in motion"
+        for use in uses:
+            if use.utilisation is not None and use.utilisation > 1.0:
+                yield (
+                    f"{where}: segment {use.number} carries {use.largest / 1e3:.1f} kN, "
+                    f"{use.utilisation:.3f} of what is allowed"
+                )
+        if part.slack_time > 0.0:
+            yield f"{where}: the line goes slack, a bar for {part.slack_time:.2f} s of a run"
+        for remark in part.remarks:
+            if remark not in of_all:
+                yield f"{where}: {remark}"
+
+
+def motion_files(case: Case) -> tuple[SourceFile, ...]:
+    """Read the files of the fairlead's motion that a case names, as the note rests on them, too."""
+    from pathlib import Path
+
+    if case.motion is None:
+        return ()
+    names = (case.motion.file, case.motion.rao_file)
+    return tuple(read_source(Path(name)) for name in names if name)

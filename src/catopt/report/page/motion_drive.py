@@ -1,0 +1,277 @@
+"""What drives a line in motion, and the model that it is run with, as tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from catopt.quantities import QUANTITIES
+from catopt.report.page.table import Cell, Heading, Table, measured, units
+from catopt.report.texts import Words
+
+if TYPE_CHECKING:
+    from catopt.model import CurrentProfile, Motion, Segment, WaveState
+    from catopt.report.page.in_motion import InMotion
+    from catopt.verify.dynamic_result import DynamicRun
+    from catopt.verify.motion_file import Raos
+
+__all__ = ["Row", "drive_rows", "model_rows", "rao_table", "segment_rows", "segments_table"]
+
+Row = tuple[str, Cell]
+"""Key of what it is called, and its value."""
+
+_MOST_RAOS = 40
+
+
+class _Axis(NamedTuple):
+    """Keys of what is said of a motion along an axis."""
+
+    name: str
+    amplitude: str
+    recorded: str
+
+
+_AXES = {
+    "surge": _Axis("in_motion.surge_of", "in_motion.surge", "in_motion.record_surge"),
+    "sway": _Axis("in_motion.sway_of", "in_motion.sway", "in_motion.record_sway"),
+    "heave": _Axis("in_motion.heave_of", "in_motion.heave", "in_motion.record_heave"),
+}
+_SPECTRA = {
+    "jonswap": "in_motion.jonswap",
+    "pierson-moskowitz": "in_motion.pierson_moskowitz",
+    "regular": "in_motion.regular",
+}
+_STRETCHINGS = {
+    "none": "in_motion.stretching_none",
+    "wheeler": "in_motion.stretching_wheeler",
+}
+_PROFILES = {
+    "power": "in_motion.current_power",
+    "wind": "in_motion.current_wind",
+    "table": "in_motion.current_table",
+}
+_SEVENTH = 1.0 / 7.0
+
+
+def drive_rows(moved: InMotion, words: Words) -> list[Row]:
+    """List what drives the line: waves, current, motion of the fairlead, each with its figures."""
+    case = moved.found.case
+    rows: list[Row] = []
+    if case.waves is not None:
+        rows += _waves(case.waves, moved, words)
+    if case.current is not None:
+        rows += _current(case.current, words)
+    if case.motion is not None:
+        rows += _motion(case.motion, moved, words)
+    return rows
+
+
+def _waves(waves: WaveState, moved: InMotion, words: Words) -> Iterator[Row]:
+    is_regular = waves.spectrum == "regular"
+    yield "in_motion.waves", Cell(words(_SPECTRA[waves.spectrum]))
+    yield (
+        "in_motion.wave_height" if is_regular else "in_motion.significant_height",
+        _in(waves.height, "m"),
+    )
+    yield "in_motion.wave_period" if is_regular else "in_motion.peak_period", _in(waves.period, "s")
+    if waves.spectrum == "jonswap":
+        gamma = moved.drive.peak_enhancement
+        by_rule = f" ({words('in_motion.by_rule')})" if waves.peak_enhancement is None else ""
+        yield "in_motion.gamma", Cell(f"{gamma:.4g}{by_rule}", gamma)
+    yield "in_motion.wave_direction", _in_degrees(waves.direction)
+    if not is_regular:
+        yield "in_motion.components", Cell(str(waves.components), waves.components)
+        runs = moved.drive.dynamics.runs
+        seeds = ", ".join(f"({waves.seed}, {k})" for k in range(min(runs, 4)))
+        yield (
+            "in_motion.seeds",
+            Cell(seeds + (f", … ({waves.seed}, {runs - 1})" if runs > 4 else "")),
+        )
+    yield "in_motion.stretching", Cell(words(_STRETCHINGS[waves.stretching]))
+
+
+def _current(current: CurrentProfile, words: Words) -> Iterator[Row]:
+    yield "in_motion.current", Cell(words(_PROFILES[current.profile]))
+    if current.speed is not None:
+        yield "in_motion.surface_speed", _in(current.speed, "m/s")
+    if current.profile == "power":
+        given = current.exponent
+        yield (
+            "in_motion.exponent",
+            Cell("1/7", _SEVENTH) if given is None else Cell(f"{given:g}", given),
+        )
+    if current.depth is not None:
+        yield "in_motion.current_depth", _in(current.depth, "m")
+    if current.depths:
+        pairs = zip(current.speeds, current.depths, strict=True)
+        told = "; ".join(words("in_motion.speed_at", v=f"{v:g}", d=f"{d:g}") for v, d in pairs)
+        yield "in_motion.speeds", Cell(told)
+    yield "in_motion.current_direction", _in_degrees(current.direction)
+
+
+def _motion(motion: Motion, moved: InMotion, words: Words) -> Iterator[Row]:
+    from pathlib import Path
+
+    if motion.period is not None:
+        yield "in_motion.motion", Cell(words("in_motion.harmonic"))
+        yield "in_motion.motion_period", _in(motion.period, "s")
+        for axis in _AXES:
+            size, phase = getattr(motion, axis), getattr(motion, f"{axis}_phase")
+            if size:
+                yield _AXES[axis].amplitude, Cell(f"{size:g} m, {math.degrees(phase):.4g}°", size)
+        return
+    name = Path(motion.file or motion.rao_file).name
+    yield (
+        "in_motion.motion",
+        Cell(words("in_motion.record" if motion.file else "in_motion.raos", file=name)),
+    )
+    record = moved.drive.record
+    if record is not None:
+        times, values = record.times, record.values
+        yield "in_motion.record_length", _in(float(times[-1] - times[0]), "s")
+        for axis, column in zip(_AXES, values.T, strict=True):
+            if column.any():
+                ends = {"a": f"{column.min():.4g}", "b": f"{column.max():.4g}"}
+                yield _AXES[axis].recorded, Cell(words("in_motion.from_to", **ends))
+
+
+def rao_table(raos: Raos | None, words: Words) -> Table | None:
+    """Tabulate a ship's response at the fairlead; None where there is none."""
+    if raos is None:
+        return None
+    sizes, phases = abs(raos.response), _phases(raos)
+    used = [k for k in range(3) if sizes[:, k].any()]
+    axes = list(_AXES.values())
+    order = range(len(raos.omega) - 1, -1, -1)  # by rising period
+    step = max(1, math.ceil(len(raos.omega) / _MOST_RAOS))
+    rows = []
+    for row in list(order)[::step]:
+        cells = [Cell(f"{2.0 * math.pi / raos.omega[row]:.4g}", 2.0 * math.pi / raos.omega[row])]
+        for k in used:
+            cells += [
+                Cell(f"{sizes[row, k]:.4g}", float(sizes[row, k])),
+                Cell(f"{math.degrees(phases[row][k]):.4g}", phases[row][k]),
+            ]
+        rows.append(tuple(cells))
+    headings = [Heading(words("in_motion.rao_period"), is_number=True)]
+    for k in used:
+        axis = words(axes[k].name)
+        headings += [
+            Heading(f"{axis} (m/m)", is_number=True),
+            Heading(words("in_motion.phase_of", axis=axis), is_number=True),
+        ]
+    return Table("motion_raos", tuple(headings), tuple(rows), words("in_motion.rao_table"))
+
+
+def _phases(raos: Raos) -> list[list[float]]:
+    """Lag of each response behind the crest, from 0 to a full turn."""
+    turn = 2.0 * math.pi
+    return [
+        [math.atan2(each.imag, each.real) % turn for each in (complex(v) for v in row)]
+        for row in raos.response
+    ]
+
+
+def model_rows(moved: InMotion, run: DynamicRun, words: Words) -> list[Row]:
+    """List what the line is run with.
+
+    Parameters
+    ----------
+    moved : InMotion
+        With its settings.
+    run : DynamicRun
+        Any of them.
+    words : Words
+        Language.
+    """
+    case, dynamics = moved.found.case, moved.drive.dynamics
+    average = dynamics.scheme == "newmark"
+    scheme = "in_motion.average" if average else "in_motion.generalised"
+    stiffness, damping = dynamics.seabed_stiffness, dynamics.seabed_damping
+    return [
+        ("in_motion.bars", Cell(str(dynamics.elements), dynamics.elements)),
+        ("in_motion.runs", Cell(str(dynamics.runs), dynamics.runs)),
+        ("in_motion.duration", _in(dynamics.duration, "s")),
+        ("in_motion.ramp", _in(moved.drive.ramp, "s")),
+        ("in_motion.since", _in(run.history.since, "s")),
+        ("in_motion.step", Cell(f"{run.history.step:.4g} s", run.history.step)),
+        ("in_motion.scheme", Cell(words(scheme, radius=f"{dynamics.spectral_radius:g}"))),
+        ("in_motion.line_damping", _in(dynamics.damping_time, "s")),
+        (
+            "in_motion.bed_stiffness",
+            Cell(words("in_motion.one_centimetre"))
+            if stiffness is None
+            else _in(stiffness, "N/m²"),
+        ),
+        (
+            "in_motion.bed_damping",
+            Cell(words("in_motion.critical")) if damping is None else _in(damping, "N s/m²"),
+        ),
+        (
+            "in_motion.bed_friction",
+            Cell(f"{case.site.seabed_friction:g}", case.site.seabed_friction),
+        ),
+        ("in_motion.density", _in(case.site.water_density, "kg/m³")),
+    ]
+
+
+def segment_rows(moved: InMotion) -> list[tuple[Segment, Sequence[float | None]]]:
+    """List for each segment what inertia and drag are made of.
+
+    Returns
+    -------
+    list of (Segment, sequence)
+        Mass per length, EA, drag diameter, its coefficients across and along, volume-equivalent
+        diameter, coefficients of added mass across and along; SI, as the run has them.
+    """
+    properties = moved.drive.properties
+    gravity, density = properties.fluid.gravity, properties.fluid.density
+    rows: list[tuple[Segment, Sequence[float | None]]] = []
+    sections = properties.sections or ()
+    for segment, section in zip(moved.found.case.line.segments, sections, strict=True):
+        assert segment.mass is not None
+        displaced = (segment.mass - segment.submerged_weight / gravity) / density
+        numbers = (
+            segment.mass, segment.EA, segment.drag_diameter, section.drag_normal,
+            section.drag_tangential, math.sqrt(4.0 * max(displaced, 0.0) / math.pi),
+            section.added_mass_normal, section.added_mass_tangential,
+        )  # fmt: skip
+        rows.append((segment, numbers))
+    return rows
+
+
+def segments_table(moved: InMotion, words: Words) -> Table:
+    """Tabulate inertia and drag of the segments, each coefficient beside its diameter."""
+    coefficient = QUANTITIES["coefficient"]
+    quantities = (
+        QUANTITIES["mass_per_length"], QUANTITIES["EA"],
+        QUANTITIES["drag_diameter"], coefficient, coefficient,
+        QUANTITIES["volume_diameter"], coefficient, coefficient,
+    )  # fmt: skip
+    rows = tuple(
+        (
+            Cell(str(number), number),
+            Cell(segment.name or segment.component, style="words"),
+            *(measured(q, value) for q, value in zip(quantities, numbers, strict=True)),
+        )
+        for number, (segment, numbers) in enumerate(segment_rows(moved), start=1)
+    )
+    across, along = words("in_motion.across"), words("in_motion.along")
+    told = (
+        units(words, quantities[0]), units(words, quantities[1]), units(words, quantities[2]),
+        Heading(f"C_D, {across}", is_number=True), Heading(f"C_D, {along}", is_number=True),
+        units(words, quantities[5]),
+        Heading(f"C_A, {across}", is_number=True), Heading(f"C_A, {along}", is_number=True),
+    )  # fmt: skip
+    number, name = words("components.segment"), words("components.name")
+    headings = (Heading(number, is_number=True), Heading(name), *told)
+    return Table("motion_segments", headings, rows, words("in_motion.segments"))
+
+
+def _in(si: float, unit: str) -> Cell:
+    return Cell(f"{si:g} {unit}", si)
+
+
+def _in_degrees(si: float) -> Cell:
+    return Cell(f"{math.degrees(si):.4g}°", si)

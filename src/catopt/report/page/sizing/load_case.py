@@ -1,0 +1,74 @@
+"""Load cases of a sizing in the reader's language: catopt made their names, and no user did."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from catopt.report.page.note import Chosen, Note
+from catopt.report.texts import Words
+
+__all__ = ["load_case_words", "said_in", "said_line", "said_names"]
+
+
+def load_case_words(name: str, words: Words) -> str:
+    """Say a load case: ``"storm, high water"``."""
+    return words.name(name)
+
+
+def said_names(line: Note, words: Words) -> dict[str, str]:
+    """Say every load case of a line's note, by its name."""
+    return {state.name: load_case_words(state.name, words) for state in line.checks.load_cases}
+
+
+def said_in(text: str, names: Mapping[str, str]) -> str:
+    """Put the names of load cases into a text that has them.
+
+    Parameters
+    ----------
+    text : str
+        That catopt made.
+    names : mapping of str to str
+        As `said_names` has them.
+    """
+    for name, said in names.items():
+        text = text.replace(name, said)
+    return text
+
+
+def said_line(line: Note, words: Words) -> Note:
+    """Give the load cases of a line's note their names in the reader's language.
+
+    Parameters
+    ----------
+    line : Note
+        Of the recommended line.
+    words : Words
+        Language.
+    """
+    names = said_names(line, words)
+    if all(name == said for name, said in names.items()):
+        return line
+    of = line.checks
+    checks = replace(
+        of,
+        results=tuple(replace(each, load_case=names[each.load_case]) for each in of.results),
+        solutions=tuple((names[name], solution) for name, solution in of.solutions),
+        load_cases=tuple(replace(each, name=names[each.name]) for each in of.load_cases),
+    )
+    chosen = line.chosen
+    if chosen is not None:
+        chosen = Chosen(_renamed(chosen.document, names), chosen.number)
+    return replace(
+        line, checks=checks, load_case=names.get(line.load_case, line.load_case), chosen=chosen
+    )
+
+
+def _renamed(value: Any, names: Mapping[str, str]) -> Any:
+    """Put the names in wherever a document has them."""
+    if isinstance(value, dict):
+        return {key: _renamed(each, names) for key, each in value.items()}
+    if isinstance(value, list):
+        return [_renamed(each, names) for each in value]
+    return said_in(value, names) if isinstance(value, str) else value

@@ -1,0 +1,156 @@
+"""What the note of a sizing is made of: the sizing, and the note of the line that it recommends."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from catopt.casefile import write_case
+from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.design.document import design_document
+from catopt.mooring.solve import solve_system
+from catopt.report.page.note import Chosen, Note, note_of
+from catopt.report.page.origin import Origin, SourceFile, origin_of
+from catopt.report.page.result_directory import Asked
+
+if TYPE_CHECKING:
+    from catopt.mooring.solution import SystemSolution
+    from catopt.sizing import Sizing
+
+__all__ = ["Given", "SizeNote", "size_note"]
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a sizing was asked for.
+
+    Attributes
+    ----------
+    file : SourceFile or None
+        That it was read from; None where all was given by options.
+    options : tuple of (str, str)
+        What was typed, or answered on a terminal; goes before what the file says.
+    """
+
+    file: SourceFile | None = None
+    options: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class SizeNote:
+    """Everything that the page of a sizing shows.
+
+    Attributes
+    ----------
+    sizing : Sizing
+        Loads, candidates, what holds the line.
+    line : Note
+        Of the recommended line.
+    origin : Origin
+        The sizing file, where there is one.
+    options : tuple of (str, str)
+        What was typed.
+    warnings : tuple of str
+        What an engineer should know before using the note, each once.
+    around : SystemSolution or None
+        Equilibrium of several lines under the load case that is hardest on one of them.
+    """
+
+    sizing: Sizing
+    line: Note
+    origin: Origin
+    options: tuple[tuple[str, str], ...] = ()
+    warnings: tuple[str, ...] = ()
+    around: SystemSolution | None = None
+
+    kind: ClassVar[str] = "page.kind_size"
+    """Key of the text that says what kind of note it is."""
+
+    untitled: ClassVar[str] = "page.untitled"
+    """Key of the title of a case without one."""
+
+    @property
+    def title(self) -> str:
+        """Title of the file, or what is moored and where."""
+        return self.sizing.case.title
+
+
+def size_note(
+    sizing: Sizing,
+    given: Given,
+    *,
+    date: str = "",
+    verify: bool = True,
+    asked: Asked | None = None,
+) -> SizeNote:
+    """Compute the note of a sizing.
+
+    Parameters
+    ----------
+    sizing : Sizing
+        Of a buoy or a tanker.
+    given : Given
+        What was asked for.
+    date : str
+        For the title block.
+    verify : bool
+        Whether the truss model is put beside the closed form of the recommended line.
+    asked : Asked, optional
+        What else is shown of that line.
+
+    Raises
+    ------
+    NoAnswerError, NotConvergedError
+        As for `note_of`.
+    """
+    line = note_of(
+        sizing.case,
+        (_case_file(sizing),),
+        date=date,
+        chosen=Chosen(_front(sizing), sizing.settled.index + 1),
+        verify=verify,
+        asked=asked,
+    )
+    origin = Origin((), {}, date) if given.file is None else origin_of((given.file,), date)
+    return SizeNote(
+        sizing,
+        line,
+        origin,
+        given.options,
+        tuple(_warnings(sizing, line)),
+        None if sizing.pattern is None else solve_system(sizing.pattern.system),
+    )
+
+
+def _case_file(sizing: Sizing) -> SourceFile:
+    """Write the case of the recommended line, as ``catopt size --save`` does."""
+    text = write_case(sizing.case)
+    return SourceFile(DESIGN_CASE, text, hashlib.sha256(text.encode()).hexdigest())
+
+
+def _front(sizing: Sizing) -> dict[str, Any]:
+    """Lay out the front that the recommended line is from.
+
+    The line that the search was given is none of an engineer's: it only has the place of one. Where
+    another design than the knee was preferred, the knee's neighbours are none of the line's.
+    """
+    settled = sizing.settled
+    document = design_document(settled.result) | {"present": None}
+    if settled.index != settled.result.recommended:
+        document |= {"recommended": settled.index, "neighbours": []}
+    return document | {"recommendation": sizing.why}
+
+
+def _warnings(sizing: Sizing, line: Note) -> Iterator[str]:
+    """Yield what is to be known of the sizing, then what more there is of its line."""
+    yield from sizing.warnings
+    known = {_bare(warning) for warning in sizing.warnings}
+    for warning in line.warnings:
+        if _bare(warning) not in known:
+            yield warning
+
+
+def _bare(warning: str) -> str:
+    return warning.rstrip(".").casefold()
