@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import catopt
-from catopt.report.design_plots import design_front
-from catopt.report.figures import render
-from catopt.report.plots import line_in_water
+from catopt.report.plots.common import render
+from catopt.report.plots.design import design_front
+from catopt.report.plots.line import line_in_water
 
 HERE = Path(__file__).parent
 CASES = HERE.parent / "cases"

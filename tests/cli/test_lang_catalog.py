@@ -8,8 +8,8 @@ import openpyxl
 import pytest
 
 from catopt import catalogue
-from catopt.report.catalogue_words import said_formula, said_text
 from catopt.report.texts import Words, table
+from catopt.report.wording.catalogue import said_formula, said_text
 from tests.catalogue.test_user_families import GOOD
 
 from .conftest import Run

@@ -12,7 +12,7 @@ import pytest
 from catopt.cli.output import Output
 from catopt.cli.reproduction_view import notes_of, show_reproduction
 from catopt.report.texts import Words
-from catopt.report.workbook import reproduction_workbook
+from catopt.report.workbook.books import reproduction_workbook
 from catopt.reproduce import Item, Reproduction, fso_rang_dong_dynamic, names, reproduce
 from catopt.reproduce.fso_rang_dong_dynamic import Maxima
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 import catopt.cli.size_answer
-from catopt.report.size import size_tables
+from catopt.report.tables.size import size_tables
 from catopt.report.texts import Words
-from catopt.report.workbook import size_workbook
+from catopt.report.workbook.books import size_workbook
 from catopt.sizing import Sizing
 
 from .conftest import Run

@@ -27,9 +27,9 @@ from catopt.fem.plausible_step import step_warnings
 from catopt.fem.settle import Controls
 from catopt.fem.solve import solve_line
 from catopt.model import Case, Leg, Line, Load, PointLoad, Segment, System
+from catopt.report.tables.verify import frames, part_sentence, rough_sentence, said_frames
 from catopt.report.texts import Words
-from catopt.report.verify import frames, part_sentence, rough_sentence, said_frames
-from catopt.report.workbook import verification_workbook
+from catopt.report.workbook.books import verification_workbook
 from catopt.verify.compared import Compared, Unit
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import StaticComparison, Verification

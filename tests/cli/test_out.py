@@ -12,7 +12,7 @@ from typing import Any
 import openpyxl
 import pytest
 
-from catopt.report.figures import DPI, SIZE
+from catopt.report.plots.common import DPI, SIZE
 
 from .conftest import BUOY, Run
 

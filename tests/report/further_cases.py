@@ -9,10 +9,10 @@ from tempfile import TemporaryDirectory
 
 import openpyxl
 
-from catopt.report.note_workbook import note_workbook
 from catopt.report.page.note import Note, read_note
 from catopt.report.page.render import render_page
 from catopt.report.texts import Language
+from catopt.report.workbook.note import note_workbook
 
 from .page_reader import ReadPage, read_page
 

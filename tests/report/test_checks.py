@@ -10,14 +10,14 @@ from catopt.checks.case import check_case
 from catopt.checks.criterion import CHECK_KINDS
 from catopt.checks.result import CheckReport
 from catopt.model import Checks, Load, LoadCase
-from catopt.report import checks as tables
-from catopt.report.check_words import (
+from catopt.report.tables import checks as tables
+from catopt.report.wording.checks import (
     QUANTITY_OF,
     governing_sentence,
     load_case_words,
     verdict_sentence,
 )
-from catopt.report.workbook import check_workbook
+from catopt.report.workbook.books import check_workbook
 
 from .conftest import buoy_case
 

@@ -14,15 +14,15 @@ import pytest
 
 import catopt
 from catopt.design.result import DesignResult
-from catopt.report import design
-from catopt.report.design_plots import chosen_three, design_front
-from catopt.report.design_words import (
+from catopt.report.plots.design import chosen_three, design_front
+from catopt.report.tables import design
+from catopt.report.wording.design import (
     clump_weight_words,
     governing_words,
     segment_words,
     tightest,
 )
-from catopt.report.workbook import design_workbook
+from catopt.report.workbook.books import design_workbook
 
 CASES = Path(__file__).parents[2] / "cases"
 

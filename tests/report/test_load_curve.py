@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 
 from catopt.catenary.case_curve import CaseCurve, curve_case
 from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
-from catopt.report import tables
-from catopt.report.figures import render
-from catopt.report.plots import load_curve
+from catopt.report.plots.common import render
+from catopt.report.plots.line import load_curve
+from catopt.report.tables import solution as tables
 
 LINE = Line(
     [Segment(55.0, 2100.0, MBL=7.5e6, name="chain")],

@@ -19,9 +19,9 @@ from openpyxl.utils import range_boundaries
 
 from catopt.design.document import design_document
 from catopt.quantities import QUANTITIES
-from catopt.report.note_workbook import note_workbook
 from catopt.report.page.note import Note, read_note
 from catopt.report.texts import LANGUAGES, Language
+from catopt.report.workbook.note import note_workbook
 
 from .page_cases import CASES, EVERY, design_directory, known_note
 

@@ -15,14 +15,14 @@ from catopt import catalogue
 from catopt.catenary import case_curve
 from catopt.errors import NotConvergedError
 from catopt.quantities import QUANTITIES
-from catopt.report.check_words import QUANTITY_OF
-from catopt.report.load_curve import at_points
 from catopt.report.page.components import components
 from catopt.report.page.note import Note, note_of, read_note
 from catopt.report.page.origin import SourceFile, file_name
 from catopt.report.page.render import render_page, sections_of
 from catopt.report.page.sections import SECTIONS
+from catopt.report.tables.load_curve import at_points
 from catopt.report.texts import Words
+from catopt.report.wording.checks import QUANTITY_OF
 from catopt.units import UNITS
 
 from .conftest import buoy_case

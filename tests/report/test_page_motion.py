@@ -16,7 +16,6 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.quantities import QUANTITIES
-from catopt.report.note_workbook import note_workbook
 from catopt.report.page.closing import warnings
 from catopt.report.page.in_motion import InMotion, motion_warnings
 from catopt.report.page.motion import motion
@@ -24,6 +23,7 @@ from catopt.report.page.motion_figure import around_the_largest, envelope, histo
 from catopt.report.page.note import read_note
 from catopt.report.page.render import render_page
 from catopt.report.texts import Words
+from catopt.report.workbook.note import note_workbook
 from tests.cli.vietnamese import gathered, untranslated
 
 from .further_cases import HARMONIC, further_case, further_note, further_page, same_words

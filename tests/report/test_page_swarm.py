@@ -13,11 +13,11 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.quantities import QUANTITIES
-from catopt.report.note_workbook import note_workbook
 from catopt.report.page.render import render_page
 from catopt.report.page.swarm import MOST_RUNS, swarm
 from catopt.report.page.swarm_figure import swarm_figure
 from catopt.report.texts import Words
+from catopt.report.workbook.note import note_workbook
 from tests.cli.vietnamese import gathered, untranslated
 
 from .conftest import buoy_case, report_with

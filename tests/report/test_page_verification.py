@@ -13,11 +13,11 @@ import pytest
 from catopt.casefile import read_case
 from catopt.errors import NotConvergedError, TouchesTwiceError
 from catopt.model import Case
-from catopt.report.note_workbook import note_workbook
 from catopt.report.page.note import Note, note_of, read_note
 from catopt.report.page.render import render_page
+from catopt.report.tables.verify import part_sentence
 from catopt.report.texts import LANGUAGES, Language, Words
-from catopt.report.verify import part_sentence
+from catopt.report.workbook.note import note_workbook
 from catopt.verify import case as verify_module
 from catopt.verify.case import verify_case
 from catopt.verify.compared import Compared

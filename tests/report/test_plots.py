@@ -18,8 +18,8 @@ from catopt.catenary.case_curve import STEPPED, CaseCurve, Stepped, curve_case
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site
-from catopt.report.figures import DPI, SIZE, render
-from catopt.report.plots import fitness, line_in_water, load_curve, swarm_tension, tension
+from catopt.report.plots.common import DPI, SIZE, render
+from catopt.report.plots.line import fitness, line_in_water, load_curve, swarm_tension, tension
 
 from .conftest import report_with
 

@@ -15,8 +15,8 @@ import openpyxl
 import pytest
 
 from catopt.report.page.sizing.note import Given, size_note
-from catopt.report.size_note_workbook import size_note_workbook
 from catopt.report.texts import LANGUAGES, Language
+from catopt.report.workbook.note_size import size_note_workbook
 
 from .size_page_cases import EVERY, known_size_note
 from .test_note_workbook import assert_holds, same, table

@@ -10,9 +10,9 @@ import pytest
 
 from catopt.casefile import read_case
 from catopt.mooring.case import SystemReport, report_system
-from catopt.report.figures import render
-from catopt.report.system import body, frames, line_columns
-from catopt.report.system_plots import plan, restoring, watch_circle
+from catopt.report.plots.common import render
+from catopt.report.plots.system import plan, restoring, watch_circle
+from catopt.report.tables.system import body, frames, line_columns
 
 CASE = Path(__file__).parents[2] / "cases" / "fso-rang-dong" / "case.toml"
 

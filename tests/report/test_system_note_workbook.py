@@ -14,8 +14,8 @@ import openpyxl
 import pytest
 from openpyxl.utils import range_boundaries
 
-from catopt.report.system_note_workbook import system_note_workbook
 from catopt.report.texts import LANGUAGES, Language
+from catopt.report.workbook.note_system import system_note_workbook
 
 from .system_page_cases import EVERY, TURRET, known_note
 from .test_note_workbook import (

@@ -9,8 +9,8 @@ import pytest
 
 from catopt.catenary.solution import FoundQuantity, Solution
 from catopt.model import Case, Line, Load, Segment
-from catopt.report import tables
-from catopt.report.summary import columns, given, in_tonne_force, named, results
+from catopt.report.tables import solution as tables
+from catopt.report.tables.summary import columns, given, in_tonne_force, named, results
 
 from .conftest import buoy_case
 

@@ -16,11 +16,11 @@ import catopt.cli
 import catopt.report.page
 from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.quantities import QUANTITIES
-from catopt.report.design_words import OBJECTIVES
 from catopt.report.page.render import environment
 from catopt.report.page.sections import SECTIONS
 from catopt.report.texts import LANGUAGES, Words, table
-from catopt.report.words import METHODS, REGIMES
+from catopt.report.wording.design import OBJECTIVES
+from catopt.report.wording.names import METHODS, REGIMES
 
 PAGE = Path(catopt.report.page.__file__).parent
 TEMPLATES = sorted((PAGE / "templates").glob("*.html"))
@@ -78,7 +78,7 @@ def asked() -> set[str]:
     """Every text that page, workbooks and terminal ask for."""
     found = {f"{section.key}.heading" for sections in SECTIONS.values() for section in sections}
     views = Path(catopt.cli.__file__).parent.glob("*_view.py")
-    for module in (*PAGE.rglob("*.py"), *PAGE.parent.glob("*workbook*.py"), *views):
+    for module in (*PAGE.rglob("*.py"), *(PAGE.parent / "workbook").glob("*.py"), *views):
         found |= set(asked_by_code(module.read_text("utf-8")))
     for template in TEMPLATES:
         found |= set(asked_by_template(template.read_text("utf-8")))

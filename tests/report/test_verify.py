@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 import catopt
-from catopt.report.figures import render
-from catopt.report.verify import (
+from catopt.report.plots.common import render
+from catopt.report.plots.verify import figures
+from catopt.report.tables.verify import (
     QUANTITY_OF,
     frames,
     in_parts,
@@ -18,7 +19,6 @@ from catopt.report.verify import (
     rough_sentence,
     verdict_sentence,
 )
-from catopt.report.verify_plots import figures
 from catopt.verify.case import verify_case
 from catopt.verify.front import Design, verify_front
 from catopt.verify.result import StaticComparison, Verification

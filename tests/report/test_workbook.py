@@ -10,7 +10,7 @@ import openpyxl
 
 from catopt.catenary.solution import Solution
 from catopt.model import Case, Line, Load, Site
-from catopt.report.workbook import solution_workbook
+from catopt.report.workbook.books import solution_workbook
 
 from .conftest import buoy_case, report_with
 

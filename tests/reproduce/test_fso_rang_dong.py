@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import catopt
-from catopt.report.figures import render
-from catopt.report.mooring_views import elevation, plan
+from catopt.report.plots.common import render
+from catopt.report.plots.moorings import elevation, plan
 from catopt.reproduce import Study, book, reproduce
 from catopt.reproduce.fso_rang_dong import as_run, free_bed, turret
 from catopt.reproduce.published import published

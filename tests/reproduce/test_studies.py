@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from catopt.report.bundle import reproduction_bundle
-from catopt.report.study_views import lines_to_scale
+from catopt.report.plots.studies import lines_to_scale
 from catopt.reproduce import book, names, reproduce
 from catopt.reproduce.comparison import compare
 from catopt.reproduce.published import published

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from catopt.catalogue.family import in_mm
 from catopt.catalogue.figure import RECALLED, SPECS, weakest
 from catopt.quantities import QUANTITIES
-from catopt.report.catalogue_words import said_cited, said_formula, said_text
+from catopt.report.wording.catalogue import said_cited, said_formula, said_text
 
 if TYPE_CHECKING:
     from catopt.catalogue import Alternative, Component, Family, Figure, Hydrodynamic, Source

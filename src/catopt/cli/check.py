@@ -83,7 +83,7 @@ def check(
 
         show_report(output, report, Words(lang.value))
     if strict and not report.passes:
-        from catopt.report.check_words import verdict_sentence
+        from catopt.report.wording.checks import verdict_sentence
 
         output.note(f"catopt: {verdict_sentence(report)}")
         raise typer.Exit(FAILED)

@@ -6,7 +6,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
-from catopt.report.check_words import (
+from catopt.report.wording.checks import (
     QUANTITY_OF,
     governing_sentence,
     load_case_words,

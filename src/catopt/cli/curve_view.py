@@ -8,10 +8,10 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from catopt.quantities import Quantity
-from catopt.report.load_curve import OFFSET, SPAN, Column, at_marks, at_points
-from catopt.report.summary import found
+from catopt.report.tables.load_curve import OFFSET, SPAN, Column, at_marks, at_points
+from catopt.report.tables.summary import found
 from catopt.report.texts import Words
-from catopt.report.words import REGIMES
+from catopt.report.wording.names import REGIMES
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve

@@ -7,7 +7,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.design_words import (
+from catopt.report.wording.design import (
     CHECK_KINDS,
     anchor_words,
     check_kinds,

@@ -148,13 +148,13 @@ def workbook_of(note: AnyNote, language: Language) -> bytes:
     from catopt.report.page.system.note import SystemNote
 
     if isinstance(note, SizeNote):
-        from catopt.report.size_note_workbook import size_note_workbook
+        from catopt.report.workbook.note_size import size_note_workbook
 
         return size_note_workbook(note, language)
     if isinstance(note, SystemNote):
-        from catopt.report.system_note_workbook import system_note_workbook
+        from catopt.report.workbook.note_system import system_note_workbook
 
         return system_note_workbook(note, language)
-    from catopt.report.note_workbook import note_workbook
+    from catopt.report.workbook.note import note_workbook
 
     return note_workbook(note, language)

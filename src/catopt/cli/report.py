@@ -149,7 +149,7 @@ def _first_of_three(tell: Progress | None) -> Progress | None:
 def _stop_if_interrupted(note: Note, output: Output) -> None:
     """Write nothing after Ctrl-C: a note of half a run is none, and an older one is worth more."""
     if note.motion is not None and not note.motion.found.is_complete:
-        from catopt.report.dynamic import stopped_sentence
+        from catopt.report.tables.dynamic import stopped_sentence
 
         stopped = stopped_sentence(note.motion.found).partition(";")[0]
         output.note(

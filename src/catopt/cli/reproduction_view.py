@@ -7,7 +7,7 @@ from itertools import groupby
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
-from catopt.report.reproduction_words import said_among_numbers, said_note
+from catopt.report.wording.reproduction import said_among_numbers, said_note
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output

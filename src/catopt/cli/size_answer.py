@@ -99,8 +99,8 @@ def give(
         What was asked for, which the calculation note has among the files.
     """
     if out is not None:
+        from catopt.report.bundle import size_bundle
         from catopt.report.files import write_files
-        from catopt.report.size import size_bundle
 
         written = write_files(out, size_bundle(of, words.language, given))
         output.note(f"{len(written)} files written to {out}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
-from catopt.report.size_words import (
+from catopt.report.wording.size import (
     candidate_rows,
     check_rows,
     governing_lines,

@@ -6,9 +6,17 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.summary import Entry, found, given, in_tonne_force, named, residuals, results
+from catopt.report.tables.summary import (
+    Entry,
+    found,
+    given,
+    in_tonne_force,
+    named,
+    residuals,
+    results,
+)
 from catopt.report.texts import Words
-from catopt.report.words import METHODS, REGIMES
+from catopt.report.wording.names import METHODS, REGIMES
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution, SwarmReport

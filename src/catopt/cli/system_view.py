@@ -7,7 +7,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
-from catopt.report.system import (
+from catopt.report.tables.system import (
     Column,
     body,
     circle_columns,

@@ -143,11 +143,11 @@ def _end(
     strict: bool,
 ) -> None:
     """Leave with the exit status that the answer asks for."""
-    from catopt.report.verify import verdict_sentence
+    from catopt.report.tables.verify import verdict_sentence
     from catopt.verify.front import FrontVerification
 
     if dynamic is not None and not dynamic.is_complete:
-        from catopt.report.dynamic import stopped_sentence
+        from catopt.report.tables.dynamic import stopped_sentence
         from catopt.report.texts import Words
 
         said = Words(lang.value).sentence(stopped_sentence(dynamic)).text

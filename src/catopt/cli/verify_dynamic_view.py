@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from catopt.report.dynamic import DYNAMIC_QUANTITY_OF, dynamic_sentences
+from catopt.report.tables.dynamic import DYNAMIC_QUANTITY_OF, dynamic_sentences
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from catopt.report.verify import (
+from catopt.report.tables.verify import (
     QUANTITY_OF,
     in_parts,
     part_sentence,

@@ -19,8 +19,10 @@ if TYPE_CHECKING:
     from catopt.loads.component import Loads
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
+    from catopt.report.page.sizing.note import Given
     from catopt.report.texts import Language
     from catopt.reproduce import Reproduction
+    from catopt.sizing import Sizing
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.front import FrontVerification
     from catopt.verify.result import Verification
@@ -32,10 +34,15 @@ __all__ = [
     "design_bundle",
     "loads_bundle",
     "reproduction_bundle",
+    "size_bundle",
     "solution_bundle",
     "system_bundle",
     "verification_bundle",
 ]
+
+
+SYSTEM_CASE = "system.toml"
+"""The whole pattern of several lines, for ``catopt system``."""
 
 
 def solution_bundle(case: Case, solution: Solution, language: Language = "en") -> dict[str, bytes]:
@@ -55,8 +62,9 @@ def solution_bundle(case: Case, solution: Solution, language: Language = "en") -
     dict of str to bytes
         The document, tables (CSV), a workbook and figures (PNG and SVG) by file name.
     """
-    from catopt.report import plots, tables
-    from catopt.report.workbook import solution_workbook
+    from catopt.report.plots import line as plots
+    from catopt.report.tables import solution as tables
+    from catopt.report.workbook.books import solution_workbook
 
     files = {
         "solution.json": _json(solution.to_dict(profile=True)),
@@ -75,7 +83,8 @@ def solution_bundle(case: Case, solution: Solution, language: Language = "en") -
 
 def _swarm(solution: Solution, name: str) -> dict[str, bytes]:
     """Make the swarm's tables and S1's figures 3 and 4; nothing when there was no swarm."""
-    from catopt.report import plots, tables
+    from catopt.report.plots import line as plots
+    from catopt.report.tables import solution as tables
 
     swarm = solution.swarm
     if swarm is None:
@@ -91,8 +100,9 @@ def _swarm(solution: Solution, name: str) -> dict[str, bytes]:
 
 def curve_bundle(result: CaseCurve, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt curve CASE --out DIR``: document, tables, workbook and figure."""
-    from catopt.report import plots, tables
-    from catopt.report.workbook import curve_workbook
+    from catopt.report.plots import line as plots
+    from catopt.report.tables import solution as tables
+    from catopt.report.workbook.books import curve_workbook
 
     return {
         "curve.json": _json(result.to_dict()),
@@ -105,8 +115,8 @@ def curve_bundle(result: CaseCurve, language: Language = "en") -> dict[str, byte
 
 def reproduction_bundle(result: Reproduction, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt reproduce --out DIR``: page, document, tables and figures."""
-    from catopt.report import tables
-    from catopt.report.workbook import reproduction_workbook
+    from catopt.report.tables import solution as tables
+    from catopt.report.workbook.books import reproduction_workbook
     from catopt.reproduce import book
 
     files = {
@@ -117,13 +127,13 @@ def reproduction_bundle(result: Reproduction, language: Language = "en") -> dict
     }
     for study in result.studies:
         if study.drawn:
-            from catopt.report.study_views import lines_to_scale
+            from catopt.report.plots.studies import lines_to_scale
 
             files |= _figure(f"{study.name}_lines", lines_to_scale(study))
         if study.by_swarm is not None:
             files |= _swarm(study.by_swarm, study.name)
         if study.moorings:
-            from catopt.report import mooring_views
+            from catopt.report.plots import moorings as mooring_views
 
             files |= _figure(f"{study.name}_plan", mooring_views.plan(study))
             files |= _figure(f"{study.name}_elevation", mooring_views.elevation(study))
@@ -138,9 +148,9 @@ def design_bundle(result: DesignResult, language: Language = "en") -> dict[str, 
     """
     from catopt.casefile import write_case
     from catopt.design.document import design_document
-    from catopt.report import design
-    from catopt.report.design_plots import design_front
-    from catopt.report.workbook import design_workbook
+    from catopt.report.plots.design import design_front
+    from catopt.report.tables import design
+    from catopt.report.workbook.books import design_workbook
 
     return {
         DESIGN_DOCUMENT: _json(design_document(result)),
@@ -157,8 +167,8 @@ def design_bundle(result: DesignResult, language: Language = "en") -> dict[str, 
 
 def check_bundle(report: CheckReport, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt check CASE --out DIR``: document, tables and workbook."""
-    from catopt.report import checks
-    from catopt.report.workbook import check_workbook
+    from catopt.report.tables import checks
+    from catopt.report.workbook.books import check_workbook
 
     return {
         "check.json": _json(report.to_dict()),
@@ -173,8 +183,9 @@ def system_bundle(report: SystemReport, language: Language = "en") -> dict[str, 
 
     The tables and figures of what was not asked for are left out.
     """
-    from catopt.report import system, system_plots
-    from catopt.report.workbook import system_workbook
+    from catopt.report.plots import system as system_plots
+    from catopt.report.tables import system
+    from catopt.report.workbook.books import system_workbook
 
     title = report.case.title
     frames = system.frames(report)
@@ -200,9 +211,10 @@ def verification_bundle(
 
     A front has no figures. A line in motion has tables, a workbook and figures of its own.
     """
-    from catopt.report import verify, verify_plots
+    from catopt.report.plots import verify as verify_plots
+    from catopt.report.tables import verify
     from catopt.report.texts import Words
-    from catopt.report.workbook import verification_workbook
+    from catopt.report.workbook.books import verification_workbook
     from catopt.verify.result import Verification
 
     frames = verify.frames(found)
@@ -222,9 +234,10 @@ def verification_bundle(
 
 
 def _dynamic(found: DynamicVerification, language: Language) -> dict[str, bytes]:
-    from catopt.report import dynamic, dynamic_plots
+    from catopt.report.plots import dynamic as dynamic_plots
+    from catopt.report.tables import dynamic
     from catopt.report.texts import Words
-    from catopt.report.workbook import verification_workbook
+    from catopt.report.workbook.books import verification_workbook
 
     frames = dynamic.frames(found)
     sheets = dynamic.workbook_frames(frames, Words(language))
@@ -239,8 +252,8 @@ def _dynamic(found: DynamicVerification, language: Language) -> dict[str, bytes]
 
 def catalogue_bundle(answer: Answer, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt catalog ... --out DIR``: document, tables and workbook."""
-    from catopt.report.catalogue import catalogue_tables
-    from catopt.report.workbook import catalogue_workbook
+    from catopt.report.tables.catalogue import catalogue_tables
+    from catopt.report.workbook.books import catalogue_workbook
 
     frames = catalogue_tables(answer)
     return {
@@ -253,8 +266,8 @@ def catalogue_bundle(answer: Answer, language: Language = "en") -> dict[str, byt
 def loads_bundle(of: Loads, language: Language = "en") -> dict[str, bytes]:
     """Make the files of ``catopt loads ... --out DIR``: document, tables and workbook."""
     from catopt.loads.document import loads_document
-    from catopt.report import loads
-    from catopt.report.workbook import loads_workbook
+    from catopt.report.tables import loads
+    from catopt.report.workbook.books import loads_workbook
 
     return {
         "loads.json": _json(loads_document(of)),
@@ -263,6 +276,49 @@ def loads_bundle(of: Loads, language: Language = "en") -> dict[str, bytes]:
         "numbers.csv": _csv(loads.load_numbers(of)),
         "notes.csv": _csv(loads.load_notes(of)),
     }
+
+
+def size_bundle(
+    of: Sizing, language: Language = "en", given: Given | None = None
+) -> dict[str, bytes]:
+    """Make the files of ``catopt size ... --out DIR``.
+
+    Document, tables, workbook, the line in the water, the calculation note, and the case that all
+    commands take; of several lines the case of the whole pattern, too.
+
+    Parameters
+    ----------
+    of : Sizing
+        Of a buoy or a tanker.
+    language : {"en", "vi"}
+        Of workbook and note; the rest is the same in both.
+    given : Given, optional
+        What was asked for; no note without it.
+    """
+    from catopt.casefile import write_case
+    from catopt.report.plots.line import line_in_water
+    from catopt.report.tables.size import size_tables
+    from catopt.report.workbook.books import size_workbook
+    from catopt.sizing.pattern import system_case
+
+    tables = size_tables(of)
+    name, solution = of.hardest
+    state = next(each for each in of.case.load_cases if each.name == name)
+    files = {
+        "size.json": _json(of.to_dict()),
+        "size.xlsx": size_workbook(of.case.title, tables, language),
+        **{f"{key}.csv": _csv(frame) for key, frame in tables.items()},
+        DESIGN_CASE: write_case(of.case).encode(),
+        **_figure("line", line_in_water(solution, of.case.site.water_depth + state.water_level)),
+    }
+    if given is not None:
+        from catopt.report.page.render import render_page
+        from catopt.report.page.sizing.note import size_note
+
+        files["note.html"] = render_page(size_note(of, given), language)
+    if of.pattern is not None:
+        files[SYSTEM_CASE] = write_case(system_case(of.case, of.pattern)).encode()
+    return files
 
 
 def _json(document: dict[str, Any]) -> bytes:
@@ -275,6 +331,6 @@ def _csv(frame: pd.DataFrame) -> bytes:
 
 
 def _figure(name: str, figure: Figure) -> dict[str, bytes]:
-    from catopt.report.figures import render
+    from catopt.report.plots.common import render
 
     return {f"{name}.png": render(figure, "png"), f"{name}.svg": render(figure, "svg")}

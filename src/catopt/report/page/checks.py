@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.checks.result import CheckResult
-from catopt.report.check_words import QUANTITY_OF, governing_sentence
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said
 from catopt.report.texts import Words
+from catopt.report.wording.checks import QUANTITY_OF, governing_sentence
 
 __all__ = ["check_cells", "check_headings", "checks"]
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
-from catopt.report.load_curve import FAIRLEAD_TENSION, FORCE, at_marks, at_points
 from catopt.report.page.figure import (
     WIDTH,
     Figure,
@@ -24,6 +23,7 @@ from catopt.report.page.figure import (
 )
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
+from catopt.report.tables.load_curve import FAIRLEAD_TENSION, FORCE, at_marks, at_points
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from catopt.quantities import Quantity
-from catopt.report.design_words import OBJECTIVES
 from catopt.report.page.figure import WIDTH, Figure, Frame, Legend, Point, Shape, axes, shape
 from catopt.report.page.note import Chosen, Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
 from catopt.report.texts import Phrase, Words
+from catopt.report.wording.design import OBJECTIVES
 
 __all__ = [
     "change_words",

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from catopt.report.check_words import verdict_sentence
 from catopt.report.page.note import Note
 from catopt.report.page.origin import Origin
 from catopt.report.page.table import Cell, Heading, Table, said
 from catopt.report.texts import Words
-from catopt.report.words import METHODS, REGIMES
+from catopt.report.wording.checks import verdict_sentence
+from catopt.report.wording.names import METHODS, REGIMES
 
 __all__ = ["identity", "made_from", "title_block"]
 

@@ -137,7 +137,7 @@ def _uses(part: DynamicPart, solution: Solution, checks: CheckReport) -> Iterato
 
 def motion_warnings(moved: InMotion) -> Iterator[str]:
     """Yield what is to be known before the note is used: what fails, and what was remarked on."""
-    from catopt.report.dynamic import stopped_sentence
+    from catopt.report.tables.dynamic import stopped_sentence
 
     if not moved.found.is_complete:
         yield f"the line in motion is not complete: {stopped_sentence(moved.found)}"

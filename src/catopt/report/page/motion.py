@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.dynamic import DYNAMIC_QUANTITY_OF, dynamic_sentences, stopped_sentence
 from catopt.report.page.motion_drive import (
     Row,
     drive_rows,
@@ -17,7 +16,8 @@ from catopt.report.page.motion_drive import (
 from catopt.report.page.motion_figure import envelope_figure, history_figure
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured, units
-from catopt.report.summary import named
+from catopt.report.tables.dynamic import DYNAMIC_QUANTITY_OF, dynamic_sentences, stopped_sentence
+from catopt.report.tables.summary import named
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import Any
 from catopt.quantities import QUANTITIES
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured, shown_si, units
-from catopt.report.summary import Entry, found, named, residuals
-from catopt.report.summary import results as entries
+from catopt.report.tables.summary import Entry, found, named, residuals
+from catopt.report.tables.summary import results as entries
 from catopt.report.texts import Words
 
 __all__ = ["load_cases", "results"]

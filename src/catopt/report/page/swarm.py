@@ -8,7 +8,7 @@ from catopt.quantities import QUANTITIES, Quantity
 from catopt.report.page.note import Note
 from catopt.report.page.swarm_figure import swarm_figure
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured
-from catopt.report.summary import named, results
+from catopt.report.tables.summary import named, results
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from catopt.report.page.figure import (
     text,
     ticks,
 )
-from catopt.report.summary import named
+from catopt.report.tables.summary import named
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:

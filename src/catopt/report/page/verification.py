@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured
+from catopt.report.tables.verify import QUANTITY_OF, ROUNDING, in_parts, part_sentence
 from catopt.report.texts import Words
-from catopt.report.verify import QUANTITY_OF, ROUNDING, in_parts, part_sentence
 
 if TYPE_CHECKING:
     from catopt.verify.compared import Compared

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
-from catopt.report.check_words import QUANTITY_OF
-from catopt.report.design_words import OBJECTIVES
 from catopt.report.page.front_figure import change_words
 from catopt.report.page.sizing.load_case import load_case_words, said_in, said_names
 from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
 from catopt.report.texts import Phrase, Words
+from catopt.report.wording.checks import QUANTITY_OF
+from catopt.report.wording.design import OBJECTIVES
 
 if TYPE_CHECKING:
     from catopt.sizing.candidates import Candidate

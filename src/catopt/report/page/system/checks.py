@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from catopt.report.check_words import QUANTITY_OF
 from catopt.report.page.checks import check_cells, check_headings
 from catopt.report.page.system.checking import BODY, line_name
 from catopt.report.page.system.note import SystemNote
 from catopt.report.page.table import Cell, Heading, Table
 from catopt.report.texts import Words
+from catopt.report.wording.checks import QUANTITY_OF
 
 __all__ = ["checks", "governing_words", "of_what"]
 

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from typing import Any
 
 from catopt.quantities import QUANTITIES
-from catopt.report.check_words import verdict_sentence
 from catopt.report.page.identity import made_from, title_block
 from catopt.report.page.system.note import SystemNote
 from catopt.report.page.system.rounding import first_largest, heading_of
 from catopt.report.page.table import Cell
 from catopt.report.texts import Phrase, Words
-from catopt.report.words import METHODS
+from catopt.report.wording.checks import verdict_sentence
+from catopt.report.wording.names import METHODS
 
 __all__ = ["deciding", "force_words", "identity"]
 

@@ -12,8 +12,8 @@ from catopt.report.page.verification import (
     mesh_table,
     rough_words,
 )
+from catopt.report.tables.verify import QUANTITY_OF, part_sentence
 from catopt.report.texts import Words
-from catopt.report.verify import QUANTITY_OF, part_sentence
 
 if TYPE_CHECKING:
     from catopt.verify.result import StaticComparison

@@ -1,0 +1,1 @@
+"""Workbooks, and the sheets that they are made of."""

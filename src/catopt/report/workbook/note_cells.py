@@ -1,0 +1,26 @@
+"""Cells of the note's workbook: a value with the unit of its quantity, and its heading."""
+
+from __future__ import annotations
+
+from catopt.quantities import Quantity
+from catopt.report.page.table import label_of
+from catopt.report.texts import Words
+from catopt.report.workbook.sheet import Number, number_pattern
+
+__all__ = ["headed", "number_of", "unit_of"]
+
+
+def number_of(quantity: Quantity, si: float | None) -> Number:
+    """Take a value in the field's unit."""
+    return Number(None if si is None else quantity.to_field(si), number_pattern(quantity))
+
+
+def headed(words: Words, quantity: Quantity) -> str:
+    """Head a column: name, symbol and unit, in the language of the book."""
+    unit = "" if quantity.field_unit == "-" else f" ({quantity.field_unit})"
+    return label_of(words, quantity) + unit
+
+
+def unit_of(unit: str) -> str:
+    """Write a unit; nothing for a pure number."""
+    return "" if unit == "-" else unit

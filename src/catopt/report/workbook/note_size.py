@@ -1,0 +1,184 @@
+"""The calculation note of a sizing as a workbook: its own sheets, and those of its line's note."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from catopt.casefile.location import dotted
+from catopt.report.page.inputs import FREE_TEXT, leaves
+from catopt.report.page.sizing.identity import found, governing, identity, recommendation
+from catopt.report.page.sizing.inputs import schema_of
+from catopt.report.page.sizing.load_case import load_case_words, said_line
+from catopt.report.page.sizing.note import SizeNote
+from catopt.report.tables.checks import load_cases
+from catopt.report.texts import Language, Words
+from catopt.report.wording.checks import verdict_sentence
+from catopt.report.workbook.note import catalogue_sheet, components_sheet, input_rows
+from catopt.report.workbook.note_cells import number_of, unit_of
+from catopt.report.workbook.note_checks import (
+    checks_sheet,
+    front_sheet,
+    neighbours_sheet,
+    verification_sheet,
+)
+from catopt.report.workbook.note_line import curve_sheet, line_sheet
+from catopt.report.workbook.note_size_choice import (
+    candidates_sheet,
+    hold_sheet,
+    pattern_sheet,
+    swing_sheet,
+)
+from catopt.report.workbook.note_size_loads import loads_sheet, numbers_sheet
+from catopt.report.workbook.note_swarm import swarm_sheet
+from catopt.report.workbook.sheet import Book, Cell, Number, Text
+
+__all__ = ["size_note_workbook"]
+
+_SUMMARY = (46.0, 15.0, 9.0, 22.0, 9.0)
+"""Widths of the summary's columns: quantity, value, unit, the same in SI."""
+
+
+def size_note_workbook(note: SizeNote, language: Language = "en") -> bytes:
+    """Lay the calculation note of a sizing out.
+
+    The same note gives the same bytes.
+
+    Parameters
+    ----------
+    note : SizeNote
+        What it shows.
+    language : {"en", "vi"}
+        Of its words.
+
+    Returns
+    -------
+    bytes
+        An .xlsx file with sheets of the sizing (Summary, Inputs, Loads, Numbers, Candidates, what
+        holds the line, swing radius, several lines, assumptions) and of the recommended line
+        (Line, Curve, Checks, Load cases, Front, Neighbours, Components, Catalogue, Verification,
+        Swarm), each where there is something to show.
+    """
+    words = Words(language)
+    book = Book(note.title or words(note.untitled), words, typeset=True)
+    _summary(book, note)
+    _inputs(book, note)
+    loads_sheet(book, note)
+    numbers_sheet(book, note)
+    candidates_sheet(book, note)
+    line = said_line(note.line, words)
+    line_sheet(book, line)
+    if line.checks.results:
+        checks_sheet(book, line)
+    if len(line.checks.solutions) > 1:
+        book.sheet("Load cases").table(load_cases(line.checks))
+    hold_sheet(book, note)
+    swing_sheet(book, note)
+    pattern_sheet(book, note)
+    _assumptions(book, note)
+    if line.curve is not None:
+        curve_sheet(book, line.curve)
+    if line.chosen is not None:
+        front_sheet(book, line.chosen.document, line.chosen.number)
+        neighbours_sheet(book, line.chosen.document)
+    components_sheet(book, line)
+    catalogue_sheet(book, line)
+    if line.verification is not None or line.verification_failure:
+        verification_sheet(book, line)
+    if line.swarm is not None:
+        swarm_sheet(book, line)
+    return book.close()
+
+
+# ------------------------------------------------------------------ summary and inputs
+
+
+def _summary(book: Book, note: SizeNote) -> None:
+    """Write what is recommended, what governs it, warnings, the results and the title block."""
+    words = book.words
+    sheet = book.sheet("Summary")
+    sheet.worksheet.set_portrait()
+    sheet.worksheet.fit_to_pages(1, 1)
+    sheet.set_widths(_SUMMARY)
+    sheet.across(note.title or words(note.untitled), "large")
+    sheet.across(words(note.kind), "grey")
+    checks = note.line.checks
+    sheet.across(recommendation(note, words), "good" if checks.passes else "bad")
+    sheet.across(words.sentence(verdict_sentence(checks)).text)
+    sheet.row += 1
+    sheet.across(words("size_identity.governs"), "title")
+    for phrase in governing(note, words):
+        sheet.across(phrase.text)
+    if note.warnings:
+        sheet.row += 1
+        sheet.across(words("warnings.heading"), "title")
+        for warning in note.warnings:
+            sheet.across(words.sentence(warning).text)
+    sheet.row += 1
+    sheet.grid(
+        [
+            words("workbook.quantity"),
+            words("workbook.value"),
+            words("workbook.unit"),
+            words("workbook.si"),
+            words("workbook.si_unit"),
+        ],
+        list(_found(note, words)),
+        widths=_SUMMARY,
+        right=(1, 3),
+    )
+    for label, value in identity(note, words)["table"].rows:
+        sheet.pair(label.text, value.text)
+
+
+def _found(note: SizeNote, words: Words) -> Iterator[Sequence[Cell]]:
+    for label, quantity, value, load_case in found(note.sizing, words):
+        at = f" ({load_case_words(load_case, words)})" if load_case else ""
+        yield (
+            f"{label}{at}",
+            number_of(quantity, value),
+            Text(unit_of(quantity.field_unit), "text"),
+            Number(value),
+            Text(unit_of(quantity.si_unit), "text"),
+        )
+
+
+def _inputs(book: Book, note: SizeNote) -> None:
+    """Write every value of the sizing file as it stands there and in SI, then the options."""
+    words = book.words
+    sheet = book.sheet("Inputs")
+    if note.origin.files:
+        rows = [
+            row
+            for path, kind, value in leaves(note.origin.inputs, schema_of(note))
+            if path not in {(key,) for key in FREE_TEXT}
+            for row in input_rows(dotted(path), kind, value)
+        ]
+        keys = ("inputs.key", "inputs.given", "inputs.si", "workbook.si_unit")
+        sheet.grid([words(key) for key in keys], rows, widths=[44, 60, 22, 12], right=(2,))
+    if note.options:
+        options: list[Sequence[Cell]] = [
+            (Text(name, "text"), value) for name, value in note.options
+        ]
+        headings = [words("size_inputs.option"), words("inputs.given")]
+        sheet.grid(headings, options, title=words("size_inputs.typed"), widths=[44, 60])
+
+
+def _assumptions(book: Book, note: SizeNote) -> None:
+    """Write what the answer rests on, with what the loads assume."""
+    words = book.words
+    of = note.sizing
+    sheet = book.sheet("Assumptions", words("size_assumptions.heading"))
+    parts = (part for each in of.settled.posed.loads for part in each.parts)
+    of_loads = tuple(dict.fromkeys(text for part in parts for text in part.assumptions))
+    kinds = (
+        (words("size_assumptions.heading"), (*of.assumptions, *of_loads)),
+        (words("size_assumptions.defaults"), of.defaults),
+        (words("size_assumptions.recalled"), of.recalled),
+    )
+    sheet.set_widths([110.0])
+    for title, texts in kinds:
+        if texts:
+            sheet.across(title, "title")
+            for text in texts:
+                sheet.across(words.sentence(text).text)
+            sheet.row += 1
