@@ -40,6 +40,7 @@ def test_an_answer_in_vietnamese(run: Run, missing: set[str], question: tuple[st
     assert max(map(len, ran.out.splitlines())) <= 80
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("question", QUESTIONS[:5], ids=" ".join)
 def test_the_files_have_the_same_numbers(
     run: Run, missing: set[str], question: tuple[str, ...], tmp_path: Path

@@ -126,6 +126,7 @@ def test_documents_and_tables_are_the_same_in_both_languages(run: Run, tmp_path:
         assert (tmp_path / "en" / name).read_bytes() == (tmp_path / "vi" / name).read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", [SOUGHT, STATES, "buoyed.toml"], ids=str)
 def test_both_workbooks_have_the_same_numbers(run: Run, tmp_path: Path, case: object) -> None:
     for lang in ("en", "vi"):

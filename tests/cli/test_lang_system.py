@@ -65,6 +65,7 @@ def test_a_system_in_vietnamese(run: Run, missing: set[str], case: Path) -> None
     assert max(map(len, ran.out.splitlines())) <= 80
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turns", [False, True])
 def test_the_files_have_the_same_numbers(
     run: Run, missing: set[str], turns: bool, tmp_path: Path

@@ -196,6 +196,7 @@ def test_the_document_is_the_same_in_both_languages(run: Run, arguments: list[ob
     assert run(*command, "--lang", "vi").out == run(*command).out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("case", "sheets"),
     [

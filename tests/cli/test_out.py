@@ -81,6 +81,7 @@ def test_point_loads_have_a_table(run: Run, tmp_path: Path, chain_and_wire: Path
     assert load["Position from the anchor (m)"] == "800.0"
 
 
+@pytest.mark.slow
 def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> None:
     assert run("reproduce", "--out", tmp_path / "out").status == 0
     swarm = {name.replace("swarm", "buoy_9p5m") for name in OF_SWARM}

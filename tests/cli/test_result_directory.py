@@ -86,6 +86,7 @@ def test_each_command_leaves_a_directory_that_can_be_reported_on(run: Run, comma
     assert (document["swarm"], document["motion"]) == (None, None)
 
 
+@pytest.mark.slow
 def test_a_body_and_a_line_that_is_sought_can_be_reported_on(run: Run) -> None:
     assert run("system", FSO, "--out", "body").status == 0
     assert "system_plan" in report(run, "body")["sections"]
@@ -98,6 +99,7 @@ def test_a_body_and_a_line_that_is_sought_can_be_reported_on(run: Run) -> None:
     )
 
 
+@pytest.mark.slow
 def test_what_the_options_changed_is_in_the_case(run: Run, chain: Path, states: Path) -> None:
     assert run("solve", chain, "--method", "pso", "--runs", 2, "--out", "a").status == 0
     swarm = read_case("a/case.toml").swarm
@@ -116,6 +118,7 @@ def test_what_the_options_changed_is_in_the_case(run: Run, chain: Path, states: 
 # ------------------------------------------------------------------ what was asked for there
 
 
+@pytest.mark.slow
 def test_the_swarm_of_a_directory_is_in_its_note(run: Run, chain: Path) -> None:
     ran = run("solve", chain, "--method", "pso", "--runs", 2, "--json", "--out", "out")
     told = json.loads(ran.out)["pso"]
@@ -129,6 +132,7 @@ def test_the_swarm_of_a_directory_is_in_its_note(run: Run, chain: Path) -> None:
     assert report(run, chain, "--method", "pso")["swarm"]["runs"] == 3
 
 
+@pytest.mark.slow
 def test_the_motion_of_a_directory_is_in_its_note(run: Run, moving: Path) -> None:
     ran = run("verify", moving, "--dynamic", "--json", "--out", "out")
     (told,) = json.loads(ran.out)["dynamic"]["load_cases"]
@@ -144,6 +148,7 @@ def test_the_motion_of_a_directory_is_in_its_note(run: Run, moving: Path) -> Non
     assert report(run, moving, "--dynamic")["motion"] == motion
 
 
+@pytest.mark.slow
 def test_both_go_together(run: Run, moving: Path) -> None:
     for arguments in (["solve", moving, "--method", "pso"], ["verify", moving, "--dynamic"]):
         assert run(*arguments, "--out", "out").status == 0
@@ -193,6 +198,7 @@ def test_a_sizing_refuses_to_replace_it(run: Run) -> None:
     assert Path("case.toml").read_text("utf-8") == "# my own\n"
 
 
+@pytest.mark.slow
 def test_a_case_that_catopt_wrote_is_replaced(run: Run, chain: Path) -> None:
     for path in (BUOY, chain):
         ran = run("solve", path, "--out", "out")
@@ -200,6 +206,7 @@ def test_a_case_that_catopt_wrote_is_replaced(run: Run, chain: Path) -> None:
     assert read_case("out/case.toml") == read_case(chain)
 
 
+@pytest.mark.slow
 def test_the_case_of_a_design_search_stays_with_its_front(run: Run, moving: Path) -> None:
     path = Path("search.toml")
     text = HARMONIC.replace('[load]\nhorizontal_force = "300 kN"\n', "")

@@ -66,7 +66,7 @@ def test_lines_are_no_longer_than_the_terminal_is_wide(
 
 
 def test_no_cell_is_cut_off_in_80_columns(run: Run, chain_and_wire: Path) -> None:
-    for arguments in (["solve", chain_and_wire, "--profile"], ["reproduce"]):
+    for arguments in (["solve", chain_and_wire, "--profile"], ["reproduce", "tanker_20m_sinker"]):
         ran = run(*arguments)
         assert ran.status == 0
         assert "…" not in ran.out
@@ -74,7 +74,8 @@ def test_no_cell_is_cut_off_in_80_columns(run: Run, chain_and_wire: Path) -> Non
 
 
 def test_what_is_piped_has_no_escape_codes(run: Run) -> None:
-    for arguments in (["solve", BUOY], ["solve", BUOY, "--method", "pso"], ["reproduce"]):
+    of_a_study = ["reproduce", "tanker_20m_sinker"]
+    for arguments in (["solve", BUOY], ["solve", BUOY, "--method", "pso"], of_a_study):
         ran = run(*arguments)
         assert ESCAPE not in ran.out + ran.err
 
@@ -164,7 +165,8 @@ def plain(text: str) -> str:
         ("design", CASES / "design-buoy-9.5m" / "case.toml"),
         ("curve", BUOY),
         ("system", CASES / "fso-rang-dong" / "case.toml"),
-        ("reproduce",),
+        ("reproduce", "tanker_20m_sinker"),
+        pytest.param(("reproduce",), marks=pytest.mark.slow),
         ("catalog", "list"),
         ("report", BUOY),
     ],

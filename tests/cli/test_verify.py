@@ -253,6 +253,7 @@ def test_out_writes_tables_figures_and_the_document(run: Run, tmp_path: Path) ->
     assert {row["Agrees"] for row in rows} == {"yes"}
 
 
+@pytest.mark.slow
 def test_out_of_a_front(run: Run, front: Path, tmp_path: Path) -> None:
     assert run("verify", front, "--all", "--out", tmp_path / "out").status == 0
     assert {path.name for path in (tmp_path / "out").iterdir()} == {

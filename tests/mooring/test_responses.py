@@ -188,7 +188,7 @@ def test_refused_directions_and_forces() -> None:
         restoring_curve(fso(), direction=0.0, offsets=[1.0, math.nan])
 
 
-@pytest.mark.parametrize("first", [0, 1, 2, 3])
+@pytest.mark.parametrize("first", [0, 2])
 def test_a_refusal_names_the_line_by_its_number_in_the_intact_system(first: int) -> None:
     """The line with a buoy touches the bed twice when that which held the body is gone."""
     chain = Line([Segment(200.0, 1000.0, EA=5e8)])

@@ -348,6 +348,7 @@ def test_vietnamese_lacks_nothing(name: str, monkeypatch: pytest.MonkeyPatch) ->
     assert langs <= {None}
 
 
+@pytest.mark.slow
 def test_the_same_case_gives_the_same_bytes(tmp_path: Path) -> None:
     path = further_case(tmp_path, "random")
     first, second = (render_page(read_note(path, motion=True, verify=False)) for _ in range(2))

@@ -75,6 +75,7 @@ def boxes(figure: Figure) -> dict[str, Bbox]:
     return found
 
 
+@pytest.mark.slow
 def test_nothing_overlaps_and_nothing_is_cut_off(buoy: Solution, leg: Solution) -> None:
     for name, figure in figures(buoy, leg):
         found = boxes(figure)

@@ -143,6 +143,7 @@ def in_sheets(book: Any) -> Found:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", EVERY)
 def test_every_number_of_the_report_s_document(name: str) -> None:
     note = known_note(name)

@@ -66,6 +66,7 @@ def test_the_page_is_well_formed_and_refers_to_nothing(page: ReadPage) -> None:
         assert "://" not in " ".join(element.attributes.values()), element
 
 
+@pytest.mark.slow
 def test_the_same_case_gives_the_same_bytes(tmp_path: Path, name: str) -> None:
     path = system_path(tmp_path, name)
     first, second = (

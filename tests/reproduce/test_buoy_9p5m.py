@@ -183,6 +183,7 @@ def test_the_document_keeps_to_its_schema(reproduction: Reproduction) -> None:
     assert (offset["unit"], offset["verdict"]) == ("m", "reproduces")
 
 
+@pytest.mark.slow
 def test_the_committed_page_is_fresh() -> None:
     committed = (ROOT / "reports" / "reproduction.md").read_text(encoding="utf-8")
     assert committed == book(reproduce()), "write it anew: catopt reproduce --out reports"

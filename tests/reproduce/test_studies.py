@@ -115,6 +115,7 @@ def test_a_printed_number_that_nothing_was_computed_for_is_a_fault() -> None:
         compare(published("load_sharing"), "N/4 rule", {"FT_over_F_6_lines": 1.5})
 
 
+@pytest.mark.slow
 def test_the_documentation_counts_right() -> None:
     page = Path(__file__).parents[2] / "docs" / "reproduction.md"
     row = re.compile(r"^\| `(\w+)` \|.*\| (\d+) \| (\d+) \|$", re.MULTILINE)
