@@ -1,9 +1,9 @@
 """Commands and Python shown in the documentation, and what they print.
 
 A fenced block marked ``sh run`` or ``python run`` is run in a folder of its own that holds a copy
-of ``cases/``. So is what follows ``&& `` in README's install line. A ``text`` block that comes
-next, with nothing but blank lines or the beginning of a fold between, is the output, character for
-character.
+of ``cases/`` and what ``catopt new`` wrote in the blocks of the page before. So is what follows
+``&& `` in README's install line. A ``text`` block that comes next, with nothing but blank lines or
+the beginning of a fold between, is the output, character for character.
 
 ``python -m tests.snippets`` writes every such output anew.
 """
@@ -52,6 +52,8 @@ class Block:
         What is shown of its output; None when nothing is.
     output_span : tuple of int
         Where in the page that stands; empty when nothing is.
+    before : tuple of str
+        Commands of the page's blocks before that write the files it starts from.
     """
 
     page: Path
@@ -60,6 +62,7 @@ class Block:
     code: str
     output: str | None
     output_span: tuple[int, int]
+    before: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         return f"{self.page.name}:{self.line}"
@@ -69,6 +72,7 @@ def blocks(page: Path) -> Iterator[Block]:
     """Every block of a page that is run."""
     text = page.read_text(encoding="utf-8")
     found = list(FENCE.finditer(text))
+    before: tuple[str, ...] = ()
     for index, match in enumerate(found):
         language, _, mark = match["info"].partition(" ")
         code = match["body"].removeprefix(INSTALL)
@@ -78,9 +82,10 @@ def blocks(page: Path) -> Iterator[Block]:
         line = text.count("\n", 0, match.start()) + 1
         between = FOLD.sub("", text[match.end() : after.start()]) if after else ""
         if after and after["info"] == "text" and not between.strip():
-            yield Block(page, line, language, code, after["body"], after.span("body"))
+            yield Block(page, line, language, code, after["body"], after.span("body"), before)
         else:
-            yield Block(page, line, language, code, None, (0, 0))
+            yield Block(page, line, language, code, None, (0, 0), before)
+        before += tuple(each for each in code.splitlines() if each.startswith("catopt new "))
 
 
 def shown() -> list[Block]:
@@ -91,6 +96,8 @@ def shown() -> list[Block]:
 def produce(block: Block, folder: Path) -> str:
     """Run a block in a new folder that is given a copy of the cases; return what it prints."""
     shutil.copytree(ROOT / "cases", folder / "cases")
+    for command in block.before:
+        _run(command, folder)
     if block.language == "sh":
         return "".join(_run(command, folder) for command in block.code.splitlines())
     assert block.language == "python", f"{block} is marked to run, but not as sh or python"

@@ -6,8 +6,6 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from catopt.errors import CatoptError
-
 if TYPE_CHECKING:
     from catopt.cli.output import Output
 
@@ -32,8 +30,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         Exit status: 0 done, 1 a fault of ours, 2 wrong input, 3 no answer exists,
         4 not converged, 130 interrupted.
     """
-    from catopt.cli.output import Output
-
+    try:
+        from catopt.cli.output import Output
+        from catopt.errors import CatoptError
+    except KeyboardInterrupt:  # while the program is still being loaded
+        sys.stderr.write("catopt: interrupted\n")
+        return INTERRUPTED
     output = Output()
     try:
         return _run(arguments, output)

@@ -41,7 +41,7 @@ def test_no_such_folder() -> None:
 
 def test_a_folder(folder: Path) -> None:
     (folder / "buoy").mkdir()
-    assert message("buoy") == "buoy: 1 error\n  case file: it is a folder"
+    assert message("buoy") == "buoy: 1 error\n  case file: it is a folder; give a file"
     (folder / "buoy" / "case.toml").write_text(TEXT, encoding="utf-8")
     assert message("buoy").endswith("it is a folder; give the file in it, buoy/case.toml")
 

@@ -79,9 +79,11 @@ def read_design(directory: Path, number: int) -> Case:
     case = read_case(directory / DESIGN_CASE)
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
-    return replace(
-        case, title=title, line=_line(design, case), anchor=_anchor(design, case), design=None
-    )
+    try:
+        line, anchor = _line(design, case), _anchor(design, case)
+    except (KeyError, TypeError, AttributeError) as error:
+        raise _not_a_result(directory, error) from error
+    return replace(case, title=title, line=line, anchor=anchor, design=None)
 
 
 def read_design_document(directory: Path) -> dict[str, Any]:
@@ -102,12 +104,19 @@ def read_design_document(directory: Path) -> dict[str, Any]:
         document: dict[str, Any] = json.loads(place.read_text("utf-8"))
         if document["schema"] != _SCHEMA:
             raise ValueError(f"it is a {document['schema']}")
-        document["front"]
+        if not document["front"]:
+            raise ValueError("it has no design")
     except (OSError, ValueError, KeyError, TypeError) as error:
-        why = error.strerror if isinstance(error, OSError) else str(error)
-        allowed = f"a directory that catopt design --out wrote is wanted ({place.name}: {why})"
-        raise InputError([Problem("CASE", str(directory), allowed)], "options") from error
+        raise _not_a_result(directory, error) from error
     return document
+
+
+def _not_a_result(directory: Path, error: Exception) -> InputError:
+    why = error.strerror if isinstance(error, OSError) else str(error)
+    if isinstance(error, KeyError):
+        why = f"it has no {error}"
+    allowed = f"a directory that catopt design --out wrote is wanted ({DESIGN_DOCUMENT}: {why})"
+    return InputError([Problem("CASE", str(directory), allowed)], "options")
 
 
 def _line(design: dict[str, Any], case: Case) -> Line:

@@ -53,8 +53,12 @@ def template(name: str) -> str:
         When there is no such template.
     """
     if name not in TEMPLATES:
-        known = ", ".join(TEMPLATES)
-        raise InputError([Problem("template", as_written(name), f"one of {known} is wanted")])
+        from difflib import get_close_matches
+
+        close = get_close_matches(name.lower(), TEMPLATES, n=1)
+        meant = f"; did you mean {close[0]}?" if close else ""
+        allowed = f"one of {', '.join(TEMPLATES)} is wanted{meant}"
+        raise InputError([Problem("template", as_written(name), allowed)])
     from importlib.resources import files
 
     return (files(__package__) / "templates" / f"{name}.toml").read_text(encoding="utf-8")

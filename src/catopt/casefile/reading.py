@@ -79,6 +79,11 @@ def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
     findings += design_findings(document)
     findings += dynamics_findings(document)
     if table is None or findings:
+        from catopt.casefile.sizing_file import not_a_case
+
+        other = not_a_case(document)
+        if other is not None:
+            raise InputError([other], source)
         ordered = in_order_of(document, list(dict.fromkeys(findings)))
         raise InputError([finding.as_problem() for finding in ordered], source)
     return build_case(table, catalogue, folder)

@@ -20,7 +20,15 @@ from catopt.casefile.structure import structure_findings
 from catopt.casefile.syntax import parse_toml, read_text
 from catopt.errors import InputError, Problem
 
-__all__ = ["SIZING", "Moored", "SizingFile", "moored_in", "parse_sizing", "read_sizing"]
+__all__ = [
+    "SIZING",
+    "Moored",
+    "SizingFile",
+    "moored_in",
+    "not_a_case",
+    "parse_sizing",
+    "read_sizing",
+]
 
 Moored = Literal["buoy", "tanker"]
 """What is to be moored."""
@@ -125,6 +133,29 @@ def moored_in(path: str | os.PathLike[str]) -> Moored | None:
         document = parse_toml(read_text(FilePath(path), os.fspath(path)), os.fspath(path))
     except InputError:
         return None
+    return _moored(document)
+
+
+def not_a_case(document: dict[str, Any]) -> Problem | None:
+    """Say of a document that is no case but a file for ``catopt size``, where it belongs.
+
+    Parameters
+    ----------
+    document : dict
+        As the TOML reader returns it.
+    """
+    moored = _moored(document)
+    if moored is None:
+        return None
+    key = next(key for key in ("ship", "environment", "buoy") if key in document)
+    allowed = (
+        f"this file is for catopt size {moored}, which finds the line; with --save it writes a "
+        "case file for the other commands"
+    )
+    return Problem(key, f"[{key}]", allowed)
+
+
+def _moored(document: dict[str, Any]) -> Moored | None:
     has_line = "segments" in table(document, "line")
     if has_line or any(key in document for key in _OF_A_CASE):
         return None

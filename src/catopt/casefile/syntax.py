@@ -23,6 +23,7 @@ _HINTS = (
     (r"=\s*\"[^\"]*\\", "write / instead of \\, or put the text in single quotes"),
     (r"=\s*[A-Za-z]", "put text in quotes"),
     (r"=\s*(#|$)", "the value is missing"),
+    (r'^<|^\{\s*("|$)', "this is no TOML; give a case file, as catopt new writes one"),
     (r'^[^="]+:', "write = between a key and its value, not a colon"),
 )
 """What the line at fault looks like, and what to do; the first that fits is given."""
@@ -121,6 +122,8 @@ def _shown(line: str) -> str:
 def _not_utf8(data: bytes, start: int) -> Problem:
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return Problem("file", "UTF-16 text", "save it as UTF-8")
+    if b"\0" in data:
+        return Problem("file", "no text", "give a case file, as catopt new writes one")
     line = data.count(b"\n", 0, start) + 1
     found = f"the byte 0x{data[start]:02X}"
     return Problem(f"line {line}", found, "save the file as UTF-8")
@@ -132,7 +135,7 @@ def _no_file(source: str, reason: str) -> InputError:
 
 def _case_in(folder: Path) -> str:
     inside = folder / "case.toml"
-    return f"; give the file in it, {inside.as_posix()}" if inside.is_file() else ""
+    return f"; give the file in it, {inside.as_posix()}" if inside.is_file() else "; give a file"
 
 
 def _similar(path: Path) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption, LangOption, ReportLanguage
+from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
@@ -27,16 +27,6 @@ catalog = typer.Typer(
     "secondary sources, or in one and checked by numbers; C in one secondary source; R recalled, "
     "read in no document, and used only with --recalled.",
 )
-
-OutOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Also write tables (CSV and one .xlsx) and the JSON document here. Files of the same "
-        "name are replaced.",
-    ),
-]
 
 FamiliesOption = Annotated[
     Path | None,
@@ -76,7 +66,7 @@ def list_families(
     families: FamiliesOption = None,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
-    out: OutOption = None,
+    out: TablesOutOption = None,
 ) -> None:
     """List the families, their grades and diameters."""
     from catopt.catalogue.document import Answer
@@ -108,7 +98,7 @@ def show(
     families: FamiliesOption = None,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
-    out: OutOption = None,
+    out: TablesOutOption = None,
 ) -> None:
     """Show a component in full, or a family over its sizes.
 
@@ -186,7 +176,7 @@ def search(
     families: FamiliesOption = None,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
-    out: OutOption = None,
+    out: TablesOutOption = None,
 ) -> None:
     """Find components that are strong or light enough.
 

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.options import CaseArgument, DesignOption, JsonOption, LangOption, ReportLanguage
+from catopt.cli.options import (
+    CaseArgument,
+    DesignOption,
+    JsonOption,
+    LangOption,
+    ReportLanguage,
+    TablesOutOption,
+)
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
@@ -17,16 +23,6 @@ __all__ = ["check"]
 
 FAILED = 3
 """Of --strict: the input is right, but the line does not keep what is asked of it."""
-
-OutOption = Annotated[
-    Path | None,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Also write tables (CSV and one .xlsx) and the JSON document here. Files of the same "
-        "name are replaced.",
-    ),
-]
 
 
 def check(
@@ -53,7 +49,7 @@ def check(
     ] = False,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
-    out: OutOption = None,
+    out: TablesOutOption = None,
 ) -> None:
     """Check a line under every load case.
 

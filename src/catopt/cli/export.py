@@ -208,5 +208,5 @@ def _write(found: Exported, out: Path, case: Path, design: int | None, to: Targe
     if out.is_dir() or not out.suffix:
         folder = out
         name = file_name(case, design).removesuffix(".html") + ENDINGS[to]
-    (written,) = write_files(folder, {name: found.content})
+    (written,) = write_files(folder, {name: found.content}, keep=[case])
     return str(written)

@@ -97,7 +97,12 @@ class Output:
         )
         for index, heading in enumerate(columns):
             number = index in numbers
-            table.add_column(Text(heading), justify="right" if number else "left", no_wrap=number)
+            table.add_column(
+                Text(heading),
+                justify="right" if number else "left",
+                no_wrap=number,
+                overflow="fold",  # a name without a space is longer than its column
+            )
         for row in rows:
             table.add_row(*(Text(cell) for cell in row))
         if title:

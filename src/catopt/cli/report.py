@@ -22,6 +22,9 @@ __all__ = ["report"]
 PAGE_ENDINGS = (".html", ".htm")
 """What tells a file from a directory in --out."""
 
+OTHER_ENDINGS = (".pdf", ".xlsx", ".xls", ".docx", ".doc", ".odt", ".md", ".txt", ".toml", ".json")
+"""Files that somebody may hope for and that a note is not."""
+
 
 def report(
     context: typer.Context,
@@ -113,6 +116,7 @@ def report(
     from catopt.report.page.render import render_page
 
     output: Output = context.obj
+    _check_place(out)
     with output.progress("Calculation note") as tell:
         swarm = None if method is None else method is Method.PSO
         wanted = Wanted(design, date, verify, swarm, motion)
@@ -127,7 +131,8 @@ def report(
         _tell(tell, 2)
         if with_workbook or is_folder:
             files[str(Path(name).with_suffix(".xlsx"))] = workbook_of(note, lang.value)
-    written = list(zip(write_files(folder, files), files.values(), strict=True))
+    places = write_files(folder, files, keep=[case])
+    written = list(zip(places, files.values(), strict=True))
     if as_json:
         output.json(_document(note, lang.value, written))
     else:
@@ -157,6 +162,19 @@ def _stop_if_interrupted(note: Note, output: Output) -> None:
             "catopt verify CASE --dynamic --out DIR keeps what a stopped run has computed"
         )
         raise typer.Exit(INTERRUPTED)
+
+
+def _check_place(out: Path | None) -> None:
+    """Refuse, before anything is computed, a place where no page can go."""
+    if out is None:
+        return
+    from catopt.errors import InputError, Problem
+    from catopt.report.files import check_directory
+
+    if out.suffix.lower() in OTHER_ENDINGS and not out.exists():
+        allowed = "a page, in a file that ends in .html, or a directory is wanted"
+        raise InputError([Problem("--out", str(out), allowed)], "options")
+    check_directory(_place(out, "")[0])
 
 
 def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
+from catopt.report.wording.checks import source_words
 from catopt.report.wording.size import (
     candidate_rows,
     check_rows,
@@ -14,7 +15,6 @@ from catopt.report.wording.size import (
 )
 
 if TYPE_CHECKING:
-    from catopt.checks.result import CheckSource
     from catopt.cli.output import Output
     from catopt.report.texts import Words
     from catopt.sizing import Sizing
@@ -100,7 +100,7 @@ def _checks(output: Output, words: Words, of: Sizing) -> None:
             demand,
             capacity,
             QUANTITIES["utilisation"].format(check.utilisation),
-            f"{words.name(check.load_case)}; {_by(words, check.source)}",
+            f"{words.name(check.load_case)}; {source_words(check.source, words)}",
         )
         for kind, check, demand, capacity in check_rows(of)
     ]
@@ -116,11 +116,6 @@ def _checks(output: Output, words: Words, of: Sizing) -> None:
         title=words.name("Tightest check of each kind"),
         numbers=[1, 2, 3],
     )
-
-
-def _by(words: Words, source: CheckSource) -> str:
-    """Say where a criterion comes from; a document is cited as it is called."""
-    return words.name(source.text) if source.confidence is None else source.text
 
 
 def _pattern(output: Output, words: Words, of: Sizing) -> None:

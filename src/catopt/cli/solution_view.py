@@ -16,7 +16,7 @@ from catopt.report.tables.summary import (
     results,
 )
 from catopt.report.texts import Words
-from catopt.report.wording.names import METHODS, REGIMES
+from catopt.report.wording.names import METHODS, how_it_hangs
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution, SwarmReport
@@ -26,8 +26,6 @@ if TYPE_CHECKING:
 __all__ = ["show_solution"]
 
 _PROFILE_POINTS = 21
-_NO_LENGTH = 1e-9
-"""Part of the line below which what lies on the bed is rounding."""
 
 
 def show_solution(
@@ -55,7 +53,7 @@ def show_solution(
     """
     words = words or Words()
     output.text(case.title or words.name("Mooring line"), bold=True)
-    solved = f"Solved by {METHODS[solution.method]}; {_hangs(solution)}."
+    solved = f"Solved by {METHODS[solution.method]}; {how_it_hangs(solution)}."
     output.text(words.sentence(solved).text)
     output.line()
     _list(output, words, "Given", [entry for entry in given(case) if entry.value is not None])
@@ -78,14 +76,6 @@ def show_solution(
         output.text(words.sentence(left).text)
     for warning in solution.warnings:
         output.text(words.sentence(f"Warning: {warning}.").text, bold=True)
-
-
-def _hangs(solution: Solution) -> str:
-    """Say how the line hangs; with the touchdown at its anchor nothing of it lies on the bed."""
-    at_anchor = solution.grounded_length <= _NO_LENGTH * solution.line.length
-    if solution.regime == "grounded" and at_anchor:
-        return "the whole line hangs, just level at its anchor"
-    return REGIMES[solution.regime]
 
 
 def _list(output: Output, words: Words, title: str, entries: Iterable[Entry]) -> None:

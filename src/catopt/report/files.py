@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from catopt.errors import InputError, Problem
@@ -30,7 +30,9 @@ def check_directory(directory: Path) -> None:
         raise _refused(directory, _reason(error)) from error
 
 
-def write_files(directory: Path, contents: Mapping[str, bytes]) -> tuple[Path, ...]:
+def write_files(
+    directory: Path, contents: Mapping[str, bytes], keep: Collection[Path] = ()
+) -> tuple[Path, ...]:
     """Write files so that none is ever seen half written.
 
     All are first written under temporary names; only then does each take its place, and with it
@@ -42,6 +44,8 @@ def write_files(directory: Path, contents: Mapping[str, bytes]) -> tuple[Path, .
         Made when it is missing.
     contents : mapping of str to bytes
         File names and what they hold.
+    keep : collection of Path
+        Files that were read, in whose place nothing is written.
 
     Returns
     -------
@@ -51,10 +55,13 @@ def write_files(directory: Path, contents: Mapping[str, bytes]) -> tuple[Path, .
     Raises
     ------
     InputError
-        The directory or a file in it cannot be written.
+        The directory or a file in it cannot be written, or would go in the place of one to keep.
     """
     check_directory(directory)
     places = {directory / name: content for name, content in contents.items()}
+    for place in places:
+        if any(_is_same(place, read) for read in keep):
+            raise _refused(place, "is the file that is read; give another place")
     try:
         for place, content in places.items():
             _write_through(_temporary(place), content)
@@ -66,6 +73,10 @@ def write_files(directory: Path, contents: Mapping[str, bytes]) -> tuple[Path, .
         for place in places:
             _temporary(place).unlink(missing_ok=True)
     return tuple(places)
+
+
+def _is_same(place: Path, other: Path) -> bool:
+    return place.exists() and other.exists() and place.samefile(other)
 
 
 def _temporary(place: Path) -> Path:

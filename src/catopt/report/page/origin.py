@@ -49,7 +49,7 @@ class Origin:
 
 def origin_of(files: tuple[SourceFile, ...], date: str = "") -> Origin:
     """Say where a note comes from; the first of the files has its inputs."""
-    return Origin(files, parse_toml(files[0].text, files[0].name), date)
+    return Origin(files, parse_toml(files[0].text, files[0].name), _writable(date))
 
 
 def read_source(path: Path) -> SourceFile:
@@ -65,7 +65,13 @@ def read_source(path: Path) -> SourceFile:
     except OSError as error:
         why = f"it cannot be read: {error.strerror or error}"
         raise InputError([Problem("case file", "", why)], str(path)) from error
-    return SourceFile(path.name, data.decode("utf-8-sig"), hashlib.sha256(data).hexdigest())
+    text, digest = data.decode("utf-8-sig"), hashlib.sha256(data).hexdigest()
+    return SourceFile(_writable(path.name), text, digest)
+
+
+def _writable(text: str) -> str:
+    """Replace what no file can hold: bytes of a name or an option that are no text."""
+    return text.encode("utf-8", "replace").decode("utf-8")
 
 
 def file_name(path: Path, design: int | None) -> str:
