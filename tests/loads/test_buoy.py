@@ -207,6 +207,13 @@ def test_chain_hangs_under_the_crest_at_high_water() -> None:
     assert force(of, "current on the chain") == pytest.approx(by_hand, rel=ROUNDING)
 
 
+def test_the_depth_of_the_waves_is_told() -> None:
+    """A load case at low water has steady levels: it must not be told to be at high water."""
+    of = loads(current=1.0, sea=SeaState(6.0, maximum_height=2.0), levels=WaterLevels.steady(10.0))
+    told = next(text for text in of.assumptions if text.startswith("Surface speed"))
+    assert told.endswith(" in 10 m of water.")
+
+
 def test_waves_add_to_the_surface_speed() -> None:
     """Deep water: 1 m/s and pi x 2/6 m/s; (1 + 1.047198)^2 = 4.191018 times 1230 N."""
     sea = SeaState(6.0, maximum_height=2.0)

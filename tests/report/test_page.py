@@ -93,6 +93,14 @@ def test_a_date_stands_only_where_one_is_given() -> None:
     assert "Date" not in [row[0].text for row in plain.table("identity").rows]
 
 
+def test_a_line_that_is_just_level_at_its_anchor_is_not_said_to_lie_on_the_bed() -> None:
+    """The length is sought that gives 0 deg: what lies on the bed is rounding."""
+    note = read_note(CASES / "tanker-20m-find-length" / "case.toml", verify=False)
+    assert 0.0 < note.solution.grounded_length < 1e-9
+    hangs = read_page(render_page(note)).table("identity").row("How it hangs")[1].text
+    assert hangs == "the whole line hangs, just level at its anchor"
+
+
 HOSTILE = [
     "<script>alert(1)</script>",
     '"><img src=x onerror=alert(1)>',

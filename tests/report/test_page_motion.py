@@ -153,7 +153,7 @@ def test_what_drives_it_with_its_figures() -> None:
     assert "rao.csv" in drive["Motion of the fairlead"].text
     raos = page.table("motion_raos")
     assert [[cell.text for cell in row] for row in raos.rows] == [
-        ["3", "0", "0", "0.02", "40"],
+        ["3", "0", "–", "0.02", "40"],  # where nothing moves there is no lag
         ["8", "0.3", "90", "0.6", "10"],
         ["20", "0.9", "90", "1", "0"],
     ]  # fmt: skip
@@ -291,8 +291,19 @@ def test_what_must_be_known_of_it() -> None:
     assert "2 runs with seeds of their own" in random
     assert "the quasi-static tension is without the current" in random
     assert "the most probable maximum is that of one run of 60 s" in random.lower()
+    assert "The grounded length in motion is known to the length of a bar" in random
     assert "Nothing is random here" in harmonic
     assert "two" not in harmonic
+
+
+def test_a_safety_factor_that_nobody_gave_is_not_said_to_be_the_case_files(tmp_path: Path) -> None:
+    path = further_case(tmp_path, "random")
+    text = path.read_text("utf-8").replace("[checks]\nsafety_factor = 2.0\n", "")
+    assert "safety_factor" not in text
+    path.write_text(text, encoding="utf-8")
+    told = read_page(render_page(read_note(path, motion=True, verify=False))).sections["in_motion"]
+    assert "the MBL over a safety factor of 1, and nothing more" in told
+    assert "safety factor of the case file" not in told
 
 
 def test_one_draw_of_the_sea_is_told_to_be_one(tmp_path: Path) -> None:

@@ -186,8 +186,8 @@ def test_every_number_of_the_pattern() -> None:
         "Most loaded line in equilibrium (kN)": ("line_force_N", KILO),
         "Tension (kN)": ("tension_N", KILO),
         "Force off that line (deg)": ("direction_rad", DEGREE),
-        "Offset of the body (m)": ("offset_m", 1.0),
-        "Pull of all lines downwards (kN)": ("pull_N", KILO),
+        "Largest offset of the body (m)": ("offset_m", 1.0),
+        "Largest pull of all lines downwards (kN)": ("pull_N", KILO),
     }
     for row, state in zip(table(sheet, "Load case"), document["states"], strict=True):
         for heading, (key, unit) in headings.items():

@@ -335,7 +335,8 @@ def test_the_sinker_is_worked_out_step_by_step(name: str) -> None:
     assert shown["Weight in water that is needed"][2].value == pytest.approx(W, rel=ROUNDING)
     mass = W / (9.80665 * (1.0 - 1025.0 / document["density_kg_per_m3"]))
     assert document["needed_mass_kg"] == pytest.approx(mass, rel=ROUNDING)
-    assert (shown["Friction on the soil, tan δ"][3].text == "") == (name == "given")
+    # What the user gave stands among the inputs of the note.
+    assert (shown["Friction on the soil, tan δ"][3].text == "this note") == (name == "given")
     assert shown["Density of the sinker"][3].text == "catopt's own, recalled [R]"
 
 
@@ -362,6 +363,10 @@ def test_the_drag_anchor_is_worked_out_step_by_step(name: str) -> None:
     anchor = known_size_note(name).sizing.drag_anchor
     assert anchor is not None
     assert anchor.capacity.curve.source.text in page.sections["size_hold"]
+    sources = {row[0].text: row[3].text for row in page.table("size_hold").rows}
+    for label in ("Holding capacity", "Mass"):
+        assert "DTOcean" in sources[f"{label} of the reference anchor"]
+    assert "DTOcean" in sources["Exponent"]
 
 
 # ------------------------------------------------------------------ swing radius and pattern
@@ -390,6 +395,29 @@ def test_the_pattern_has_the_rule_beside_the_equilibrium() -> None:
         # S4's rule for six lines, worked out here.
         assert state["rule_force_N"] == pytest.approx(state["force_N"] / 1.5, rel=ROUNDING)
     assert f"{document['anchor_radius_m']:.3f} m" in page.sections["size_pattern"]
+
+
+def test_offset_and_pull_of_the_pattern_are_told_to_be_of_another_direction() -> None:
+    """Hardest on a line is the force against it; the body goes farthest between two lines."""
+    page, note = known_size_page("six"), known_size_note("six")
+    table = page.table("size_pattern")
+    assert note.sizing.pattern is not None
+    assert note.around is not None
+    index = note.sizing.pattern.states.index(note.sizing.pattern.hardest)
+    drawn = math.hypot(*note.around.offset)
+    offset = next(k for k, each in enumerate(table.headings) if "offset of the body" in each)
+    assert (table.rows[index][offset].value or 0.0) > 1.01 * drawn
+    assert table.headings[offset].startswith("Largest")
+    assert table.headings[offset + 1].startswith("Largest pull")
+    assert f"{drawn:.3f} m" in page.sections["size_pattern"]
+    assert "are the largest of all directions" in page.sections["size_pattern"]
+
+
+def test_the_plan_of_a_sizing_refers_to_no_case_file() -> None:
+    """There is none: the lines are spaced evenly, and their table has their numbers."""
+    told = known_size_page("six").sections["size_pattern"]
+    assert "Lines are numbered as in the tables" in told
+    assert "case file" not in told
 
 
 def test_the_lines_of_the_pattern_balance_the_load() -> None:
@@ -498,6 +526,17 @@ def test_the_vietnamese_page_leaves_only_citations_in_english(name: str) -> None
         if each.attributes.get("lang") == "en" and each.section not in ("warnings", "size_front")
     ]
     assert english == []
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "this note"), ("vi", "bản thuyết minh này")])
+def test_limits_that_no_document_has_are_from_the_note(name: str, language: Any, said: str) -> None:
+    """Holding capacity and buoyancy come out of the sizing: there is no case file to look into."""
+    page = known_size_page(name, language)
+    own = [each for each in known_size_note(name).line.checks.results if not each.source.confidence]
+    tables = [table for table in page.tables if table.key == "checks"]
+    sources = [row[5].text for table in tables for row in table.rows]
+    assert sources.count(said) == len(own)
+    assert not {"case file", "tệp số liệu"} & set(sources)
 
 
 def test_load_cases_have_vietnamese_names_in_every_section(name: str, note: SizeNote) -> None:

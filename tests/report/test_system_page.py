@@ -268,6 +268,22 @@ def test_curves_go_along_the_force_and_across_it(
     assert found == pytest.approx(expected, abs=1e-12)
 
 
+def test_a_body_that_turns_is_told_to_be_free_to_turn_along_the_curves() -> None:
+    """The moments of its lines vanish on both curves, whatever the moment of the case."""
+    told = "free to turn, and no moment acts on it"
+    for section in ("system_watch_circle", "system_restoring"):
+        assert told in known_page("arms").sections[section]
+        assert told not in known_page(TURRET).sections[section]
+    system = known_note("arms").solution.system
+    assert system.turns
+    assert system.moment != 0.0
+    # Its four lines are alike, so that all sides are: a moment would break the mirror.
+    circle = known_note("arms").report.circle
+    assert circle is not None
+    mirrored = [circle.responses[k].largest_tension for k in (10, 20)]
+    assert mirrored[0] == pytest.approx(mirrored[1], rel=SOLVED)
+
+
 # ------------------------------------------------------------------ what decides
 
 

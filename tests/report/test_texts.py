@@ -78,7 +78,8 @@ def asked() -> set[str]:
     """Every text that page, workbooks and terminal ask for."""
     found = {f"{section.key}.heading" for sections in SECTIONS.values() for section in sections}
     views = Path(catopt.cli.__file__).parent.glob("*_view.py")
-    for module in (*PAGE.rglob("*.py"), *(PAGE.parent / "workbook").glob("*.py"), *views):
+    beside = [(PAGE.parent / name).glob("*.py") for name in ("workbook", "wording")]
+    for module in (*PAGE.rglob("*.py"), *(file for files in beside for file in files), *views):
         found |= set(asked_by_code(module.read_text("utf-8")))
     for template in TEMPLATES:
         found |= set(asked_by_template(template.read_text("utf-8")))

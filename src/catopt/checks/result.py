@@ -23,7 +23,8 @@ class CheckSource:
     code : str
         Name of the profile; ``"user"`` for the case's own numbers.
     document, clause : str
-        What to open, and where in it; empty for the case's own numbers.
+        What to open, and where in it; empty for the case's own numbers, which are then those of
+        the case file.
     confidence : {"A", "B", "C", "R"} or None
         How well it was read; None for the case's own numbers.
     """
@@ -37,7 +38,7 @@ class CheckSource:
     def text(self) -> str:
         """One line for tables: ``"UFC 4-159-03 (2005), Table 3-7 [A]"``."""
         if self.confidence is None:
-            return "case file"
+            return self.document or "case file"
         where = ", ".join(part for part in (self.document, self.clause) if part)
         return f"{where} [{self.confidence}]"
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Any, Literal
 
 from catopt._version import __version__
 
-__all__ = ["FORMATS", "Exported", "Format", "Source"]
+__all__ = ["Exported", "Format", "Source"]
 
 Format = Literal["moordyn", "dxf"]
-FORMATS: tuple[str, ...] = get_args(Format)
 
 
 @dataclass(frozen=True)

@@ -199,7 +199,7 @@ def _assumptions(
     return (
         "Wind, current and waves come from one side, at the same time; static, without motions.",
         f"Surface speed {speed:.3f} m/s = tide {current.speed:g} + 0.015 x wind {wind.speed:g} "
-        f"({driven:.3f}) + wave {orbital:.3f}, at high water.",
+        f"({driven:.3f}) + wave {orbital:.3f} in {levels.high:g} m of water.",
     )
 
 

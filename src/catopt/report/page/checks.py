@@ -8,7 +8,7 @@ from catopt.checks.result import CheckResult
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said
 from catopt.report.texts import Words
-from catopt.report.wording.checks import QUANTITY_OF, governing_sentence
+from catopt.report.wording.checks import QUANTITY_OF, governing_sentence, source_words
 
 __all__ = ["check_cells", "check_headings", "checks"]
 
@@ -53,13 +53,13 @@ def check_cells(result: CheckResult, words: Words) -> tuple[Cell, ...]:
     used = result.utilisation
     shown = "–" if used is None else f"{used:.3f}"
     verdict = words("checks.passes" if result.passes else "checks.fails")
-    source = words("components.case_file") if result.source.code == "user" else result.source.text
+    own = result.source.confidence is None
     return (
         said(words.sentence(result.name), "words"),
         measured(quantity, result.demand, unit=True),
         measured(quantity, result.capacity, unit=True),
         Cell(shown, used, bar=used),
         Cell(verdict, style="passes" if result.passes else "fails"),
-        Cell(source, lang="" if result.source.code == "user" else "en", style="words"),
+        Cell(source_words(result.source, words), lang="" if own else "en", style="words"),
         said(words.sentence(result.note), "words"),
     )

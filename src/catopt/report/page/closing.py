@@ -29,6 +29,6 @@ def warnings(note: Made, words: Words) -> dict[str, Any] | None:
     return {"warnings": [words.sentence(warning) for warning in note.warnings]}
 
 
-def case_file(note: Made, words: Words) -> dict[str, Any]:  # noqa: ARG001 - as all builders
-    """Show the case file as it was read."""
-    return {"file": note.origin.files[0]}
+def case_file(note: Made, words: Words) -> dict[str, Any] | None:  # noqa: ARG001 - as all builders
+    """Show the file as it was read; None where all was given by options."""
+    return {"file": note.origin.files[0]} if note.origin.files else None

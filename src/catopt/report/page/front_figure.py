@@ -10,10 +10,9 @@ from catopt.report.page.figure import WIDTH, Figure, Frame, Legend, Point, Shape
 from catopt.report.page.note import Chosen, Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
 from catopt.report.texts import Phrase, Words
-from catopt.report.wording.design import OBJECTIVES
+from catopt.report.wording.design import OBJECTIVES, change_words
 
 __all__ = [
-    "change_words",
     "composition",
     "front_figure",
     "further_objectives",
@@ -24,7 +23,6 @@ __all__ = [
 
 _MOST = 25
 """Designs of a front that are all in the table; of a longer one some are."""
-_LEFT_OUT = " left out"
 
 
 def front_figure(note: Note, words: Words) -> dict[str, Any] | None:
@@ -212,20 +210,6 @@ def _neighbours(document: Mapping[str, Any], keys: Sequence[str], words: Words) 
     )
     caption = words("front.neighbours", number=document["recommended"] + 1)
     return Table("neighbours", headings, rows, caption)
-
-
-def change_words(change: str, words: Words) -> str:
-    """Say what is changed: ``"chain: 29 m for 28.5 m"``, with the user's own names in it."""
-    part, between, added = change.partition(" put in: ")
-    if between:
-        return words("front.put_in", part=part, added=added)
-    if change.endswith(_LEFT_OUT):
-        return words("front.taken_out", part=change.removesuffix(_LEFT_OUT))
-    part, colon, rest = change.partition(": ")
-    new, between, old = rest.rpartition(" for ")
-    if colon and between:
-        return words("front.step", part=part, new=new, old=old)
-    return change
 
 
 def _headings(quantities: Sequence[tuple[str, Quantity]], words: Words) -> Iterator[Heading]:

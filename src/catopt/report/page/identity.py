@@ -10,7 +10,7 @@ from catopt.report.page.origin import Origin
 from catopt.report.page.table import Cell, Heading, Table, said
 from catopt.report.texts import Words
 from catopt.report.wording.checks import verdict_sentence
-from catopt.report.wording.names import METHODS, REGIMES
+from catopt.report.wording.names import METHODS, how_it_hangs
 
 __all__ = ["identity", "made_from", "title_block"]
 
@@ -22,7 +22,7 @@ def identity(note: Note, words: Words) -> dict[str, Any]:
         ("identity.date", Cell(note.origin.date)),
         ("identity.load_case", Cell(_load_case(note))),
         ("identity.design", Cell("" if note.chosen is None else str(note.chosen.number))),
-        ("identity.regime", said(words.sentence(REGIMES[note.solution.regime]))),
+        ("identity.regime", said(words.sentence(how_it_hangs(note.solution)))),
         ("identity.method", Cell(words.name(METHODS[note.solution.method]))),
         *made_from(note.origin),
     ]

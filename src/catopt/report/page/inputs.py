@@ -14,13 +14,13 @@ from catopt.report.page.table import Table as ShownTable
 from catopt.report.texts import Words
 from catopt.units import as_written
 
-__all__ = ["FREE_TEXT", "inputs", "inputs_table", "leaves", "some"]
+__all__ = ["given_values", "inputs", "inputs_table", "leaves", "some"]
 
 _MOST = 8
 """Values of an array that are all shown; of a longer one the first two and the last are."""
 _LONGEST = 160
 """Characters of a text that are shown; the whole of it stands in the case file below."""
-FREE_TEXT = ("title", "source")
+_FREE_TEXT = {("title",), ("source",)}
 """What stands in the title block already."""
 
 
@@ -45,9 +45,7 @@ def inputs_table(document: dict[str, Any], schema: type[Table], words: Words) ->
         Language.
     """
     rows = []
-    for path, kind, value in leaves(document, schema):
-        if path in {(key,) for key in FREE_TEXT}:
-            continue
+    for path, kind, value in given_values(document, schema):
         many = value if isinstance(value, list) else [value]
         rows.append((Cell(dotted(path)), Cell(some(many, _given)), _si(kind, many)))
     headings = (
@@ -56,6 +54,13 @@ def inputs_table(document: dict[str, Any], schema: type[Table], words: Words) ->
         Heading(words("inputs.si"), is_number=True),
     )
     return ShownTable("inputs", headings, tuple(rows))
+
+
+def given_values(
+    document: dict[str, Any], schema: type[Table]
+) -> Iterator[tuple[Path, Kind | None, Any]]:
+    """Yield the `leaves` of a file that are no free text."""
+    return (leaf for leaf in leaves(document, schema) if leaf[0] not in _FREE_TEXT)
 
 
 def leaves(

@@ -27,7 +27,7 @@ from catopt.report.texts import Words
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
-__all__ = ["along", "drawing_of", "grounded_ends", "line_drawing", "touchdowns"]
+__all__ = ["along", "drawing_of", "grounded_ends", "line_drawing", "loads_and_ends", "touchdowns"]
 
 _LEFT, _RIGHT, _TOP = 88.0, 88.0, 44.0
 _TALLEST = 460.0
@@ -200,6 +200,11 @@ def _marks(solution: Solution, frame: Frame) -> Iterator[Shape]:
     for x, _ in touchdowns(solution):
         at = frame.across(x)
         yield line("touchdown", at, frame.bottom - 11, at, frame.bottom + 11)
+    yield from loads_and_ends(solution, frame)
+
+
+def loads_and_ends(solution: Solution, frame: Frame) -> Iterator[Shape]:
+    """Draw what hangs on the line, its anchor and its fairlead."""
     for load, weight in _weights(solution):
         x, z = frame.at(load.x, load.z)
         if weight >= 0.0:

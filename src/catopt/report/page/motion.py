@@ -15,7 +15,7 @@ from catopt.report.page.motion_drive import (
 )
 from catopt.report.page.motion_figure import envelope_figure, history_figure
 from catopt.report.page.note import Note
-from catopt.report.page.table import Cell, Heading, Table, label_of, measured, units
+from catopt.report.page.table import Cell, Heading, Table, label_of, measured, number_heading, units
 from catopt.report.tables.dynamic import DYNAMIC_QUANTITY_OF, dynamic_sentences, stopped_sentence
 from catopt.report.tables.summary import named
 from catopt.report.texts import Words
@@ -145,8 +145,8 @@ def _uses(uses: Sequence[SegmentUse], words: Words) -> Table:
         Heading(words("components.segment"), is_number=True),
         Heading(words("components.name")),
         units(words, named("tension", "Largest tension")),
-        Heading(f"{words('in_motion.rest')} ({_TENSION.field_unit})", is_number=True),
-        Heading(f"{words('workbook.allowed')} ({_TENSION.field_unit})", is_number=True),
+        number_heading(words("in_motion.rest"), _TENSION),
+        number_heading(words("workbook.allowed"), _TENSION),
         Heading(words("checks.utilisation"), is_number=True),
         Heading(words("checks.verdict")),
     )
@@ -250,7 +250,7 @@ def _runs(moved: InMotion, part: DynamicPart, words: Words) -> Table:
 
 
 def _unit(words: Words, quantity: Quantity) -> Heading:
-    return Heading(f"{words.name(quantity.name)} ({quantity.field_unit})", is_number=True)
+    return number_heading(words.name(quantity.name), quantity)
 
 
 def known_of(note: Note, part: DynamicPart, words: Words) -> Iterator[str]:
@@ -285,6 +285,7 @@ def known_of(note: Note, part: DynamicPart, words: Words) -> Iterator[str]:
         yield words("in_motion.allowed_by_mbl", factor=f"{note.solution.safety_factor:g}")
     yield words("in_motion.led")
     yield words("in_motion.ends")
+    yield words("in_motion.grounded")
 
 
 def _listed(key: str, rows: Sequence[Row], words: Words, caption: str) -> Table:

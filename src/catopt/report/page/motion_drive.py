@@ -149,10 +149,10 @@ def rao_table(raos: Raos | None, words: Words) -> Table | None:
     for row in list(order)[::step]:
         cells = [Cell(f"{2.0 * math.pi / raos.omega[row]:.4g}", 2.0 * math.pi / raos.omega[row])]
         for k in used:
-            cells += [
-                Cell(f"{sizes[row, k]:.4g}", float(sizes[row, k])),
-                Cell(f"{math.degrees(phases[row][k]):.4g}", phases[row][k]),
-            ]
+            size, phase = float(sizes[row, k]), phases[row][k]
+            # Where nothing moves there is no lag, whatever the file has.
+            lag = Cell(f"{math.degrees(phase):.4g}", phase) if size > 0.0 else Cell("–")
+            cells += [Cell(f"{size:.4g}", size), lag]
         rows.append(tuple(cells))
     headings = [Heading(words("in_motion.rao_period"), is_number=True)]
     for k in used:

@@ -13,8 +13,10 @@ __all__ = [
     "Heading",
     "Table",
     "called",
+    "in_unit",
     "label_of",
     "measured",
+    "number_heading",
     "said",
     "shown_si",
     "units",
@@ -109,8 +111,16 @@ def called(words: Words, submerged_weight: float, name: str) -> str:
     return f"{kind}: {name}" if name and name.casefold() != kind else kind
 
 
+def in_unit(label: str, quantity: Quantity) -> str:
+    """Write a label with the field's unit, no unit for a pure number: ``Offset (m)``."""
+    return label if quantity.field_unit == "-" else f"{label} ({quantity.field_unit})"
+
+
+def number_heading(label: str, quantity: Quantity) -> Heading:
+    """Head a column of numbers, in the field's unit of a quantity."""
+    return Heading(in_unit(label, quantity), is_number=True)
+
+
 def units(words: Words, quantity: Quantity) -> Heading:
     """Head a column with a quantity in the field's unit."""
-    label = label_of(words, quantity)
-    unit = "" if quantity.field_unit == "-" else f" ({quantity.field_unit})"
-    return Heading(label + unit, is_number=True)
+    return number_heading(label_of(words, quantity), quantity)

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
     from catopt.mooring.case import SystemReport
     from catopt.mooring.restoring import RestoringCurve
+    from catopt.mooring.solution import LegState
     from catopt.mooring.watch_circle import WatchCircle
 
 __all__ = ["plan", "restoring", "watch_circle"]
@@ -63,31 +64,7 @@ def plan(report: SystemReport) -> Figure:
     axes.set_ylabel("y (m)")
     set_title(axes, folded(report.case.title))
     for index, line in enumerate(solution.lines):
-        anchor, fairlead = line.leg.anchor, line.fairlead
-        axes.plot(
-            *zip(anchor, fairlead, strict=True), color="black", label="_" if index else "Line"
-        )
-        touchdown = line.touchdown
-        if touchdown is not None:
-            axes.plot(
-                *zip(anchor, touchdown, strict=True),
-                color=ORANGE,
-                linewidth=3.6,
-                label="_" if index else "On the bed",
-            )
-            axes.plot(
-                *touchdown, "o", color="black", markersize=4, label="_" if index else "Touchdown"
-            )
-        axes.plot(*anchor, "v", color="black", markersize=8, label="_" if index else "Anchor")
-        away = math.atan2(anchor[1], anchor[0])
-        axes.annotate(
-            str(index + 1),
-            anchor,
-            xytext=(13.0 * math.cos(away), 13.0 * math.sin(away)),
-            textcoords="offset points",
-            ha="center",
-            va="center",
-        )
+        _line_from_above(axes, line, index)
     neutral, place = solution.neutral, solution.position
     axes.plot(neutral.x, neutral.y, "+", color=BLUE, markersize=11, label="Body without load")
     axes.plot(
@@ -103,6 +80,30 @@ def plan(report: SystemReport) -> Figure:
     _force_arrow(report, axes, max(width, height))
     legend_below(figure, 3)
     return figure
+
+
+def _line_from_above(axes: Axes, line: LegState, index: int) -> None:
+    """Draw a line with its touchdown, its anchor and its number; the first names them all."""
+    anchor, fairlead, touchdown = line.leg.anchor, line.fairlead, line.touchdown
+    axes.plot(*zip(anchor, fairlead, strict=True), color="black", label="_" if index else "Line")
+    if touchdown is not None:
+        axes.plot(
+            *zip(anchor, touchdown, strict=True),
+            color=ORANGE,
+            linewidth=3.6,
+            label="_" if index else "On the bed",
+        )
+        axes.plot(*touchdown, "o", color="black", markersize=4, label="_" if index else "Touchdown")
+    axes.plot(*anchor, "v", color="black", markersize=8, label="_" if index else "Anchor")
+    away = math.atan2(anchor[1], anchor[0])
+    axes.annotate(
+        str(index + 1),
+        anchor,
+        xytext=(13.0 * math.cos(away), 13.0 * math.sin(away)),
+        textcoords="offset points",
+        ha="center",
+        va="center",
+    )
 
 
 def _force_arrow(report: SystemReport, axes: Axes, size: float) -> None:

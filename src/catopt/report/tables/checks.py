@@ -15,7 +15,7 @@ from catopt.report.wording.checks import QUANTITY_OF, governing_sentence, verdic
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport, CheckResult
 
-__all__ = ["check_rows", "check_summary", "checks", "load_cases"]
+__all__ = ["check_rows", "check_rows_in_si", "check_summary", "checks", "load_cases"]
 
 
 def checks(report: CheckReport) -> pd.DataFrame:
@@ -67,6 +67,24 @@ def check_rows(results: Iterable[CheckResult]) -> list[dict[str, Any]]:
         )
         rows.append(dict(zip(_HEADINGS, values, strict=True)))
     return rows
+
+
+def check_rows_in_si(results: Iterable[CheckResult]) -> list[dict[str, Any]]:
+    """Lay checks out as rows, in SI: those of the searches and the sizings."""
+    return [
+        {
+            "Load case": result.load_case,
+            "Check": result.name,
+            "Demand (unit of the row)": result.demand,
+            "Capacity (unit of the row)": result.capacity,
+            "Unit": result.unit,
+            "Utilisation (-)": result.utilisation,
+            "Passes": "yes" if result.passes else "no",
+            "Source": result.source.text,
+            "Note": result.note,
+        }
+        for result in results
+    ]
 
 
 def load_cases(report: CheckReport) -> pd.DataFrame:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pandas as pd
 
 from catopt.quantities import QUANTITIES
+from catopt.report.tables.checks import check_rows_in_si
 from catopt.report.tables.solution import column
 from catopt.report.wording.design import (
     CHECK_KINDS,
@@ -74,20 +75,9 @@ def components(result: DesignResult) -> pd.DataFrame:
 def design_checks(result: DesignResult) -> pd.DataFrame:
     """Tabulate every check of every design, a row each, in SI."""
     rows = [
-        {
-            "Design": number,
-            "Load case": check.load_case,
-            "Check": check.name,
-            "Demand (unit of the row)": check.demand,
-            "Capacity (unit of the row)": check.capacity,
-            "Unit": check.unit,
-            "Utilisation (-)": check.utilisation,
-            "Passes": _yes(check.passes),
-            "Source": check.source.text,
-            "Note": check.note,
-        }
+        {"Design": number, **row}
         for number, point in enumerate(result.front, start=1)
-        for check in point.checks.results
+        for row in check_rows_in_si(point.checks.results)
     ]
     return pd.DataFrame(rows)
 

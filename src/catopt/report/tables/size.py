@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import pandas as pd
 
 from catopt.report.tables import loads
+from catopt.report.tables.checks import check_rows_in_si
 from catopt.report.tables.loads import load_notes, load_numbers, loads_table
 from catopt.report.wording.size import SHOTS, candidate_rows, governing_lines, summary
 
@@ -76,21 +77,7 @@ def _candidates(of: Sizing) -> pd.DataFrame:
 
 
 def _checks(of: Sizing) -> pd.DataFrame:
-    rows = [
-        {
-            "Load case": check.load_case,
-            "Check": check.name,
-            "Demand (unit of the row)": check.demand,
-            "Capacity (unit of the row)": check.capacity,
-            "Unit": check.unit,
-            "Utilisation (-)": check.utilisation,
-            "Passes": "yes" if check.passes else "no",
-            "Source": check.source.text,
-            "Note": check.note,
-        }
-        for check in of.point.checks.results
-    ]
-    return pd.DataFrame(rows)
+    return pd.DataFrame(check_rows_in_si(of.point.checks.results))
 
 
 def _of_loads(of: Sizing, tabulate: Callable[[Loads], pd.DataFrame]) -> pd.DataFrame:
@@ -141,7 +128,7 @@ def _pattern(of: Sizing) -> pd.DataFrame:
             "Most loaded line in equilibrium, H (kN)": state.line_force / 1e3,
             "Its tension T (kN)": state.tension / 1e3,
             "Force off that line (rad)": state.direction,
-            "Offset of the body (m)": state.offset,
+            "Largest offset of the body, any direction (m)": state.offset,
             "Pull of all lines (kN)": state.pull / 1e3,
         }
         for state in of.pattern.states

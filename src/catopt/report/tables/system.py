@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.tables.summary import Entry, named
+from catopt.report.tables.summary import Entry, columns, named
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -147,11 +147,9 @@ def frames(report: SystemReport) -> dict[str, pd.DataFrame]:
     """Make the tables of ``--out``, by the name of their file."""
     import pandas as pd
 
-    from catopt.report.tables.summary import columns
+    from catopt.report.tables.solution import column
 
     def frame(listed: Iterable[Column]) -> pd.DataFrame:
-        from catopt.report.tables.solution import column
-
         laid: dict[str, object] = {}
         for what, values in listed:
             if isinstance(what, str):

@@ -12,9 +12,16 @@ from typing import TYPE_CHECKING
 from catopt.quantities import QUANTITIES, Quantity
 
 if TYPE_CHECKING:
-    from catopt.checks.result import CheckReport, CheckResult
+    from catopt.checks.result import CheckReport, CheckResult, CheckSource
+    from catopt.report.texts import Words
 
-__all__ = ["QUANTITY_OF", "governing_sentence", "load_case_words", "verdict_sentence"]
+__all__ = [
+    "QUANTITY_OF",
+    "governing_sentence",
+    "load_case_words",
+    "source_words",
+    "verdict_sentence",
+]
 
 QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
     {
@@ -66,3 +73,8 @@ def load_case_words(report: CheckReport, index: int) -> str:
     force = QUANTITIES["horizontal_force"].format(solution.horizontal_force, unit=True)
     height = f"{solution.fairlead_height:g} m"
     return f"Load case {name}{kind}: horizontal force {force}, fairlead height {height}"
+
+
+def source_words(source: CheckSource, words: Words) -> str:
+    """Say where a criterion comes from; a document is cited as it is called."""
+    return words.name(source.text) if source.confidence is None else source.text

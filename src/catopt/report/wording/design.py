@@ -5,6 +5,7 @@ Light on purpose: the terminal shows it without pandas.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -21,6 +22,7 @@ __all__ = [
     "CHECK_KINDS",
     "OBJECTIVES",
     "anchor_words",
+    "change_words",
     "check_kinds",
     "clump_weight_words",
     "governing_words",
@@ -51,6 +53,9 @@ CHECK_KINDS = {
     "holding": "Holding",
 }
 """Headings of the checks by kind, in the order of tables."""
+
+_LEFT_OUT = " left out"
+"""Ends what a search says of a part that it took out."""
 
 
 def segment_words(line: Line) -> list[str]:
@@ -107,10 +112,31 @@ def said_governing(words: Words, result: CheckResult | None) -> str:
     return "" if result is None else f"{words.sentence(result.name).text} ({result.load_case})"
 
 
+def change_words(change: str, words: Words) -> str:
+    """Say what is changed: ``"chain: 29 m for 28.5 m"``, with the user's own names in it."""
+    part, between, added = change.partition(" put in: ")
+    if between:
+        return words("front.put_in", part=_part(part, words), added=added)
+    if change.endswith(_LEFT_OUT):
+        return words("front.taken_out", part=_part(change.removesuffix(_LEFT_OUT), words))
+    part, colon, rest = change.partition(": ")
+    new, between, old = rest.rpartition(" for ")
+    if colon and between:
+        return words("front.step", part=_part(part, words), new=new, old=old)
+    return change
+
+
+def _part(name: str, words: Words) -> str:
+    """Say which part; one without a name of the user's goes by its number."""
+    numbered = re.fullmatch(r"(segment|clump weight) (\d+)", name)
+    if numbered is None:
+        return name
+    kind = "front.segment" if numbered[1] == "segment" else "front.clump"
+    return f"{words(kind)} {numbered[2]}"
+
+
 def said_change(words: Words, neighbour: Neighbour) -> str:
     """Say in a language what is changed; components keep their names."""
-    from catopt.report.page.front_figure import change_words
-
     if words.language == "en":
         return neighbour.change
     said = change_words(neighbour.change, words)

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
-__all__ = ["METHODS", "REGIMES"]
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+
+__all__ = ["METHODS", "REGIMES", "how_it_hangs"]
 
 METHODS: Mapping[str, str] = MappingProxyType(
     {"closed-form": "closed form", "pso": "particle swarm"}
@@ -23,3 +27,14 @@ REGIMES: Mapping[str, str] = MappingProxyType(
     }
 )
 """How a line hangs."""
+
+_NO_LENGTH = 1e-9
+"""Of the line's length: what lies on the bed then is rounding."""
+
+
+def how_it_hangs(solution: Solution) -> str:
+    """Say how the line hangs; with the touchdown at its anchor nothing of it lies on the bed."""
+    at_anchor = solution.grounded_length <= _NO_LENGTH * solution.line.length
+    if solution.regime == "grounded" and at_anchor:
+        return "the whole line hangs, just level at its anchor"
+    return REGIMES[solution.regime]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from catopt.quantities import Quantity
-from catopt.report.page.table import label_of
+from catopt.report.page.table import in_unit, label_of
 from catopt.report.texts import Words
 from catopt.report.workbook.sheet import Number, number_pattern
 
@@ -17,8 +17,7 @@ def number_of(quantity: Quantity, si: float | None) -> Number:
 
 def headed(words: Words, quantity: Quantity) -> str:
     """Head a column: name, symbol and unit, in the language of the book."""
-    unit = "" if quantity.field_unit == "-" else f" ({quantity.field_unit})"
-    return label_of(words, quantity) + unit
+    return in_unit(label_of(words, quantity), quantity)
 
 
 def unit_of(unit: str) -> str:

@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.front_figure import (
-    change_words,
     composition,
     further_objectives,
     governing_phrase,
     verdict_cell,
 )
-from catopt.report.page.note import Note
+from catopt.report.page.note import Chosen, Note
 from catopt.report.page.verification import rough_words
+from catopt.report.tables.checks import load_cases
 from catopt.report.tables.verify import QUANTITY_OF as COMPARED
 from catopt.report.tables.verify import part_sentence
 from catopt.report.texts import Words
-from catopt.report.wording.checks import QUANTITY_OF
-from catopt.report.wording.design import OBJECTIVES
+from catopt.report.wording.checks import QUANTITY_OF, source_words
+from catopt.report.wording.design import OBJECTIVES, change_words
 from catopt.report.workbook.note_cells import headed, number_of, unit_of
 from catopt.report.workbook.sheet import Book, Cell, Chart, Number, Series, Sheet, Text
 
@@ -30,11 +30,13 @@ if TYPE_CHECKING:
 
 __all__ = [
     "check_row",
+    "checks_grid",
     "checks_sheet",
-    "compared_row",
+    "compared_sheet",
     "front_sheet",
-    "mesh_grid",
+    "load_cases_sheet",
     "neighbours_sheet",
+    "no_answer_sheet",
     "verification_sheet",
 ]
 
@@ -43,12 +45,38 @@ _FRONT = (680, 420)
 
 
 def checks_sheet(book: Book, note: Note) -> None:
-    """Write every check with its verdict; how far it is used is a formula."""
+    """Write every check with its verdict; how far it is used is a formula. No sheet for none."""
+    if not note.checks.results:
+        return
     words = book.words
     sheet = book.sheet("Checks")
+    rows = [
+        check_row(check, row, words, governs=check is note.checks.governing)
+        for row, check in enumerate(note.checks.results, start=2)
+    ]
+    checks_grid(sheet, rows, words("identity.load_case"), 16.0)
+    for text in (words("checks.legend"), words("workbook.governs")):
+        sheet.across(text)
+
+
+def checks_grid(sheet: Sheet, rows: Sequence[Sequence[Cell]], of: str, width: float) -> None:
+    """Write checks under their headings, at the top of a sheet.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        Still empty.
+    rows : sequence
+        As `check_row` makes them.
+    of : str
+        Heading of the first column: what each check is of.
+    width : float
+        Of that column, in characters.
+    """
+    words = sheet.book.words
     sheet.grid(
         [
-            words("identity.load_case"),
+            of,
             words("checks.check"),
             words("checks.demand"),
             words("checks.capacity"),
@@ -58,15 +86,16 @@ def checks_sheet(book: Book, note: Note) -> None:
             words("checks.source"),
             words("checks.note"),
         ],
-        [
-            check_row(check, row, words, governs=check is note.checks.governing)
-            for row, check in enumerate(note.checks.results, start=2)
-        ],
-        widths=[16, 34, 16, 16, 8, 14, 18, 46, 40],
+        rows,
+        widths=[width, 34, 16, 16, 8, 14, 18, 46, 40],
         right=(2, 3, 5),
     )
-    for text in (words("checks.legend"), words("workbook.governs")):
-        sheet.across(text)
+
+
+def load_cases_sheet(book: Book, note: Note) -> None:
+    """Write the line under each load case; no sheet where there is one alone."""
+    if len(note.checks.solutions) > 1:
+        book.sheet("Load cases").table(load_cases(note.checks))
 
 
 def check_row(check: CheckResult, row: int, words: Words, *, governs: bool) -> Sequence[Cell]:
@@ -75,7 +104,6 @@ def check_row(check: CheckResult, row: int, words: Words, *, governs: bool) -> S
     used = check.utilisation
     formula = "" if used is None else f"=C{row}/D{row}"
     verdict = words("checks.passes" if check.passes else "checks.fails")
-    case_file = check.source.code == "user"
     return (
         check.load_case,
         words.sentence(check.name).text,
@@ -84,13 +112,16 @@ def check_row(check: CheckResult, row: int, words: Words, *, governs: bool) -> S
         Text(quantity.field_unit, "text"),
         Number(used, "0.000", formula),
         Text(f"{verdict} *" if governs else verdict, "good" if check.passes else "bad"),
-        words("components.case_file") if case_file else check.source.text,
+        source_words(check.source, words),
         words.sentence(check.note).text,
     )
 
 
-def front_sheet(book: Book, document: dict[str, Any], number: int) -> None:
-    """Write every design of the front, and draw two objectives of them."""
+def front_sheet(book: Book, chosen: Chosen | None) -> None:
+    """Write every design of the front, and draw two objectives of them; no sheet without one."""
+    if chosen is None:
+        return
+    document, number = chosen.document, chosen.number
     words = book.words
     sheet = book.sheet("Front")
     front = document["front"]
@@ -138,8 +169,11 @@ def _sinker(point: dict[str, Any]) -> Number:
     return number_of(QUANTITIES["mass"], (point.get("sinker") or {}).get("mass_kg"))
 
 
-def neighbours_sheet(book: Book, document: dict[str, Any]) -> None:
-    """Write why a design is recommended and what one step does to it."""
+def neighbours_sheet(book: Book, chosen: Chosen | None) -> None:
+    """Write why a design is recommended and what one step does to it; no sheet without a front."""
+    if chosen is None:
+        return
+    document = chosen.document
     words = book.words
     sheet = book.sheet("Neighbours")
     keys = [*document["objectives"], *further_objectives(document)]
@@ -175,40 +209,68 @@ def neighbours_sheet(book: Book, document: dict[str, Any]) -> None:
 
 
 def verification_sheet(book: Book, note: Note) -> None:
-    """Write the closed form beside the truss model, or that the truss model has no answer."""
+    """Write the closed form of the line beside the truss model; no sheet where it was left out."""
+    if note.verification is not None:
+        compared_sheet(book, note.verification.static, "verification")
+    elif note.verification_failure:
+        no_answer_sheet(book, note.verification_failure, "verification")
+
+
+def compared_sheet(
+    book: Book, part: StaticComparison, group: str, of: Sequence[Cell] | None = None
+) -> None:
+    """Write the closed form beside the truss model.
+
+    Parameters
+    ----------
+    book : Book
+        Where to.
+    part : StaticComparison
+        Both on every mesh.
+    group : str
+        Of the texts: ``"verification"`` of a line, ``"system_verification"`` of a body.
+    of : sequence of Cell, optional
+        What each quantity is of, in a column before the others: the number of a line, or the body.
+    """
     words = book.words
     sheet = book.sheet("Verification")
-    if note.verification is None:
-        sheet.set_widths([120.0])
-        sheet.across(words("verification.no_answer"), "bad")
-        sheet.across(words.sentence(note.verification_failure).text)
-        return
-    part = note.verification.static
     meshes = [mesh.elements for mesh in part.meshes]
-    sheet.grid(
-        [
-            words("workbook.quantity"),
-            words("workbook.unit"),
-            words("verification.closed_form"),
-            words("verification.truss"),
-            *(words("workbook.bars", count=count) for count in meshes),
-            words("verification.gap"),
-            words("verification.order"),
-            words("checks.verdict"),
-        ],
-        [compared_row(each, words) for each in part.quantities],
-        widths=[34, 8, *[15.0] * (len(meshes) + 2), 16, 11, 14],
-        right=range(2, 6 + len(meshes)),
-    )
+    headings = [
+        words("workbook.quantity"),
+        words("workbook.unit"),
+        words("verification.closed_form"),
+        words("verification.truss"),
+        *(words("workbook.bars", count=count) for count in meshes),
+        words("verification.gap"),
+        words("verification.order"),
+        words("checks.verdict"),
+    ]
+    rows = [_compared_row(each, words) for each in part.quantities]
+    widths = [34.0, 8.0, *[15.0] * (len(meshes) + 2), 16.0, 11.0, 14.0]
+    right = [*range(2, 6 + len(meshes))]
+    if of is not None:
+        headings = [words("system_lines.line"), *headings]
+        rows = [(first, *row) for first, row in zip(of, rows, strict=True)]
+        widths = [10.0, 30.0, *widths[1:]]
+        right = [0, *(column + 1 for column in right)]
+    sheet.grid(headings, rows, widths=widths, right=right)
     sheet.across(words.sentence(part_sentence(part)).text, "good" if part.is_settled else "bad")
     remarks = (words.sentence(remark).text for remark in part.remarks)
-    for text in (rough_words(part, words), *remarks, words("verification.legend")):
+    for text in (rough_words(part, words), *remarks, words(f"{group}.legend")):
         if text:
             sheet.across(text)
-    mesh_grid(sheet, part)
+    _mesh_grid(sheet, part)
 
 
-def mesh_grid(sheet: Sheet, part: StaticComparison) -> None:
+def no_answer_sheet(book: Book, why: str, group: str) -> None:
+    """Write that the truss model has no answer, and why; `group` as for `compared_sheet`."""
+    sheet = book.sheet("Verification")
+    sheet.set_widths([120.0])
+    sheet.across(book.words(f"{group}.no_answer"), "bad")
+    sheet.across(book.words.sentence(why).text)
+
+
+def _mesh_grid(sheet: Sheet, part: StaticComparison) -> None:
     """Write the meshes of the truss model below what is there."""
     words = sheet.book.words
     sheet.row += 1
@@ -233,7 +295,7 @@ def mesh_grid(sheet: Sheet, part: StaticComparison) -> None:
     )
 
 
-def compared_row(each: Compared, words: Words) -> Sequence[Cell]:
+def _compared_row(each: Compared, words: Words) -> Sequence[Cell]:
     """Lay one quantity out, on every mesh."""
     quantity = COMPARED[each.quantity]
     verdict = words("verification.agrees" if each.agrees else "verification.differs")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 from catopt.quantities import QUANTITIES
 from catopt.report.page.line_drawing import touchdowns
 from catopt.report.page.note import Note
-from catopt.report.page.table import called
+from catopt.report.page.table import called, in_unit
 from catopt.report.page.tension_figure import FAR, capacities
 from catopt.report.tables import solution as tables
 from catopt.report.tables.load_curve import FAIRLEAD_TENSION, FORCE, OFFSET, SPAN, at_marks
@@ -73,7 +73,7 @@ class _Places:
             rows += [(number_of(s, at), number_of(T, capacity)) for at in ends]
             start += segment.length
         top = sheet.grid(
-            [headed(words, s), f"{words('workbook.allowed')} ({T.field_unit})"],
+            [headed(words, s), in_unit(words("workbook.allowed"), T)],
             rows,
             column=column + 4,
             right=(0, 1),
@@ -125,8 +125,10 @@ def _tension(place: _Places, points: int) -> Chart:
     )
 
 
-def curve_sheet(book: Book, curve: CaseCurve) -> None:
-    """Write the load curve and its marks, and draw it with the case itself."""
+def curve_sheet(book: Book, curve: CaseCurve | None) -> None:
+    """Write the load curve and its marks, and draw it with the case itself; no sheet without it."""
+    if curve is None:
+        return
     words = book.words
     sheet = book.sheet("Curve")
     frame = tables.curve_points(curve)
@@ -168,7 +170,7 @@ def curve_sheet(book: Book, curve: CaseCurve) -> None:
     chart = Chart(
         words("curve.heading"),
         headed(words, SPAN),
-        f"{words('curve.force')} ({FORCE.field_unit})",
+        in_unit(words("curve.force"), FORCE),
         series,
         size=_CURVE,
         y_range=(0.0, None),

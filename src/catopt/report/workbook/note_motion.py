@@ -36,9 +36,13 @@ _MOST = 300
 
 
 def motion_sheet(book: Book, note: Note) -> None:
-    """Write statistics, utilisation, what drives the line and its model; draw its tension."""
+    """Write statistics, utilisation, what drives the line and its model; draw its tension.
+
+    No sheet where the line was not set in motion.
+    """
     moved = note.motion
-    assert moved is not None
+    if moved is None:
+        return
     words = book.words
     sheet = book.sheet("Motion")
     for part, solution in zip(moved.found.parts, moved.solutions, strict=True):

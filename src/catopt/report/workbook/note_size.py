@@ -4,24 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from catopt.casefile.location import dotted
-from catopt.report.page.inputs import FREE_TEXT, leaves
 from catopt.report.page.sizing.identity import found, governing, identity, recommendation
 from catopt.report.page.sizing.inputs import schema_of
 from catopt.report.page.sizing.load_case import load_case_words, said_line
 from catopt.report.page.sizing.note import SizeNote
-from catopt.report.tables.checks import load_cases
 from catopt.report.texts import Language, Words
 from catopt.report.wording.checks import verdict_sentence
-from catopt.report.workbook.note import catalogue_sheet, components_sheet, input_rows
-from catopt.report.workbook.note_cells import number_of, unit_of
 from catopt.report.workbook.note_checks import (
     checks_sheet,
     front_sheet,
+    load_cases_sheet,
     neighbours_sheet,
     verification_sheet,
 )
+from catopt.report.workbook.note_components import catalogue_sheet, components_sheet
 from catopt.report.workbook.note_line import curve_sheet, line_sheet
+from catopt.report.workbook.note_opening import (
+    inputs_grid,
+    new_book,
+    summary_sheet,
+    title_rows,
+    value_grid,
+    value_row,
+    warning_rows,
+)
 from catopt.report.workbook.note_size_choice import (
     candidates_sheet,
     hold_sheet,
@@ -30,7 +36,7 @@ from catopt.report.workbook.note_size_choice import (
 )
 from catopt.report.workbook.note_size_loads import loads_sheet, numbers_sheet
 from catopt.report.workbook.note_swarm import swarm_sheet
-from catopt.report.workbook.sheet import Book, Cell, Number, Text
+from catopt.report.workbook.sheet import Book, Cell, Text
 
 __all__ = ["size_note_workbook"]
 
@@ -58,34 +64,27 @@ def size_note_workbook(note: SizeNote, language: Language = "en") -> bytes:
         (Line, Curve, Checks, Load cases, Front, Neighbours, Components, Catalogue, Verification,
         Swarm), each where there is something to show.
     """
-    words = Words(language)
-    book = Book(note.title or words(note.untitled), words, typeset=True)
+    book = new_book(note, language)
     _summary(book, note)
     _inputs(book, note)
     loads_sheet(book, note)
     numbers_sheet(book, note)
     candidates_sheet(book, note)
-    line = said_line(note.line, words)
+    line = said_line(note.line, book.words)
     line_sheet(book, line)
-    if line.checks.results:
-        checks_sheet(book, line)
-    if len(line.checks.solutions) > 1:
-        book.sheet("Load cases").table(load_cases(line.checks))
+    checks_sheet(book, line)
+    load_cases_sheet(book, line)
     hold_sheet(book, note)
     swing_sheet(book, note)
     pattern_sheet(book, note)
     _assumptions(book, note)
-    if line.curve is not None:
-        curve_sheet(book, line.curve)
-    if line.chosen is not None:
-        front_sheet(book, line.chosen.document, line.chosen.number)
-        neighbours_sheet(book, line.chosen.document)
-    components_sheet(book, line)
-    catalogue_sheet(book, line)
-    if line.verification is not None or line.verification_failure:
-        verification_sheet(book, line)
-    if line.swarm is not None:
-        swarm_sheet(book, line)
+    curve_sheet(book, line.curve)
+    front_sheet(book, line.chosen)
+    neighbours_sheet(book, line.chosen)
+    components_sheet(book, line.solution)
+    catalogue_sheet(book, line.case)
+    verification_sheet(book, line)
+    swarm_sheet(book, line)
     return book.close()
 
 
@@ -95,12 +94,7 @@ def size_note_workbook(note: SizeNote, language: Language = "en") -> bytes:
 def _summary(book: Book, note: SizeNote) -> None:
     """Write what is recommended, what governs it, warnings, the results and the title block."""
     words = book.words
-    sheet = book.sheet("Summary")
-    sheet.worksheet.set_portrait()
-    sheet.worksheet.fit_to_pages(1, 1)
-    sheet.set_widths(_SUMMARY)
-    sheet.across(note.title or words(note.untitled), "large")
-    sheet.across(words(note.kind), "grey")
+    sheet = summary_sheet(book, note, _SUMMARY)
     checks = note.line.checks
     sheet.across(recommendation(note, words), "good" if checks.passes else "bad")
     sheet.across(words.sentence(verdict_sentence(checks)).text)
@@ -108,38 +102,16 @@ def _summary(book: Book, note: SizeNote) -> None:
     sheet.across(words("size_identity.governs"), "title")
     for phrase in governing(note, words):
         sheet.across(phrase.text)
-    if note.warnings:
-        sheet.row += 1
-        sheet.across(words("warnings.heading"), "title")
-        for warning in note.warnings:
-            sheet.across(words.sentence(warning).text)
+    warning_rows(sheet, note)
     sheet.row += 1
-    sheet.grid(
-        [
-            words("workbook.quantity"),
-            words("workbook.value"),
-            words("workbook.unit"),
-            words("workbook.si"),
-            words("workbook.si_unit"),
-        ],
-        list(_found(note, words)),
-        widths=_SUMMARY,
-        right=(1, 3),
-    )
-    for label, value in identity(note, words)["table"].rows:
-        sheet.pair(label.text, value.text)
+    value_grid(sheet, list(_found(note, words)), _SUMMARY)
+    title_rows(sheet, identity(note, words)["table"])
 
 
 def _found(note: SizeNote, words: Words) -> Iterator[Sequence[Cell]]:
     for label, quantity, value, load_case in found(note.sizing, words):
         at = f" ({load_case_words(load_case, words)})" if load_case else ""
-        yield (
-            f"{label}{at}",
-            number_of(quantity, value),
-            Text(unit_of(quantity.field_unit), "text"),
-            Number(value),
-            Text(unit_of(quantity.si_unit), "text"),
-        )
+        yield value_row(f"{label}{at}", quantity, value)
 
 
 def _inputs(book: Book, note: SizeNote) -> None:
@@ -147,14 +119,7 @@ def _inputs(book: Book, note: SizeNote) -> None:
     words = book.words
     sheet = book.sheet("Inputs")
     if note.origin.files:
-        rows = [
-            row
-            for path, kind, value in leaves(note.origin.inputs, schema_of(note))
-            if path not in {(key,) for key in FREE_TEXT}
-            for row in input_rows(dotted(path), kind, value)
-        ]
-        keys = ("inputs.key", "inputs.given", "inputs.si", "workbook.si_unit")
-        sheet.grid([words(key) for key in keys], rows, widths=[44, 60, 22, 12], right=(2,))
+        inputs_grid(sheet, note.origin.inputs, schema_of(note))
     if note.options:
         options: list[Sequence[Cell]] = [
             (Text(name, "text"), value) for name, value in note.options

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.page.front_figure import change_words
 from catopt.report.page.sizing.candidates import ROLES, candidate_verdict, failing_words
 from catopt.report.page.sizing.hold import held, steps
 from catopt.report.page.sizing.load_case import load_case_words, said_names
@@ -13,8 +13,10 @@ from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.pattern import line_rows
 from catopt.report.page.sizing.put_in import typeset_unit
 from catopt.report.page.sizing.swing import PARTS
+from catopt.report.page.table import in_unit
 from catopt.report.texts import Words
 from catopt.report.wording.checks import QUANTITY_OF
+from catopt.report.wording.design import change_words
 from catopt.report.workbook.note_cells import headed, number_of, unit_of
 from catopt.report.workbook.sheet import (
     Book,
@@ -22,11 +24,16 @@ from catopt.report.workbook.sheet import (
     Chart,
     Number,
     Series,
+    Sheet,
     Style,
     Text,
     number_pattern,
 )
 from catopt.sizing.candidates import Candidate
+
+if TYPE_CHECKING:
+    from catopt.mooring.solution import SystemSolution
+    from catopt.sizing.pattern import Pattern
 
 __all__ = ["candidates_sheet", "hold_sheet", "pattern_sheet", "swing_sheet"]
 
@@ -34,6 +41,7 @@ _CHART = (620, 380)
 """Pixels."""
 
 FORCE, LENGTH, MASS = (QUANTITIES[key] for key in ("horizontal_force", "length", "mass"))
+TENSION, ANGLE = QUANTITIES["tension"], QUANTITIES["angle"]
 
 
 def candidates_sheet(book: Book, note: SizeNote) -> None:
@@ -48,10 +56,10 @@ def candidates_sheet(book: Book, note: SizeNote) -> None:
         words("size_candidates.chain"),
         headed(words, diameter),
         headed(words, LENGTH),
-        f"{words.name('Mass in air')} ({MASS.field_unit})",
-        f"{words.name('Largest span')} S ({span.field_unit})",
+        in_unit(words.name("Mass in air"), MASS),
+        in_unit(f"{words.name('Largest span')} S", span),
         headed(words, FORCE),
-        f"{words('size_candidates.anchor')} ({MASS.field_unit})",
+        in_unit(words("size_candidates.anchor"), MASS),
         words("checks.verdict"),
     ]
     names = said_names(note.line, words)
@@ -59,30 +67,7 @@ def candidates_sheet(book: Book, note: SizeNote) -> None:
     widths = [28.0, 28.0, *[12.0] * 6, 36.0]
     sheet.grid(headings, rows, widths=widths, right=range(2, 8))
     if of.limits:
-        limits: list[Sequence[Cell]] = []
-        for each in of.limits:
-            quantity = FORCE if each.check is None else QUANTITY_OF[each.check.kind]
-            limits.append(
-                (
-                    change_words(each.change, words),
-                    failing_words(each, words).text,
-                    number_of(quantity, None if each.check is None else each.check.demand),
-                    number_of(quantity, None if each.check is None else each.check.capacity),
-                    Text("" if each.check is None else quantity.field_unit, "text"),
-                )
-            )
-        sheet.grid(
-            [
-                words("front.change"),
-                words("size_candidates.fails_by"),
-                words("checks.demand"),
-                words("checks.capacity"),
-                words("workbook.unit"),
-            ],
-            limits,
-            title=words("size_candidates.limits"),
-            right=(2, 3),
-        )
+        _limits(sheet, note)
     if all(each.settled is not None for each in of.candidates):
         best = next(i for i, each in enumerate(of.candidates, 1) if each.role == "recommended")
         series = (
@@ -93,6 +78,35 @@ def candidates_sheet(book: Book, note: SizeNote) -> None:
             words("size_candidates.heading"), headings[4], headings[5], series, size=_CHART
         )
         sheet.chart(chart, row=sheet.row, column=0)
+
+
+def _limits(sheet: Sheet, note: SizeNote) -> None:
+    """Write the steps from the recommended line that fail, and by what."""
+    words = sheet.book.words
+    rows: list[Sequence[Cell]] = []
+    for each in note.sizing.limits:
+        quantity = FORCE if each.check is None else QUANTITY_OF[each.check.kind]
+        rows.append(
+            (
+                change_words(each.change, words),
+                failing_words(each, words).text,
+                number_of(quantity, None if each.check is None else each.check.demand),
+                number_of(quantity, None if each.check is None else each.check.capacity),
+                Text("" if each.check is None else quantity.field_unit, "text"),
+            )
+        )
+    sheet.grid(
+        [
+            words("front.change"),
+            words("size_candidates.fails_by"),
+            words("checks.demand"),
+            words("checks.capacity"),
+            words("workbook.unit"),
+        ],
+        rows,
+        title=words("size_candidates.limits"),
+        right=(2, 3),
+    )
 
 
 def _candidate(of: Candidate, words: Words, names: Mapping[str, str]) -> Sequence[Cell]:
@@ -131,7 +145,7 @@ def hold_sheet(book: Book, note: SizeNote) -> None:
             number_of(each.quantity, each.value),
             Text(unit_of(typeset_unit(each.quantity.field_unit)), "text"),
             Number(each.value),
-            each.source,
+            words.name(each.source),
         )
         for each in listed
     ]
@@ -168,7 +182,7 @@ def swing_sheet(book: Book, note: SizeNote) -> None:
         rows.append((said, number_of(LENGTH, note.sizing.excursion)))
     headings = [
         words("size_swing.part"),
-        f"{words('size_swing.length')} ({LENGTH.field_unit})",
+        in_unit(words("size_swing.length"), LENGTH),
     ]
     sheet.grid(headings, rows, widths=[60, 16], right=(1,))
     sheet.across(words("checks.under", name=load_case_words(swing.load_case, words)))
@@ -181,20 +195,39 @@ def pattern_sheet(book: Book, note: SizeNote) -> None:
         return
     words = book.words
     sheet = book.sheet("Pattern", words("size_pattern.heading"))
-    tension, angle = QUANTITIES["tension"], QUANTITIES["angle"]
+    _states(sheet, of)
+    for label, value in (
+        (words("size_pattern.count"), Number(float(of.lines))),
+        (in_unit(words("size_pattern.radius"), LENGTH), number_of(LENGTH, of.anchor_radius)),
+        (in_unit(words("size_pattern.pretension"), FORCE), number_of(FORCE, of.pretension)),
+    ):
+        sheet.write(sheet.row, 0, Text(label))
+        sheet.write(sheet.row, 1, value)
+        sheet.row += 1
+    sheet.row += 1
+    _line_pulls(
+        sheet,
+        note.around,
+        words("size_pattern.lines", load_case=load_case_words(of.hardest.load_case, words)),
+    )
+
+
+def _states(sheet: Sheet, of: Pattern) -> None:
+    """Write the body at rest in each load case."""
+    words = sheet.book.words
     columns: tuple[tuple[str, Quantity, str], ...] = (
         (words("size_pattern.force"), FORCE, "force"),
         (words("size_pattern.by_rule"), FORCE, "rule_force"),
         (words("size_pattern.by_equilibrium"), FORCE, "line_force"),
-        (words.name(tension.name), tension, "tension"),
-        (words("size_pattern.direction"), angle, "direction"),
+        (words.name(TENSION.name), TENSION, "tension"),
+        (words("size_pattern.direction"), ANGLE, "direction"),
         (words("size_pattern.offset"), LENGTH, "offset"),
         (words("size_pattern.pull"), FORCE, "pull"),
     )
     sheet.grid(
         [
             words("identity.load_case"),
-            *(f"{label} ({quantity.field_unit})" for label, quantity, _ in columns),
+            *(in_unit(label, quantity) for label, quantity, _ in columns),
         ],
         [
             (
@@ -206,25 +239,18 @@ def pattern_sheet(book: Book, note: SizeNote) -> None:
         widths=[26, *[17.0] * len(columns)],
         right=range(1, 1 + len(columns)),
     )
-    for label, quantity, value in (
-        (words("size_pattern.count"), None, float(of.lines)),
-        (words("size_pattern.radius"), LENGTH, of.anchor_radius),
-        (words("size_pattern.pretension"), FORCE, of.pretension),
-    ):
-        unit = "" if quantity is None else f" ({quantity.field_unit})"
-        sheet.write(sheet.row, 0, Text(f"{label}{unit}"))
-        number = Number(value) if quantity is None else number_of(quantity, value)
-        sheet.write(sheet.row, 1, number)
-        sheet.row += 1
-    sheet.row += 1
-    quantities = (angle, FORCE, tension, FORCE, FORCE)
-    labels = (words("size_pattern.towards"), words.name(FORCE.name), words.name(tension.name))
-    state = load_case_words(of.hardest.load_case, words)
+
+
+def _line_pulls(sheet: Sheet, around: SystemSolution, title: str) -> None:
+    """Write the pull of each line on the body, with its two parts."""
+    words = sheet.book.words
+    quantities = (ANGLE, FORCE, TENSION, FORCE, FORCE)
+    labels = (words("size_pattern.towards"), words.name(FORCE.name), words.name(TENSION.name))
     sheet.grid(
         [
             words("components.number"),
             *(
-                f"{label} ({quantity.field_unit})"
+                in_unit(label, quantity)
                 for label, quantity in zip((*labels, "Hx", "Hy"), quantities, strict=True)
             ),
         ],
@@ -233,8 +259,8 @@ def pattern_sheet(book: Book, note: SizeNote) -> None:
                 Number(number),
                 *(number_of(q, value) for q, value in zip(quantities, each, strict=True)),
             )
-            for number, each in enumerate(line_rows(note.around), start=1)
+            for number, each in enumerate(line_rows(around), start=1)
         ],
-        title=words("size_pattern.lines", load_case=state),
+        title=title,
         right=range(6),
     )

@@ -9,6 +9,7 @@ from catopt.report.page.sizing.load_case import load_case_words
 from catopt.report.page.sizing.loads import forces, what_is_pushed
 from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.put_in import put_in, typeset_formula, typeset_unit
+from catopt.report.page.table import in_unit
 from catopt.report.workbook.note_cells import headed, number_of
 from catopt.report.workbook.sheet import (
     Book,
@@ -81,9 +82,9 @@ def _sums(book: Book, note: SizeNote) -> None:
     sheet.grid(
         [
             words("identity.load_case"),
-            f"{words('size_loads.depth')} ({depth.field_unit})",
-            f"{words('size_loads.sum')} ({FORCE.field_unit})",
-            f"{words('size_loads.line')} ({FORCE.field_unit})",
+            in_unit(words("size_loads.depth"), depth),
+            in_unit(words("size_loads.sum"), FORCE),
+            in_unit(words("size_loads.line"), FORCE),
         ],
         [
             (

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from catopt.catenary.solution import SwarmReport
 from catopt.report.page.note import Note
 from catopt.report.page.swarm import CONVERGED, result_rows, setting_rows
-from catopt.report.page.table import label_of
+from catopt.report.page.table import in_unit, label_of
 from catopt.report.tables.summary import named
 from catopt.report.workbook.note_cells import headed, number_of, unit_of
 from catopt.report.workbook.sheet import Book, Cell, Chart, Number, Series, Sheet, Text
@@ -23,8 +23,12 @@ _TENSION = named("tension", "Fairlead tension")
 
 
 def swarm_sheet(book: Book, note: Note) -> None:
-    """Write both methods beside each other, the runs, the settings, and how the best run fell."""
-    assert note.swarm is not None
+    """Write both methods beside each other, the runs, the settings, and how the best run fell.
+
+    No sheet where the swarm was left out.
+    """
+    if note.swarm is None:
+        return
     assert note.swarm.swarm is not None
     report, words = note.swarm.swarm, book.words
     sheet = book.sheet("Swarm")
@@ -81,7 +85,7 @@ def _runs(sheet: Sheet, report: SwarmReport) -> None:
     headings = [
         words.name("Run"),
         words.name("Best run"),
-        f"{words('swarm.ended')} ({_OBJECTIVE.field_unit})",
+        in_unit(words("swarm.ended"), _OBJECTIVE),
         words.name("Iterations flown"),
         words("swarm.converged"),
     ]

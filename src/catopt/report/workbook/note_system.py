@@ -6,42 +6,52 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from catopt.casefile.location import dotted
 from catopt.casefile.schema import CaseTable
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.page.inputs import FREE_TEXT, leaves
 from catopt.report.page.line_drawing import grounded_ends
 from catopt.report.page.system.checks import governing_words, of_what
 from catopt.report.page.system.identity import identity
 from catopt.report.page.system.note import SystemNote
-from catopt.report.page.system.results import Value, rule_words, values_of
-from catopt.report.page.verification import rough_words
+from catopt.report.page.system.results import rule_words, values_of
+from catopt.report.page.table import in_unit
 from catopt.report.tables.summary import named
-from catopt.report.tables.verify import part_sentence
 from catopt.report.texts import Language, Words
-from catopt.report.workbook.note import catalogue_of, components_of, input_rows
-from catopt.report.workbook.note_cells import number_of, unit_of
-from catopt.report.workbook.note_checks import check_row, compared_row, mesh_grid
+from catopt.report.workbook.note_cells import number_of
+from catopt.report.workbook.note_checks import (
+    check_row,
+    checks_grid,
+    compared_sheet,
+    no_answer_sheet,
+)
+from catopt.report.workbook.note_components import catalogue_sheet, components_sheet
+from catopt.report.workbook.note_opening import (
+    inputs_grid,
+    new_book,
+    summary_sheet,
+    title_rows,
+    value_grid,
+    value_row,
+    warning_rows,
+)
+from catopt.report.workbook.note_system_states import (
+    line_out_sheet,
+    restoring_sheet,
+    watch_circle_sheet,
+)
 from catopt.report.workbook.sheet import Book, Cell, Chart, Number, Series, Sheet, Style, Text
 
 if TYPE_CHECKING:
-    from catopt.mooring.response import Response
-    from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import LegState
 
 __all__ = ["system_note_workbook"]
 
 _SUMMARY = (52.0, 15.0, 10.0, 22.0, 10.0)
 """Widths of the summary's columns: quantity, value, unit, the same in SI."""
-_SQUARE, _WIDE = (560, 520), (680, 420)
+_SQUARE = (560, 520)
 """Pixels."""
 
-ANGLE, LENGTH, TENSION, FORCE = (
-    QUANTITIES[key] for key in ("angle", "offset", "tension", "horizontal_force")
-)
-VERTICAL, SPAN, GROUNDED = (
-    QUANTITIES[key] for key in ("vertical_force", "span", "grounded_length")
-)
+ANGLE, LENGTH, FORCE = (QUANTITIES[key] for key in ("angle", "offset", "horizontal_force"))
+SPAN, GROUNDED = QUANTITIES["span"], QUANTITIES["grounded_length"]
 
 
 def system_note_workbook(note: SystemNote, language: Language = "en") -> bytes:
@@ -62,22 +72,18 @@ def system_note_workbook(note: SystemNote, language: Language = "en") -> bytes:
         An .xlsx file with the sheets Summary, Inputs, Components and Lines; Catalogue, Checks,
         Line out, Watch circle, Restoring and Verification where there is something to show.
     """
-    words = Words(language)
-    book = Book(note.title or words(note.untitled), words, typeset=True)
+    book = new_book(note, language)
     _summary(book, note)
     _inputs(book, note)
-    parts = components_of(book, note.loaded.solution)
-    parts.across(words("system_line_trail.of_line", line=note.solution.most_loaded + 1))
-    catalogue_of(book, note.case)
+    parts = components_sheet(book, note.loaded.solution)
+    parts.across(book.words("system_line_trail.of_line", line=note.solution.most_loaded + 1))
+    catalogue_sheet(book, note.case)
     _lines(book, note)
     if note.checks.results:
         _checks(book, note)
-    if note.report.line_out:
-        _line_out(book, note)
-    if note.report.circle is not None:
-        _watch_circle(book, note)
-    if note.report.curves:
-        _restoring(book, note)
+    line_out_sheet(book, note)
+    watch_circle_sheet(book, note)
+    restoring_sheet(book, note)
     if note.verification is not None or note.verification_failure:
         _verification(book, note)
     return book.close()
@@ -89,34 +95,18 @@ def system_note_workbook(note: SystemNote, language: Language = "en") -> bytes:
 def _summary(book: Book, note: SystemNote) -> None:
     """Write the title, what decides, warnings, the title block and the results of the body."""
     words = book.words
-    sheet = book.sheet("Summary")
-    sheet.worksheet.set_portrait()
-    sheet.worksheet.fit_to_pages(1, 1)
-    sheet.set_widths(_SUMMARY)
-    sheet.across(note.title or words(note.untitled), "large")
-    sheet.across(words(note.kind), "grey")
+    sheet = summary_sheet(book, note, _SUMMARY)
     block = identity(note, words)
     looks: dict[str, Style] = {"passes": "good", "fails": "bad"}
     for said, style in block["verdicts"]:
         sheet.across(said.text, looks.get(style, "wrapped"))
-    if note.warnings:
-        sheet.row += 1
-        sheet.across(words("warnings.heading"), "title")
-        for warning in note.warnings:
-            sheet.across(words.sentence(warning).text)
+    warning_rows(sheet, note)
     sheet.row += 1
     sheet.across(words("system_identity.heading"), "title")
-    for label, value in block["table"].rows:
-        sheet.pair(label.text, value.text)
+    title_rows(sheet, block["table"])
     sheet.row += 1
     sheet.across(words("system_results.heading"), "title")
-    headings = ("workbook.quantity", "workbook.value", "workbook.unit", "workbook.si")
-    sheet.grid(
-        [words(key) for key in (*headings, "workbook.si_unit")],
-        list(_results(note, words)),
-        widths=_SUMMARY,
-        right=(1, 3),
-    )
+    value_grid(sheet, list(_results(note, words)), _SUMMARY)
     if note.report.rule.why_not:
         why = words.sentence(note.report.rule.why_not).text
         sheet.across(f"{words('system_results.no_rule')} {why}.")
@@ -126,38 +116,18 @@ def _summary(book: Book, note: SystemNote) -> None:
 
 def _results(note: SystemNote, words: Words) -> Iterator[Sequence[Cell]]:
     for each in values_of(note):
-        yield _result(words(each.key), each)
+        yield value_row(Text(words(each.key), "text"), each.quantity, each.value)
     most_loaded = Number(note.solution.most_loaded + 1)
     yield Text(words("system_workbook.most_loaded"), "text"), most_loaded, None, None, None
     rule = note.report.rule
     if rule.horizontal_force is not None and rule.line is not None:
         name = words("system_workbook.by_rule", line=rule.line + 1)
-        yield _result(name, Value("", FORCE, rule.horizontal_force))
-
-
-def _result(name: str, each: Value) -> Sequence[Cell]:
-    return (
-        Text(name, "text"),
-        number_of(each.quantity, each.value),
-        Text(unit_of(each.quantity.field_unit), "text"),
-        Number(each.value),
-        Text(unit_of(each.quantity.si_unit), "text"),
-    )
+        yield value_row(Text(name, "text"), FORCE, rule.horizontal_force)
 
 
 def _inputs(book: Book, note: SystemNote) -> None:
     """Write every value of the case file as it stands there and in SI."""
-    words = book.words
-    rows = [
-        row
-        for path, kind, value in leaves(note.origin.inputs, CaseTable)
-        if path not in {(key,) for key in FREE_TEXT}
-        for row in input_rows(dotted(path), kind, value)
-    ]
-    keys = ("inputs.key", "inputs.given", "inputs.si", "workbook.si_unit")
-    book.sheet("Inputs").grid(
-        [words(key) for key in keys], rows, widths=[44, 60, 22, 12], right=(2,)
-    )
+    inputs_grid(book.sheet("Inputs"), note.origin.inputs, CaseTable)
 
 
 # ------------------------------------------------------------------ the lines
@@ -196,7 +166,7 @@ def _lines(book: Book, note: SystemNote) -> None:
         [
             words("system_lines.line"),
             words("system_workbook.name"),
-            *(_in_unit(name, quantity) for name, quantity in columns),
+            *(in_unit(name, quantity) for name, quantity in columns),
             words("checks.utilisation"),
         ],
         rows,
@@ -207,10 +177,6 @@ def _lines(book: Book, note: SystemNote) -> None:
     shown = QUANTITIES["safety_factor"].format(factor)
     sheet.across(words("system_lines.used" if is_known else "system_lines.unknown", factor=shown))
     _plan(sheet, note)
-
-
-def _in_unit(name: str, quantity: Quantity) -> str:
-    return f"{name} ({quantity.field_unit})"
 
 
 def _plan(sheet: Sheet, note: SystemNote) -> None:
@@ -281,203 +247,17 @@ def _checks(book: Book, note: SystemNote) -> None:
         )
         for row, check in enumerate(note.checks.results, start=2)
     ]
-    keys = ("check", "demand", "capacity", "utilisation", "verdict", "source", "note")
-    heads = {key: words(f"checks.{key}") for key in keys}
-    sheet.grid(
-        [
-            words("system_lines.line"), heads["check"], heads["demand"], heads["capacity"],
-            words("workbook.unit"), heads["utilisation"], heads["verdict"], heads["source"],
-            heads["note"],
-        ],
-        rows,
-        widths=[10, 34, 16, 16, 8, 14, 18, 46, 40],
-        right=(2, 3, 5),
-    )  # fmt: skip
+    checks_grid(sheet, rows, words("system_lines.line"), 10.0)
     about = (words("system_checks.about"), governing_words(note, words), words("checks.legend"))
     for text in (*about, words("workbook.governs")):
         sheet.across(text)
 
 
-# ------------------------------------------------------------------ other states of the body
-
-
-def _line_out(book: Book, note: SystemNote) -> None:
-    """Write what happens when each line is gone."""
-    words = book.words
-    sheet = book.sheet("Line out", words("system_workbook.line_out"))
-    rows: list[Sequence[Cell]] = [
-        (
-            Number(each.missing + 1),
-            *_response(each.response),
-            Number(used, "0.000"),
-            words.sentence(each.refusal).text,
-        )
-        for each, used in zip(note.report.line_out, note.left, strict=True)
-    ]
-    heads = _response_headings(words)
-    sheet.grid(
-        [
-            words("system_line_out.gone"),
-            *heads,
-            words("checks.utilisation"),
-            words("system_workbook.why"),
-        ],
-        rows,
-        widths=[10, *[15.0] * len(heads), 13, 46],
-        right=range(2 + len(heads)),
-    )
-    sheet.across(words("system_line_out.about"))
-
-
-def _response(response: Response | None) -> Sequence[Cell]:
-    """Lay out where the body is and what its lines carry; empty where it has no place of rest."""
-    if response is None:
-        return (None,) * 9
-    return (
-        number_of(LENGTH, response.x),
-        number_of(LENGTH, response.y),
-        number_of(ANGLE, response.yaw),
-        number_of(LENGTH, response.offset),
-        number_of(TENSION, response.largest_tension),
-        Number(response.most_loaded + 1),
-        number_of(TENSION, response.largest_anchor_tension),
-        number_of(VERTICAL, response.largest_uplift),
-        number_of(GROUNDED, response.least_grounded),
-    )
-
-
-def _response_headings(words: Words) -> list[str]:
-    return [
-        _in_unit("x", LENGTH),
-        _in_unit("y", LENGTH),
-        _in_unit(words("system_workbook.yaw"), ANGLE),
-        _in_unit(words("system_results.offset"), LENGTH),
-        _in_unit(words("system_watch_circle.largest"), TENSION),
-        words("system_lines.in_line"),
-        _in_unit(words("system_workbook.anchor_tension"), TENSION),
-        _in_unit(words("system_workbook.anchor_vertical"), VERTICAL),
-        _in_unit(words("system_line_out.least_grounded"), GROUNDED),
-    ]
-
-
-def _watch_circle(book: Book, note: SystemNote) -> None:
-    """Write where the force takes the body as it goes round, and draw both."""
-    words, circle = book.words, note.report.circle
-    assert circle is not None
-    sheet = book.sheet("Watch circle", words("system_workbook.watch_circle"))
-    rows: list[Sequence[Cell]] = [
-        (number_of(ANGLE, direction), *_response(response))
-        for direction, response in zip(circle.directions, circle.responses, strict=True)
-    ]
-    heads = [_in_unit(words("system_watch_circle.towards"), ANGLE), *_response_headings(words)]
-    sheet.grid(heads, rows, widths=[13.0] * len(heads), right=range(len(heads)))
-    sheet.across(words("system_workbook.force_of", force=FORCE.format(circle.force, unit=True)))
-    column = len(heads) + 1
-    zero = (
-        (Text(words("system_plan.neutral"), "text"), note.solution.neutral),
-        (Text(words("curve.reference"), "text"), note.solution.position),
-    )
-    top = sheet.grid(
-        [words("workbook.mark"), "x (m)", "y (m)"],
-        [(name, number_of(LENGTH, at.x), number_of(LENGTH, at.y)) for name, at in zero],
-        column=column,
-        right=(1, 2),
-    )
-    ends = (1, len(rows))
-    marks = [
-        Series(name.text, (top + row, top + row), column + 1, column + 2, "points", colour, 9)
-        for row, ((name, _), colour) in enumerate(zip(zero, (2, 3), strict=True), start=1)
-    ]
-    track = Chart(
-        words("system_workbook.places"), "x (m)", "y (m)",
-        (Series(words("system_watch_circle.track"), ends, 1, 2), *marks), size=_SQUARE,
-    )  # fmt: skip
-    below = sheet.chart(track, row=top + 4, column=column)
-    tension = Chart(
-        heads[5], heads[0], heads[5],
-        (Series(words("system_watch_circle.largest"), ends, 0, 5),), size=_WIDE,
-        y_range=(0.0, None),
-    )  # fmt: skip
-    sheet.chart(tension, row=below, column=column)
-
-
-def _restoring(book: Book, note: SystemNote) -> None:
-    """Write the restoring curves below each other, and draw them."""
-    words = book.words
-    sheet = book.sheet("Restoring", words("system_workbook.restoring"))
-    heads = [
-        _in_unit(words("system_workbook.along"), ANGLE),
-        _in_unit(words("system_restoring.offset"), LENGTH),
-        _in_unit(words("system_restoring.along"), FORCE),
-        _in_unit(words("system_restoring.across"), FORCE),
-        _in_unit(words("system_watch_circle.largest"), TENSION),
-        words("system_lines.in_line"),
-    ]
-    rows = [row for curve in note.report.curves for row in _curve_rows(curve)]
-    sheet.grid(heads, rows, widths=[14, 16, 16, 16, 16, 10], right=range(len(heads)))
-    sheet.across(words("system_restoring.about"))
-    series, first = [], 1
-    for colour, curve in enumerate(note.report.curves):
-        last = first + len(curve.offset) - 1
-        name = words("system_restoring.towards", angle=ANGLE.format(curve.direction, unit=True))
-        series.append(Series(name, (first, last), 1, 2, colour=colour))
-        first = last + 1
-    chart = Chart(
-        words("system_restoring.heading"), heads[1],
-        _in_unit(words("system_restoring.force"), FORCE), tuple(series), size=_WIDE,
-    )  # fmt: skip
-    sheet.chart(chart, row=1, column=len(heads) + 1)
-
-
-def _curve_rows(curve: RestoringCurve) -> Iterator[Sequence[Cell]]:
-    for index, response in enumerate(curve.responses):
-        yield (
-            number_of(ANGLE, curve.direction),
-            number_of(LENGTH, curve.offset[index]),
-            number_of(FORCE, curve.force[index]),
-            number_of(FORCE, curve.force_across[index]),
-            number_of(TENSION, response.largest_tension),
-            Number(response.most_loaded + 1),
-        )
-
-
 def _verification(book: Book, note: SystemNote) -> None:
     """Write the closed form beside the truss model, or that the truss model has no answer."""
-    words, part = book.words, note.compared
-    sheet = book.sheet("Verification")
-    if part is None:
-        sheet.set_widths([120.0])
-        sheet.across(words("system_verification.no_answer"), "bad")
-        sheet.across(words.sentence(note.verification_failure).text)
+    if note.compared is None:
+        no_answer_sheet(book, note.verification_failure, "system_verification")
         return
-    meshes = [mesh.elements for mesh in part.meshes]
-    sheet.grid(
-        [
-            words("system_lines.line"),
-            words("workbook.quantity"),
-            words("workbook.unit"),
-            words("verification.closed_form"),
-            words("verification.truss"),
-            *(words("workbook.bars", count=count) for count in meshes),
-            words("verification.gap"),
-            words("verification.order"),
-            words("checks.verdict"),
-        ],
-        [
-            (
-                Text(words("system_workbook.body"), "text")
-                if each.line is None
-                else Number(each.line + 1),
-                *compared_row(each, words),
-            )
-            for each in part.quantities
-        ],
-        widths=[10, 30, 8, *[15.0] * (len(meshes) + 2), 16, 11, 14],
-        right=(0, *range(3, 7 + len(meshes))),
-    )
-    sheet.across(words.sentence(part_sentence(part)).text, "good" if part.is_settled else "bad")
-    remarks = (words.sentence(remark).text for remark in part.remarks)
-    for text in (rough_words(part, words), *remarks, words("system_verification.legend")):
-        if text:
-            sheet.across(text)
-    mesh_grid(sheet, part)
+    body = Text(book.words("system_workbook.body"), "text")
+    of = [body if each.line is None else Number(each.line + 1) for each in note.compared.quantities]
+    compared_sheet(book, note.compared, "system_verification", of)

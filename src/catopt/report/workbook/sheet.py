@@ -15,6 +15,7 @@ import xlsxwriter
 
 from catopt._version import __version__
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.report.page.table import GREEK
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:
@@ -542,8 +543,6 @@ def number_pattern(of: str | Quantity) -> str:
 
 def typeset(heading: str) -> str:
     """Write Greek letters as such, and no unit for a pure number."""
-    from catopt.report.page.table import GREEK
-
     said = heading.removesuffix(" (-)")
     return re.sub(r"\b(theta0|theta1|theta|mu|rho)\b", lambda found: GREEK[found[1]], said)
 

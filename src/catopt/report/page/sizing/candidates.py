@@ -6,13 +6,12 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
-from catopt.report.page.front_figure import change_words
 from catopt.report.page.sizing.load_case import load_case_words, said_in, said_names
 from catopt.report.page.sizing.note import SizeNote
-from catopt.report.page.table import Cell, Heading, Table, measured, said, units
+from catopt.report.page.table import Cell, Heading, Table, measured, number_heading, said, units
 from catopt.report.texts import Phrase, Words
 from catopt.report.wording.checks import QUANTITY_OF
-from catopt.report.wording.design import OBJECTIVES
+from catopt.report.wording.design import OBJECTIVES, change_words
 
 if TYPE_CHECKING:
     from catopt.sizing.candidates import Candidate
@@ -45,10 +44,10 @@ def _table(note: SizeNote, words: Words) -> Table:
         Heading(words("size_candidates.which")),
         Heading(words("size_candidates.chain")),
         units(words, length),
-        Heading(f"{words.name('Mass in air')} ({mass.field_unit})", is_number=True),
+        number_heading(words.name("Mass in air"), mass),
         units(words, OBJECTIVES["offset_m"]),
         units(words, force),
-        Heading(f"{words('size_candidates.anchor')} ({mass.field_unit})", is_number=True),
+        number_heading(words("size_candidates.anchor"), mass),
         Heading(words("checks.verdict")),
     )
     names = said_names(note.line, words)

@@ -24,6 +24,9 @@ FORCE, MASS = QUANTITIES["horizontal_force"], QUANTITIES["mass"]
 LIFT = QUANTITIES["vertical_force"]
 NUMBER, DENSITY = QUANTITIES["coefficient"], QUANTITIES["density"]
 
+GIVEN = "this note"
+"""Source of what the user gave: it stands among the inputs."""
+
 MATERIALS = {"concrete": "size_hold.concrete", "steel": "size_hold.steel"}
 """Keys of sinkers by their material."""
 
@@ -112,6 +115,7 @@ def steps(note: SizeNote) -> list[Step]:
 
 def _row(of: Step, words: Words) -> tuple[Cell, ...]:
     formula = of.symbol
+    cited = of.source not in ("", GIVEN)
     if of.equation:
         formula += f" = {of.equation}"
     if of.put_in:
@@ -120,19 +124,21 @@ def _row(of: Step, words: Words) -> tuple[Cell, ...]:
         Cell(words(of.key), style="words"),
         Cell(formula, style="formula"),
         Cell(typeset_unit(measured(of.quantity, of.value, unit=True).text), of.value),
-        Cell(of.source, lang="en" if of.source else "", style="words"),
+        Cell(
+            of.source if cited else words.name(of.source), lang="en" if cited else "", style="words"
+        ),
     )
 
 
 def _sinker(of: SinkerSize, water_density: float, own_mass: float | None) -> Iterator[Step]:
     H, V, mu, SF = of.horizontal_force, of.vertical_force, of.friction, of.safety_factor
-    source = "" if of.friction_source is None else of.friction_source.text
+    source = GIVEN if of.friction_source is None else of.friction_source.text
     yield Step("size_hold.pull", "H", FORCE, H)
     yield Step("size_hold.lift", "V", LIFT, V)
     yield Step("size_hold.friction", "μ", NUMBER, mu, source=source)
     yield Step(
         "size_hold.factor", "SF", NUMBER, SF,
-        source=FACTOR_SOURCE.text if math.isclose(SF, SAFETY_FACTOR) else "",
+        source=FACTOR_SOURCE.text if math.isclose(SF, SAFETY_FACTOR) else GIVEN,
     )  # fmt: skip
     yield Step("size_hold.density", "ρ", DENSITY, of.density, source=_density_source(of))
     yield Step("size_hold.water", "ρw", DENSITY, water_density)
@@ -160,9 +166,9 @@ def _sinker(of: SinkerSize, water_density: float, own_mass: float | None) -> Ite
 
 
 def _density_source(of: SinkerSize) -> str:
-    """Cite where the density is from; nothing for one's own."""
+    """Cite where the density is from."""
     if not math.isclose(of.density, DENSITIES[of.material]):
-        return ""
+        return GIVEN
     if of.material == "steel":
         return LoadSource(CALMAR, "7.2", "A").text
     return LoadSource(OWN, "recalled", "R").text
@@ -174,12 +180,12 @@ def _drag_anchor(of: DragAnchorSize) -> Iterator[Step]:
     yield Step("size_hold.pull", "H", FORCE, H)
     yield Step(
         "size_hold.factor", "SF", NUMBER, SF,
-        source="" if of.factor_source is None else of.factor_source.text,
+        source=GIVEN if of.factor_source is None else of.factor_source.text,
     )  # fmt: skip
     yield Step("size_hold.wanted", "Q₁", FORCE, SF * H, "SF H", f"{SF:g} · {H:.9g}")
     yield Step("size_hold.reference", "HR", FORCE, HR, source=curve.source.text)
-    yield Step("size_hold.reference_mass", "mR", MASS, mR)
-    yield Step("size_hold.exponent", "b", NUMBER, b)
+    yield Step("size_hold.reference_mass", "mR", MASS, mR, source=curve.source.text)
+    yield Step("size_hold.exponent", "b", NUMBER, b, source=curve.source.text)
     is_of_curve = H > 0.0 and math.isclose(curve.mass(SF * H), of.needed_mass)
     yield Step(
         "size_hold.needed_mass", "m₁", MASS, of.needed_mass,

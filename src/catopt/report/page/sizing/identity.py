@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.report.page.front_figure import change_words
 from catopt.report.page.identity import made_from, title_block
 from catopt.report.page.sizing.candidates import failing_words
 from catopt.report.page.sizing.hold import held
@@ -16,6 +15,7 @@ from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table, measured
 from catopt.report.texts import Phrase, Words
 from catopt.report.wording.checks import governing_sentence, verdict_sentence
+from catopt.report.wording.design import change_words
 
 if TYPE_CHECKING:
     from catopt.sizing import Sizing

@@ -1,4 +1,4 @@
-"""What a sizing was given: the keys of its file, the options that were typed, the file in full."""
+"""What a sizing was given: the keys of its file, and the options that were typed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table
 from catopt.report.texts import Words
 
-__all__ = ["file", "inputs", "schema_of"]
+__all__ = ["inputs", "schema_of"]
 
 
 def schema_of(note: SizeNote) -> type[Schema]:
@@ -30,8 +30,3 @@ def _options(note: SizeNote, words: Words) -> Table:
     headings = (Heading(words("size_inputs.option")), Heading(words("inputs.given")))
     rows = tuple((Cell(name), Cell(value)) for name, value in note.options)
     return Table("size_options", headings, rows, words("size_inputs.typed"))
-
-
-def file(note: SizeNote, words: Words) -> dict[str, Any] | None:  # noqa: ARG001 - as all builders
-    """Show the sizing file as it was read; None where there is none."""
-    return {"file": note.origin.files[0]} if note.origin.files else None

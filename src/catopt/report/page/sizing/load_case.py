@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from catopt.checks.result import CheckSource
 from catopt.report.page.note import Chosen, Note
 from catopt.report.texts import Words
 
@@ -38,7 +39,10 @@ def said_in(text: str, names: Mapping[str, str]) -> str:
 
 
 def said_line(line: Note, words: Words) -> Note:
-    """Give the load cases of a line's note their names in the reader's language.
+    """Fit a line's note into that of its sizing.
+
+    Its load cases get their names in the reader's language, and a limit that no document has is
+    from this note: of a sizing there is no case file.
 
     Parameters
     ----------
@@ -48,12 +52,13 @@ def said_line(line: Note, words: Words) -> Note:
         Language.
     """
     names = said_names(line, words)
-    if all(name == said for name, said in names.items()):
-        return line
     of = line.checks
     checks = replace(
         of,
-        results=tuple(replace(each, load_case=names[each.load_case]) for each in of.results),
+        results=tuple(
+            replace(each, load_case=names[each.load_case], source=_said_source(each.source))
+            for each in of.results
+        ),
         solutions=tuple((names[name], solution) for name, solution in of.solutions),
         load_cases=tuple(replace(each, name=names[each.name]) for each in of.load_cases),
     )
@@ -63,6 +68,10 @@ def said_line(line: Note, words: Words) -> Note:
     return replace(
         line, checks=checks, load_case=names.get(line.load_case, line.load_case), chosen=chosen
     )
+
+
+def _said_source(source: CheckSource) -> CheckSource:
+    return replace(source, document="this note") if source.confidence is None else source
 
 
 def _renamed(value: Any, names: Mapping[str, str]) -> Any:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from catopt.report.page.checks import checks
-from catopt.report.page.closing import warnings
+from catopt.report.page.closing import case_file, warnings
 from catopt.report.page.components import components
 from catopt.report.page.curve_figure import curve_figure
 from catopt.report.page.equations import equations
@@ -17,7 +17,7 @@ from catopt.report.page.sizing.candidates import candidates
 from catopt.report.page.sizing.front import front
 from catopt.report.page.sizing.hold import hold
 from catopt.report.page.sizing.identity import identity
-from catopt.report.page.sizing.inputs import file, inputs
+from catopt.report.page.sizing.inputs import inputs
 from catopt.report.page.sizing.load_case import said_line
 from catopt.report.page.sizing.loads import loads
 from catopt.report.page.sizing.note import SizeNote
@@ -63,6 +63,6 @@ OF_A_SIZING: tuple[tuple[str, Build], ...] = (
     ("equations", _of_the_line(equations)),
     ("verification", _of_the_line(verification)),
     ("swarm", _of_the_line(swarm)),
-    ("size_file", file),
+    ("size_file", case_file),
 )
 """Key and builder of each section."""

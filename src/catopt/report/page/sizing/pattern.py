@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.sizing.load_case import load_case_words
 from catopt.report.page.sizing.note import SizeNote
-from catopt.report.page.system.plan import plan
-from catopt.report.page.table import Cell, Heading, Table, measured, units
+from catopt.report.page.system.plan import plan_of
+from catopt.report.page.table import Cell, Heading, Table, measured, number_heading, units
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution
-    from catopt.report.page.system.note import SystemNote
     from catopt.sizing.pattern import Pattern
 
 __all__ = ["line_rows", "pattern", "states"]
@@ -48,31 +46,24 @@ def pattern(note: SizeNote, words: Words) -> dict[str, Any] | None:
             found=FORCE.format(hardest.line_force, unit=True),
             ratio=f"{hardest.line_force / rule:.3f}",
         ),
-        "plan": plan(cast("SystemNote", _Seen(note.around)), words),
+        "plan": plan_of(note.around, words),
         "states": states(of, words),
         "lines": _lines(note.around, hardest.load_case, words),
         "residual": f"{note.around.residual.force:.1e} N",
     }
 
 
-@dataclass(frozen=True)
-class _Seen:
-    """All that the plan of a moored body asks of its note."""
-
-    solution: SystemSolution
-
-
 def states(of: Pattern, words: Words) -> Table:
     """Tabulate the body at rest in each load case."""
     headings = (
         Heading(words("identity.load_case")),
-        Heading(f"{words('size_pattern.force')} ({FORCE.field_unit})", is_number=True),
-        Heading(f"{words('size_pattern.by_rule')} ({FORCE.field_unit})", is_number=True),
-        Heading(f"{words('size_pattern.by_equilibrium')} ({FORCE.field_unit})", is_number=True),
+        number_heading(words("size_pattern.force"), FORCE),
+        number_heading(words("size_pattern.by_rule"), FORCE),
+        number_heading(words("size_pattern.by_equilibrium"), FORCE),
         units(words, TENSION),
-        Heading(f"{words('size_pattern.direction')} ({ANGLE.field_unit})", is_number=True),
-        Heading(f"{words('size_pattern.offset')} ({LENGTH.field_unit})", is_number=True),
-        Heading(f"{words('size_pattern.pull')} ({FORCE.field_unit})", is_number=True),
+        number_heading(words("size_pattern.direction"), ANGLE),
+        number_heading(words("size_pattern.offset"), LENGTH),
+        number_heading(words("size_pattern.pull"), FORCE),
     )
     rows = tuple(
         (
@@ -108,11 +99,11 @@ def line_rows(of: SystemSolution) -> list[tuple[float, float, float, float, floa
 def _lines(of: SystemSolution, load_case: str, words: Words) -> Table:
     headings = (
         Heading(words("components.number")),
-        Heading(f"{words('size_pattern.towards')} ({ANGLE.field_unit})", is_number=True),
+        number_heading(words("size_pattern.towards"), ANGLE),
         units(words, FORCE),
         units(words, TENSION),
-        Heading(f"Hx ({FORCE.field_unit})", is_number=True),
-        Heading(f"Hy ({FORCE.field_unit})", is_number=True),
+        number_heading("Hx", FORCE),
+        number_heading("Hy", FORCE),
     )
     listed = line_rows(of)
     quantities = (ANGLE, FORCE, TENSION, FORCE, FORCE)

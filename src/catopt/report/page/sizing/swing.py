@@ -7,7 +7,7 @@ from typing import Any
 from catopt.quantities import QUANTITIES
 from catopt.report.page.sizing.load_case import load_case_words
 from catopt.report.page.sizing.note import SizeNote
-from catopt.report.page.table import Cell, Heading, Table, measured
+from catopt.report.page.table import Cell, Heading, Table, measured, number_heading
 from catopt.report.texts import Words
 
 __all__ = ["PARTS", "swing"]
@@ -33,7 +33,7 @@ def swing(note: SizeNote, words: Words) -> dict[str, Any]:
     total = (Cell(words("size_swing.total"), style="words"), measured(length, found.total))
     headings = (
         Heading(words("size_swing.part")),
-        Heading(f"{words('size_swing.length')} ({length.field_unit})", is_number=True),
+        number_heading(words("size_swing.length"), length),
     )
     caption = words("checks.under", name=load_case_words(found.load_case, words))
     excursion = note.sizing.excursion

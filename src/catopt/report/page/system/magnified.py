@@ -18,7 +18,7 @@ from catopt.report.page.figure import (
     path,
     shape,
 )
-from catopt.report.page.line_drawing import along, grounded_ends, touchdowns
+from catopt.report.page.line_drawing import along, grounded_ends, loads_and_ends, touchdowns
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:
@@ -98,16 +98,7 @@ def _line(solution: Solution, frame: Frame) -> Iterator[Shape]:
         x, z = place_at(solution, joint)
         across, up = frame.at(x, z)
         yield shape("circle", "joint-spot", cx=across, cy=up, r=4.0)
-    for load, given in zip(solution.point_loads, solution.line.point_loads, strict=True):
-        x, y = frame.at(load.x, load.z)
-        if given.submerged_weight >= 0.0:
-            yield shape("rect", "clump", x=x - 7, y=y - 7, width=14.0, height=14.0)
-        else:
-            yield shape("circle", "buoy", cx=x, cy=y, r=7.0)
-    x, y = frame.at(0.0, solution.anchor_height)
-    yield shape("path", "anchor", d=f"M {x:.2f} {y - 9:.2f} l 9 16 h -18 z")
-    x, y = frame.at(solution.span, solution.fairlead_height)
-    yield shape("circle", "fairlead", cx=x, cy=y, r=6.0)
+    yield from loads_and_ends(solution, frame)
 
 
 def place_at(solution: Solution, s: float) -> tuple[float, float]:

@@ -24,9 +24,9 @@ from catopt.report.page.system.surroundings import body_words, surroundings
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:
-    from catopt.mooring.solution import LegState
+    from catopt.mooring.solution import LegState, SystemSolution
 
-__all__ = ["plan"]
+__all__ = ["plan", "plan_of"]
 
 _EDGE = 54.0
 _TALLEST = 440.0
@@ -44,34 +44,38 @@ _CLEAR = 60.0
 
 
 def plan(note: SystemNote, words: Words) -> dict[str, Any]:
+    """Build the plan of the body under the note's load: as `plan_of`."""
+    return plan_of(note.solution, words)
+
+
+def plan_of(solution: SystemSolution, words: Words) -> dict[str, Any]:
     """Build the plan, and the surroundings of the body larger where the offset is small on it."""
-    frame = _frame(note)
+    frame = _frame(solution)
     height = frame.bottom + _FOOT
     shapes = [
-        *_lines(note, frame),
-        *_numbers(note, frame),
-        *_body(note, frame),
-        *_push(note, frame),
+        *_lines(solution, frame),
+        *_numbers(solution, frame),
+        *_body(solution, frame),
+        *_push(solution, frame),
         *axes_mark(34.0, height - 18.0),
         *scale_bar(frame, WIDTH - 30.0, height - 18.0),
     ]
     figure = Figure(
         "system_plan",
-        words("system_plan.alt", count=len(note.solution.lines)),
+        words("system_plan.alt", count=len(solution.lines)),
         height,
         tuple(shapes),
-        tuple(_points(note, frame, words)),
-        tuple(_legend(note, words)),
+        tuple(_points(solution, frame, words)),
+        tuple(_legend(solution, words)),
     )
-    offset = math.hypot(*note.solution.offset)
+    offset = math.hypot(*solution.offset)
     drawn = frame.across(offset) - frame.across(0.0)
-    near = surroundings(note, words) if 0.0 < drawn < _CLEAR else None
+    near = surroundings(solution, words) if 0.0 < drawn < _CLEAR else None
     return {"figure": figure, "near": near}
 
 
-def _frame(note: SystemNote) -> Frame:
+def _frame(solution: SystemSolution) -> Frame:
     """Find the scale: everything that is drawn lies inside."""
-    solution = note.solution
     places = [
         *(line.leg.anchor for line in solution.lines),
         *(line.fairlead for line in solution.lines),
@@ -84,38 +88,37 @@ def _frame(note: SystemNote) -> Frame:
     return scaled(x, y, (_EDGE, WIDTH - _EDGE, _EDGE, _EDGE + tall))
 
 
-def _lines(note: SystemNote, frame: Frame) -> Iterator[Shape]:
+def _lines(solution: SystemSolution, frame: Frame) -> Iterator[Shape]:
     """Draw what hangs and what lies of every line, its anchor and its touchdown."""
-    for line in note.solution.lines:
+    for line in solution.lines:
         yield path("leg", [frame.at(*line.leg.anchor), frame.at(*line.fairlead)])
         for start, end in grounded_ends(line.solution):
             yield path("lying", [frame.at(*line.at(start)), frame.at(*line.at(end))])
         if line.touchdown is not None:
             x, y = frame.at(*line.touchdown)
             yield shape("circle", "touchdown-spot", cx=x, cy=y, r=3.2)
-    for line in note.solution.lines:
+    for line in solution.lines:
         x, y = frame.at(*line.leg.anchor)
         yield shape("path", "anchor", d=f"M {x:.2f} {y - 6:.2f} l 6 11 h -12 z")
 
 
-def _numbers(note: SystemNote, frame: Frame) -> Iterator[Shape]:
+def _numbers(solution: SystemSolution, frame: Frame) -> Iterator[Shape]:
     """Write the number of every line beyond its anchor."""
     x0, y0 = frame.at(0.0, 0.0)
-    lines = note.solution.lines
+    lines = solution.lines
     radii = [math.dist(frame.at(*line.leg.anchor), (x0, y0)) + _BEYOND for line in lines]
     angles = spread([line.leg.azimuth for line in lines], min(radii))
     for number, (angle, radius) in enumerate(zip(angles, radii, strict=True), start=1):
         x, y = x0 + radius * math.cos(angle), y0 - radius * math.sin(angle)
-        yield text(str(number), x, y + 5.0, style=_bold(note, number))
+        yield text(str(number), x, y + 5.0, style=_bold(solution, number))
 
 
-def _bold(note: SystemNote, number: int) -> str:
-    return "measure loaded" if number == note.solution.most_loaded + 1 else "measure"
+def _bold(solution: SystemSolution, number: int) -> str:
+    return "measure loaded" if number == solution.most_loaded + 1 else "measure"
 
 
-def _body(note: SystemNote, frame: Frame) -> Iterator[Shape]:
+def _body(solution: SystemSolution, frame: Frame) -> Iterator[Shape]:
     """Draw the body under the load, its arms, and where it is without load."""
-    solution = note.solution
     x, y = frame.at(solution.position.x, solution.position.y)
     for line in solution.lines:
         if line.leg.fairlead_radius > 0.0:
@@ -124,9 +127,8 @@ def _body(note: SystemNote, frame: Frame) -> Iterator[Shape]:
     yield from cross("neutral", *frame.at(solution.neutral.x, solution.neutral.y))
 
 
-def _push(note: SystemNote, frame: Frame) -> Iterator[Shape]:
+def _push(solution: SystemSolution, frame: Frame) -> Iterator[Shape]:
     """Draw the force from the body, with its size."""
-    solution = note.solution
     force = solution.system.force
     if not any(force):
         return
@@ -152,12 +154,12 @@ def _way(place: float, along: float, end: float) -> float:
     return (room - 20.0) / abs(along)
 
 
-def _points(note: SystemNote, frame: Frame, words: Words) -> Iterator[Point]:
+def _points(solution: SystemSolution, frame: Frame, words: Words) -> Iterator[Point]:
     """Say along every line what is known there, and where the body is."""
-    for number, line in enumerate(note.solution.lines, start=1):
+    for number, line in enumerate(solution.lines, start=1):
         yield from _along(number, line, frame, words)
-    position = note.solution.position
-    yield Point(*frame.at(position.x, position.y), body_words(note, words))
+    position = solution.position
+    yield Point(*frame.at(position.x, position.y), body_words(solution, words))
 
 
 def _along(number: int, line: LegState, frame: Frame, words: Words) -> Iterator[Point]:
@@ -173,8 +175,8 @@ def _along(number: int, line: LegState, frame: Frame, words: Words) -> Iterator[
         yield Point(*frame.at(*line.at(x)), told)
 
 
-def _legend(note: SystemNote, words: Words) -> Iterator[Legend]:
-    lines = note.solution.lines
+def _legend(solution: SystemSolution, words: Words) -> Iterator[Legend]:
+    lines = solution.lines
     yield Legend("anchor", words("system_plan.anchor"))
     yield Legend("leg", words("system_plan.hangs"))
     if _any_lies(lines):
@@ -182,7 +184,7 @@ def _legend(note: SystemNote, words: Words) -> Iterator[Legend]:
         yield Legend("touchdown-spot", words("tension.touchdown"))
     yield Legend("fairlead", words("system_plan.body"))
     yield Legend("neutral", words("system_plan.neutral"))
-    if any(note.solution.system.force):
+    if any(solution.system.force):
         yield Legend("push", words("system_plan.force"))
 
 

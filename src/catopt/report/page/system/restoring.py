@@ -21,7 +21,7 @@ from catopt.report.page.figure import (
 )
 from catopt.report.page.note import MOST_FORCE
 from catopt.report.page.system.note import SystemNote
-from catopt.report.page.table import Cell, Heading, Table, measured
+from catopt.report.page.table import Cell, Heading, Table, in_unit, measured, number_heading
 from catopt.report.texts import Words
 
 if TYPE_CHECKING:
@@ -41,8 +41,8 @@ def restoring(note: SystemNote, words: Words) -> dict[str, Any] | None:
     if not curves:
         return None
     frame = _frame(note)
-    label = f"{words('system_restoring.force')} ({FORCE.field_unit})"
-    shapes = axes(frame, f"{words('system_restoring.offset')} ({OFFSET.field_unit})", label)
+    label = in_unit(words("system_restoring.force"), FORCE)
+    shapes = axes(frame, in_unit(words("system_restoring.offset"), OFFSET), label)
     shapes += _zero(frame)
     for curve, style in zip(curves, _STYLES, strict=False):
         shapes.append(path(style, [_place(curve, index, frame) for index in _drawn(note, curve)]))
@@ -63,7 +63,11 @@ def restoring(note: SystemNote, words: Words) -> dict[str, Any] | None:
         tuple(_legend(note, words)),
         notes,
     )
-    return {"figure": figure, "tables": [_table(curve, words) for curve in curves]}
+    return {
+        "figure": figure,
+        "tables": [_table(curve, words) for curve in curves],
+        "turns": note.solution.system.turns,
+    }
 
 
 def _frame(note: SystemNote) -> Frame:
@@ -139,12 +143,11 @@ def _table(curve: RestoringCurve, words: Words) -> Table:
         )
         for index in range(0, len(curve.offset), _EVERY)
     )
-    unit = FORCE.field_unit
     headings = (
-        Heading(f"{words('system_restoring.offset')} ({OFFSET.field_unit})", is_number=True),
-        Heading(f"{words('system_restoring.along')} ({unit})", is_number=True),
-        Heading(f"{words('system_restoring.across')} ({unit})", is_number=True),
-        Heading(f"{words('system_watch_circle.largest')} ({unit})", is_number=True),
+        number_heading(words("system_restoring.offset"), OFFSET),
+        number_heading(words("system_restoring.along"), FORCE),
+        number_heading(words("system_restoring.across"), FORCE),
+        number_heading(words("system_watch_circle.largest"), FORCE),
         Heading(words("system_lines.in_line"), is_number=True),
     )
     return Table("restoring", headings, rows, _towards(curve, words))

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.report.page.system.note import SystemNote
 from catopt.report.page.system.rounding import without_rounding
-from catopt.report.page.table import Cell, Heading, Table, measured, shown_si
+from catopt.report.page.table import Cell, Heading, Table, measured, number_heading, shown_si
 from catopt.report.texts import Words
 
 __all__ = ["Value", "lines", "results", "values_of"]
@@ -130,7 +130,7 @@ def lines(note: SystemNote, words: Words) -> dict[str, Any]:
     force, length = tension.field_unit, QUANTITIES["span"].field_unit
     headings = (
         Heading(words("system_lines.line")),
-        Heading(f"{words('system_lines.azimuth')} ({angle.field_unit})", is_number=True),
+        number_heading(words("system_lines.azimuth"), angle),
         Heading(f"{words.name('Horizontal force')} H ({force})", is_number=True),
         Heading(f"{words.name('Fairlead tension')} T ({force})", is_number=True),
         Heading(f"{words.name('Anchor tension')} ({force})", is_number=True),

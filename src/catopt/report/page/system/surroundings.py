@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.figure import WIDTH, Figure, Frame, Legend, Point, Shape, line, path, shape
@@ -19,8 +20,10 @@ from catopt.report.page.system.from_above import (
     scaled,
     spread,
 )
-from catopt.report.page.system.note import SystemNote
 from catopt.report.texts import Words
+
+if TYPE_CHECKING:
+    from catopt.mooring.solution import SystemSolution
 
 __all__ = ["HEIGHT", "body_words", "disc", "round_body", "surroundings"]
 
@@ -36,20 +39,19 @@ _ROOM = 1.8
 _ARMS = 1.35
 
 
-def surroundings(note: SystemNote, words: Words) -> Figure:
+def surroundings(solution: SystemSolution, words: Words) -> Figure:
     """Draw the body with its offset from the zero-load position, to scale."""
-    solution = note.solution
     offset = math.hypot(*solution.offset)
-    frame = disc(note, _ROOM * offset)
+    frame = disc(solution, _ROOM * offset)
     here = frame.at(solution.position.x, solution.position.y)
     zero = frame.at(solution.neutral.x, solution.neutral.y)
     size = force_size(solution.system.force)
     shapes = [
-        *round_body(note, frame),
+        *round_body(solution, frame),
         line("offset-mark", *zero, *here),
         *beside(QUANTITIES["offset"].format(offset, unit=True), zero, here, side=-1.0),
         *cross("neutral", *zero),
-        *_force(note, frame, size),
+        *_force(solution, frame, size),
         shape("circle", "fairlead", cx=here[0], cy=here[1], r=8.0),
     ]
     legend = [
@@ -66,14 +68,13 @@ def surroundings(note: SystemNote, words: Words) -> Figure:
         words("system_plan.near"),
         HEIGHT,
         tuple(shapes),
-        (Point(*here, body_words(note, words)), Point(*zero, zero_words)),
+        (Point(*here, body_words(solution, words)), Point(*zero, zero_words)),
         tuple(legend),
     )
 
 
-def disc(note: SystemNote, reach: float) -> Frame:
+def disc(solution: SystemSolution, reach: float) -> Frame:
     """Lay out a disc round the zero-load position that reaches so far (m), and round all arms."""
-    solution = note.solution
     arms = max(leg.fairlead_radius for leg in solution.system.legs)
     if arms > 0.0:
         reach = max(reach, _ARMS * (arms + math.hypot(*solution.offset)))
@@ -83,29 +84,29 @@ def disc(note: SystemNote, reach: float) -> Frame:
     return scaled((x - reach, x + reach), (y - reach, y + reach), box)
 
 
-def round_body(note: SystemNote, frame: Frame) -> Iterator[Shape]:
+def round_body(solution: SystemSolution, frame: Frame) -> Iterator[Shape]:
     """Draw the disc, what of the lines lies in it, their numbers, the axes and a scale bar."""
     yield shape("circle", "frame", cx=_MIDDLE[0], cy=_MIDDLE[1], r=_RADIUS)
-    ends = _ends(note, frame)
-    for each, (x, y) in zip(note.solution.lines, ends, strict=True):
+    ends = _ends(solution, frame)
+    for each, (x, y) in zip(solution.lines, ends, strict=True):
         start = frame.at(*each.fairlead)
         yield path("leg", [start, (_MIDDLE[0] + x, _MIDDLE[1] + y)])
         if each.leg.fairlead_radius > 0.0:
-            here = frame.at(note.solution.position.x, note.solution.position.y)
+            here = frame.at(solution.position.x, solution.position.y)
             yield path("arm", [here, start])
     for number, (x, y) in enumerate(_numbers(ends), start=1):
-        style = "measure loaded" if number == note.solution.most_loaded + 1 else "measure"
+        style = "measure loaded" if number == solution.most_loaded + 1 else "measure"
         yield written(str(number), x, y + 5.0, style=style)
     yield from axes_mark(34.0, HEIGHT - 18.0)
     yield from scale_bar(frame, WIDTH - 30.0, HEIGHT - 18.0)
 
 
-def _ends(note: SystemNote, frame: Frame) -> list[tuple[float, float]]:
+def _ends(solution: SystemSolution, frame: Frame) -> list[tuple[float, float]]:
     """Find where each line leaves the disc, from its middle."""
-    starts = [frame.at(*each.fairlead) for each in note.solution.lines]
+    starts = [frame.at(*each.fairlead) for each in solution.lines]
     return [
         _edge((x - _MIDDLE[0], y - _MIDDLE[1]), each.direction)
-        for (x, y), each in zip(starts, note.solution.lines, strict=True)
+        for (x, y), each in zip(starts, solution.lines, strict=True)
     ]
 
 
@@ -128,17 +129,17 @@ def _edge(start: tuple[float, float], direction: float) -> tuple[float, float]:
     return start[0] + way * ux, start[1] + way * uy
 
 
-def _force(note: SystemNote, frame: Frame, words: str) -> Iterator[Shape]:
+def _force(solution: SystemSolution, frame: Frame, words: str) -> Iterator[Shape]:
     """Draw the force from the body outwards."""
-    force = note.solution.system.force
+    force = solution.system.force
     if not any(force):
         return
     size = math.hypot(*force)
     ux, uy = force[0] / size, -force[1] / size
-    x, y = frame.at(note.solution.position.x, note.solution.position.y)
+    x, y = frame.at(solution.position.x, solution.position.y)
     start, end = (x + 11.0 * ux, y + 11.0 * uy), (x + 0.4 * _RADIUS * ux, y + 0.4 * _RADIUS * uy)
     yield from arrow("push", start, end)
-    numbers = _numbers(_ends(note, frame))
+    numbers = _numbers(_ends(solution, frame))
 
     def clear(side: float) -> float:
         place = middle_beside(start, end, side=side, share=0.8)
@@ -147,9 +148,8 @@ def _force(note: SystemNote, frame: Frame, words: str) -> Iterator[Shape]:
     yield from beside(words, start, end, side=max((1.0, -1.0), key=clear), share=0.8)
 
 
-def body_words(note: SystemNote, words: Words) -> str:
+def body_words(solution: SystemSolution, words: Words) -> str:
     """Say where the body is: ``"body: x = -21.738 m, y = 0.000 m, offset 21.738 m"``."""
-    solution = note.solution
     length = QUANTITIES["offset"]
     return words(
         "system_plan.body_point",

@@ -22,7 +22,7 @@ from catopt.report.page.figure import (
 from catopt.report.page.system.from_above import cross
 from catopt.report.page.system.note import SystemNote
 from catopt.report.page.system.surroundings import HEIGHT, disc, round_body
-from catopt.report.page.table import Cell, Heading, Table, measured
+from catopt.report.page.table import Cell, Heading, Table, in_unit, measured, number_heading
 from catopt.report.page.tension_figure import FAR
 from catopt.report.texts import Words
 
@@ -50,17 +50,18 @@ def watch_circle(note: SystemNote, words: Words) -> dict[str, Any] | None:
         "tension": _tension(note, circle, words),
         "table": _table(circle, words),
         "force": QUANTITIES["horizontal_force"].format(circle.force, unit=True),
+        "turns": note.solution.system.turns,
     }
 
 
 def _track(note: SystemNote, circle: WatchCircle, words: Words) -> Figure:
     """Draw where the body goes, to scale."""
     largest = circle.responses[circle.farthest].offset
-    frame = disc(note, _ROOM * largest)
+    frame = disc(note.solution, _ROOM * largest)
     places = [frame.at(each.x, each.y) for each in circle.responses]
     here = frame.at(note.solution.position.x, note.solution.position.y)
     shapes = [
-        *round_body(note, frame),
+        *round_body(note.solution, frame),
         path("curve first", [*places, places[0]]),
         *cross("neutral", *frame.at(*circle.neutral)),
         shape("circle", "reference", cx=here[0], cy=here[1], r=6.0),
@@ -92,7 +93,7 @@ def _tension(note: SystemNote, circle: WatchCircle, words: Words) -> Figure:
     drawn = allowed if allowed is not None and allowed <= FAR * largest else None
     top = 1.08 * TENSION.to_field(max(largest, drawn or 0.0)) or 1.0
     frame = Frame(74.0, WIDTH - 24.0, 16.0, 270.0, (0.0, 360.0), (0.0, top))
-    label = f"{words('system_watch_circle.largest')} ({TENSION.field_unit})"
+    label = in_unit(words("system_watch_circle.largest"), TENSION)
     degrees = [ANGLE.to_field(direction) for direction in circle.directions]
     places = [
         frame.at(angle, TENSION.to_field(value))
@@ -170,7 +171,7 @@ def _table(circle: WatchCircle, words: Words) -> Table:
         for index in chosen
     )
     headings = (
-        Heading(f"{words('system_watch_circle.towards')} ({ANGLE.field_unit})", is_number=True),
+        number_heading(words("system_watch_circle.towards"), ANGLE),
         *response_headings(words),
     )
     return Table("watch_circle", headings, rows, words("system_watch_circle.some"))
