@@ -162,3 +162,13 @@ def test_as_a_process() -> None:
     command = [sys.executable, "-m", "catopt", "solve", "no-such-file.toml"]
     ran = subprocess.run(command, capture_output=True, check=False)
     assert (ran.returncode, ran.stdout) == (2, b"")
+
+
+@pytest.mark.parametrize("command", ["solve", "check", "curve", "verify", "system", "report"])
+def test_wrong_input_leaves_no_empty_directory(run: Run, tmp_path: Path, command: str) -> None:
+    case = tmp_path / "wrong.toml"
+    case.write_text("[site]\nwater_depht = 3\n", encoding="utf-8")
+    ran = run(command, case, "--out", tmp_path / "out")
+    assert ran.status == 2
+    assert "water_depht" in ran.err
+    assert [path.name for path in tmp_path.iterdir()] == ["wrong.toml"]

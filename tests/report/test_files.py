@@ -82,7 +82,9 @@ def test_a_file_in_the_way(tmp_path: Path, below: str) -> None:
 
 def test_checking_leaves_nothing_behind(tmp_path: Path) -> None:
     check_directory(tmp_path)
+    check_directory(tmp_path / "new" / "deeper")
     assert contents(tmp_path) == {}
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.skipif(

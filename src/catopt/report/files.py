@@ -12,7 +12,7 @@ __all__ = ["check_directory", "write_files"]
 
 
 def check_directory(directory: Path) -> None:
-    """Make sure that files can be written to a directory; it is made when it is missing.
+    """Make sure that files can be written to a directory, or that it can be made; nothing is left.
 
     Raises
     ------
@@ -21,9 +21,11 @@ def check_directory(directory: Path) -> None:
     """
     if directory.exists() and not directory.is_dir():
         raise _refused(directory, "is a file; give a directory")
+    place = directory
     try:
-        directory.mkdir(parents=True, exist_ok=True)
-        probe = _temporary(directory / "probe")
+        while not place.exists() and place != place.parent:
+            place = place.parent
+        probe = _temporary(place / "probe")
         probe.touch()
         probe.unlink()
     except OSError as error:
@@ -58,6 +60,10 @@ def write_files(
         The directory or a file in it cannot be written, or would go in the place of one to keep.
     """
     check_directory(directory)
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise _refused(directory, _reason(error)) from error
     places = {directory / name: content for name, content in contents.items()}
     for place in places:
         if any(_is_same(place, read) for read in keep):
