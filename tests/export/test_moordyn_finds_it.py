@@ -20,7 +20,8 @@ from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
 from catopt.export.body_in_water import of_segment
 from catopt.export.hung import Hung, HungLine, hang
-from catopt.export.moordyn import SINKING, moordyn_input
+from catopt.export.moordyn import moordyn_input
+from catopt.export.moordyn_model import SINKING
 
 from .cases import FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
 

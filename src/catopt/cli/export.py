@@ -163,7 +163,8 @@ def _exported(
         from catopt.export.dxf import dxf_drawing
 
         return dxf_drawing(hung, sources=sources)
-    from catopt.export.moordyn import ELEMENTS, moordyn_input
+    from catopt.export.moordyn import moordyn_input
+    from catopt.export.moordyn_model import ELEMENTS
 
     return moordyn_input(
         hung, elements=elements or ELEMENTS, true_depth=true_depth, sources=sources

@@ -1,0 +1,126 @@
+"""What stands in a file for MoorDyn otherwise than in the case, and what does not stand there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from catopt.export.body_in_water import (
+    STEEL_DENSITY,
+)
+from catopt.export.hung import Hung
+from catopt.export.moordyn_model import Model, Part, is_above, resting
+from catopt.export.text import significant
+from catopt.model import Segment
+
+__all__ = ["ADDED_MASS", "DRAG", "has_drag", "remarks_of"]
+
+MOORPY_REACH = 2.0
+"""Height above the bed below which MoorPy 1.3 takes weight off a point, m."""
+
+DRAG, ADDED_MASS = 1.2, 1.0
+"""Of a smooth cylinder; stand in where a segment has no coefficients."""
+
+
+def remarks_of(model: Model) -> Iterator[str]:
+    """Say what stands in the file otherwise than in the case, and what does not."""
+    yield from model.hung.warnings
+    yield from _on_stiffness(model.hung)
+    yield from _on_stand_ins(model)
+    yield from _on_the_bed(model)
+    yield from _on_the_water(model)
+    yield from _on_the_rest(model.hung)
+
+
+def _on_stiffness(hung: Hung) -> Iterator[str]:
+    if hung.EA is None:
+        return
+    changes = [line.solution.fairlead.tension / line.own_tension - 1.0 for line in hung.lines]
+    largest = max(changes, key=abs)
+    yield (
+        f"EA {significant(hung.EA)} N is not of the case, in which the line does not stretch: it "
+        "was given for this file, and the closed form here is that of the line that has it. It "
+        f"changes the fairlead tension by {100.0 * largest:.2g} %."
+    )
+
+
+def _on_stand_ins(model: Model) -> Iterator[str]:
+    unknown = [each.name for each in model.types if not each.body.is_known]
+    if unknown:
+        yield (
+            f"mass in air not known of {', '.join(unknown)}: that of steel ({STEEL_DENSITY:g} "
+            "kg/m3) with the submerged weight of the case stands in. At rest it changes nothing."
+        )
+    if any(not body.is_known for part in model.parts for body in part.loads):
+        yield (
+            "mass in air not known of a point load: a weight without volume, or a volume without "
+            "mass, with its submerged weight stands in. At rest it changes nothing."
+        )
+    bare = [each.name for each in model.types if not has_drag(each.segment)]
+    if bare:
+        yield (
+            f"drag and added mass not known of {', '.join(bare)}: Cd {DRAG:g} across, 0 along, Ca "
+            f"{ADDED_MASS:g} across, 0 along stand in. At rest they change nothing; give your own "
+            "before a run in waves."
+        )
+
+
+def has_drag(segment: Segment) -> bool:
+    """Whether the coefficients of a segment are known, with the diameter that they refer to."""
+    return segment.drag_normal is not None and segment.drag_diameter is not None
+
+
+def _on_the_bed(model: Model) -> Iterator[str]:
+    if any(line.at_rest is not None for line in model.hung.lines):
+        yield (
+            f"bed friction {model.hung.lines[0].solution.seabed_friction:g}: MoorDyn's friction "
+            "acts on what moves and is none at rest, and MoorPy drops it. "
+            "Compare with the closed form on a bed without friction; the fairleads stand where "
+            "they do with friction."
+        )
+    if any(resting(model.parts)):
+        yield (
+            "a point load rests on the bed: a point of MoorDyn does not feel the bed, the line at "
+            "its two sides carries it, for which kBot is made stiff enough to let it sink by 1 mm."
+        )
+    if any(low for part in model.parts for low in _near_the_bed(part)):
+        yield (
+            "MoorPy lets the bed carry some of a point load that hangs less than 2 m above it: set "
+            "zTol of its points to 0.001 before it solves."
+        )
+
+
+def _near_the_bed(part: Part) -> Iterator[bool]:
+    """Yield for each joint that bears a weight whether it is within MoorPy's reach of the bed."""
+    for joint, body in zip(part.joints, part.loads, strict=True):
+        if body.mass > 0.0 or body.volume > 0.0:
+            yield part.line.at(joint.arc)[2] < MOORPY_REACH
+
+
+def _on_the_water(model: Model) -> Iterator[str]:
+    depth, highest = model.hung.case.site.water_depth, model.hung.highest
+    if not is_above(model.hung):
+        return
+    if model.surface > depth:
+        yield (
+            f"a line reaches {significant(highest - depth)} m above the water of the case, "
+            f"{significant(depth)} m deep. The closed form lets all of it weigh what it weighs in "
+            f"water; for MoorDyn to do so too the depth is put at {significant(model.surface)} m. "
+            "With --true-depth it weighs there what it weighs in air."
+        )
+    else:
+        yield (
+            f"a line reaches {significant(highest - depth)} m above the water. MoorDyn lets that "
+            "part weigh what it weighs in air, the closed form what it weighs in water, and so "
+            "does MoorPy: the tensions differ by that."
+        )
+
+
+def _on_the_rest(hung: Hung) -> Iterator[str]:
+    if hung.system is not None:
+        yield (
+            "the body is not in the file: each fairlead is held where it is under the load, and "
+            "the forces of all lines together balance that load."
+        )
+    left = [key for key in ("waves", "current", "motion") if getattr(hung.case, key) is not None]
+    if left:
+        yield f"not in the file: {', '.join(left)} of the case. It is the line at rest."
