@@ -100,7 +100,10 @@ def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
     from catopt.errors import InputError
     from catopt.report.page.result_directory import Asked
 
-    why = f"it is of a line that is known; this file is for catopt size {moored}"
+    why = (
+        f"it is of a line that is known; this file is for catopt size {moored}, which writes the "
+        "line that it finds with --save: report on that case"
+    )
     problems = list(_of_a_line_alone(wanted, why, swarm=False))
     if problems:
         raise InputError(problems, "options")
