@@ -53,10 +53,10 @@ def template(name: str) -> str:
         When there is no such template.
     """
     if name not in TEMPLATES:
-        from difflib import get_close_matches
+        from catopt.catalogue.names import nearest
 
-        close = get_close_matches(name.lower(), TEMPLATES, n=1)
-        meant = f"; did you mean {close[0]}?" if close else ""
+        near = nearest(name, TEMPLATES)
+        meant = f"; did you mean {near}?" if near else ""
         allowed = f"one of {', '.join(TEMPLATES)} is wanted{meant}"
         raise InputError([Problem("template", as_written(name), allowed)])
     from importlib.resources import files

@@ -60,8 +60,8 @@ def reproduce(name: str | None = None, *, progress: Progress | None = None) -> R
 
 
 def _allowed(name: str) -> str:
-    from difflib import get_close_matches
+    from catopt.catalogue.names import nearest
 
-    near = get_close_matches(name, names(), n=1)
-    hint = f"; did you mean {near[0]}?" if near else ""
+    near = nearest(name, names())
+    hint = f"; did you mean {near}?" if near else ""
     return f"one of {', '.join(names())} is wanted{hint}"

@@ -23,6 +23,7 @@ from catopt.report.workbook.note_components import catalogue_sheet, components_s
 from catopt.report.workbook.note_line import curve_sheet, line_sheet
 from catopt.report.workbook.note_motion import motion_sheet
 from catopt.report.workbook.note_opening import (
+    SUMMARY_WIDTHS,
     inputs_grid,
     new_book,
     summary_sheet,
@@ -35,9 +36,6 @@ from catopt.report.workbook.note_swarm import swarm_sheet
 from catopt.report.workbook.sheet import Book, Cell, Sheet, Style, Text
 
 __all__ = ["note_workbook"]
-
-_SUMMARY = (46.0, 15.0, 9.0, 22.0, 9.0)
-"""Widths of the summary's columns: quantity, value, unit, the same in SI."""
 
 
 def note_workbook(note: Note, language: Language = "en") -> bytes:
@@ -82,7 +80,7 @@ def note_workbook(note: Note, language: Language = "en") -> bytes:
 def _summary(book: Book, note: Note) -> None:
     """Write the title, the verdict, warnings, the title block and the results."""
     words = book.words
-    sheet = summary_sheet(book, note, _SUMMARY)
+    sheet = summary_sheet(book, note, SUMMARY_WIDTHS)
     _verdict(sheet, note)
     warning_rows(sheet, note)
     sheet.row += 1
@@ -93,7 +91,7 @@ def _summary(book: Book, note: Note) -> None:
     for title, entries in (("workbook.given", given(note.case)), ("results.heading", came_out)):
         sheet.row += 1
         sheet.across(words(title), "title")
-        value_grid(sheet, list(_entry_rows(entries, words)), _SUMMARY)
+        value_grid(sheet, list(_entry_rows(entries, words)), SUMMARY_WIDTHS)
         sheet.row -= 1
 
 

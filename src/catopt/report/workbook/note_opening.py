@@ -17,6 +17,7 @@ from catopt.report.workbook.sheet import Book, Cell, Number, Sheet, Text
 from catopt.units import as_written
 
 __all__ = [
+    "SUMMARY_WIDTHS",
     "Titled",
     "inputs_grid",
     "new_book",
@@ -27,6 +28,8 @@ __all__ = [
     "warning_rows",
 ]
 
+SUMMARY_WIDTHS = (46.0, 15.0, 9.0, 22.0, 9.0)
+"""Of the summary: quantity, value, unit, the same in SI; that of a body has wider columns."""
 _HEADINGS = (
     "workbook.quantity",
     "workbook.value",

@@ -20,6 +20,7 @@ from catopt.report.workbook.note_checks import (
 from catopt.report.workbook.note_components import catalogue_sheet, components_sheet
 from catopt.report.workbook.note_line import curve_sheet, line_sheet
 from catopt.report.workbook.note_opening import (
+    SUMMARY_WIDTHS,
     inputs_grid,
     new_book,
     summary_sheet,
@@ -39,9 +40,6 @@ from catopt.report.workbook.note_swarm import swarm_sheet
 from catopt.report.workbook.sheet import Book, Cell, Text
 
 __all__ = ["size_note_workbook"]
-
-_SUMMARY = (46.0, 15.0, 9.0, 22.0, 9.0)
-"""Widths of the summary's columns: quantity, value, unit, the same in SI."""
 
 
 def size_note_workbook(note: SizeNote, language: Language = "en") -> bytes:
@@ -94,7 +92,7 @@ def size_note_workbook(note: SizeNote, language: Language = "en") -> bytes:
 def _summary(book: Book, note: SizeNote) -> None:
     """Write what is recommended, what governs it, warnings, the results and the title block."""
     words = book.words
-    sheet = summary_sheet(book, note, _SUMMARY)
+    sheet = summary_sheet(book, note, SUMMARY_WIDTHS)
     checks = note.line.checks
     sheet.across(recommendation(note, words), "good" if checks.passes else "bad")
     sheet.across(words.sentence(verdict_sentence(checks)).text)
@@ -104,7 +102,7 @@ def _summary(book: Book, note: SizeNote) -> None:
         sheet.across(phrase.text)
     warning_rows(sheet, note)
     sheet.row += 1
-    value_grid(sheet, list(_found(note, words)), _SUMMARY)
+    value_grid(sheet, list(_found(note, words)), SUMMARY_WIDTHS)
     title_rows(sheet, identity(note, words)["table"])
 
 
