@@ -14,7 +14,38 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, Literal
 
-__all__ = ["CHROMIUM", "Tab", "chromium"]
+__all__ = [
+    "BEYOND",
+    "CHROMIUM",
+    "CLASHES",
+    "FONTS",
+    "OFF_PAPER",
+    "Tab",
+    "assert_nothing_sticks_out",
+    "chromium",
+]
+
+FONTS = ("DejaVu Sans", "Liberation Sans", "Noto Sans")
+"""What a page may be read in: a wide font, a narrow one, a tall one (packages in .ci/run)."""
+
+_FONTCONFIG = """<?xml version="1.0"?>
+<!DOCTYPE fontconfig SYSTEM "urn:fontconfig:fonts.dtd">
+<fontconfig>
+  <dir>/usr/share/fonts</dir>
+  <cachedir>{cache}</cachedir>
+  <selectfont>
+    <rejectfont><pattern/></rejectfont>
+    <acceptfont>
+      <pattern><patelt name="family"><string>{font}</string></patelt></pattern>
+      <pattern><patelt name="family"><string>Noto Serif</string></patelt></pattern>
+    </acceptfont>
+  </selectfont>
+  <match target="pattern">
+    <edit name="family" mode="append_last" binding="strong"><string>{font}</string></edit>
+  </match>
+</fontconfig>
+"""
+"""One family, whatever a page asks for, and another for Vietnamese letters that it may lack."""
 
 CHROMIUM = next(
     (found for name in ("chromium", "google-chrome") if (found := shutil.which(name))), ""
@@ -94,6 +125,18 @@ class Tab:
         assert "exceptionDetails" not in found, found
         return found["result"].get("value")
 
+    def fonts(self) -> set[str]:
+        """Families in which the page's headings and drawings are shown."""
+        self.call("DOM.enable")
+        self.call("CSS.enable")
+        root = self.call("DOM.getDocument")["root"]["nodeId"]
+        found = self.call("DOM.querySelectorAll", nodeId=root, selector="h1, figure text")
+        return {
+            each["familyName"]
+            for node in found["nodeIds"]
+            for each in self.call("CSS.getPlatformFontsForNode", nodeId=node)["fonts"]
+        }
+
     def point_at(self, x: float, y: float) -> None:
         """Move the pointer to a place of the window."""
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
@@ -137,8 +180,21 @@ class Tab:
 
 
 @contextmanager
-def chromium(folder: Path) -> Iterator[Tab]:
-    """Start the browser with a profile of its own below a folder, and end it in any case."""
+def chromium(folder: Path, font: str = "") -> Iterator[Tab]:
+    """Start the browser with a profile of its own below a folder, and end it in any case.
+
+    Parameters
+    ----------
+    folder : Path
+        For what the browser writes.
+    font : str
+        Family that all text is shown in; empty for whatever the machine has.
+    """
+    surroundings = dict(os.environ)
+    if font:
+        chosen = folder / "fonts.conf"
+        chosen.write_text(_FONTCONFIG.format(font=font, cache=folder / "fonts"))
+        surroundings["FONTCONFIG_FILE"] = str(chosen)
     to_browser, write = os.pipe()
     read, from_browser = os.pipe()
 
@@ -153,6 +209,7 @@ def chromium(folder: Path) -> Iterator[Tab]:
     profile = folder / "profile"
     started = subprocess.Popen(
         [CHROMIUM, *_FLAGS, f"--user-data-dir={profile}", "about:blank"],
+        env=surroundings,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
@@ -170,3 +227,47 @@ def chromium(folder: Path) -> Iterator[Tab]:
         with suppress(ProcessLookupError):
             os.killpg(started.pid, signal.SIGKILL)
         started.wait()
+
+
+BEYOND = """(() => {
+  const wide = document.documentElement.clientWidth;
+  return [...document.querySelectorAll("body *")].filter((each) => {
+    if (each.closest(".scroll, svg, script")) return false;
+    const box = each.getBoundingClientRect();
+    return box.right > wide + 0.5 || box.left < -0.5;
+  }).map((each) => each.outerHTML.slice(0, 120));
+})()"""
+"""Elements that stick out, but for what scrolls within its own box."""
+
+OFF_PAPER = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
+  const paper = svg.getBoundingClientRect();
+  return [...svg.querySelectorAll("text")].filter((each) => {
+    const box = each.getBoundingClientRect();
+    return box.left < paper.left - 2 || box.right > paper.right + 2
+      || box.top < paper.top - 2 || box.bottom > paper.bottom + 2;
+  }).map((each) => each.textContent);
+}))()"""
+"""Words of a drawing that are cut off at its edge; boxes are taller than their letters."""
+
+CLASHES = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
+  const texts = [...svg.querySelectorAll("text")];
+  const boxes = texts.map((each) => each.getBoundingClientRect());
+  const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
+  return boxes.flatMap((a, i) => boxes.slice(0, i).flatMap((b, j) => {
+    const clash = shared(a, b, "left", "right") > 2 && shared(a, b, "top", "bottom") > 4;
+    return clash ? [[texts[i].textContent, texts[j].textContent]] : [];
+  }));
+}))()"""
+"""Words of a drawing that stand on each other."""
+
+
+def assert_nothing_sticks_out(tab: Tab, page: Path, width: int, font: str) -> None:
+    """Assert that a page is no wider than its window, and that drawings hold their words apart.
+
+    A page in Liberation Sans is looked at in dark colours.
+    """
+    tab.open(page, width, scheme="dark" if font == "Liberation Sans" else "light")
+    assert tab.value("document.documentElement.scrollWidth") <= width
+    assert tab.value(BEYOND) == []
+    assert tab.value(OFF_PAPER) == []
+    assert tab.value(CLASHES) == []

@@ -1,8 +1,11 @@
-"""Solutions to report on: solved lines, and a swarm's history written out by hand."""
+"""Solutions to report on, a swarm's history written out by hand, and browsers to look at pages."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
@@ -10,6 +13,8 @@ from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution, SwarmReport
 from catopt.catenary.solve import solve
 from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
+
+from .browser import FONTS, Tab, chromium
 
 G0 = 9.80665
 
@@ -70,3 +75,33 @@ def leg() -> Solution:
 def swarm(buoy: Solution) -> Solution:
     history = (1.0, 0.3, 1e-3, 1e-8, 3.55e-15, 0.0, 0.0)
     return replace(buoy, method="pso", swarm=report_with(history))
+
+
+@pytest.fixture(scope="session")
+def browsers(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], Tab]]:
+    """Start a browser for each font that is asked for."""
+    with ExitStack() as started:
+        yield cache(
+            lambda font: started.enter_context(chromium(tmp_path_factory.mktemp("browser"), font))
+        )
+
+
+@pytest.fixture
+def font() -> str:
+    """Name the font of the pages; tests that measure words take all of `FONTS`."""
+    return FONTS[0]
+
+
+@pytest.fixture
+def tab(browsers: Callable[[str], Tab], font: str) -> Tab:
+    return browsers(font)
+
+
+@pytest.fixture
+def quiet(tab: Tab) -> Iterator[Tab]:
+    """Give the tab, and see afterwards that nothing was said and nothing else was asked for."""
+    tab.messages.clear()
+    tab.requests.clear()
+    yield tab
+    assert tab.messages == []
+    assert len(set(tab.requests)) == 1

@@ -7,16 +7,15 @@ from __future__ import annotations
 
 import re
 import zlib
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import pytest
 
 from catopt.report.page.note import read_note
 from catopt.report.page.render import render_page
 
-from .browser import CHROMIUM, Tab, chromium
+from .browser import BEYOND, CHROMIUM, CLASHES, FONTS, OFF_PAPER, Tab, assert_nothing_sticks_out
 from .page_cases import design_directory, known_note
 
 pytestmark = [
@@ -29,12 +28,6 @@ A4 = (210.0 / 25.4 * 72.0, 297.0 / 25.4 * 72.0)
 """In points."""
 
 
-@pytest.fixture(scope="module")
-def tab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tab]:
-    with chromium(tmp_path_factory.mktemp("browser")) as started:
-        yield started
-
-
 @pytest.fixture(params=NAMES)
 def page(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     name = str(request.param)
@@ -44,58 +37,10 @@ def page(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def quiet(tab: Tab) -> Iterator[Tab]:
-    """Give the tab, and see afterwards that nothing was said and nothing else was asked for."""
-    tab.messages.clear()
-    tab.requests.clear()
-    yield tab
-    assert tab.messages == []
-    assert len(set(tab.requests)) == 1
-
-
-BEYOND = """(() => {
-  const wide = document.documentElement.clientWidth;
-  return [...document.querySelectorAll("body *")].filter((each) => {
-    if (each.closest(".scroll, svg, script")) return false;
-    const box = each.getBoundingClientRect();
-    return box.right > wide + 0.5 || box.left < -0.5;
-  }).map((each) => each.outerHTML.slice(0, 120));
-})()"""
-"""Elements that stick out, but for what scrolls within its own box."""
-
-OFF_PAPER = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
-  const paper = svg.getBoundingClientRect();
-  return [...svg.querySelectorAll("text")].filter((each) => {
-    const box = each.getBoundingClientRect();
-    return box.left < paper.left - 2 || box.right > paper.right + 2
-      || box.top < paper.top - 2 || box.bottom > paper.bottom + 2;
-  }).map((each) => each.textContent);
-}))()"""
-"""Words of a drawing that are cut off at its edge; boxes are taller than their letters."""
-
-CLASHES = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
-  const texts = [...svg.querySelectorAll("text")];
-  const boxes = texts.map((each) => each.getBoundingClientRect());
-  const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
-  return boxes.flatMap((a, i) => boxes.slice(0, i).flatMap((b, j) => {
-    const clash = shared(a, b, "left", "right") > 2 && shared(a, b, "top", "bottom") > 4;
-    return clash ? [[texts[i].textContent, texts[j].textContent]] : [];
-  }));
-}))()"""
-"""Words of a drawing that stand on each other."""
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("font", FONTS)
 @pytest.mark.parametrize("width", [1200, 390])
-def test_nothing_sticks_out(
-    quiet: Tab, page: Path, width: int, scheme: Literal["light", "dark"]
-) -> None:
-    quiet.open(page, width, scheme=scheme)
-    assert quiet.value("document.documentElement.scrollWidth") <= width
-    assert quiet.value(BEYOND) == []
-    assert quiet.value(OFF_PAPER) == []
-    assert quiet.value(CLASHES) == []
+def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> None:
+    assert_nothing_sticks_out(quiet, page, width, font)
 
 
 def test_the_colours_follow_the_readers_choice(quiet: Tab, page: Path) -> None:
@@ -188,6 +133,7 @@ def test_everything_is_readable_without_scripts(quiet: Tab, page: Path) -> None:
     assert len(with_scripts) > 15
 
 
+@pytest.mark.parametrize("font", FONTS)
 def test_it_prints_on_a4(quiet: Tab, page: Path) -> None:
     quiet.open(page, 1200, scheme="dark")
     boxes, count = pages_of(quiet.pdf())
@@ -228,3 +174,12 @@ def test_a_message_and_a_box_that_sticks_out_are_noticed(tab: Tab, tmp_path: Pat
     assert "far too long" in tab.value(OFF_PAPER)
     assert len(tab.value(CLASHES)) == 1
     tab.messages.clear()
+
+
+@pytest.mark.parametrize("font", FONTS)
+def test_a_page_is_shown_in_one_font(tab: Tab, font: str, tmp_path: Path) -> None:
+    """All three are wanted: Debian's fonts-dejavu-core, fonts-liberation and fonts-noto-core."""
+    path = tmp_path / "leg.html"
+    path.write_bytes(render_page(known_note("leg")))
+    tab.open(path, 800)
+    assert tab.fonts() == {font}

@@ -5,17 +5,15 @@ Wants Chromium (Debian's package ``chromium``).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal
 
 import pytest
 
 from catopt.report.page.render import render_page
 
-from .browser import CHROMIUM, Tab, chromium
+from .browser import CHROMIUM, FONTS, Tab, assert_nothing_sticks_out
 from .further_cases import further_note
-from .test_page_browser import BEYOND, CLASHES, OFF_PAPER, READOUT, pages_of, place_on
+from .test_page_browser import READOUT, pages_of, place_on
 
 pytestmark = [
     pytest.mark.slow,
@@ -23,12 +21,6 @@ pytestmark = [
 ]
 
 FIGURES = {"swarm": ["swarm"], "harmonic": ["motion", "envelope"], "random": ["motion", "envelope"]}
-
-
-@pytest.fixture(scope="module")
-def tab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tab]:
-    with chromium(tmp_path_factory.mktemp("browser")) as started:
-        yield started
 
 
 @pytest.fixture(params=FIGURES)
@@ -39,26 +31,10 @@ def page(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def quiet(tab: Tab) -> Iterator[Tab]:
-    """Give the tab, and see afterwards that nothing was said and nothing else was asked for."""
-    tab.messages.clear()
-    tab.requests.clear()
-    yield tab
-    assert tab.messages == []
-    assert len(set(tab.requests)) == 1
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("font", FONTS)
 @pytest.mark.parametrize("width", [1200, 390])
-def test_nothing_sticks_out(
-    quiet: Tab, page: Path, width: int, scheme: Literal["light", "dark"]
-) -> None:
-    quiet.open(page, width, scheme=scheme)
-    assert quiet.value("document.documentElement.scrollWidth") <= width
-    assert quiet.value(BEYOND) == []
-    assert quiet.value(OFF_PAPER) == []
-    assert quiet.value(CLASHES) == []
+def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> None:
+    assert_nothing_sticks_out(quiet, page, width, font)
 
 
 @pytest.mark.parametrize("width", [1200, 390])
@@ -84,6 +60,7 @@ def test_the_arrow_keys_walk_from_end_to_end(quiet: Tab, page: Path) -> None:
     assert quiet.value(READOUT.format(figure)) == first != last
 
 
+@pytest.mark.parametrize("font", FONTS)
 def test_it_prints_on_a4(quiet: Tab, page: Path) -> None:
     quiet.open(page, 1200, scheme="dark")
     _, count = pages_of(quiet.pdf())

@@ -5,7 +5,6 @@ Wants Chromium (Debian's package ``chromium``).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Literal
 
@@ -13,9 +12,9 @@ import pytest
 
 from catopt.report.page.render import render_page
 
-from .browser import CHROMIUM, Tab, chromium
+from .browser import CHROMIUM, FONTS, Tab, assert_nothing_sticks_out
 from .size_page_cases import known_size_note
-from .test_page_browser import A4, BEYOND, CLASHES, OFF_PAPER, READOUT, pages_of, place_on
+from .test_page_browser import A4, READOUT, pages_of, place_on
 
 pytestmark = [
     pytest.mark.slow,
@@ -24,12 +23,6 @@ pytestmark = [
 
 NAMES = {"size-buoy": "en", "size-tanker": "vi", "six": "en", "hawser": "vi", "given": "en"}
 """Sizings with the language of their page."""
-
-
-@pytest.fixture(scope="module")
-def tab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tab]:
-    with chromium(tmp_path_factory.mktemp("browser")) as started:
-        yield started
 
 
 @pytest.fixture(params=NAMES)
@@ -41,26 +34,10 @@ def page(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def quiet(tab: Tab) -> Iterator[Tab]:
-    """Give the tab, and see afterwards that nothing was said and nothing else was asked for."""
-    tab.messages.clear()
-    tab.requests.clear()
-    yield tab
-    assert tab.messages == []
-    assert len(set(tab.requests)) == 1
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("font", FONTS)
 @pytest.mark.parametrize("width", [1200, 390])
-def test_nothing_sticks_out(
-    quiet: Tab, page: Path, width: int, scheme: Literal["light", "dark"]
-) -> None:
-    quiet.open(page, width, scheme=scheme)
-    assert quiet.value("document.documentElement.scrollWidth") <= width
-    assert quiet.value(BEYOND) == []
-    assert quiet.value(OFF_PAPER) == []
-    assert quiet.value(CLASHES) == []
+def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> None:
+    assert_nothing_sticks_out(quiet, page, width, font)
 
 
 def test_every_text_stands_out_from_its_ground(quiet: Tab, page: Path) -> None:
@@ -116,6 +93,7 @@ def test_everything_is_readable_without_scripts(quiet: Tab, page: Path) -> None:
     assert len(with_scripts) > 30
 
 
+@pytest.mark.parametrize("font", FONTS)
 def test_it_prints_on_a4(quiet: Tab, page: Path) -> None:
     quiet.open(page, 1200, scheme="dark")
     boxes, count = pages_of(quiet.pdf())
@@ -124,6 +102,7 @@ def test_it_prints_on_a4(quiet: Tab, page: Path) -> None:
         assert (width, height) == pytest.approx(A4, abs=1.0)  # a point, by which sizes are rounded
 
 
+@pytest.mark.parametrize("font", FONTS)
 def test_tables_fit_the_paper(quiet: Tab, page: Path) -> None:
     """On paper nothing scrolls: what is wider than its box would be cut off."""
     quiet.open(page, 680)  # 180 mm at 96 dots an inch, what the margins leave

@@ -5,17 +5,15 @@ Wants Chromium (Debian's package ``chromium``).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal
 
 import pytest
 
 from catopt.report.page.render import render_page
 
-from .browser import CHROMIUM, Tab, chromium
+from .browser import CHROMIUM, FONTS, Tab, assert_nothing_sticks_out
 from .system_page_cases import EVERY, TURRET, known_note
-from .test_page_browser import A4, BEYOND, CLASHES, OFF_PAPER, READOUT, pages_of, place_on
+from .test_page_browser import A4, READOUT, pages_of, place_on
 
 pytestmark = [
     pytest.mark.slow,
@@ -28,12 +26,6 @@ OF_A_LOAD = ("system_near", "system_watch", "system_round")
 """Figures that only a body under a force has."""
 
 
-@pytest.fixture(scope="module")
-def tab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tab]:
-    with chromium(tmp_path_factory.mktemp("browser")) as started:
-        yield started
-
-
 @pytest.fixture(params=EVERY)
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
@@ -44,16 +36,6 @@ def page(name: str, tmp_path: Path) -> Path:
     path = tmp_path / f"{name}.html"
     path.write_bytes(render_page(known_note(name), "vi" if name == VIETNAMESE else "en"))
     return path
-
-
-@pytest.fixture
-def quiet(tab: Tab) -> Iterator[Tab]:
-    """Give the tab, and see afterwards that nothing was said and nothing else was asked for."""
-    tab.messages.clear()
-    tab.requests.clear()
-    yield tab
-    assert tab.messages == []
-    assert len(set(tab.requests)) == 1
 
 
 LEFT_OUT = {
@@ -70,16 +52,10 @@ def figures_of(name: str) -> set[str]:
     return (every | {*OF_A_LOAD}) - LEFT_OUT.get(name, set())
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("font", FONTS)
 @pytest.mark.parametrize("width", [1200, 390])
-def test_nothing_sticks_out(
-    quiet: Tab, page: Path, width: int, scheme: Literal["light", "dark"]
-) -> None:
-    quiet.open(page, width, scheme=scheme)
-    assert quiet.value("document.documentElement.scrollWidth") <= width
-    assert quiet.value(BEYOND) == []
-    assert quiet.value(OFF_PAPER) == []
-    assert quiet.value(CLASHES) == []
+def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> None:
+    assert_nothing_sticks_out(quiet, page, width, font)
 
 
 def test_every_figure_is_drawn(quiet: Tab, page: Path, name: str) -> None:
@@ -92,6 +68,7 @@ def test_every_figure_is_drawn(quiet: Tab, page: Path, name: str) -> None:
     assert all(height > 120 for _, height in drawn)
 
 
+@pytest.mark.parametrize("font", FONTS)
 def test_a_desktop_shows_tables_without_scrolling_sideways(quiet: Tab, page: Path) -> None:
     """But for those of arms, where the balance has a column more for each."""
     quiet.open(page, 1200)
@@ -154,6 +131,7 @@ def test_everything_is_readable_without_scripts(quiet: Tab, page: Path) -> None:
     assert len(with_scripts) > 20
 
 
+@pytest.mark.parametrize("font", FONTS)
 def test_it_prints_on_a4(quiet: Tab, page: Path) -> None:
     quiet.open(page, 1200, scheme="dark")
     boxes, count = pages_of(quiet.pdf())

@@ -86,11 +86,19 @@ def _segments(segments: tuple[Segment, ...], words: Words) -> Table:
     return Table("segments", headings, tuple(rows), words("components.segments"))
 
 
+def point_load_quantities(line: Line) -> list[Quantity]:
+    """List what is known of point loads: friction only where one has its own on the bed."""
+    own = any(load.friction is not None for load in line.point_loads)
+    keys = ("position", "point_weight", "mass", *(("friction",) if own else ()))
+    return [QUANTITIES[key] for key in keys]
+
+
 def _point_loads(line: Line, words: Words) -> Table:
-    quantities = (QUANTITIES["position"], QUANTITIES["point_weight"], QUANTITIES["mass"])
+    quantities = point_load_quantities(line)
     rows = []
     for index, load in enumerate(line.point_loads):
-        numbers = zip(quantities, (load.position, load.submerged_weight, load.mass), strict=True)
+        values = (load.position, load.submerged_weight, load.mass, load.friction)
+        numbers = zip(quantities, values, strict=False)
         name = called(words, load.submerged_weight, load.name)
         cells = (measured(quantity, value) for quantity, value in numbers)
         rows.append((Cell(str(index + 1)), Cell(name), *cells))

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.figure import (
-    WIDTH,
     Figure,
     Frame,
     Legend,
     Point,
     Shape,
     axes,
+    frame_in,
     line,
     path,
     shape,
@@ -33,6 +33,8 @@ __all__ = ["curve_figure"]
 
 _ROWS = 15
 """Points of the curve in the table, about."""
+_HEIGHT, _TOP, _OFFSETS = 420.0, 90.0, 44.0
+"""Of the figure, the room above its frame, and in that room the scale of offsets."""
 
 
 def curve_figure(note: Note, words: Words) -> dict[str, Any] | None:
@@ -43,7 +45,7 @@ def curve_figure(note: Note, words: Words) -> dict[str, Any] | None:
     spans, forces, tensions = curve.outline()
     frame = _frame(spans, tensions)
     label = f"{words('curve.force')} ({FORCE.field_unit})"
-    shapes = axes(frame, f"{words.name('Span')} S (m)", label)
+    shapes = axes(frame, f"{words.name('Span')} S (m)", label, above=_OFFSETS)
     shapes += _offsets(frame, curve.reference.span, words)
     for style, values in (("curve first", forces), ("curve second", tensions)):
         places = zip(spans, values, strict=True)
@@ -53,7 +55,7 @@ def curve_figure(note: Note, words: Words) -> dict[str, Any] | None:
     figure = Figure(
         "curve",
         words("curve.alt"),
-        392.0,
+        _HEIGHT,
         tuple(shapes),
         tuple(_points(spans, forces, tensions, frame, curve, words)),
         (
@@ -73,7 +75,7 @@ def _frame(spans: Sequence[float], tensions: Sequence[float]) -> Frame:
     low, high = spans[0], spans[-1]
     spare = 0.03 * (high - low) or 0.01 * abs(high) or 1.0
     top = 1.06 * FORCE.to_field(max(tensions)) or 1.0
-    return Frame(74.0, WIDTH - 18.0, 62.0, 336.0, (low - spare, high + spare), (0.0, top))
+    return frame_in(_HEIGHT, (low - spare, high + spare), (0.0, top), top=_TOP)
 
 
 def _offsets(frame: Frame, zero: float, words: Words) -> Iterator[Shape]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 __all__ = [
@@ -14,6 +14,9 @@ __all__ = [
     "Point",
     "Shape",
     "axes",
+    "axis_titles",
+    "breadth",
+    "frame_in",
     "line",
     "path",
     "text",
@@ -22,6 +25,15 @@ __all__ = [
 
 WIDTH = 640.0
 """Of every figure, in its own units."""
+
+_TYPE = 19.0
+"""Largest type in a figure (style.css, on phones), in its units."""
+_LETTER = 0.66
+"""Mean width of a letter over the type, in the widest fonts that pages are read in."""
+_TITLE = 22.0
+"""From the top of a frame up to the title of its upright axis, clear of the topmost number."""
+_ROW = _TITLE + 24.0
+"""Room above a frame for that title, in type of any height."""
 
 
 @dataclass(frozen=True)
@@ -152,6 +164,35 @@ class Frame:
         return self.across(x), self.up(y)
 
 
+def frame_in(
+    height: float,
+    x: tuple[float, float],
+    y: tuple[float, float],
+    *,
+    left: float = 74.0,
+    top: float = _ROW,
+) -> Frame:
+    """Place a frame in a figure so that numbers and titles have room around it in any font.
+
+    Parameters
+    ----------
+    height : float
+        Of the figure.
+    x, y : tuple of float
+        The values at the edges.
+    left : float
+        Room for the numbers of the upright axis; they have five digits when left out.
+    top : float
+        Room above.
+    """
+    return Frame(left, WIDTH - 30.0, top, height - 56.0, x, y)
+
+
+def breadth(words: str) -> float:
+    """Return the room that words in a row need in any font, in units of the figure."""
+    return _TYPE * _LETTER * len(words)
+
+
 def ticks(low: float, high: float, most: int = 6) -> list[float]:
     """List round values in a range, at most so many: multiples of 1, 2 or 5 times a power of ten.
 
@@ -171,7 +212,14 @@ def ticks(low: float, high: float, most: int = 6) -> list[float]:
     return [step * index for index in range(first, last + 1)]
 
 
-def axes(frame: Frame, x_label: str, y_label: str, across: Sequence[float] = ()) -> list[Shape]:
+def axes(
+    frame: Frame,
+    x_label: str,
+    y_label: str,
+    across: Sequence[float] = (),
+    *,
+    above: float = 0.0,
+) -> list[Shape]:
     """Draw the grid, the values along two edges and what they are.
 
     Parameters
@@ -182,6 +230,8 @@ def axes(frame: Frame, x_label: str, y_label: str, across: Sequence[float] = ())
         What the values are.
     across : sequence of float
         Those of x; round ones when left out.
+    above : float
+        What else stands between the frame and the title of y.
     """
     shapes = [
         shape(
@@ -203,10 +253,26 @@ def axes(frame: Frame, x_label: str, y_label: str, across: Sequence[float] = ())
                 at = frame.up(value)
                 shapes.append(line("grid", frame.left, at, frame.right, at))
                 shapes.append(text(words, frame.left - 7, at + 5, anchor="end", style="tick"))
-    middle_x, middle_y = (frame.left + frame.right) / 2, (frame.top + frame.bottom) / 2
-    shapes.append(text(x_label, middle_x, frame.bottom + 44, style="axis"))
-    shapes.append(text(y_label, 17, middle_y, style="axis", turn=-90))
-    return shapes
+    return [*shapes, *axis_titles(frame, x_label, y_label, above=above)]
+
+
+def axis_titles(
+    frame: Frame, x_label: str, y_label: str, *, above: float = 0.0, below: float = 0.0
+) -> Iterator[Shape]:
+    """Write what the values are, in rows of their own: turned words would want room by their font.
+
+    Parameters
+    ----------
+    frame : Frame
+        Where.
+    x_label, y_label : str
+        What the values are.
+    above, below : float
+        What else stands between the frame and its titles.
+    """
+    middle = (frame.left + frame.right) / 2
+    yield text(x_label, middle, frame.bottom + below + 44, style="axis")
+    yield text(y_label, 2, frame.top - above - _TITLE, anchor="start", style="axis")
 
 
 def tick_words(values: Sequence[float]) -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from catopt.quantities import Quantity
-from catopt.report.page.figure import WIDTH, Figure, Frame, Legend, Point, Shape, axes, shape
+from catopt.report.page.figure import Figure, Frame, Legend, Point, Shape, axes, frame_in, shape
 from catopt.report.page.note import Chosen, Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
 from catopt.report.texts import Phrase, Words
@@ -21,6 +21,7 @@ __all__ = [
     "verdict_cell",
 ]
 
+_HEIGHT = 376.0
 _MOST = 25
 """Designs of a front that are all in the table; of a longer one some are."""
 
@@ -81,7 +82,7 @@ def _figure(chosen: Chosen, words: Words) -> Figure:
         for key in document["objectives"][2:]
     )
     alt = words("front.alt", count=len(front))
-    return Figure("front", alt, 346.0, tuple(shapes), points, legend, further)
+    return Figure("front", alt, _HEIGHT, tuple(shapes), points, legend, further)
 
 
 def _frame(places: Sequence[tuple[float, float]]) -> Frame:
@@ -90,7 +91,7 @@ def _frame(places: Sequence[tuple[float, float]]) -> Frame:
         low, high = min(values), max(values)
         spare = 0.06 * (high - low) or 0.05 * abs(high) or 1.0
         ranges.append((low - spare, high + spare))
-    return Frame(74.0, WIDTH - 18.0, 16.0, 290.0, ranges[0], ranges[1])
+    return frame_in(_HEIGHT, ranges[0], ranges[1])
 
 
 def _dot(style: str, frame: Frame, place: tuple[float, float], radius: float) -> Shape:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from catopt.report.page.capacity import allowed_tensions
 from catopt.report.page.origin import SourceFile, read_source
+from catopt.ties import first_largest
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Drive
+    from catopt.verify.proof import Proof
 
 __all__ = ["InMotion", "SegmentUse", "in_motion", "motion_files", "motion_warnings"]
 
@@ -73,18 +75,18 @@ class InMotion:
     @property
     def governing(self) -> int:
         """Index of the load case with the largest utilisation, or else the largest tension."""
-        return max(range(len(self.found.parts)), key=self._severity)
+        used = [self.used(index) or 0.0 for index in range(len(self.found.parts))]
+        return first_largest(used if any(used) else [part.max_tension for part in self.found.parts])
 
     def used(self, index: int) -> float | None:
         """Largest utilisation of a load case; None where no tension is limited."""
         known = [use.utilisation for use in self.uses[index] if use.utilisation is not None]
         return max(known, default=None)
 
-    def _severity(self, index: int) -> tuple[float, float]:
-        return self.used(index) or 0.0, self.found.parts[index].max_tension
 
-
-def in_motion(case: Case, checks: CheckReport, progress: Progress | None = None) -> InMotion:
+def in_motion(
+    case: Case, checks: CheckReport, proof: Proof = "step", progress: Progress | None = None
+) -> InMotion:
     """Run the line of a case in time under every load case.
 
     Parameters
@@ -93,6 +95,8 @@ def in_motion(case: Case, checks: CheckReport, progress: Progress | None = None)
         With what a line in motion needs.
     checks : CheckReport
         The same at rest.
+    proof : {"none", "step", "bars"}
+        As for `verify_dynamic`.
     progress : callable, optional
         Told how far it is and how far it goes.
 
@@ -106,7 +110,7 @@ def in_motion(case: Case, checks: CheckReport, progress: Progress | None = None)
 
     check_for_motion(case)
     drive = read_drive(case)
-    found = verify_dynamic(case, progress=progress)
+    found = verify_dynamic(case, proof=proof, progress=progress)
     at_rest = dict(checks.solutions)
     solutions = tuple(at_rest[part.name] for part in found.parts)
     uses = tuple(
@@ -137,7 +141,7 @@ def _uses(part: DynamicPart, solution: Solution, checks: CheckReport) -> Iterato
 
 def motion_warnings(moved: InMotion) -> Iterator[str]:
     """Yield what is to be known before the note is used: what fails, and what was remarked on."""
-    from catopt.report.tables.dynamic import stopped_sentence
+    from catopt.report.tables.dynamic import proof_sentences, stopped_sentence
 
     if not moved.found.is_complete:
         yield f"the line in motion is not complete: {stopped_sentence(moved.found)}"
@@ -148,17 +152,24 @@ def motion_warnings(moved: InMotion) -> Iterator[str]:
         yield f"in motion: {remark}"
     for part, uses in zip(moved.found.parts, moved.uses, strict=True):
         where = f"in motion, load case {part.name}" if named else "in motion"
-        for use in uses:
-            if use.utilisation is not None and use.utilisation > 1.0:
-                yield (
-                    f"{where}: segment {use.number} carries {use.largest / 1e3:.1f} kN, "
-                    f"{use.utilisation:.3f} of what is allowed"
-                )
+        yield from (f"{where}: {each}" for each in _beyond(uses))
+        for sentence in proof_sentences(part):
+            if sentence.startswith("NOT "):
+                yield f"{where}: {sentence}"
         if part.slack_time > 0.0:
-            yield f"{where}: the line goes slack, a bar for {part.slack_time:.2f} s of a run"
+            yield f"{where}: the line goes slack, a bar for {part.slack_time:.2f} s of a run in all"
         for remark in part.remarks:
             if remark not in of_all:
                 yield f"{where}: {remark}"
+
+
+def _beyond(uses: tuple[SegmentUse, ...]) -> Iterator[str]:
+    for use in uses:
+        if use.utilisation is not None and use.utilisation > 1.0:
+            yield (
+                f"segment {use.number} carries {use.largest / 1e3:.1f} kN, "
+                f"{use.utilisation:.3f} of what is allowed"
+            )
 
 
 def motion_files(case: Case) -> tuple[SourceFile, ...]:

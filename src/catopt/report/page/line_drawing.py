@@ -15,6 +15,7 @@ from catopt.report.page.figure import (
     Legend,
     Point,
     Shape,
+    breadth,
     line,
     path,
     shape,
@@ -140,7 +141,8 @@ def _across(left: float, right: float, y: float, above: float, words: str) -> It
     if right - left > 3 * _ARROW:
         yield shape("path", "arrow", d=f"M {left:.2f} {y:.2f} l {_ARROW} -3.5 v 7 z")
         yield shape("path", "arrow", d=f"M {right:.2f} {y:.2f} l -{_ARROW} -3.5 v 7 z")
-    middle = min(max((left + right) / 2, 62.0), WIDTH - 62.0)
+    half = breadth(words) / 2
+    middle = min(max((left + right) / 2, half), WIDTH - half)
     yield text(words, middle, y - 6, style="measure")
 
 
@@ -154,7 +156,7 @@ def _upright(
     if bottom - top > 3 * _ARROW:
         yield shape("path", "arrow", d=f"M {x:.2f} {top:.2f} l -3.5 {_ARROW} h 7 z")
         yield shape("path", "arrow", d=f"M {x:.2f} {bottom:.2f} l -3.5 -{_ARROW} h 7 z")
-    if bottom - top > 90.0:
+    if bottom - top > breadth(words):
         yield text(words, x - 6, (top + bottom) / 2, style="measure", turn=-90)
     else:
         # From the edge of the figure inwards, so that large type stays inside.

@@ -23,9 +23,9 @@ from catopt.report.texts import Words
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.report.page.in_motion import InMotion, SegmentUse
-    from catopt.verify.dynamic_result import DynamicPart
+    from catopt.verify.dynamic_result import DynamicPart, DynamicRun
 
-__all__ = ["STATISTICS", "at_rest", "known_of", "motion", "outcome_rows", "run_rows"]
+__all__ = ["STATISTICS", "at_rest", "change_cell", "known_of", "motion", "outcome_rows", "run_rows"]
 
 _TENSION = QUANTITIES["tension"]
 _MOST_RUNS = 30
@@ -36,6 +36,7 @@ STATISTICS = (
     "in_motion.min",
     "in_motion.max",
     "in_motion.most_probable",
+    "in_motion.change",
 )
 """Keys of the statistics' columns."""
 
@@ -55,7 +56,9 @@ def motion(note: Note, words: Words) -> dict[str, Any] | None:
         else words.sentence(stopped_sentence(moved.found)),
         "load_case": part.name if several else "",
         "sentences": [words.sentence(each) for each in dynamic_sentences(part)],
-        "passes": part.slack_time == 0.0 and (used is None or used <= 1.0),
+        "passes": part.slack_time == 0.0
+        and part.verdict == "converged"
+        and (used is None or used <= 1.0),
         "verdict": _verdict(used, part, _basis(note, words), words),
         "statistics": _statistics(part, solution, words),
         "outcome": _listed("motion_outcome", outcome_rows(part), words, "in_motion.outcome"),
@@ -117,8 +120,15 @@ def _statistics(part: DynamicPart, solution: Solution, words: Words) -> Table:
             each.most_probable_maximum,
         )  # fmt: skip
         label = f"{label_of(words, quantity)} ({quantity.field_unit})"
-        rows.append((Cell(label, style="words"), *(measured(quantity, v) for v in numbers)))
+        cells = (*(measured(quantity, v) for v in numbers), change_cell(part, each.quantity))
+        rows.append((Cell(label, style="words"), *cells))
     return Table("motion_statistics", headings, tuple(rows), words("in_motion.statistics"))
+
+
+def change_cell(part: DynamicPart, quantity: str) -> Cell:
+    """Show how far a maximum moved when the runs were made again; a dash where they were not."""
+    change = part.change_of(quantity)
+    return Cell("–") if change is None else Cell(f"{change:.2%}", change)
 
 
 def _statistic_headings(words: Words) -> Iterator[Heading]:
@@ -137,7 +147,33 @@ def outcome_rows(part: DynamicPart) -> list[Row]:
             Cell("–") if amplification is None else Cell(f"{amplification:.3f}", amplification),
         ),
         ("in_motion.slack_time", Cell(f"{part.slack_time:.2f} s", part.slack_time)),
+        ("in_motion.longest_slack", Cell(f"{part.longest_slack:.2f} s", part.longest_slack)),
+        *_energy_rows(part.governing),
     ]
+
+
+def _energy_rows(run: DynamicRun) -> list[Row]:
+    """List the energy of a run, in kJ; what is numerical also over what was put in."""
+    balance = run.history.balance
+    part = balance.numerical_part
+    return [
+        ("in_motion.energy_put_in", _energy(balance.put_in)),
+        ("in_motion.energy_ends", _energy(balance.ends)),
+        ("in_motion.energy_water", _energy(balance.water)),
+        ("in_motion.energy_kinetic", _energy(balance.kinetic)),
+        ("in_motion.energy_elastic", _energy(balance.elastic)),
+        ("in_motion.energy_potential", _energy(balance.potential)),
+        ("in_motion.energy_by_drag", _energy(balance.drag)),
+        ("in_motion.energy_by_bed", _energy(balance.bed)),
+        ("in_motion.energy_by_friction", _energy(balance.friction)),
+        ("in_motion.energy_by_damping", _energy(balance.damping)),
+        ("in_motion.energy_numerical", _energy(balance.numerical)),
+        ("in_motion.energy_part", Cell(f"{part:.1e}", part)),
+    ]
+
+
+def _energy(value: float) -> Cell:
+    return Cell(f"{value / 1e3 + 0.0:.4g} kJ", value)
 
 
 def _uses(uses: Sequence[SegmentUse], words: Words) -> Table:
@@ -192,11 +228,13 @@ def _cases(moved: InMotion, words: Words) -> Table:
             solution.fairlead.tension, each.mean, each.std, each.minimum, each.maximum,
             each.most_probable_maximum,
         )  # fmt: skip
+        change = change_cell(part, each.quantity)
         used, larger = moved.used(index), part.amplification
         rows.append(
             (
                 Cell(part.name),
                 *(measured(_TENSION, value) for value in numbers),
+                change,
                 Cell("–") if larger is None else Cell(f"{larger:.3f}", larger),
                 Cell("–") if used is None else Cell(f"{used:.3f}", used),
             )
@@ -240,7 +278,7 @@ def _runs(moved: InMotion, part: DynamicPart, words: Words) -> Table:
         _unit(words, named("tension", "Largest fairlead tension", "")),
         Heading(words("in_motion.when"), is_number=True),
         _unit(words, named("tension", "Largest quasi-static fairlead tension", "")),
-        Heading(f"{words.name('Slack time')} (s)", is_number=True),
+        Heading(f"{words.name('Slack in all')} (s)", is_number=True),
         Heading(words.name("Steps"), is_number=True),
         Heading(words.name("Halvings"), is_number=True),
     )

@@ -197,7 +197,11 @@ def model_rows(moved: InMotion, run: DynamicRun, words: Words) -> list[Row]:
         ("in_motion.since", _in(run.history.since, "s")),
         ("in_motion.step", Cell(f"{run.history.step:.4g} s", run.history.step)),
         ("in_motion.scheme", Cell(words(scheme, radius=f"{dynamics.spectral_radius:g}"))),
-        ("in_motion.line_damping", _in(dynamics.damping_time, "s")),
+        (
+            "in_motion.line_damping",
+            Cell(f"{dynamics.critical_ratio:g}", dynamics.critical_ratio),
+        ),
+        ("in_motion.damping_time", _in(dynamics.damping_time, "s")),
         (
             "in_motion.bed_stiffness",
             Cell(words("in_motion.one_centimetre"))

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.figure import (
-    WIDTH,
     Figure,
     Frame,
     Legend,
     Point,
     Shape,
     axes,
+    breadth,
+    frame_in,
     line,
     number,
     path,
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 __all__ = ["around_the_largest", "envelope", "envelope_figure", "history_figure"]
 
 _TENSION = QUANTITIES["tension"]
+_HEIGHT = 376.0
 _CYCLES = 12.0
 """Cycles of the tension that are drawn around its largest value."""
 _MOST = 600
@@ -119,7 +121,7 @@ def history_figure(part: DynamicPart, at_rest: float, words: Words) -> Figure:
         "in_motion.window", a=f"{times[0]:.1f}", b=f"{times[-1]:.1f}",
         run=part.runs.index(run) + 1, runs=len(part.runs),
     ),)  # fmt: skip
-    return Figure("motion", title, 346.0, tuple(shapes), points, tuple(legend), notes)
+    return Figure("motion", title, _HEIGHT, tuple(shapes), points, tuple(legend), notes)
 
 
 def _told(words: Words, t: float, tension: float, still: float) -> str:
@@ -188,7 +190,7 @@ def envelope_figure(
         if use.capacity is not None and use.capacity > FAR * max(high)
     )  # fmt: skip
     return Figure(
-        "envelope", words("in_motion.envelope_alt", T=shown), 346.0, tuple(shapes), points,
+        "envelope", words("in_motion.envelope_alt", T=shown), _HEIGHT, tuple(shapes), points,
         tuple(legend), notes,
     )  # fmt: skip
 
@@ -203,8 +205,8 @@ def _allowed(
             left, right = frame.across(start), frame.across(end)
             level = frame.up(_TENSION.to_field(use.capacity))
             yield line("capacity", left, level, right, level)
-            if right - left > 110.0:
-                shown = _TENSION.format(use.capacity, unit=True)
+            shown = _TENSION.format(use.capacity, unit=True)
+            if right - left > breadth(shown):
                 yield text(shown, (left + right) / 2, level + 17, style="tick")
         start = end
 
@@ -237,4 +239,4 @@ def _frame(x: tuple[float, float], tensions: Sequence[float]) -> Frame:
     known = [each for each in tensions if each == each]
     top = 1.08 * _TENSION.to_field(max(known)) or 1.0
     low = min(0.0, 1.08 * _TENSION.to_field(min(known)))
-    return Frame(74.0, WIDTH - 18.0, 16.0, 290.0, x, (low, top))
+    return frame_in(_HEIGHT, x, (low, top))

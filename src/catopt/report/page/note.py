@@ -114,6 +114,7 @@ def read_note(
     verify: bool = True,
     swarm: bool | None = None,
     motion: bool | None = None,
+    once: bool | None = None,
     progress: Progress | None = None,
 ) -> Note:
     """Read a case file, or a design out of a result directory, and compute its note.
@@ -132,6 +133,8 @@ def read_note(
     swarm, motion : bool, optional
         Whether the particle swarm is put beside the closed form, and whether the line is run in
         time. When left out, a directory has what was asked for there, a case file neither.
+    once : bool, optional
+        Whether the line in motion is run without its proof; as in a directory when left out.
     progress : callable, optional
         Told how far the line in motion is and how far it goes.
 
@@ -142,7 +145,9 @@ def read_note(
     """
     there = asked_in(path)
     asked = Asked(
-        there.swarm if swarm is None else swarm, there.motion if motion is None else motion
+        there.swarm if swarm is None else swarm,
+        there.motion if motion is None else motion,
+        there.proof if once is None else "none" if once else "step",
     )
     if design is None and not (path / DESIGN_DOCUMENT).is_file():
         place = case_path(path)
@@ -197,7 +202,7 @@ def note_of(
     load_case, drawn = _drawn(case, checks)
     solution = solve_case(drawn)
     swarm = solve_case(drawn, "pso") if asked.swarm else None
-    motion = in_motion(case, checks, progress) if asked.motion else None
+    motion = in_motion(case, checks, asked.proof, progress) if asked.motion else None
     curve, curve_warnings = _curve(drawn, solution)
     verification, failure = _verification(drawn, load_case) if verify else (None, "")
     of_the_search = () if chosen is None else chosen.document["warnings"]
@@ -280,7 +285,8 @@ def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
     if failure:
         yield f"the line is not verified, for the truss model has no answer: {failure}"
     if verification is not None and not verification.is_settled:
-        yield "closed form and truss model differ: see the verification"
+        said = "differ" if verification.verdict == "differs" else "are not shown to agree"
+        yield f"closed form and truss model {said}: see the verification"
 
 
 def _swarm_doubts(swarm: Solution | None) -> Iterator[str]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.errors import InputError, Problem
+from catopt.verify.proof import Proof
 
 __all__ = ["Asked", "asked_in", "case_path"]
 
@@ -27,10 +28,13 @@ class Asked:
         The line by the particle swarm, too.
     motion : bool
         The line in motion, too.
+    proof : {"none", "step", "bars"}
+        How that is proven.
     """
 
     swarm: bool = False
     motion: bool = False
+    proof: Proof = "step"
 
 
 def case_path(path: Path) -> Path:
@@ -57,7 +61,11 @@ def asked_in(path: Path) -> Asked:
     """Read what was asked of the case of a result directory; nothing further of a case file."""
     solution = _document(path / _SOLUTION, "catopt.solution/")
     verification = _document(path / _VERIFICATION, "catopt.verify/")
-    return Asked(solution.get("method") == "pso", verification.get("dynamic") is not None)
+    dynamic = verification.get("dynamic")
+    swarm = solution.get("method") == "pso"
+    if dynamic is None:
+        return Asked(swarm)
+    return Asked(swarm, motion=True, proof=dynamic["load_cases"][0].get("proof", "step"))
 
 
 def _document(path: Path, schema: str) -> dict[str, Any]:

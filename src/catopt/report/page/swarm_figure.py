@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.figure import (
-    WIDTH,
     Figure,
     Frame,
     Legend,
     Point,
     Shape,
+    axis_titles,
+    frame_in,
     line,
     path,
     shape,
@@ -29,7 +30,12 @@ if TYPE_CHECKING:
 
 __all__ = ["swarm_figure"]
 
+_HEIGHT = 400.0
+_FOOT = 24.0
+"""Of the figure, and from its frame down to where an exact 0 stands."""
 _CONVERGED = 1e-9
+_ROUNDING = 1e-9
+"""Of a power of ten, so that 1e-9 is on the mark of -9 whatever a logarithm's last digit."""
 _MOST_DECADES = 8
 """Marks of the axis that are written."""
 _MOST_POINTS = 400
@@ -85,20 +91,20 @@ def swarm_figure(report: SwarmReport, words: Words) -> Figure:
         notes.append(words("swarm.zeros"))
     title = words("swarm.alt", f=QUANTITIES["objective"].format(history[-1], unit=True))
     points = tuple(_points(report, places, words))
-    return Figure("swarm", title, 370.0, tuple(shapes), points, legend, tuple(notes))
+    return Figure("swarm", title, _HEIGHT, tuple(shapes), points, legend, tuple(notes))
 
 
 def _scale(history: Sequence[float]) -> _Scale:
     """Lay the axis out so that all of the history and the limit are in it, with whole decades."""
     powers = [math.log10(f) for f in (*history, _CONVERGED) if f > 0.0]
-    low, high = math.floor(min(powers)), math.ceil(max(powers))
+    low, high = math.floor(min(powers) + _ROUNDING), math.ceil(max(powers) - _ROUNDING)
     has_zero = any(f == 0.0 for f in history)
-    bottom = 306.0
-    frame = Frame(
-        74.0, WIDTH - 18.0, 16.0, bottom - (34.0 if has_zero else 0.0),
-        (0.0, float(max(len(history), 2))), (float(low), float(max(high, low + 1))),
-    )  # fmt: skip
-    return _Scale(frame, bottom - 10.0 if has_zero else None)
+    frame = frame_in(
+        _HEIGHT - (_FOOT + 10.0 if has_zero else 0.0),
+        (0.0, float(max(len(history), 2))),
+        (float(low), float(max(high, low + 1))),
+    )
+    return _Scale(frame, frame.bottom + _FOOT if has_zero else None)
 
 
 def _axes(scale: _Scale, flown: int, words: Words) -> Iterator[Shape]:
@@ -123,11 +129,9 @@ def _axes(scale: _Scale, flown: int, words: Words) -> Iterator[Shape]:
     if scale.foot is not None:
         yield line("joint", frame.left, scale.foot, frame.right, scale.foot)
         yield text("0", frame.left - 7, scale.foot + 5, anchor="end", style="tick")
-    middle = (frame.left + frame.right) / 2
-    yield text(words.name("Iteration"), middle, bottom + 44, style="axis")
     quantity = named("objective", "Best objective")
     label = f"{words.name(quantity.name)} f ({quantity.field_unit})"
-    yield text(label, 17, (frame.top + bottom) / 2, style="axis", turn=-90)
+    yield from axis_titles(frame, words.name("Iteration"), label, below=bottom - frame.bottom)
 
 
 def _points(

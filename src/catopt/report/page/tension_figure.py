@@ -8,13 +8,14 @@ from typing import Any
 from catopt.quantities import QUANTITIES
 from catopt.report.page.capacity import allowed_tensions
 from catopt.report.page.figure import (
-    WIDTH,
     Figure,
     Frame,
     Legend,
     Point,
     Shape,
     axes,
+    breadth,
+    frame_in,
     line,
     path,
     text,
@@ -28,6 +29,7 @@ __all__ = ["FAR", "capacities", "tension_figure"]
 FAR = 2.5
 """A capacity above this multiple of the largest tension would press the curve to the axis."""
 _POINTS = 161
+_HEIGHT = 376.0
 
 
 def capacities(note: Note) -> list[float | None]:
@@ -43,7 +45,7 @@ def tension_figure(note: Note, words: Words) -> dict[str, Any]:
     largest = max(profile.tension)
     drawn = [each for each in allowed if each is not None and each <= FAR * largest]
     top = 1.08 * quantity.to_field(max([largest, *drawn])) or 1.0
-    frame = Frame(74.0, WIDTH - 18.0, 16.0, 290.0, (0.0, solution.line.length), (0.0, top))
+    frame = frame_in(_HEIGHT, (0.0, solution.line.length), (0.0, top))
     label = f"{words.name(quantity.name)} {quantity.symbol} ({quantity.field_unit})"
     shapes = axes(frame, f"{words.name('Arc length')} s (m)", label)
     shapes += _places(note, frame)
@@ -61,7 +63,7 @@ def tension_figure(note: Note, words: Words) -> dict[str, Any]:
     figure = Figure(
         "tension",
         words("tension.alt", tension=quantity.format(largest, unit=True)),
-        346.0,
+        _HEIGHT,
         tuple(shapes),
         points,
         tuple(_legend(note, words, bool(drawn))),
@@ -99,8 +101,8 @@ def _capacities(
                 frame.across(start), frame.across(end), frame.up(quantity.to_field(capacity))
             )  # fmt: skip
             yield line("capacity", left, level, right, level)
-            if right - left > 110.0:
-                words = quantity.format(capacity, unit=True)
+            words = quantity.format(capacity, unit=True)
+            if right - left > breadth(words):
                 yield text(words, (left + right) / 2, level + 17, style="tick")
         start = end
 

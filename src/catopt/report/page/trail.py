@@ -235,14 +235,25 @@ def _row(stretch: Stretch) -> Row:
     V2 = V1 + weight * length
     T1, T2 = math.hypot(H, V1), math.hypot(H, V2)
     m = T1 + T2
-    y = weight * length / m
-    dz = length * (V1 + V2) / m + 0.5 * length * (V1 + V2) * compliance
-    if abs(y) < _FLAT:
-        reach, equation = 2.0 * H * length / m * (math.atanh(y) / y if y else 1.0), "C6"
-    else:
-        reach, equation = H / weight * (math.asinh(V2 / H) - math.asinh(V1 / H)), "C3"
-    dx = reach + H * length * compliance
+    sine = (V1 + V2) / m if m > 0.0 else stretch.slope
+    dz = length * sine + 0.5 * length * (V1 + V2) * compliance
+    reach, equation = _reach(stretch, V2, m)
+    dx = (reach + H * length * compliance) * stretch.gathered
     return Row(stretch.piece + 1, False, length, weight, EA, V1, V2, T1, T2, dx, dz, equation)
+
+
+def _reach(stretch: Stretch, V2: float, m: float) -> tuple[float, str]:
+    """How far a hanging stretch reaches before it stretches, m, and by which equation."""
+    H, V1 = stretch.horizontal_force, stretch.vertical_force
+    length, weight = stretch.length, stretch.submerged_weight
+    if m == 0.0:  # neither weight nor force: straight, and as steep as its ends ask
+        return length * math.sqrt(1.0 - stretch.slope**2), "C6"
+    if H == 0.0:
+        return 0.0, "C3"
+    y = weight * length / m
+    if abs(y) < _FLAT:
+        return 2.0 * H * length / m * (math.atanh(y) / y if y else 1.0), "C6"
+    return H / weight * (math.asinh(V2 / H) - math.asinh(V1 / H)), "C3"
 
 
 def _sums(solution: Solution, rows: tuple[Row, ...]) -> Iterator[Step]:

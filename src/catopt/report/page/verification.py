@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured
-from catopt.report.tables.verify import QUANTITY_OF, ROUNDING, in_parts, part_sentence
+from catopt.report.tables.verify import QUANTITY_OF, in_parts, part_sentence
 from catopt.report.texts import Words
+from catopt.verify.compared import ROUNDING
 
 if TYPE_CHECKING:
     from catopt.verify.compared import Compared
@@ -88,8 +89,6 @@ def mesh_table(part: StaticComparison, words: Words) -> Table:
     return Table("meshes", headings, rows, words("verification.meshes"))
 
 
-def difference_cell(gap: float | None) -> Cell:
+def difference_cell(gap: float) -> Cell:
     """Show a difference over its scale; what is rounding is chance and has no value."""
-    if gap is None:
-        return Cell("–")
     return Cell(f"<{ROUNDING:.0e}") if gap < ROUNDING else Cell(in_parts(gap), gap)

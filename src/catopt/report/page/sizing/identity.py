@@ -16,6 +16,7 @@ from catopt.report.page.table import Cell, Heading, Table, measured
 from catopt.report.texts import Phrase, Words
 from catopt.report.wording.checks import governing_sentence, verdict_sentence
 from catopt.report.wording.design import change_words
+from catopt.ties import largest
 
 if TYPE_CHECKING:
     from catopt.sizing import Sizing
@@ -96,7 +97,7 @@ def found(of: Sizing, words: Words) -> Iterator[tuple[str, Quantity, float | Non
     line, segment = of.point.line, of.point.line.segments[0]
     name, solution = of.hardest
     pulls = [(each.fairlead.vertical_force, at) for at, each in of.point.checks.solutions]
-    pull, pulled = max(pulls, key=lambda each: each[0])
+    pull, pulled = largest(pulls, lambda each: each[0])
     yield words.name(_DIAMETER.name), _DIAMETER, segment.nominal_diameter, ""
     yield words.name(_LENGTH.name), _LENGTH, line.length, ""
     yield words.name("Line mass in air"), _MASS, line.mass, ""
@@ -104,7 +105,7 @@ def found(of: Sizing, words: Words) -> Iterator[tuple[str, Quantity, float | Non
     if of.excursion is not None:
         yield words.name("Excursion"), _LENGTH, of.excursion, ""
     forces = [(each.horizontal_force, at) for at, each in of.point.checks.solutions]
-    force, at = max(forces, key=lambda each: each[0])
+    force, at = largest(forces, lambda each: each[0])
     yield words("size_identity.force"), _FORCE, force, at
     yield words.name("Fairlead tension"), _FORCE, solution.fairlead.tension, name
     yield words.name("Largest tension"), _FORCE, of.largest_tension, ""

@@ -14,6 +14,7 @@ from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.put_in import put_in, typeset_formula, typeset_unit
 from catopt.report.page.table import Cell, Heading, Table, measured
 from catopt.report.texts import Phrase, Words
+from catopt.ties import first_largest
 
 if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads, Number
@@ -141,7 +142,7 @@ def sums(note: SizeNote, words: Words) -> Table:
         )
         for each in cases
     )
-    hardest = max(range(len(cases)), key=lambda index: cases[index].horizontal_force)
+    hardest = first_largest([each.horizontal_force for each in cases])
     return Table("size_sums", tuple(headings), rows, words("size_loads.sums"), hardest)
 
 

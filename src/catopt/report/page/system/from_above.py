@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 from catopt.quantities import QUANTITIES
-from catopt.report.page.figure import WIDTH, Frame, Shape, line, shape, text
+from catopt.report.page.figure import WIDTH, Frame, Shape, breadth, line, shape, text
+from catopt.ties import first_largest
 
 __all__ = [
     "arrow",
@@ -25,8 +26,7 @@ _HEAD = 11.0
 _LEAST = 25.0
 """Room that a number takes on the circle that it stands on."""
 _WORDS = 36.0
-_ROOM = 60.0
-"""Half the length of a force in words, and that in the large type of a phone."""
+"""Half the length of a force in words, about."""
 
 
 def scaled(
@@ -98,7 +98,7 @@ def _from_widest_gap(angles: Sequence[float]) -> list[int]:
         (angles[index] - angles[order[place - 1]]) % (2.0 * math.pi)
         for place, index in enumerate(order)
     ]
-    start = gaps.index(max(gaps))
+    start = first_largest(gaps)
     return order[start:] + order[:start]
 
 
@@ -162,12 +162,13 @@ def beside(
     x = start[0] + share * (end[0] - start[0])
     y = start[1] + share * (end[1] - start[1])
     if _is_steep(start, end):
-        if not _ROOM < x + side * _ROOM < WIDTH - _ROOM:
+        if not 0.0 < x + side * (11.0 + breadth(words)) < WIDTH:
             side = -side
         anchor = "start" if side > 0.0 else "end"
         yield text(words, x + side * 11.0, y + 5.0, anchor=anchor, style="measure")
     else:
-        x = min(max(x, _ROOM), WIDTH - _ROOM)
+        half = breadth(words) / 2.0
+        x = min(max(x, half), WIDTH - half)
         yield text(words, x, y - 11.0 if side > 0.0 else y + 24.0, style="measure")
 
 
@@ -204,8 +205,8 @@ def axes_mark(x: float, y: float) -> Iterator[Shape]:
 def scale_bar(frame: Frame, right: float, y: float) -> Iterator[Shape]:
     """Draw a bar of a round length that ends at a place, about a quarter of the frame."""
     most = (frame.x[1] - frame.x[0]) / 4.0
-    power = 10.0 ** math.floor(math.log10(most))
-    long = max(each * power for each in (1.0, 2.0, 5.0) if each * power <= most)
+    power = 10.0 ** math.floor(math.log10(most) + 1e-9)
+    long = max(each * power for each in (0.5, 1.0, 2.0, 5.0) if each * power <= most * (1 + 1e-9))
     length = frame.across(long) - frame.across(0.0)
     left = right - length
     yield shape("rect", "bar-scale", x=left, y=y - 5.0, width=length, height=5.0)

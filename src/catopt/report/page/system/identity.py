@@ -9,11 +9,12 @@ from typing import Any
 from catopt.quantities import QUANTITIES
 from catopt.report.page.identity import made_from, title_block
 from catopt.report.page.system.note import SystemNote
-from catopt.report.page.system.rounding import first_largest, heading_of
+from catopt.report.page.system.rounding import heading_of
 from catopt.report.page.table import Cell
 from catopt.report.texts import Phrase, Words
 from catopt.report.wording.checks import verdict_sentence
 from catopt.report.wording.names import METHODS
+from catopt.ties import first_largest
 
 __all__ = ["deciding", "force_words", "identity"]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.report.page.system.note import SystemNote
-from catopt.report.page.system.rounding import first_largest
 from catopt.report.page.system.watch_circle import response_cells, response_headings
 from catopt.report.page.table import Cell, Heading, Table
 from catopt.report.texts import Words
+from catopt.ties import first_largest
 
 __all__ = ["line_out"]
 

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.figure import (
-    WIDTH,
     Figure,
     Frame,
     Legend,
     Point,
     Shape,
     axes,
+    frame_in,
     line,
     path,
     shape,
@@ -28,6 +28,7 @@ __all__ = ["magnified"]
 
 _FLAT = 0.2
 """Height over span below which a line to scale shows little of its shape."""
+_HEIGHT = 402.0
 _POINTS = 161
 _BED = 0.06
 """Depth of the bed that is drawn, over the height."""
@@ -51,9 +52,7 @@ def magnified(solution: Solution, depth: float, words: Words) -> Figure | None:
     if top > _FLAT * (high - low):
         return None
     spare = 0.02 * (high - low)
-    frame = Frame(
-        74.0, WIDTH - 18.0, 16.0, 316.0, (low - spare, high + spare), (-_BED * top, 1.06 * top)
-    )
+    frame = frame_in(_HEIGHT, (low - spare, high + spare), (-_BED * top, 1.06 * top))
     factor = (frame.up(0.0) - frame.up(1.0)) / (frame.across(1.0) - frame.across(0.0))
     x, z = QUANTITIES["x"], QUANTITIES["z"]
     shapes = [
@@ -68,7 +67,7 @@ def magnified(solution: Solution, depth: float, words: Words) -> Figure | None:
     return Figure(
         "system_magnified",
         words("system_elevation.magnified", factor=f"{factor:.1f}"),
-        372.0,
+        _HEIGHT,
         tuple(shapes),
         points,
         tuple(_legend(solution, words)),

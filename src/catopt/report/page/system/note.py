@@ -226,4 +226,5 @@ def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
     if failure:
         yield f"the body is not verified, for the truss model has no answer: {failure}"
     if verification is not None and not verification.is_settled:
-        yield "closed form and truss model differ: see the verification"
+        said = "differ" if verification.verdict == "differs" else "are not shown to agree"
+        yield f"closed form and truss model {said}: see the verification"

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.figure import (
-    WIDTH,
     Figure,
     Frame,
     Legend,
     Point,
     Shape,
     axes,
+    frame_in,
     line,
     path,
     shape,
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["restoring"]
 
 _STYLES = ("curve first", "curve second")
+_HEIGHT = 422.0
 _EVERY = 4
 """One point in so many stands in the table; both ends and the middle are among them."""
 FORCE, OFFSET, TENSION = (QUANTITIES[key] for key in ("horizontal_force", "offset", "tension"))
@@ -57,7 +58,7 @@ def restoring(note: SystemNote, words: Words) -> dict[str, Any] | None:
     figure = Figure(
         "system_restoring",
         words("system_restoring.alt"),
-        392.0,
+        _HEIGHT,
         tuple(shapes),
         tuple(points),
         tuple(_legend(note, words)),
@@ -76,9 +77,7 @@ def _frame(note: SystemNote) -> Frame:
     offsets = [OFFSET.to_field(curve.offset[index]) for curve, index in drawn]
     forces = [FORCE.to_field(curve.force[index]) for curve, index in drawn]
     wide, tall = max(map(abs, offsets)) or 1.0, max(map(abs, forces)) or 1.0
-    return Frame(
-        106.0, WIDTH - 18.0, 16.0, 336.0, (-1.03 * wide, 1.03 * wide), (-1.05 * tall, 1.05 * tall)
-    )
+    return frame_in(_HEIGHT, (-1.03 * wide, 1.03 * wide), (-1.05 * tall, 1.05 * tall), left=90.0)
 
 
 def _zero(frame: Frame) -> Iterator[Shape]:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
-__all__ = ["first_largest", "heading_of", "without_rounding"]
+__all__ = ["heading_of", "without_rounding"]
 
 _NOTHING = 1e-9
 """In SI: metres, newtons and radians below it are rounding; over a size, a part of it."""
@@ -21,11 +20,3 @@ def heading_of(x: float, y: float) -> float:
     size = math.hypot(x, y)
     x, y = (0.0 if abs(each) <= _NOTHING * size else each for each in (x, y))
     return math.atan2(y, x)
-
-
-def first_largest(values: Sequence[float]) -> int:
-    """Find the first of the values that are the largest but for rounding."""
-    largest = max(values)
-    return next(
-        index for index, value in enumerate(values) if value >= largest - _NOTHING * abs(largest)
-    )

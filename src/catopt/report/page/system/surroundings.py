@@ -21,6 +21,7 @@ from catopt.report.page.system.from_above import (
     spread,
 )
 from catopt.report.texts import Words
+from catopt.ties import largest
 
 if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution
@@ -145,7 +146,7 @@ def _force(solution: SystemSolution, frame: Frame, words: str) -> Iterator[Shape
         place = middle_beside(start, end, side=side, share=0.8)
         return min(math.dist(place, number) for number in numbers)
 
-    yield from beside(words, start, end, side=max((1.0, -1.0), key=clear), share=0.8)
+    yield from beside(words, start, end, side=largest((1.0, -1.0), clear), share=0.8)
 
 
 def body_words(solution: SystemSolution, words: Words) -> str:

@@ -14,6 +14,7 @@ from catopt.report.page.verification import (
 )
 from catopt.report.tables.verify import QUANTITY_OF, part_sentence
 from catopt.report.texts import Words
+from catopt.verify.compared import worst_of
 
 if TYPE_CHECKING:
     from catopt.verify.result import StaticComparison
@@ -52,7 +53,7 @@ def _lines(part: StaticComparison, words: Words) -> Table:
     rows = []
     for index in range(len(part.lines)):
         own = [each for each in part.quantities if each.line == index]
-        worst = max(own, key=lambda each: each.gap / each.tolerance)
+        worst = worst_of(own)
         agrees = all(each.agrees for each in own)
         rows.append(
             (

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.quantities import QUANTITIES
 from catopt.report.page.figure import (
-    WIDTH,
     Figure,
     Frame,
     Legend,
     Point,
     Shape,
     axes,
+    frame_in,
     line,
     path,
     shape,
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 __all__ = ["allowed_at_fairlead", "watch_circle"]
 
 _ROUND = [60.0 * k for k in range(7)]
+_HEIGHT = 356.0
 _ROOM = 1.25
 """Radius of the drawing over the largest offset."""
 _EVERY = 10
@@ -92,7 +93,7 @@ def _tension(note: SystemNote, circle: WatchCircle, words: Words) -> Figure:
     allowed = allowed_at_fairlead(note)
     drawn = allowed if allowed is not None and allowed <= FAR * largest else None
     top = 1.08 * TENSION.to_field(max(largest, drawn or 0.0)) or 1.0
-    frame = Frame(74.0, WIDTH - 24.0, 16.0, 270.0, (0.0, 360.0), (0.0, top))
+    frame = frame_in(_HEIGHT, (0.0, 360.0), (0.0, top))
     label = in_unit(words("system_watch_circle.largest"), TENSION)
     degrees = [ANGLE.to_field(direction) for direction in circle.directions]
     places = [
@@ -118,7 +119,7 @@ def _tension(note: SystemNote, circle: WatchCircle, words: Words) -> Figure:
     return Figure(
         "system_round",
         words("system_watch_circle.tension_alt", tension=TENSION.format(largest, unit=True)),
-        326.0,
+        _HEIGHT,
         tuple(shapes),
         tuple(
             Point(*place, point_words(direction, each, words))
