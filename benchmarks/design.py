@@ -249,7 +249,7 @@ def _subsystem(line: Line, spans: list[float]) -> None:
             for k in owner
         ]
         leg.makeGeneric(list(pieces.length), types)
-        for joint, load in enumerate(pieces.load[1:-1], start=1):
+        for joint, load in enumerate(pieces.load[1 : len(pieces.length)], start=1):
             leg.pointList[joint].m = load / 9.80665
         leg.initialize()
         for span in spans:

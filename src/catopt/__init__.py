@@ -34,7 +34,6 @@ if TYPE_CHECKING:
         InputError,
         NoEquilibriumError,
         NotConvergedError,
-        TouchesTwiceError,
     )
     from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
     from catopt.mooring.solve import solve_system
@@ -58,7 +57,6 @@ __all__ = [
     "Site",
     "Solution",
     "System",
-    "TouchesTwiceError",
     "__version__",
     "check_case",
     "curve_case",
@@ -102,7 +100,6 @@ _HOMES = {
         "InputError",
         "NoEquilibriumError",
         "NotConvergedError",
-        "TouchesTwiceError",
     ),
     "catopt.model": ("Case", "Line", "Load", "PointLoad", "Segment", "Site", "System"),
     "catopt.mooring.solve": ("solve_system",),

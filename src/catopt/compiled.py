@@ -6,6 +6,7 @@ compiled too. One line is solved by the plain functions and never imports numba.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from functools import cache
 from types import FunctionType
@@ -113,14 +114,37 @@ def _is_kernel(value: object) -> bool:
 
 
 def _digest(function: FunctionType) -> str:
-    """Digest of the source files of a function and of all that it reaches."""
+    """Digest of the source files of a function, of what it reaches and of the tuples it handles."""
     import hashlib
     from pathlib import Path
 
+    reached = list(_reached(function))
+    sources = {each.__code__.co_filename for each in reached}
+    sources |= _tuple_sources({each.__module__ for each in reached})
     total = hashlib.sha256()
-    for source in sorted({each.__code__.co_filename for each in _reached(function)}):
+    for source in sorted(sources):
         total.update(Path(source).read_bytes())
     return total.hexdigest()[:12]
+
+
+def _tuple_sources(modules: set[str]) -> set[str]:
+    """Source files of the named tuples that modules know, and of those that these hold in turn.
+
+    Machine code is kept under the layout of its tuples, which is none of the functions' sources.
+    """
+    sources = set()
+    waiting = set(modules)
+    known: set[str] = set()
+    while waiting:
+        module = sys.modules[waiting.pop()]
+        known.add(module.__name__)
+        for value in vars(module).values():
+            if not isinstance(value, type) or not issubclass(value, tuple):
+                continue
+            if value.__module__.startswith(_PACKAGE):
+                sources.add(str(sys.modules[value.__module__].__file__))
+                waiting |= {value.__module__} - known
+    return sources
 
 
 def _reached(function: FunctionType) -> Iterator[FunctionType]:

@@ -4,7 +4,7 @@ CatoptError                 exit status 1: a fault of ours, when nothing below f
 ├── InputError              2: the input is wrong; every problem at once
 ├── NoAnswerError           3: the input is right, but nothing satisfies it
 │   ├── NoEquilibriumError      no line hangs so: says what is missing and by how much
-│   └── TouchesTwiceError       a buoy lifts the line off the bed between two touchdowns
+│   └── FloatsUpError           a buoy would float above the water surface
 └── NotConvergedError       4: a solver stopped short; never a result
 """
 
@@ -15,12 +15,12 @@ from dataclasses import dataclass
 
 __all__ = [
     "CatoptError",
+    "FloatsUpError",
     "InputError",
     "NoAnswerError",
     "NoEquilibriumError",
     "NotConvergedError",
     "Problem",
-    "TouchesTwiceError",
 ]
 
 
@@ -98,11 +98,8 @@ class NoEquilibriumError(NoAnswerError):
         super().__init__(message)
 
 
-class TouchesTwiceError(NoAnswerError):
-    """A buoyant piece lifts the line off the bed between two stretches that lie on it.
-
-    The closed form of a line with one touchdown does not hold there.
-    """
+class FloatsUpError(NoAnswerError):
+    """A buoy would float above the water surface, where nothing lifts it."""
 
 
 class NotConvergedError(CatoptError):

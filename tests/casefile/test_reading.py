@@ -154,6 +154,14 @@ def test_what_is_sought_arrives_in_si() -> None:
     assert (case.load, case.find) == (None, Find("touchdown_force"))
 
 
+def test_a_point_load_has_a_friction_of_its_own() -> None:
+    load = "\n[[line.point_loads]]\nsubmerged_weight = 5\nposition = 7\n"
+    assert parse_case(SHORTEST + load).line.point_loads[0].friction is None
+    assert parse_case(SHORTEST + load + "friction = 0.9").line.point_loads[0].friction == 0.9
+    with pytest.raises(InputError, match=r"line.point_loads\[0\].friction: found -0.1; "):
+        parse_case(SHORTEST + load + "friction = -0.1")
+
+
 def test_the_tanker_of_s3_seeks_its_length() -> None:
     """S3: h = 20 m, w = 2100 N/m, H = 450 kN, a clump weight 7 m from the anchor."""
     case = read_case(CASES / "tanker-20m-find-length" / "case.toml")

@@ -258,6 +258,7 @@ RUNS = st.builds(
     runs=st.integers(1, 10**9),
     seabed_stiffness=st.none() | POSITIVE,
     seabed_damping=st.none() | NOT_NEGATIVE,
+    line_damping=st.none() | NOT_NEGATIVE,
     damping_time=NOT_NEGATIVE,
 )
 
@@ -272,8 +273,11 @@ def lines(draw: st.DrawFn) -> Line:
         submerged_weight=ANY,
         mass=st.none() | NOT_NEGATIVE,
         name=TEXT,
+        friction=st.none() | NOT_NEGATIVE,
     )
-    return Line(segments, draw(st.lists(loads, max_size=3)))
+    # In one place there is one friction.
+    apart = st.lists(loads, max_size=3, unique_by=lambda load: load.position)
+    return Line(segments, draw(apart))
 
 
 @st.composite

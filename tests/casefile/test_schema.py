@@ -139,6 +139,7 @@ RENAMED: dict[tuple[type[Table], str], str] = {(SegmentTable, "diameter"): "nomi
 """Keys whose attribute has another name."""
 
 NOT_IN_THE_MODEL = {
+    (SegmentTable, "drag_axial_area"),  # the coefficient is brought to D when it is read
     (PointLoadTable, "density"),
     (AnchorTable, "density"),
     (ChecksTable, "code"),

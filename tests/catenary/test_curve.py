@@ -10,7 +10,7 @@ import pytest
 
 from catopt.catenary.curve import Curve, Mark, load_curve
 from catopt.catenary.solve import solve
-from catopt.errors import InputError, NoEquilibriumError, TouchesTwiceError
+from catopt.errors import InputError, NoEquilibriumError
 from catopt.model import Line, PointLoad, Segment
 
 TANKER = Line([Segment(55.0, 2100.0, MBL=1e6)])
@@ -161,10 +161,20 @@ def test_a_range_beyond_the_line_says_by_how_much() -> None:
     assert "let the range end below a span of 51.2348 m" in str(caught.value)
 
 
-def test_a_buoy_that_lifts_the_line_twice_is_named() -> None:
+def test_a_buoy_lifts_the_line_off_the_bed_between_two_stretches() -> None:
+    """At 1 kN chain lies on both sides of the buoy; at 100 kN the line only touches at the anchor.
+
+    20 kN of lift hold up 20 m of the chain, 10 m on each side of the buoy at 40 m.
+    """
     line = Line([Segment(100.0, 1000.0)], [PointLoad(40.0, -20e3)])
-    with pytest.raises(TouchesTwiceError, match="at a horizontal force of 1000 N: the buoy"):
-        over_force(line, 1e3, 1e5)
+    curve = over_force(line, 1e3, 1e5)
+    assert curve.regime[0] == "grounded-in-parts"
+    assert curve.regime[-1] != "grounded-in-parts"
+    assert [mark.kind for mark in curve.marks].count("regime") >= 1
+    first = solve(line, height=20.0, horizontal_force=1e3)
+    lying = [(s.start, s.start + s.length) for s in first.stretches if s.on_bed]
+    assert lying[0] == pytest.approx((0.0, 30.0), abs=1e-9)
+    assert lying[1][0] == pytest.approx(50.0, abs=1e-9)
 
 
 def test_an_empty_range_is_refused() -> None:

@@ -10,8 +10,9 @@ import pytest
 
 from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
-from catopt.errors import NoAnswerError, NoEquilibriumError
+from catopt.errors import NoEquilibriumError
 from catopt.model import Line, PointLoad, Segment
+from tests.campaign.oracle import check
 
 # S1: 9.5 m of water, 20 m of chain, 0.343 tf. w = 9.5 kgf/m is identified, not printed.
 W = 9.5 * STANDARD_GRAVITY
@@ -199,16 +200,48 @@ def test_a_buoy_does_not_pull_an_anchor_on_the_bed_down() -> None:
     assert regimes == ["grounded"] * 4 + ["suspended"] * 2
 
 
-def test_a_span_that_friction_above_one_jumps_over_is_named() -> None:
+def test_a_span_that_friction_above_one_jumps_over_is_held() -> None:
     """Raised anchor, mu = 1.16: 1 - mu dV/dH at the anchor changes sign, so the line slides.
 
-    By the force the span is seen to jump: neighbouring forces have spans on both sides of it.
+    By the force the span is seen to jump: neighbouring forces have spans on both sides of it. Held
+    at a span between them the line rests all the same, and the answer says that it would slide.
     """
     line = Line([Segment(20.0, 1.0)])
     at = partial(solve, line, height=0.2, anchor_height=0.4, seabed_friction=1.16)
-    with pytest.raises(NoAnswerError, match=r"no equilibrium has just this span.*slides"):
-        at(span=19.65)
+    held = at(span=19.65)
+    assert check(held, "span", 19.65).is_right
+    (warning,) = [each for each in held.warnings if "slides there" in each]
+    assert f"span of {at(horizontal_force=held.horizontal_force).span:.6g} m" in warning
     spans = [at(horizontal_force=0.01 * 1.001**k).span for k in range(8000)]
     below = max(span for span in spans if span < 19.65)
     above = min(span for span in spans if span > 19.65)
     assert above - below > 0.05
+
+
+def test_every_span_between_the_sides_of_a_jump_has_its_line() -> None:
+    """Along the force at the anchor every span is passed, where friction is above 1, too.
+
+    One chain, closed form: with V(H) = sqrt(w h (w h + 2 H)) at the fairlead and alike at the
+    anchor, friction leaves H_anchor = H - mu (w L - V - V_down).
+    """
+    w, length, height, anchor, mu = 30.0, 1.8, 0.6, 0.34, 1.3
+
+    def span(H_anchor: float) -> float:
+        down = math.sqrt(w * anchor * (w * anchor + 2 * H_anchor))
+        held = H_anchor + mu * (w * length - down)
+        # H + mu V(H) = held, a quadratic equation for H
+        b = held + mu**2 * w * height
+        H = b - math.sqrt(b * b - held * held + (mu * w * height) ** 2)
+        up = math.sqrt(w * height * (w * height + 2 * H))
+        lies = length - (up + down) / w
+        return lies + H / w * math.asinh(up / H) + H_anchor / w * math.asinh(down / H_anchor)
+
+    for wanted in (0.5, 1.0, 2.0, 5.0, 10.0):
+        found = solve(
+            Line([Segment(length, w)]),
+            height=height,
+            anchor_height=anchor,
+            seabed_friction=mu,
+            span=span(wanted),
+        )
+        assert found.anchor.horizontal_force == pytest.approx(wanted, rel=1e-7)

@@ -31,6 +31,8 @@ from catopt.model import (
     SegmentChoice,
     SinkerChoice,
 )
+from catopt.model.design import SearchMethod
+from catopt.report.texts import Words
 from tests.design.small_cases import small_case
 
 SINKERS = SinkerChoice((50e3, 150e3, 250e3, 400e3), 2400.0, 0.6, 1.5)
@@ -85,7 +87,40 @@ def test_what_is_announced_before_the_search() -> None:
     assert told == [
         "enumeration of 300 designs, less than a second",
         "nsga2: 50 evaluations in a space of 300 designs",
+        "enumeration would be exact: 300 designs, less than a second",
     ]
+
+
+@pytest.mark.parametrize("method", ["nsga2", "swarm"])
+def test_a_search_that_reaches_every_design_enumerates(method: SearchMethod) -> None:
+    """Its front is that of enumeration, and the answer says what was done instead of what."""
+    exact = design_case(small_case())
+    searched = design_case(small_case(), method=method, evaluations=300)
+    assert (searched.method, searched.is_exact) == ("enumeration", True)
+    assert [p.genes for p in searched.front] == [p.genes for p in exact.front]
+    said = (
+        f"{method} was asked for with 300 evaluations, which are no fewer than the 300 designs: "
+        "all of them were enumerated instead, which is exact"
+    )
+    assert said in searched.warnings
+    assert said not in exact.warnings
+    assert Words("vi").sentence(said).lang == ""
+
+
+@pytest.mark.parametrize("method", ["nsga2", "swarm"])
+def test_a_search_by_name_says_that_enumeration_is_exact(method: SearchMethod) -> None:
+    searched = design_case(small_case(population=20), method=method, evaluations=299)
+    said = (
+        f"the front of {method} is approximate; all 300 designs can be enumerated, which is exact "
+        "(--method enumeration)"
+    )
+    assert searched.method == method
+    assert said in searched.warnings
+    assert Words("vi").sentence(said).lang == ""
+    beyond = design_case(
+        small_case(population=20, max_enumerated=299), method=method, evaluations=60
+    )
+    assert said not in beyond.warnings
 
 
 def test_the_recommended_design_is_on_the_front_and_is_explained() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
@@ -147,6 +148,8 @@ def _segment(table: SegmentTable, component: Component | None) -> Segment:
     given.pop("component", None)
     if "diameter" in given:
         given["nominal_diameter"] = given.pop("diameter")
+    if given.pop("drag_axial_area", "D") == "pi D":
+        given["drag_axial"] *= math.pi
     return Segment(**(_figures(component) if component else {}) | given)
 
 

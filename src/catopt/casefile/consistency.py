@@ -163,6 +163,9 @@ def _segment(place: Place) -> Iterator[Finding]:
         example = Dimension.FORCE_PER_LENGTH.example
         wanted = f"a weight per length is wanted, such as {example}, or a component"
         yield Finding((*path, "submerged_weight"), "", f"missing; {wanted}")
+    if "drag_axial_area" in segment and "drag_axial" not in segment:
+        allowed = "goes with drag_axial, which is missing; the catalogue's has its own area"
+        yield Finding((*path, "drag_axial_area"), as_written(segment["drag_axial_area"]), allowed)
 
 
 def _weight(schema: type[Table], place: Place) -> Iterator[Finding]:

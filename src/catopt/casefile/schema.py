@@ -111,6 +111,10 @@ class SiteTable(Table):
     water_density: Density | None = None
 
 
+DRAG_AREAS = ("D", "pi D")
+"""Area per length with which a coefficient of drag along the line goes."""
+
+
 class SegmentTable(Table):
     """A uniform stretch of the line."""
 
@@ -140,6 +144,7 @@ class SegmentTable(Table):
     drag_diameter: Length | None = None
     drag_normal: Coefficient | None = None
     drag_axial: Coefficient | None = None
+    drag_axial_area: Annotated[str, OneOf(DRAG_AREAS)] | None = None
     added_mass_normal: Coefficient | None = None
     added_mass_axial: Coefficient | None = None
 
@@ -154,6 +159,7 @@ class PointLoadTable(Table):
     submerged_weight: Annotated[float, Measured(Dimension.FORCE)] | None = None
     mass: Annotated[float, Measured(Dimension.MASS, at_least=0.0)] | None = None
     density: Density | None = None
+    friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
 
 
 class LineTable(Table):
@@ -449,6 +455,7 @@ class DynamicsTable(Table):
     seabed_damping: (
         Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.0)] | None
     ) = None
+    line_damping: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
     damping_time: Annotated[float, Measured(Dimension.TIME, at_least=0.0)] | None = None
 
 

@@ -106,6 +106,7 @@ def _point_load(load: PointLoad) -> Iterator[str]:
     yield from measured("position", load.position, "m")
     yield from measured("submerged_weight", load.submerged_weight, "N")
     yield from measured("mass", load.mass, "kg")
+    yield from measured("friction", load.friction)
 
 
 def _load(load: Load) -> Iterator[str]:
@@ -236,6 +237,7 @@ def _dynamics(dynamics: Dynamics) -> Iterator[str]:
     yield from whole("runs", dynamics.runs)
     yield from measured("seabed_stiffness", dynamics.seabed_stiffness, "N/m^2")
     yield from measured("seabed_damping", dynamics.seabed_damping, "N*s/m^2")
+    yield from measured("line_damping", dynamics.line_damping)
     yield from measured("damping_time", dynamics.damping_time, "s")
 
 

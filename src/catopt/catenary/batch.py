@@ -10,15 +10,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from catopt.catenary.closing import BY_SPAN, BY_TENSION
-from catopt.catenary.many import BY_FORCE, COLUMNS, fill
+from catopt.catenary.closing import BY_FORCE, BY_SPAN, BY_TENSION
+from catopt.catenary.many import COLUMNS, fill
 from catopt.catenary.pieces import Pieces
+from catopt.catenary.runs import ROWS_PER_PIECE, Runs
 from catopt.catenary.state import CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
 from catopt.model import Line
 
-__all__ = ["Solutions", "solve_many"]
+__all__ = ["Solutions", "room_for_runs", "solve_many"]
 
 Numbers = npt.ArrayLike
 Array = npt.NDArray[np.float64]
@@ -44,6 +45,9 @@ class Solutions:
         Residual: computed less wanted height of the fairlead, m.
     flexibility : ndarray, shape (n, 2, 2)
         d(span, height)/d(H, V) at the fairlead, m/N. Its inverse is the end stiffness.
+    force_uncertainty : ndarray
+        By how much the rounding of the input to double precision may move the forces at the
+        fairlead, N.
     """
 
     status: npt.NDArray[np.int64]
@@ -56,6 +60,7 @@ class Solutions:
     anchor_horizontal_force: Array
     anchor_vertical_force: Array
     flexibility: Array
+    force_uncertainty: Array
 
     @property
     def converged(self) -> npt.NDArray[np.bool_]:
@@ -84,10 +89,11 @@ class Solutions:
 
     @property
     def stiffness(self) -> Array:
-        """End stiffness d(H, V)/d(span, height) in N/m, shape (n, 2, 2)."""
+        """End stiffness d(H, V)/d(span, height) in N/m, shape (n, 2, 2); nan where slack."""
         x_H, x_V = self.flexibility[:, 0, 0], self.flexibility[:, 0, 1]
         z_H, z_V = self.flexibility[:, 1, 0], self.flexibility[:, 1, 1]
-        inverse = np.array([[z_V, -x_V], [-z_H, x_H]]) / (x_H * z_V - x_V * z_H)
+        with np.errstate(invalid="ignore"):
+            inverse = np.array([[z_V, -x_V], [-z_H, x_H]]) / (x_H * z_V - x_V * z_H)
         return np.moveaxis(inverse, 2, 0)
 
     def regime(self, index: int) -> str | None:
@@ -149,12 +155,14 @@ def solve_many(
     regime = np.empty(count, dtype=np.int64)
     out = np.empty((count, len(COLUMNS)))
     loop = compiled(fill)
+    grips = _vector([-1.0 if p.friction is None else p.friction for p in line.point_loads])
 
     def run(first: int, end: int) -> None:
         size = tables[0].shape[1] + tables[3].shape[1]
-        room = Pieces(np.empty(size), np.empty(size), np.empty(size), np.empty(size + 1))
+        room = Pieces(np.empty(size), np.empty(size), np.empty(size), np.empty(2 * size + 2))
         owner = np.empty(size, dtype=np.int64)
-        loop(known, *columns, *tables, room, owner, first, end, status, regime, out)
+        runs = room_for_runs(size)
+        loop(known, *columns, *tables, grips, room, owner, runs, first, end, status, regime, out)
 
     _share(run, count, workers)
     return Solutions(
@@ -168,7 +176,22 @@ def solve_many(
         anchor_horizontal_force=out[:, 5],
         anchor_vertical_force=out[:, 6],
         flexibility=out[:, 7:11].reshape(count, 2, 2),
+        force_uncertainty=out[:, 11],
     )
+
+
+def room_for_runs(pieces: int) -> Runs:
+    """Make work space for the runs of a line.
+
+    Parameters
+    ----------
+    pieces : int
+        How many pieces it has.
+    """
+    rows = ROWS_PER_PIECE * pieces
+    whole = [np.zeros(rows, dtype=np.int64) for _ in range(2)]
+    columns = [np.zeros(rows) for _ in range(5)]
+    return Runs(*whole, *columns)
 
 
 def _known(*given: Numbers | None) -> tuple[int, Numbers]:

@@ -23,7 +23,7 @@ def solve_case(
     *,
     progress: Callable[[int], None] | None = None,
 ) -> Solution:
-    """Solve a case; errors as for `solve`.
+    """Solve a case; errors as for `solve`, and FloatsUpError for a buoy above the water surface.
 
     When the case seeks something (`case.find`), the answer is the line with what was found. A case
     without load is solved under its first load case, with a warning that says so.

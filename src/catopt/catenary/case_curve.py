@@ -14,7 +14,8 @@ from catopt.catenary.curve import Array, Curve, Over, check_range, load_curve
 from catopt.catenary.find import find_limit_force
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.errors import InputError, NoAnswerError, Problem, TouchesTwiceError
+from catopt.catenary.surface import check_buoys
+from catopt.errors import FloatsUpError, InputError, NoAnswerError, Problem
 from catopt.model import Case
 from catopt.quantities import QUANTITIES
 
@@ -182,6 +183,9 @@ def curve_case(
     check_range(first, last, points, "N" if over == "force" else "m", zero)
     kernel_over: Over = "horizontal_force" if over == "force" else "span"
     curve = _load_curve(case, reference, kernel_over, first, last, points)
+    if any(load.submerged_weight < 0.0 for load in reference.line.point_loads):
+        for force in curve.horizontal_force:
+            _at(case, reference, float(force))
     return CaseCurve(case, over, words, reference, curve)
 
 
@@ -223,31 +227,33 @@ def _size(case: Case, reference: Solution) -> tuple[float, str]:
 
 
 def _least_force(case: Case, reference: Solution, least: float) -> tuple[float, str]:
-    """Return a force from `least` up at which the closed form holds, N, and why if it is above."""
+    """Return a force from `least` up at which no buoy floats up, N, and why if it is above."""
     low, high = least, max(reference.horizontal_force, least)
     try:
         _at(case, reference, low)
         return low, ""
-    except TouchesTwiceError:
+    except FloatsUpError:
         pass
     while high > 1.001 * low:
         middle = math.sqrt(low * high)
         try:
             _at(case, reference, middle)
             high = middle
-        except TouchesTwiceError:
+        except FloatsUpError:
             low = middle
-    return high, f"from {_kN(high)}, below which the line touches the bed twice"
+    return high, f"from {_kN(high)}, below which a buoy floats above the water"
 
 
 def _at(case: Case, reference: Solution, force: float) -> Solution:
-    return solve(
+    found = solve(
         reference.line,
         height=case.fairlead_height,
         horizontal_force=force,
         seabed_friction=case.site.seabed_friction,
         anchor_height=case.anchor_height,
     )
+    check_buoys(found.line, (load.z for load in found.point_loads), case.site.water_depth)
+    return found
 
 
 def _stepped(case: Case, reference: Solution, over: Stepped, force: float) -> float:

@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from catopt.catenary.closing import BY_FORCE, BY_SPAN
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
@@ -28,7 +29,6 @@ from catopt.errors import (
     NoEquilibriumError,
     NotConvergedError,
     Problem,
-    TouchesTwiceError,
 )
 from catopt.model import Line
 
@@ -131,7 +131,7 @@ def load_curve(
     ------
     InputError
         When the range is empty or there are too few or too many points.
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         When a point of the range has no answer; as `solve` has it there.
     """
     check_range(start, stop, points, "m" if over == "span" else "N")
@@ -225,7 +225,10 @@ class _Way:
     def largest_tension(self, value: float, segment: int) -> float:
         """Largest tension in a segment at a value, N."""
         state = self.state(value)
-        laid = solution_of(state, self.line, self.setting, self.segment_of, method="closed-form")
+        known = BY_SPAN if self.over == "span" else BY_FORCE
+        laid = solution_of(
+            state, self.line, self.setting, self.segment_of, method="closed-form", known=known
+        )
         return laid.segments[segment].max_tension
 
     def _solved(self, value: float) -> State:
@@ -253,7 +256,7 @@ class _Way:
         except NoEquilibriumError as stop:
             told = f"{self._at(value)}{stop}{self._farthest()}"
             raise NoEquilibriumError(told, stop.quantity, stop.missing) from stop
-        except (TouchesTwiceError, NotConvergedError) as stop:
+        except NotConvergedError as stop:
             raise type(stop)(f"{self._at(value)}{stop}") from stop
 
     def mark(self, kind: MarkKind, event: str, at: float) -> Mark:

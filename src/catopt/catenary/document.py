@@ -58,7 +58,11 @@ def solution_document(solution: Solution, *, with_profile: bool = False) -> dict
             }
             for load in solution.point_loads
         ],
-        "residual": {"height_m": solution.residual.height, "span_m": solution.residual.span},
+        "residual": {
+            "height_m": solution.residual.height,
+            "span_m": solution.residual.span,
+            "force_uncertainty_N": solution.residual.force_uncertainty,
+        },
         "warnings": list(solution.warnings),
     }
     if solution.found is not None:

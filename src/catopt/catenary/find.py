@@ -1,27 +1,21 @@
 """The questions turned round: which length, force or clump weight gives what is wanted.
 
-Each is one bracketed root (Brent, scipy) of a quantity that rises or falls with the unknown, over
-the closed form; each answer carries the line it belongs to and what is left of its condition.
+Each is one bracketed root (`sought`) over the closed form; each answer carries the line it belongs
+to and what is left of its condition.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from typing import Literal
+from dataclasses import replace
+from itertools import takewhile
 
-from catopt.catenary.solution import FoundQuantity, Solution
+from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.errors import (
-    InputError,
-    NoAnswerError,
-    NoEquilibriumError,
-    NotConvergedError,
-    Problem,
-    TouchesTwiceError,
-)
-from catopt.model import Case, Line, Load, PointLoad
+from catopt.catenary.sought import Condition, Found, Sought, find
+from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
+from catopt.model import Case, Line, Load, PointLoad, Segment
 
 __all__ = [
     "Found",
@@ -32,27 +26,6 @@ __all__ = [
     "find_touchdown_force",
     "with_segment_length",
 ]
-
-ROUNDING = 4.0 * 2.0**-52
-FAR = 1e9
-"""How many times its natural size an unknown may grow before it is called out of reach."""
-
-
-@dataclass(frozen=True)
-class Found(FoundQuantity):
-    """An unknown that meets a condition, with the line that has it.
-
-    Attributes
-    ----------
-    solution : Solution
-        The line with this value.
-    """
-
-    solution: Solution = field(kw_only=True)
-
-    def alone(self) -> FoundQuantity:
-        """Return the quantity without its line."""
-        return FoundQuantity(self.quantity, self.value, self.condition, self.residual, self.number)
 
 
 def find_length(
@@ -105,16 +78,14 @@ def find_length(
         )
 
     if anchor_angle is not None:
-        condition = f"inclination at the anchor {math.degrees(anchor_angle):.6g} deg"
-        miss = _angle_miss(anchor_angle)
+        condition = _angle_of(anchor_angle)
     else:
         assert grounded_length is not None
-        condition = f"grounded length {grounded_length:.6g} m"
-        miss = _grounded_miss(grounded_length)
+        condition = _grounded_of(grounded_length)
     shortest = _shortest(line, index, abs(height - anchor_height))
     start = max(line.segments[index].length, shortest * (1.0 + 1e-6))
-    sought = _Sought("length", condition, at, miss, falls=True, number=index + 1)
-    return _find(sought, start, shortest)
+    sought = Sought("length", condition, at, falls=True, number=index + 1)
+    return find(sought, start, shortest)
 
 
 def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 0.0) -> Found:
@@ -134,8 +105,8 @@ def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 
     def at(force: float) -> Solution:
         return solve(line, height=height, horizontal_force=force, seabed_friction=seabed_friction)
 
-    sought = _Sought("horizontal_force", "touchdown at the anchor", at, _angle_miss(0.0))
-    return _find(sought, abs(line.submerged_weight), 0.0)
+    condition = _angle_of(0.0)._replace(text="touchdown at the anchor")
+    return find(Sought("horizontal_force", condition, at), abs(line.submerged_weight), 0.0)
 
 
 def find_clump_weight(
@@ -183,18 +154,75 @@ def find_clump_weight(
             anchor_height=anchor_height,
         )
 
-    miss = _angle_miss(anchor_angle)
-    condition = f"inclination at the anchor {math.degrees(anchor_angle):.6g} deg"
+    condition = _angle_of(anchor_angle)._replace(reading=_angle_over_clump(index))
     without = at(0.0)
-    if miss(without)[0] <= 0.0:
+    if condition.miss(without)[0] <= 0.0:
         raise NoAnswerError(
             f"no clump weight is needed: without it the inclination at the anchor is "
             f"{math.degrees(without.anchor.angle):.4g} deg, not above the "
             f"{math.degrees(anchor_angle):.4g} deg asked for"
         )
+    if horizontal_force is not None:
+        _check_heaviest(without, line.point_loads[index].position, condition)
     size = max(abs(line.submerged_weight), 1e-3 * without.fairlead.tension)
-    sought = _Sought("clump_weight", condition, at, miss, falls=True, number=index + 1)
-    return _find(sought, size, 0.0)
+    return find(Sought("clump_weight", condition, at, falls=True, number=index + 1), size, 0.0)
+
+
+def _check_heaviest(without: Solution, position: float, condition: Condition) -> None:
+    """Refuse where even a clump weight without bound leaves too much angle at the anchor.
+
+    Under a known horizontal force it draws the line above it straight down, and the anchor angle
+    falls with its weight all the way. What does not stretch keeps it off the bed where it is
+    shorter than the fairlead is high: then the part below is a line of its own up to that place.
+
+    Parameters
+    ----------
+    without : Solution
+        The line without the clump weight.
+    position : float
+        Of the clump weight, m from the anchor.
+    condition : Condition
+        That the anchor angle is to meet.
+    """
+    below, above = _parted(without.line, position)
+    over_bed = without.fairlead_height - math.fsum(part.length for part in above)
+    if any(math.isfinite(part.EA) for part in above) or over_bed <= 0.0:
+        return
+    try:
+        left = solve(
+            below,
+            height=over_bed,
+            horizontal_force=without.horizontal_force,
+            seabed_friction=without.seabed_friction,
+            anchor_height=without.anchor_height,
+        )
+    except CatoptError:
+        return  # the part below does not reach up there, or floats: the search itself will tell
+    if condition.miss(left)[0] > 0.0:
+        length = math.fsum(part.length for part in above)
+        raise NoAnswerError(
+            f"no clump weight gives {condition.text}: even one without bound only draws the "
+            f"{length:.6g} m of line above it straight down, hangs {over_bed:.4g} m above the bed "
+            f"and leaves {math.degrees(left.anchor.angle):.4g} deg at the anchor. Move it towards "
+            "the anchor, or give a longer line."
+        )
+
+
+def _parted(line: Line, position: float) -> tuple[Line, tuple[Segment, ...]]:
+    """Part a line at a place: the line below it, and the segments above."""
+    below: list[Segment] = []
+    above: list[Segment] = []
+    joint = 0.0
+    for segment in line.segments:
+        start, joint = joint, joint + segment.length
+        for part, length in (
+            (below, min(joint, position) - start),
+            (above, joint - max(start, position)),
+        ):
+            if length > 0.0:
+                part.append(replace(segment, length=length))
+    loads = [load for load in line.point_loads if load.position < position]
+    return Line(below, loads), tuple(above)
 
 
 def find_limit_force(
@@ -242,13 +270,16 @@ def find_limit_force(
             anchor_height=anchor_height,
         )
 
-    def miss(solution: Solution) -> tuple[float, float]:
-        used = [solution.segments[k].max_tension / limit for k, limit in limits.items()]
-        return max(used) - 1.0, 1.0
+    def used(solution: Solution) -> float:
+        return max(solution.segments[k].max_tension / limit for k, limit in limits.items())
 
     which = "a segment" if segment is None else f"segment {chosen[0] + 1}"
-    sought = _Sought("horizontal_force", f"{which} at MBL / {safety_factor:g}", at, miss)
-    return _find(sought, 0.5 * min(limits.values()), 0.0)
+    condition = Condition(
+        f"{which} at MBL / {safety_factor:g}",
+        lambda solution: (used(solution) - 1.0, 1.0),
+        lambda solution: f"at {used(solution):.4g} times that",
+    )
+    return find(Sought("horizontal_force", condition, at), 0.5 * min(limits.values()), 0.0)
 
 
 def with_segment_length(line: Line, segment: int, length: float) -> Line:
@@ -323,25 +354,46 @@ def find_case(case: Case) -> Found:
     )
 
 
-Miss = Callable[[Solution], tuple[float, float]]
-"""What is missing of a condition, positive above it, and the size to measure it by."""
+def _angle_of(angle: float) -> Condition:
+    """Ask for an inclination at the anchor.
 
-
-def _angle_miss(angle: float) -> Miss:
-    """Vertical force at the anchor above the one wanted; below 0, what lies on the bed counts."""
+    The vertical force above the one wanted is missing; below 0, what lies on the bed counts.
+    """
 
     def miss(solution: Solution) -> tuple[float, float]:
         V = solution.anchor.vertical_force
         if solution.regime in ("grounded", "on-bed", "slack"):
             V = solution.fairlead.vertical_force - solution.line.submerged_weight
+        elif solution.stretches[0].on_bed:
+            V = -_weight_at_anchor(solution)
         wanted = solution.horizontal_force * math.tan(angle)
         return V - wanted, solution.fairlead.tension
 
-    return miss
+    return Condition(f"inclination at the anchor {math.degrees(angle):.6g} deg", miss, _angle_text)
 
 
-def _grounded_miss(length: float) -> Miss:
-    """Grounded length short of the one wanted; of a lifted line, what would lift it further."""
+def _weight_at_anchor(solution: Solution) -> float:
+    """Weight of the line on the bed between the anchor and where it first leaves the bed, N."""
+    lying = list(takewhile(lambda stretch: stretch.on_bed, solution.stretches))
+    return math.fsum(stretch.submerged_weight * stretch.length for stretch in lying)
+
+
+def _angle_text(solution: Solution) -> str:
+    return f"{math.degrees(solution.anchor.angle):.4g} deg"
+
+
+def _angle_over_clump(index: int) -> Callable[[Solution], str]:
+    """Say with the anchor angle where the clump weight is."""
+
+    def reading(solution: Solution) -> str:
+        z = solution.point_loads[index].z
+        return f"{_angle_text(solution)}, with the clump weight {z:.4g} m above the bed"
+
+    return reading
+
+
+def _grounded_of(length: float) -> Condition:
+    """Ask for a grounded length; of a lifted line, what would lift it further is missing."""
 
     def miss(solution: Solution) -> tuple[float, float]:
         total = solution.line.length
@@ -350,89 +402,11 @@ def _grounded_miss(length: float) -> Miss:
         weight = abs(solution.line.submerged_weight) / total
         return length + abs(solution.anchor.vertical_force) / max(weight, 1e-300), total
 
-    return miss
-
-
-@dataclass(frozen=True)
-class _Sought:
-    """An unknown, and how the condition put on it depends on it.
-
-    Attributes
-    ----------
-    quantity, condition, number
-        As in `FoundQuantity`.
-    at : callable
-        The line with a value of the unknown.
-    miss : callable
-        What is missing of the condition.
-    falls : bool
-        Whether what is missing falls as the unknown grows.
-    """
-
-    quantity: Literal["length", "clump_weight", "horizontal_force"]
-    condition: str
-    at: Callable[[float], Solution]
-    miss: Miss
-    falls: bool = False
-    number: int | None = None
-
-    def error(self, value: float) -> float:
-        """Say what is missing at a value, with the sign that makes it rise with the value."""
-        try:
-            missing = self.miss(self.at(value))[0]
-        except NoEquilibriumError as stop:
-            if self.quantity == "horizontal_force":
-                raise  # no force mends what is missing
-            # Too short a line pulls without bound; too little tension lifts nothing.
-            missing = math.inf if stop.quantity == "length" else -math.inf
-        except TouchesTwiceError:
-            if self.quantity != "horizontal_force":
-                raise
-            missing = -math.inf  # too little force to lift what lies between the touchdowns
-        return -missing if self.falls else missing
-
-    def none(self) -> NoAnswerError:
-        """Say that no value meets the condition."""
-        return NoAnswerError(f"no {self.quantity.replace('_', ' ')} gives {self.condition}")
-
-
-def _find(sought: _Sought, start: float, least: float) -> Found:
-    """Bracket the root by growing strides away from `least`, then close in on it."""
-    from scipy.optimize import brentq
-
-    low, high = _bracket(sought, start, least)
-    value = float(brentq(sought.error, low, high, xtol=ROUNDING * high, rtol=ROUNDING))
-    solution = sought.at(value)
-    left, size = sought.miss(solution)
-    if abs(left) > 1e-8 * size:
-        raise NotConvergedError(
-            f"the search for the {sought.quantity.replace('_', ' ')} stopped where the condition, "
-            f"{sought.condition}, is missed by {left / size:.3g}"
-        )
-    return Found(
-        sought.quantity, value, sought.condition, left / size, sought.number, solution=solution
+    return Condition(
+        f"grounded length {length:.6g} m",
+        miss,
+        lambda solution: f"{solution.grounded_length:.6g} m",
     )
-
-
-def _bracket(sought: _Sought, start: float, least: float) -> tuple[float, float]:
-    """Values with the error below and above 0, both finite."""
-    error = sought.error
-    high = start
-    while error(high) < 0.0:
-        high = least + 2.0 * (high - least)
-        if high > FAR * max(start, 1.0):
-            raise sought.none()
-    low = start
-    while error(low) > 0.0:
-        low = least + 0.5 * (low - least)
-        if low - least < start / FAR:
-            raise sought.none()
-    while math.isinf(error(low)):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            raise sought.none()
-        low, high = (middle, high) if error(middle) <= 0.0 else (low, middle)
-    return low, high
 
 
 def _shortest(line: Line, segment: int, rise: float) -> float:

@@ -5,18 +5,20 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
-from catopt.catenary.closing import BY_SPAN
+from catopt.catenary.closing import BY_FORCE, BY_SPAN
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.pieces import Pieces, split
+from catopt.catenary.pieces import Pieces, split, total_length
+from catopt.catenary.rounding import force_uncertainty
+from catopt.catenary.runs import Runs, runs_misfit, runs_of
 from catopt.catenary.setting import Setting
 from catopt.catenary.span import given_span
-from catopt.catenary.state import INVALID, failed
+from catopt.catenary.state import CONVERGED, IN_PARTS, INVALID, NOT_CONVERGED, State, failed
 from catopt.catenary.tension import given_tension
 
-__all__ = ["BY_FORCE", "COLUMNS", "fill"]
+__all__ = ["COLUMNS", "RESIDUAL_LIMIT", "fill"]
 
-BY_FORCE: Final = 2
-"""What is known of each line, beside closing.BY_SPAN (0) and closing.BY_TENSION (1)."""
+RESIDUAL_LIMIT: Final = 1e-9
+"""How far the line, laid out from its anchor, may miss its fairlead, as a part of its length."""
 
 COLUMNS: Final = (
     "H",
@@ -30,6 +32,7 @@ COLUMNS: Final = (
     "x_V",
     "z_H",
     "z_V",
+    "force_uncertainty",
 )
 """Names of the columns that `fill` writes, as in State."""
 
@@ -45,8 +48,10 @@ def fill(
     compliance: Any,
     position: Any,
     point_weight: Any,
+    point_friction: Any,
     pieces: Pieces,
     owner: Any,
+    runs: Runs,
     first: int,
     end: int,
     status: Any,
@@ -63,13 +68,15 @@ def fill(
         Per line.
     length, weight, compliance, position, point_weight : array, shape (n or 1, segments or loads)
         Per line, or one row for all.
-    pieces, owner
-        Work space for one line (pieces.split).
+    point_friction : array, shape (loads,)
+        Coulomb coefficients of the point loads of all lines; below 0 for that of the bed.
+    pieces, owner, runs
+        Work space for one line (pieces.split, runs.runs_of).
     first, end : int
         Range of lines.
     status, regime : array of int, shape (n,)
         Written to.
-    out : array, shape (n, 11)
+    out : array, shape (n, 12)
         Written to; COLUMNS names its columns.
     """
     nan = math.nan
@@ -91,6 +98,8 @@ def fill(
             and _are_segments(row_length, row_weight, row_compliance)
             and _are_point_loads(row_position, row_point_weight, row_length)
         )
+        if is_valid and known != BY_FORCE:
+            is_valid = _weighs(row_weight, row_point_weight)
         if is_valid:
             split(
                 row_length,
@@ -98,6 +107,7 @@ def fill(
                 row_compliance,
                 row_position,
                 row_point_weight,
+                point_friction,
                 pieces,
                 owner,
             )
@@ -110,6 +120,10 @@ def fill(
             state = given_span(wanted[i], setting, nan, nan)
         else:
             state = given_tension(wanted[i], setting)
+        if state.touchdown == IN_PARTS and not _is_laid_well(
+            state, setting, runs, known, wanted[i]
+        ):
+            state = failed(NOT_CONVERGED)
         status[i] = state.status
         regime[i] = state.regime
         out[i, 0] = state.H
@@ -123,6 +137,20 @@ def fill(
         out[i, 8] = state.x_V
         out[i, 9] = state.z_H
         out[i, 10] = state.z_V
+        out[i, 11] = math.nan
+        if state.status == CONVERGED:
+            out[i, 11] = force_uncertainty(state, setting, known)
+
+
+def _is_laid_well(state: State, setting: Setting, runs: Runs, known: int, wanted: float) -> bool:
+    """Whether a line in parts, laid out from its anchor, meets its fairlead.
+
+    One that is not in parts does: that is what equilibrium.is_certain asks of it.
+    """
+    size = total_length(setting.pieces)
+    span = wanted if known == BY_SPAN else state.span
+    height, along = runs_misfit(state, setting, runs, runs_of(state, setting, runs), span)
+    return max(abs(height), abs(along)) <= RESIDUAL_LIMIT * max(size, span)
 
 
 def _are_segments(length: Any, weight: Any, compliance: Any) -> bool:
@@ -133,6 +161,16 @@ def _are_segments(length: Any, weight: Any, compliance: Any) -> bool:
         if not 0.0 <= compliance[k] < math.inf:
             return False
     return True
+
+
+def _weighs(weight: Any, point_weight: Any) -> bool:
+    """Whether anything of the line has a weight: otherwise its shape does not tell the force."""
+    if len(point_weight) > 0:
+        return True
+    for k in range(len(weight)):
+        if weight[k] != 0.0:
+            return True
+    return False
 
 
 def _are_point_loads(position: Any, point_weight: Any, length: Any) -> bool:

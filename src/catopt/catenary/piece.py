@@ -8,6 +8,8 @@ and nothing cancels for w -> 0 or V2 -> V1 (docs/theory.md, "Stable forms"):
     dz = l S / m + c l S / 2
     dx = (2 H l / m) atanh(y) / y + c H l,    y = w l / m
 
+Without horizontal force the piece hangs straight: dz is exact as it stands, dx is 0.
+
 Plain functions of floats: they serve one line as they are and thousands of lines compiled.
 """
 
@@ -18,7 +20,7 @@ from typing import NamedTuple
 
 from catopt.compiled import inlined
 
-__all__ = ["PieceReach", "atanh_excess", "piece_reach", "rise_by_V"]
+__all__ = ["PieceReach", "atanh_excess", "piece_reach", "piece_rise", "rise_by_V"]
 
 
 class PieceReach(NamedTuple):
@@ -63,6 +65,27 @@ def piece_reach(
         -H * S * q_by_TT,
         rise_by_V(H, V1, V2, T1 + T2, TT, length) + cl,
     )
+
+
+@inlined
+def piece_rise(
+    H: float, V1: float, V2: float, length: float, compliance: float, slope: float
+) -> float:
+    """Height of the upper end of a hanging piece above its lower end, m; H may be 0.
+
+    Parameters
+    ----------
+    H, V1, V2 : float
+        Forces on the piece, N.
+    length, compliance : float
+        Unstretched length, m, and 1/EA, 1/N.
+    slope : float
+        Sine of the inclination of a piece without weight or force, which may take any.
+    """
+    m = math.sqrt(H * H + V1 * V1) + math.sqrt(H * H + V2 * V2)
+    if m == 0.0:
+        return slope * length
+    return (V1 + V2) * (length / m + 0.5 * compliance * length)
 
 
 @inlined

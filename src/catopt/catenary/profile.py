@@ -61,6 +61,8 @@ def stretched_length(stretch: Stretch) -> float:
         return length * (1.0 + stretch.compliance * 0.5 * (T1 + T2))
     S = 2.0 * V1 + stretch.submerged_weight * length
     m = T1 + T2
+    if m == 0.0:
+        return length
     dx = end_of(stretch, length)[0] - stretch.x - stretch.compliance * H * length
     integral = 0.5 * (H * dx + 0.5 * length * m + 0.5 * length * S * S / m)
     return length + stretch.compliance * integral

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.setting import Setting
-from catopt.catenary.state import JUMPS, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, TOUCHES_TWICE
+from catopt.catenary.state import NOT_CONVERGED, TOO_HEAVY, TOO_SHORT
 from catopt.catenary.tension import least_tension
 from catopt.errors import (
     CatoptError,
-    NoAnswerError,
     NoEquilibriumError,
     NotConvergedError,
-    TouchesTwiceError,
 )
 from catopt.model import Line, Load
 
@@ -37,8 +35,7 @@ def refusal(status: int, line: Line, load: Load, setting: Setting) -> CatoptErro
         )
     if status == TOO_HEAVY:
         assert load.fairlead_tension is not None
-        at_least, _ = least_tension(load.fairlead_tension, setting)
-        least = math.hypot(at_least.H, at_least.V)
+        least = least_tension(setting, load.fairlead_tension)
         missing = least - load.fairlead_tension
         return NoEquilibriumError(
             f"the fairlead tension of {load.fairlead_tension:.6g} N is {missing:.6g} N too small: "
@@ -46,19 +43,6 @@ def refusal(status: int, line: Line, load: Load, setting: Setting) -> CatoptErro
             "fairlead weighs. Give at least that much, or a lighter line.",
             "force",
             missing,
-        )
-    if status == TOUCHES_TWICE:
-        return TouchesTwiceError(
-            f"{_first_buoyant(line)} lifts the line off the bed between two stretches that lie on "
-            "it. The closed form holds for one stretch on the bed; move the buoyant part towards "
-            "the fairlead, make it smaller, or pull harder."
-        )
-    if status == JUMPS:
-        return NoAnswerError(
-            "no equilibrium has just this "
-            f"{'span' if load.span is not None else 'fairlead tension'}: with a seabed friction of "
-            f"{setting.friction:g} the line between its raised anchor and the bed slides from one "
-            "side of it to the other. Give the horizontal force, or a friction below 1."
         )
     assert status == NOT_CONVERGED
     return NotConvergedError("the closed form did not converge; please report this case")
@@ -71,15 +55,3 @@ def _too_short(length: float, distance: float, load: Load) -> str:
     if missing > 0.0:
         return f"{head}: it is {missing:.6g} m too short. Give it more than that."
     return f"{head}: just as long, so that no finite force draws it straight. Give it some slack."
-
-
-def _first_buoyant(line: Line) -> str:
-    for index, load in enumerate(line.point_loads):
-        if load.submerged_weight < 0.0:
-            name = f" ({load.name})" if load.name else ""
-            return f"the buoy line.point_loads[{index}]{name} at {load.position:g} m"
-    for index, segment in enumerate(line.segments):
-        if segment.submerged_weight < 0.0:
-            name = f" ({segment.name})" if segment.name else ""
-            return f"the buoyant segment line.segments[{index}]{name}"
-    return "a buoyant part"

@@ -7,7 +7,9 @@ from dataclasses import replace
 from typing import Literal
 
 from catopt.catenary.layout import end_of, lay_out
+from catopt.catenary.pieces import joints_of
 from catopt.catenary.profile import max_tension, stretched_length
+from catopt.catenary.rounding import force_uncertainty
 from catopt.catenary.setting import Setting
 from catopt.catenary.solution import (
     EndState,
@@ -16,11 +18,10 @@ from catopt.catenary.solution import (
     SegmentState,
     Solution,
 )
-from catopt.catenary.state import REGIMES, State
+from catopt.catenary.state import BELOW_ANCHOR, REGIMES, SUSPENDED, State
 from catopt.catenary.stretch import Stretch
-from catopt.catenary.walk import NO_TOUCHDOWN
 from catopt.catenary.warnings import above_water, plausibility
-from catopt.model import Case, Line
+from catopt.model import Case, Line, PointLoad
 
 __all__ = ["solution_of", "under_case"]
 
@@ -35,6 +36,7 @@ def solution_of(
     segment_of: tuple[int, ...],
     *,
     method: Literal["closed-form", "pso"],
+    known: int,
 ) -> Solution:
     """Lay out a line from its anchor and say by how much it misses its fairlead.
 
@@ -46,8 +48,10 @@ def solution_of(
         The line, where it is moored, and how it was cut.
     method : str
         How it was solved.
+    known : int
+        What was given of its load, as for `rounding.force_uncertainty`.
     """
-    stretches = lay_out(state, setting.pieces, setting.anchor_height, setting.friction)
+    stretches = lay_out(state, setting)
     x, z = end_of(stretches[-1], stretches[-1].length)
     solution = Solution(
         line=line,
@@ -63,9 +67,13 @@ def solution_of(
         suspended_length=line.length - state.grounded,
         stretched_length=math.fsum(stretched_length(stretch) for stretch in stretches),
         segments=_segments(line, segment_of, stretches),
-        point_loads=_point_loads(line, stretches, state.touchdown != NO_TOUCHDOWN),
+        point_loads=_point_loads(line, stretches, state.regime not in (SUSPENDED, BELOW_ANCHOR)),
         stretches=stretches,
-        residual=Residual(height=z - setting.fairlead_height, span=x - state.span),
+        residual=Residual(
+            height=z - setting.fairlead_height,
+            span=x - state.span,
+            force_uncertainty=force_uncertainty(state, setting, known),
+        ),
     )
     return solution.with_warnings(plausibility(solution))
 
@@ -103,18 +111,24 @@ def _segments(
 def _point_loads(
     line: Line, stretches: tuple[Stretch, ...], touches: bool
 ) -> tuple[PointLoadState, ...]:
+    """State of each point load; what the bed carries in one place is shared by weight."""
     states = []
-    for load in line.point_loads:
-        upper = min(
-            (stretch for stretch in stretches if stretch.length > 0.0),
-            key=lambda stretch: abs(stretch.start - load.position),
-        )
-        below = next(s for s in reversed(stretches) if s.start < upper.start and s.length > 0.0)
+    hung = [stretch for stretch in stretches if stretch.length > 0.0]
+    for load, joint in zip(line.point_loads, joints_of(line), strict=True):
+        below = [stretch for stretch in hung if stretch.piece < joint][-1]
+        upper = next((stretch for stretch in hung if stretch.piece >= joint), None)
+        x, z = end_of(below, below.length) if upper is None else (upper.x, upper.z)
         carried = 0.0
-        if abs(upper.z) <= AT_BED * line.length and touches:
+        if abs(z) <= AT_BED * line.length and touches and load.submerged_weight > 0.0:
+            here = [each.submerged_weight for each in line.point_loads if _at(each, load)]
             # What the line does not lift on its two sides, the bed carries.
             V_below = below.vertical_force + below.submerged_weight * below.length
-            lifted = 0.0 if upper.on_bed else upper.vertical_force
-            carried = load.submerged_weight - lifted + (0.0 if below.on_bed else V_below)
-        states.append(PointLoadState(load.name, load.position, upper.x, upper.z, carried))
+            lifted = 0.0 if upper is None or upper.on_bed else upper.vertical_force
+            carried = math.fsum(here) - lifted + (0.0 if below.on_bed else V_below)
+            carried *= load.submerged_weight / math.fsum(max(weight, 0.0) for weight in here)
+        states.append(PointLoadState(load.name, load.position, x, z, carried))
     return tuple(states)
+
+
+def _at(one: PointLoad, other: PointLoad) -> bool:
+    return one.position == other.position

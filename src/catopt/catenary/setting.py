@@ -7,7 +7,10 @@ from typing import NamedTuple
 from catopt.catenary.pieces import Pieces, has_buoyancy
 from catopt.compiled import inlined
 
-__all__ = ["Setting", "is_plain"]
+__all__ = ["GREATEST_FORCE", "LEAST_FORCE", "Setting", "is_plain"]
+
+LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
+"""N: beyond them products of forces leave the range of double precision."""
 
 
 class Setting(NamedTuple):

@@ -27,6 +27,7 @@ Regime = Literal[
     "grounded-between",
     "on-bed",
     "slack",
+    "grounded-in-parts",
 ]
 
 
@@ -78,10 +79,20 @@ class PointLoadState:
 
 @dataclass(frozen=True)
 class Residual:
-    """By how much the line, laid out piece by piece from the anchor, misses the fairlead; m."""
+    """How exactly the equilibrium is met.
+
+    Attributes
+    ----------
+    height, span : float
+        By how much the line, laid out piece by piece from the anchor, misses the fairlead, m.
+    force_uncertainty : float
+        By how much the rounding of the input to double precision may move the forces at the
+        fairlead, N; large for a nearly taut line that does not stretch.
+    """
 
     height: float
     span: float
+    force_uncertainty: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import math
 
+from catopt.catenary.closing import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.many import RESIDUAL_LIMIT
 from catopt.catenary.pieces import cut
 from catopt.catenary.refusal import refusal
 from catopt.catenary.result import solution_of
-from catopt.catenary.setting import Setting
+from catopt.catenary.setting import GREATEST_FORCE, LEAST_FORCE, Setting, is_plain
 from catopt.catenary.solution import Solution
 from catopt.catenary.span import given_span
-from catopt.catenary.state import CONVERGED, State
-from catopt.catenary.tension import given_tension
+from catopt.catenary.state import CONVERGED, TURNED, State
+from catopt.catenary.tension import given_tension, other_forces
+from catopt.catenary.warnings import other_tensions, slides
 from catopt.errors import NotConvergedError
 from catopt.model import Line, Load
 from catopt.model.validity import Findings
 
 __all__ = ["solve"]
-
-LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
-"""N: beyond them products of forces leave the range of double precision."""
-
-RESIDUAL_LIMIT = 1e-9
-"""How far the laid-out line may miss the fairlead, as a part of its length."""
 
 
 def solve(
@@ -68,8 +65,6 @@ def solve(
         When arguments are missing, contradictory or out of range; all of them at once.
     NoEquilibriumError
         When no line hangs so; it says how much length or force is missing.
-    TouchesTwiceError
-        When a buoyant part lifts the line off the bed between two stretches that lie there.
     NotConvergedError
         When the solver stopped short of its tolerance.
 
@@ -87,14 +82,28 @@ def solve(
     state = _solve(load, setting)
     if state.status != CONVERGED:
         raise refusal(state.status, line, load, setting)
-    solution = solution_of(state, line, setting, segment_of, method="closed-form")
+    known = BY_FORCE
+    if load.horizontal_force is None:
+        known = BY_TENSION if load.span is None else BY_SPAN
+    solution = solution_of(state, line, setting, segment_of, method="closed-form", known=known)
     worst = max(abs(solution.residual.height), abs(solution.residual.span))
     if not worst <= RESIDUAL_LIMIT * max(line.length, solution.span):
         raise NotConvergedError(
             f"the line misses its fairlead by {worst:.3g} m after the last step; "
             "please report this case"
         )
-    return solution
+    return solution.with_warnings(_other_answers(solution, state, load, setting))
+
+
+def _other_answers(
+    solution: Solution, state: State, load: Load, setting: Setting
+) -> tuple[str, ...]:
+    """Warn of the other equilibria that the line has under the same load."""
+    if state.touchdown == TURNED:
+        return slides(solution, given_force(state.H, setting).span)
+    if load.fairlead_tension is None or is_plain(setting):
+        return ()
+    return other_tensions(solution, other_forces(load.fairlead_tension, setting, state))
 
 
 def _check(

@@ -5,20 +5,12 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.closing import BY_SPAN, close_in, newton
-from catopt.catenary.equilibrium import given_force
+from catopt.catenary.equilibrium import given_force, hang_slack, without_force
 from catopt.catenary.lift import grounded_guess, top_weight
 from catopt.catenary.pieces import Pieces, is_inextensible, total_length, total_weight
-from catopt.catenary.setting import Setting, is_plain
-from catopt.catenary.slack import hang_slack, without_force
-from catopt.catenary.state import (
-    CONVERGED,
-    NOT_CONVERGED,
-    SLACK,
-    TOO_SHORT,
-    TOUCHES_TWICE,
-    State,
-    failed,
-)
+from catopt.catenary.setting import GREATEST_FORCE, LEAST_FORCE, Setting, is_plain
+from catopt.catenary.sliding import from_its_anchor, turned_back
+from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State, failed
 
 __all__ = ["given_span"]
 
@@ -45,37 +37,47 @@ def given_span(
     rise = setting.fairlead_height - setting.anchor_height
     if is_inextensible(pieces) and math.sqrt(span * span + rise * rise) >= length:
         return failed(TOO_SHORT)
-    if span < length - _least_hanging(setting):
+    if span <= (1.0 + 2.0**-50) * length - _least_hanging(setting):
         slack = hang_slack(setting)
-        if slack.status == CONVERGED and span <= slack.span:
-            return without_force(slack, SLACK, span)
+        if slack.status == CONVERGED and span <= slack.span + 2.0**-50 * length:
+            return without_force(slack, span)
     if math.isnan(H_guess):
         H_guess, V_guess = _guess(span, rise, pieces)
     if rise > 0.0 and is_plain(setting):
         state = newton(BY_SPAN, span, setting, H_guess, V_guess)
         if state.status == CONVERGED:
             return state
-    low, high = _bracket(span, setting, H_guess)
-    if not low < high:
+    below, above = _enclosed(span, setting, H_guess)
+    if math.isnan(above):
         return failed(NOT_CONVERGED)
-    state = close_in(BY_SPAN, span, setting, low, high)
-    if state.status != TOUCHES_TWICE:
-        return state
-    # It may touch twice between two ranges of force in which it does not: look at each range.
-    low, high = _bracket_by_scan(span, setting)
-    if not low < high:
-        return state
-    return close_in(BY_SPAN, span, setting, low, high)
+    if math.isnan(below):
+        return given_force(above, setting)
+    state = close_in(BY_SPAN, span, setting, below, above)
+    if state.status == NOT_CONVERGED and setting.friction > 0.0:
+        return _while_sliding(span, setting)
+    return state
+
+
+def _while_sliding(span: float, setting: Setting) -> State:
+    """Solve a line for a span that its equilibria under a rising force leave out."""
+    other_way = from_its_anchor(setting)
+    below, above = _enclosed(span, other_way, math.nan)
+    if math.isnan(below) or math.isnan(above):
+        return failed(NOT_CONVERGED)
+    state = close_in(BY_SPAN, span, other_way, below, above)
+    return turned_back(state) if state.status == CONVERGED else state
 
 
 def _least_hanging(setting: Setting) -> float:
-    """Return a length that surely hangs when the line is slack, stretch allowed for, m."""
+    """Return a length that surely hangs straight when the line is slack, before its stretch, m."""
     pieces = setting.pieces
     weight = 0.0
     softest = 0.0
     for k in range(len(pieces.length)):
         weight += abs(pieces.length[k] * pieces.weight[k]) + abs(pieces.load[k])
         softest = max(softest, pieces.compliance[k])
+        if pieces.weight[k] == 0.0:
+            return 0.0  # what weighs nothing may hang at any slope
     return (
         (setting.fairlead_height + setting.anchor_height) / (1.0 + softest * weight) * (1.0 - 1e-12)
     )
@@ -112,45 +114,29 @@ def _guess(span: float, rise: float, pieces: Pieces) -> tuple[float, float]:
     return H, grounded_guess(H, pieces, max(rise, 0.0))
 
 
-def _bracket(
-    span: float,
-    setting: Setting,
-    guess: float,
-) -> tuple[float, float]:
-    """Horizontal forces below and above the one that gives a span, by growing strides; N."""
-    H = guess if guess > 0.0 else max(abs(total_weight(setting.pieces)), 1e-9)
-    low, high = 0.0, math.inf
+def _enclosed(span: float, setting: Setting, guess: float) -> tuple[float, float]:
+    """Horizontal forces with a smaller and with a larger span, by growing strides, N.
+
+    The lower one is nan where the span is the largest one without force, but for rounding; the
+    upper one is nan where none is found.
+    """
+    scale = max(abs(total_weight(setting.pieces)), 1e-9)
+    H = guess if LEAST_FORCE < guess < GREATEST_FORCE else scale
+    below, above = math.nan, math.nan
     factor = 2.0
-    while low == 0.0 or math.isinf(high):
-        if not 1e-200 < H < 1e200:
-            return math.nan, math.nan
-        state = given_force(H, setting)
-        if state.status == CONVERGED and state.span >= span:
-            high = H
-            H /= factor
-        elif state.status in (CONVERGED, TOUCHES_TWICE):
-            low = H
-            H *= factor
-        else:
-            return math.nan, math.nan
-        factor = min(factor * factor, 1e8)
-    return low, high
-
-
-def _bracket_by_scan(
-    span: float,
-    setting: Setting,
-) -> tuple[float, float]:
-    """Neighbouring forces of a scan, both with an answer, whose spans lie on both sides; or nan."""
-    H = 1e-6 * max(abs(total_weight(setting.pieces)), 1e-9)
-    below = math.nan
-    for _ in range(150):
+    while math.isnan(below) or math.isnan(above):
         state = given_force(H, setting)
         if state.status != CONVERGED:
-            below = math.nan
-        elif state.span < span:
+            return math.nan, math.nan
+        if state.span >= span:
+            above = H
+            if H == LEAST_FORCE:
+                return math.nan, above
+            H = max(H / factor, LEAST_FORCE)
+        else:
             below = H
-        elif not math.isnan(below):
-            return below, H
-        H *= 1.25
-    return math.nan, math.nan
+            if H == GREATEST_FORCE:
+                return below, math.nan
+            H = min(H * factor, GREATEST_FORCE)
+        factor = min(factor * factor, 1e8)
+    return below, above

@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from typing import Final, NamedTuple
 
+from catopt.catenary.part import NO_TOUCHDOWN
+
 __all__ = [
     "BELOW_ANCHOR",
     "CONVERGED",
     "GROUNDED",
     "GROUNDED_BETWEEN",
+    "GROUNDED_IN_PARTS",
     "INVALID",
-    "JUMPS",
+    "IN_PARTS",
     "NOT_CONVERGED",
     "ON_BED",
     "REASONS",
@@ -20,7 +23,7 @@ __all__ = [
     "SUSPENDED",
     "TOO_HEAVY",
     "TOO_SHORT",
-    "TOUCHES_TWICE",
+    "TURNED",
     "State",
     "failed",
 ]
@@ -29,18 +32,14 @@ __all__ = [
 CONVERGED: Final = 0
 TOO_SHORT: Final = 1
 TOO_HEAVY: Final = 2
-TOUCHES_TWICE: Final = 3
-NOT_CONVERGED: Final = 4
-INVALID: Final = 5
-JUMPS: Final = 6
+NOT_CONVERGED: Final = 3
+INVALID: Final = 4
 REASONS: Final = (
     None,
     "too short: the line does not reach from the anchor to the fairlead",
     "too heavy: what hangs from the fairlead weighs more than the tension given",
-    "touches twice: a buoyant part lifts the line off the bed between two stretches on it",
     "not converged",
     "invalid input: a number is missing, not finite or out of range",
-    "jumps: the line slides on the bed from one side of the span or tension given to the other",
 )
 
 # Regime: how the line hangs (docs/regimes.md); an index into REGIMES.
@@ -50,6 +49,7 @@ GROUNDED: Final = 2
 GROUNDED_BETWEEN: Final = 3
 ON_BED: Final = 4
 SLACK: Final = 5
+GROUNDED_IN_PARTS: Final = 6
 REGIMES: Final = (
     "suspended",
     "below-anchor",
@@ -57,7 +57,14 @@ REGIMES: Final = (
     "grounded-between",
     "on-bed",
     "slack",
+    "grounded-in-parts",
 )
+
+IN_PARTS: Final = -3
+"""Touchdown of a line that is a chain of parts, which upper_part.py and lower_part.py find."""
+
+TURNED: Final = -4
+"""Touchdown of a line in parts that was solved from its anchor (sliding.py)."""
 
 
 class State(NamedTuple):
@@ -77,11 +84,11 @@ class State(NamedTuple):
         Unstretched length on the bed, m.
     H_anchor, V_anchor : float
         Forces on the anchor end, N.
-    touchdown, anchor_touchdown : int
-        Touchdown codes (walk.py) from the fairlead and, for a raised anchor, from the anchor
-        with the pieces counted from the fairlead.
+    touchdown : int
+        Where the walk down from the fairlead ends (walk.py), or IN_PARTS or TURNED.
     x_H, x_V, z_H, z_V : float
-        Derivatives of span and height by H and V at the fairlead, m/N.
+        Derivatives of span and height by H and V at the fairlead, m/N; 0 where H is 0 and
+        for a line that was solved from its anchor.
     """
 
     status: int
@@ -94,7 +101,6 @@ class State(NamedTuple):
     H_anchor: float
     V_anchor: float
     touchdown: int
-    anchor_touchdown: int
     x_H: float
     x_V: float
     z_H: float
@@ -104,4 +110,4 @@ class State(NamedTuple):
 def failed(status: int) -> State:
     """Return a state that carries no answer."""
     nan = math.nan
-    return State(status, 0, nan, nan, nan, nan, nan, nan, nan, 0, 0, nan, nan, nan, nan)
+    return State(status, 0, nan, nan, nan, nan, nan, nan, nan, NO_TOUCHDOWN, nan, nan, nan, nan)

@@ -28,7 +28,9 @@ class Stretch:
     piece : int
         Which piece of the line it belongs to, counted from the anchor.
     gathered : float
-        Distance over length: 1, or less where a slack line lies in bights on the bed.
+        Part of its reach that is used: below 1 where a slack line lies in bights on the bed.
+    slope : float
+        Sine of the inclination of a stretch that has neither weight nor force.
     """
 
     start: float
@@ -43,6 +45,7 @@ class Stretch:
     on_bed: bool
     piece: int = 0
     gathered: float = 1.0
+    slope: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from catopt.catenary.part import NO_TOUCHDOWN
 from catopt.catenary.piece import piece_reach, rise_by_V
-from catopt.catenary.pieces import Pieces
+from catopt.catenary.pieces import Pieces, grip
 from catopt.compiled import inlined
 
-__all__ = ["FIRST_TOUCHDOWN", "NO_TOUCHDOWN", "Bed", "Walk", "drop", "lie", "lowest", "walk"]
+__all__ = ["FIRST_TOUCHDOWN", "Bed", "Walk", "drop", "lie", "walk"]
 
-NO_TOUCHDOWN = -1
 FIRST_TOUCHDOWN = -2
 
 
@@ -36,9 +36,9 @@ class Walk(NamedTuple):
         Derivatives; dx/dV = dz/dH.
     touchdown : int
         Where the walk ended: NO_TOUCHDOWN at the anchor, else 2 k or 2 k + 1.
-    piece, rest : int, float
-        Piece in which the part on the bed begins, and the unstretched length of that piece that
-        lies there, m; both 0 when nothing does.
+    bottom, bottom_length : int, float
+        Piece in which the hanging part ends, and the unstretched length of that piece that hangs,
+        m.
     V : float
         Vertical force at the end of the walk, N: at the anchor, or just above the clump weight.
     """
@@ -49,8 +49,8 @@ class Walk(NamedTuple):
     z_H: float
     z_V: float
     touchdown: int
-    piece: int
-    rest: float
+    bottom: int
+    bottom_length: float
     V: float
 
 
@@ -127,13 +127,13 @@ def walk(H: float, V: float, pieces: Pieces, touchdown: int) -> Walk:
         z_H += part.z_H
         z_V += part.z_V
         if inside:
-            return Walk(x, z, x_H, z_H, z_V, 2 * k, k, pieces.length[k] - length, 0.0)
+            return Walk(x, z, x_H, z_H, z_V, 2 * k, k, min(length, pieces.length[k]), 0.0)
         below = V1 - pieces.load[k]
         if touchdown == 2 * k + 1 or (touchdown == FIRST_TOUCHDOWN and below < 0.0):
-            return Walk(x, z, x_H, z_H, z_V, 2 * k + 1, k - 1, pieces.length[k - 1], V1)
+            return Walk(x, z, x_H, z_H, z_V, 2 * k + 1, k, length, V1)
         V = below
         T = T1 if pieces.load[k] == 0.0 else math.sqrt(H * H + V * V)
-    return Walk(x, z, x_H, z_H, z_V, NO_TOUCHDOWN, 0, 0.0, V)
+    return Walk(x, z, x_H, z_H, z_V, NO_TOUCHDOWN, 0, pieces.length[0], V)
 
 
 @inlined
@@ -143,7 +143,6 @@ def lie(
     friction: float,
     piece: int,
     rest: float,
-    reaction: float,
     end_piece: int,
     end_rest: float,
 ) -> Bed:
@@ -155,19 +154,17 @@ def lie(
     Parameters
     ----------
     H : float
-        Horizontal force at the touchdown, N.
+        Horizontal force where the stretch begins, N.
     pieces : Pieces
         The line.
     friction : float
         Coulomb coefficient.
     piece, rest : int, float
-        Piece in which the touchdown is, and the length of it that lies on the bed, m.
-    reaction : float
-        What the bed carries of a clump weight at the touchdown, N.
+        Piece in which the stretch begins, and the length of it that lies on the bed, m.
     end_piece, end_rest : int, float
-        Piece in which the bed part ends, and the length of it that does not lie on the bed, m.
+        Piece in which it ends, and the length of it that does not lie on the bed, m.
     """
-    T = max(H - friction * reaction, 0.0)
+    T = H
     x = 0.0
     x_H = 0.0
     for k in range(piece, end_piece - 1, -1):
@@ -181,29 +178,5 @@ def lie(
         x_H += pieces.compliance[k] * tensioned
         T = T1
         if k > end_piece:
-            T = max(T - friction * pieces.load[k], 0.0)
+            T = max(T - grip(pieces, k, friction) * pieces.load[k], 0.0)
     return Bed(x, x_H, T)
-
-
-def lowest(H: float, V: float, pieces: Pieces, touchdown: int) -> float:
-    """Lowest height of the hanging part, relative to the fairlead (m, at most 0)."""
-    z = 0.0
-    low = 0.0
-    for k in range(len(pieces.length) - 1, -1, -1):
-        length = pieces.length[k]
-        weight = pieces.weight[k]
-        V1 = V - weight * length
-        if touchdown == 2 * k:
-            break
-        if V1 < 0.0 < V:
-            T = math.sqrt(H * H + V * V)
-            part = V / weight
-            low = min(low, z - V * part * (1.0 / (T + H) + 0.5 * pieces.compliance[k]))
-        T2 = math.sqrt(H * H + V * V)
-        T1 = math.sqrt(H * H + V1 * V1)
-        z -= (V1 + V) * length * (1.0 / (T1 + T2) + 0.5 * pieces.compliance[k])
-        low = min(low, z)
-        if touchdown == 2 * k + 1:
-            break
-        V = V1 - pieces.load[k]
-    return low

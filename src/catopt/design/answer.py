@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -124,9 +125,27 @@ def _why(problem: DesignProblem, best: Knee, front: tuple[DesignPoint, ...]) -> 
     )
 
 
+def _of_method(problem: DesignProblem, found: Found) -> Iterator[str]:
+    """Say where enumeration took the place of the search asked for, or could have."""
+    design, count = problem.case.design, problem.space.count
+    assert design is not None
+    if design.method in ("auto", "enumeration"):
+        return
+    if found.method == "enumeration":
+        yield (
+            f"{design.method} was asked for with {design.evaluations:,} evaluations, which are no "
+            f"fewer than the {count:,} designs: all of them were enumerated instead, which is exact"
+        )
+    elif count <= design.max_enumerated:
+        yield (
+            f"the front of {design.method} is approximate; all {count:,} designs can be "
+            "enumerated, which is exact (--method enumeration)"
+        )
+
+
 def _of_search(problem: DesignProblem, found: Found, confirmed: int) -> list[str]:
     """Say what an engineer should know of how the front, of so many designs, was found."""
-    told = []
+    told = list(_of_method(problem, found))
     evaluated = f"{found.outcome.evaluations:,} of {problem.space.count:,} designs"
     if found.outcome.interrupted:
         told.append(f"the search was interrupted after {evaluated}: the front may be incomplete")

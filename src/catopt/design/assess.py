@@ -136,7 +136,7 @@ def _in_all_load_cases(
         room.piece_length[:count],
         room.piece_weight[:count],
         room.piece_compliance[:count],
-        room.piece_load[: count + 1],
+        room.piece_load[: 2 * count + 2],
     )
     split(
         room.length[:segments],
@@ -144,6 +144,7 @@ def _in_all_load_cases(
         room.compliance[:segments],
         room.position[:weights],
         room.point_weight[:weights],
+        room.point_friction[:weights],
         pieces,
         room.owner,
     )
@@ -160,7 +161,7 @@ def _in_all_load_cases(
             worst = max(worst, _no_equilibrium(state, tables, room, segments, c))
             largest = math.nan
             break
-        segment_tensions(state, pieces, tables.friction, room.owner, segments, room.tension)
+        segment_tensions(state, setting, room.runs, room.owner, segments, room.tension)
         worst = max(worst, _largest_excess(state, tables, room, segments, c))
         if len(tables.sinker_weight) > 0:
             pull = sinker_needed(

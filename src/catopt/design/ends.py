@@ -8,6 +8,7 @@ from catopt.checks.result import CheckResult
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem
 from catopt.design.neighbours import Step, neighbour, steps
 from catopt.design.result import DesignPoint, Neighbour
+from catopt.ties import first_largest
 
 __all__ = ["end_of_front", "ends"]
 
@@ -25,7 +26,7 @@ def ends(problem: DesignProblem, front: Sequence[DesignPoint]) -> tuple[str, ...
     told = []
     for name in problem.names:
         key = OBJECTIVE_KEYS[name]
-        index = min(range(len(front)), key=lambda each: front[each].objectives[key])
+        index = first_largest([-each.objectives[key] for each in front])
         what = end_of_front(problem, front[index], name)
         told.append(f"Least {name}, design {index + 1}: {what}.")
     return tuple(told)

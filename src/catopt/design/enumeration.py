@@ -146,8 +146,8 @@ class _Pass:
         is_feasible = assessed.excess <= ROUNDING
         objectives = assessed.objectives[is_feasible][:, self.problem.columns]
         front = merge(self.front, genes[is_feasible], objectives)
-        least = int(np.argmin(assessed.excess))
-        if not stops_early and assessed.excess[least] < self.least_excess:
+        least = int(np.argmax(assessed.excess <= assessed.excess.min() + ROUNDING))
+        if not stops_early and assessed.excess[least] < self.least_excess - ROUNDING:
             self.closest = tuple(genes[least].tolist())
             self.least_excess = float(assessed.excess[least])
         self.front = front

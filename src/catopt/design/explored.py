@@ -105,8 +105,8 @@ class Explored:
         is_feasible = excess <= ROUNDING
         self.feasible += int(is_feasible.sum())
         self.front = merge(self.front, genes[is_feasible], objectives[is_feasible])
-        least = int(np.argmin(excess))
-        if excess[least] < self.least_excess:
+        least = int(np.argmax(excess <= excess.min() + ROUNDING))
+        if excess[least] < self.least_excess - ROUNDING:
             self.closest, self.least_excess = genes[[least]], float(excess[least])
         if self._progress is not None:
             self._progress(last, self._budget)

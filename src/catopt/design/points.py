@@ -33,7 +33,7 @@ def design_point(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
 
     Raises
     ------
-    NoEquilibriumError, TouchesTwiceError
+    NoEquilibriumError
         It has no equilibrium in one of the load cases.
     CatoptError
         The answer is not that of the compiled loop: a fault of ours, never passed over.

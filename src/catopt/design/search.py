@@ -46,14 +46,15 @@ def design_case(
     case : Case
         With a design, which says what may vary and what is made small.
     method : {"auto", "enumeration", "nsga2", "swarm"}, optional
-        Instead of the design's own.
+        Instead of the design's own. A search that may evaluate as many designs as there are gives
+        way to enumeration, which is exact and far faster there; the answer says so.
     seed, evaluations : int, optional
         Instead of the design's own.
     progress : callable, optional
         Called with the designs evaluated and those there are to evaluate.
     announce : callable, optional
-        Called once before the search begins, with how many designs there are and how long it may
-        take, in words.
+        Called before the search begins, with how many designs there are and how long it may take,
+        in words; beside a search asked for by name also of enumeration, where that is possible.
 
     Returns
     -------
@@ -92,9 +93,7 @@ def _search(
     problem: DesignProblem, design: Design, progress: Progress | None, announce: Announce
 ) -> Found:
     designs = problem.space.count
-    method = design.method
-    if method == "auto":
-        method = "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
+    method = _method(design, designs)
     if method == "enumeration":
         _check_count(designs)
         workers = os.cpu_count() or 1
@@ -103,8 +102,10 @@ def _search(
         enumerated = enumerate_designs(problem, progress=progress, workers=workers)
         seconds = time.perf_counter() - start
         return Found(enumerated.outcome, method, seconds, enumerated.unsolved)
-    budget = min(design.evaluations, designs)
+    budget = design.evaluations
     announce(f"{method}: {budget:,} evaluations in a space of {designs:,} designs")
+    if designs <= design.max_enumerated:
+        announce(f"enumeration would be exact: {estimate(problem, workers=os.cpu_count() or 1)}")
     if method == "nsga2":
         from catopt.design.nsga2 import nsga2 as search
     else:
@@ -118,6 +119,13 @@ def _search(
         progress=progress,
     )
     return Found(outcome, method, time.perf_counter() - start)
+
+
+def _method(design: Design, designs: int) -> SearchMethod:
+    """Return the method to use: a search that may evaluate every design enumerates them."""
+    if design.method == "auto":
+        return "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
+    return "enumeration" if design.evaluations >= designs else design.method
 
 
 def _check_count(designs: int) -> None:

@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from catopt.catenary.batch import room_for_runs
+from catopt.catenary.runs import Runs
 from catopt.checks.criteria import Criteria, Limits
 from catopt.design.problem import Floats
 from catopt.design.space import DesignSpace
@@ -90,12 +92,16 @@ class Room(NamedTuple):
 
     Attributes
     ----------
-    length, weight, compliance, position, point_weight : array
+    length, weight, compliance, position, point_weight, point_friction : array
         The line's segments and clump weights (pieces.split).
     option, owner : array of int
         What each segment is made of and which it was; the segment of each piece.
-    piece_length, piece_weight, piece_compliance, piece_load, tension : array
-        The line's pieces; the largest tension of each segment.
+    piece_length, piece_weight, piece_compliance, piece_load : array
+        The line's pieces.
+    runs : Runs
+        The line's runs.
+    tension : array
+        The largest tension of each segment.
     """
 
     length: Any
@@ -103,6 +109,7 @@ class Room(NamedTuple):
     compliance: Any
     position: Any
     point_weight: Any
+    point_friction: Any
     place: Any
     option: Any
     owner: Any
@@ -110,6 +117,7 @@ class Room(NamedTuple):
     piece_weight: Any
     piece_compliance: Any
     piece_load: Any
+    runs: Runs
     tension: Any
 
 
@@ -130,13 +138,15 @@ def room(tables: Tables) -> Room:
         compliance=floats(segments),
         position=floats(weights),
         point_weight=floats(weights),
+        point_friction=np.full(weights, -1.0),
         place=whole(segments),
         option=whole(segments),
         owner=whole(count),
         piece_length=floats(count),
         piece_weight=floats(count),
         piece_compliance=floats(count),
-        piece_load=floats(count + 1),
+        piece_load=floats(2 * count + 2),
+        runs=room_for_runs(count),
         tension=floats(segments),
     )
 

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Final, Literal, get_args
 
 from catopt.errors import Problem
 from catopt.model.validity import Findings
 
-__all__ = ["TIME_SCHEMES", "Dynamics", "dynamics_misfits"]
+__all__ = ["LINE_DAMPING", "TIME_SCHEMES", "Dynamics", "dynamics_misfits"]
 
 TimeScheme = Literal["newmark", "generalised-alpha"]
 TIME_SCHEMES: tuple[str, ...] = get_args(TimeScheme)
+
+LINE_DAMPING: Final = 1.0
+"""Part of critical: bars as short as the mesh's own waves are not to swing. MoorDyn's manual
+(Troubleshooting) recommends "approaching the critical value"; benchmarks/results/slack.md shows
+where the largest tension of a line that snaps stops to depend on it."""
 
 
 @dataclass(frozen=True)
@@ -43,8 +48,11 @@ class Dynamics:
         Force per length of line and depth, N/m2; None: the line's weight presses it 1 cm deep.
     seabed_damping : float or None
         Force per length of line and speed, N s/m2; None: critical.
+    line_damping : float or None
+        Of the line itself: axial, as a part of what is critical for each bar, l0 sqrt(EA m). None:
+        `LINE_DAMPING`, and nothing beside a `damping_time` that is given.
     damping_time : float
-        Of the line itself: axial force per rate of strain, over EA, s.
+        Of the line itself: axial force per rate of strain, over EA, s. Both are added up.
     """
 
     duration: float
@@ -57,6 +65,7 @@ class Dynamics:
     runs: int = 1
     seabed_stiffness: float | None = None
     seabed_damping: float | None = None
+    line_damping: float | None = None
     damping_time: float = 0.0
 
     def __post_init__(self) -> None:
@@ -76,6 +85,7 @@ class Dynamics:
             found.number("seabed_stiffness", self.seabed_stiffness, "N/m2", above=0.0)
         if self.seabed_damping is not None:
             found.number("seabed_damping", self.seabed_damping, "N s/m2", at_least=0.0)
+        found.number("line_damping", self.line_damping or 0.0, "", at_least=0.0)
         found.number("damping_time", self.damping_time, "s", at_least=0.0)
         if not found.problems:
             for key in ("ramp", "time_step", "output_interval"):
@@ -84,6 +94,13 @@ class Dynamics:
                     allowed = f"must be below {self.duration:g} s, the duration"
                     found.add(key, f"{value:g} s", allowed)
         found.raise_if_any()
+
+    @property
+    def critical_ratio(self) -> float:
+        """Part of each bar's critical damping that the line is run with."""
+        if self.line_damping is not None:
+            return self.line_damping
+        return 0.0 if self.damping_time > 0.0 else LINE_DAMPING
 
 
 def dynamics_misfits(present: Collection[str], *, has_raos: bool = False) -> list[Problem]:

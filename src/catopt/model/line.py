@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 
 from catopt.errors import InputError
 from catopt.model.validity import Findings
@@ -105,12 +106,15 @@ class PointLoad:
         Mass in air, kg; None when not known.
     name : str
         Free text, for tables.
+    friction : float or None
+        Coulomb coefficient of the body on the bed where it rests there; None: that of the bed.
     """
 
     position: float
     submerged_weight: float
     mass: float | None = None
     name: str = ""
+    friction: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("PointLoad")
@@ -118,6 +122,8 @@ class PointLoad:
         found.number("submerged_weight", self.submerged_weight, "N")
         if self.mass is not None:
             found.number("mass", self.mass, "kg", at_least=0.0)
+        if self.friction is not None:
+            found.number("friction", self.friction, "", at_least=0.0)
         found.raise_if_any()
 
 
@@ -152,6 +158,13 @@ class Line:
                     f"point_loads[{index}].position",
                     f"{load.position:g} m",
                     f"must lie between the ends of the line, which is {self.length:g} m long",
+                )
+        for lower, upper in pairwise(self.point_loads):
+            if lower.position == upper.position and lower.friction != upper.friction:
+                found.add(
+                    "point_loads.friction",
+                    f"{lower.friction} and {upper.friction} at {lower.position:g} m",
+                    "point loads in one place lie on the bed with one friction: give both the same",
                 )
         if found.problems:
             raise InputError(found.problems, "Line")

@@ -34,6 +34,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.equilibrium import hung_state
+from catopt.catenary.part import NO_TOUCHDOWN
 from catopt.catenary.piece import piece_reach
 from catopt.catenary.pieces import (
     Pieces,
@@ -43,7 +44,7 @@ from catopt.catenary.pieces import (
     total_weight,
 )
 from catopt.catenary.state import SUSPENDED, State
-from catopt.catenary.walk import NO_TOUCHDOWN, drop
+from catopt.catenary.walk import drop
 
 __all__ = [
     "Array",
@@ -290,7 +291,7 @@ class GroundedObjective(Objective):
     @property
     def _columns(self) -> tuple[Sequence[float], Sequence[float], Sequence[float]]:
         """Length and weight of each piece, and what hangs on the joint below it."""
-        return self.pieces.length, self.pieces.weight, self.pieces.load[:-1]
+        return self.pieces.length, self.pieces.weight, self.pieces.load[: len(self.pieces.length)]
 
     @cached_property
     def _marks(self) -> tuple[tuple[float, float], ...]:

@@ -7,13 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from catopt.catenary.closing import BY_FORCE
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
 from catopt.catenary.setting import Setting
 from catopt.catenary.solution import Solution, SwarmReport
 from catopt.catenary.solve import solve
 from catopt.catenary.swarm.objective import Objective, objective_of
-from catopt.errors import NotConvergedError
+from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Line, SwarmSettings
 from catopt.model.validity import Findings
 
@@ -79,8 +80,9 @@ def solve_swarm(
         When a number is out of range.
     NoEquilibriumError
         When the line does not reach up to the fairlead.
-    TouchesTwiceError
-        When a buoyant part lifts the line off the bed between two stretches that lie there.
+    NoAnswerError
+        When a buoyant part lifts the line off the bed between its touchdown and the anchor: f
+        holds for one stretch on the bed.
     NotConvergedError
         When no run came below f = 1e-6 m, or its span misses S1 (5) by 1e-3 m or more.
     """
@@ -91,6 +93,12 @@ def solve_swarm(
         horizontal_force=horizontal_force,
         seabed_friction=seabed_friction,
     )
+    if closed_form.regime in ("grounded-between", "grounded-in-parts"):
+        raise NoAnswerError(
+            "the swarm's objective is that of one stretch on the bed from the anchor to the "
+            "touchdown; a buoyant part lifts this line off the bed before its anchor. The closed "
+            "form solves it: leave out --method pso."
+        )
     pieces, segment_of = cut(line)
     objective = objective_of(pieces, height, horizontal_force)
     runs = _search(objective, settings, progress)
@@ -104,6 +112,7 @@ def solve_swarm(
         Setting(pieces, 0.0, height, seabed_friction),
         segment_of,
         method="pso",
+        known=BY_FORCE,
     )
     difference = _less(solution, closed_form)
     return replace(solution, swarm=_report(objective, runs, settings, excess, difference))

@@ -1,0 +1,82 @@
+"""Closing in on the root of a rising function: false position, Newton's steps and bisection.
+
+Plain numbers, because compiled code takes no function as argument: whoever seeks a root keeps a
+`Bracket`, asks it for the next `trial`, evaluates there and has it `narrowed`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+__all__ = ["Bracket", "bracket", "is_closed", "narrowed", "trial"]
+
+
+class Bracket(NamedTuple):
+    """Two places with the root between them.
+
+    Attributes
+    ----------
+    low, high : float
+        The function is below 0 at the one and above 0 at the other.
+    f_low, f_high : float
+        Its values there; halved while the same end stays (the Illinois rule), infinite when the
+        value says nothing but its sign.
+    stayed : int
+        Which end stayed at the last step: -1 the lower, 1 the upper, 0 none yet.
+    last : float
+        Size of the function at the last trial.
+    is_slow : bool
+        Whether the last trial did not halve it.
+    """
+
+    low: float
+    high: float
+    f_low: float
+    f_high: float
+    stayed: int
+    last: float
+    is_slow: bool
+
+
+def bracket(low: float, high: float, f_low: float, f_high: float) -> Bracket:
+    """Start between two places."""
+    return Bracket(low, high, f_low, f_high, 0, math.inf, False)
+
+
+def narrowed(around: Bracket, x: float, f: float) -> Bracket:
+    """Take in the value `f` at `x`."""
+    size = abs(f)
+    is_slow = size > 0.5 * around.last
+    if f > 0.0:
+        f_low = 0.5 * around.f_low if around.stayed < 0 else around.f_low
+        return Bracket(around.low, x, f_low, f, -1, size, is_slow)
+    f_high = 0.5 * around.f_high if around.stayed > 0 else around.f_high
+    return Bracket(x, around.high, f, f_high, 1, size, is_slow)
+
+
+def trial(around: Bracket, guess: float) -> float:
+    """Next place to look at: the guess while guesses serve, else false position or the middle.
+
+    Parameters
+    ----------
+    around : Bracket
+        Where the root is.
+    guess : float
+        For instance Newton's; nan when there is none.
+    """
+    low, high = around.low, around.high
+    if not around.is_slow:
+        if low < guess < high:
+            return guess
+        if math.isfinite(around.f_low) and math.isfinite(around.f_high):
+            x = low - around.f_low * ((high - low) / (around.f_high - around.f_low))
+            if low < x < high:
+                return x
+    return low + 0.5 * (high - low)
+
+
+def is_closed(around: Bracket) -> bool:
+    """Whether no number is left between the two ends."""
+    middle = around.low + 0.5 * (around.high - around.low)
+    return not around.low < middle < around.high
