@@ -18,7 +18,6 @@ from catopt import (
 )
 from catopt.model import Leg
 from catopt.mooring.line_out import one_line_out
-from catopt.mooring.most_loaded import most_loaded
 from catopt.mooring.restoring import offset_curve, restoring_curve
 from catopt.mooring.sharing_rule import sharing_rule
 from catopt.mooring.watch_circle import watch_circle
@@ -76,7 +75,7 @@ def test_the_watch_circle_repeats_with_the_layout() -> None:
     assert offsets[:12] == pytest.approx(offsets[24:], rel=1e-10)
     away = solve_system(fso((-4.281e6, 0.0)))
     assert circle.responses[18].x == pytest.approx(away.position.x, rel=1e-10)
-    assert offsets[circle.farthest] == max(offsets)
+    assert offsets[circle.farthest] == pytest.approx(max(offsets), rel=1e-9)
     hardest = circle.directions[circle.hardest]
     again = solve_system(fso((4.281e6 * math.cos(hardest), 4.281e6 * math.sin(hardest))))
     assert max(line.tension for line in again.lines) == pytest.approx(
@@ -189,8 +188,8 @@ def test_refused_directions_and_forces() -> None:
 
 
 @pytest.mark.parametrize("first", [0, 2])
-def test_a_refusal_names_the_line_by_its_number_in_the_intact_system(first: int) -> None:
-    """The line with a buoy touches the bed twice when that which held the body is gone."""
+def test_a_line_that_comes_to_touch_the_bed_twice_carries_on(first: int) -> None:
+    """The line with a buoy does when that which held the body is gone."""
     chain = Line([Segment(200.0, 1000.0, EA=5e8)])
     buoyed = Line([Segment(200.0, 1000.0, EA=5e8)], [PointLoad(100.0, -60e3)])
     legs = [
@@ -200,17 +199,14 @@ def test_a_refusal_names_the_line_by_its_number_in_the_intact_system(first: int)
         Leg(buoyed, 0.0, 196.0, 30.0),
     ]
     turned = legs[first:] + legs[:first]
-    (refused,) = (
-        each
-        for each in one_line_out(System(tuple(turned), force=(150e3, 0.0)))
-        if each.response is None
-    )
-    assert turned[refused.missing] is legs[0]
-    assert refused.refusal.startswith(f"line {turned.index(legs[3]) + 1}, 189.257 m from its")
+    answers = one_line_out(System(tuple(turned), force=(150e3, 0.0)))
+    (without,) = (each.response for each in answers if turned[each.missing] is legs[0])
+    assert without is not None
+    left = solve_system(System(tuple(legs[1:]), force=(150e3, 0.0)))
+    assert left.lines[2].solution.regime == "grounded-in-parts"
+    assert without.x == pytest.approx(left.position.x, rel=1e-8)
 
 
 def test_of_lines_that_carry_the_same_the_first_is_the_most_loaded() -> None:
-    assert most_loaded([1.0, 2.0 - 1e-10, 2.0]) == 1
-    assert most_loaded([1.0, 2.0 - 1e-6, 2.0]) == 2
     # A body without load on six lines alike: whichever rounding makes the largest.
     assert solve_system(spread(6, force=(0.0, 0.0))).most_loaded == 0

@@ -14,7 +14,6 @@ from catopt import (
     PointLoad,
     Segment,
     System,
-    TouchesTwiceError,
     solve,
     solve_system,
 )
@@ -309,11 +308,14 @@ def test_a_moment_beyond_what_the_lines_carry() -> None:
         solve_system(fso(PRESET, fairlead_radius=10.0, moment=1.02 * largest))
 
 
-def test_a_line_that_touches_twice_is_named() -> None:
-    line = Line([Segment(900.0, 1000.0, EA=8e8)], [PointLoad(300.0, -6e4)])
-    legs = [Leg(CHAIN, 0.0, 560.0, 50.0), Leg(line, math.pi, 560.0, 50.0)]
-    with pytest.raises(TouchesTwiceError, match="line 2, "):
-        solve_system(System(tuple(legs)))
+def test_a_line_that_touches_twice_pulls_as_it_does_alone() -> None:
+    line = Line([Segment(620.0, 1000.0, EA=8e8)], [PointLoad(300.0, -6e4)])
+    legs = [Leg(CHAIN, 0.0, 560.0, 50.0), Leg(line, math.pi, 590.0, 50.0)]
+    held = solve_system(System(tuple(legs)))
+    other, lifted = held.lines
+    assert lifted.solution.regime == "grounded-in-parts"
+    alone = solve(line, height=50.0, span=lifted.solution.span)
+    assert alone.horizontal_force == pytest.approx(other.solution.horizontal_force, rel=1e-9)
 
 
 def test_a_load_on_yaw_that_nothing_feels() -> None:

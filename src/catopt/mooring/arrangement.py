@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from catopt.catenary.equilibrium import hang_slack
 from catopt.catenary.pieces import Pieces, cut
 from catopt.catenary.setting import Setting
-from catopt.catenary.slack import hang_slack
 from catopt.catenary.state import CONVERGED, TOO_SHORT, failed
 from catopt.model.line import Line
 from catopt.model.system import Leg, System
@@ -18,7 +18,7 @@ class Arrangement(NamedTuple):
     """Where the ends of the lines are and what the lines are made of.
 
     Lists in plain code, arrays in compiled code. The pieces of line k are those from `first[k]`
-    to `first[k + 1]` of the last four; `load` has one entry more a line than the others.
+    to `first[k + 1]`; `load` begins at twice `first[k] + k`.
 
     Attributes
     ----------

@@ -18,6 +18,9 @@ __all__ = ["Pull", "pull_at"]
 NEARLY = 3e-3
 """Last relative step of a line that need not be exact."""
 
+ROUNDING = 1e-12
+"""How far a span, as a part of itself, may be beyond that of a slack line by rounding."""
+
 
 class Pull(NamedTuple):
     """Force of all lines on the body, and how it falls as the body moves.
@@ -114,7 +117,7 @@ def pull_at(
 
 def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact: bool) -> int:
     """Solve line k for its span, from where it was; its status."""
-    if span <= arrangement.slack_span[k]:
+    if span <= (1.0 + ROUNDING) * arrangement.slack_span[k]:
         lines.H[k] = lines.H_anchor[k] = lines.H_S[k] = lines.V_S[k] = 0.0
         lines.V[k], lines.V_anchor[k] = arrangement.slack_V[k], arrangement.slack_V_anchor[k]
         lines.span[k], lines.grounded[k] = span, arrangement.slack_grounded[k]
@@ -124,7 +127,7 @@ def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact:
         arrangement.length[start:end],
         arrangement.weight[start:end],
         arrangement.compliance[start:end],
-        arrangement.load[start + k : end + k + 1],
+        arrangement.load[2 * (start + k) : 2 * (end + k + 1)],
     )
     setting = Setting(
         pieces, arrangement.anchor_height[k], arrangement.fairlead_height[k], arrangement.friction
@@ -187,7 +190,6 @@ def _nearly(span: float, setting: Setting, H: float, V: float) -> State:
                 state.H_anchor,
                 state.V_anchor,
                 state.touchdown,
-                state.anchor_touchdown,
                 state.x_H,
                 state.x_V,
                 state.z_H,

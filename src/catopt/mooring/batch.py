@@ -13,9 +13,9 @@ from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
 from catopt.model.system import System
 from catopt.mooring.arrangement import room_for
+from catopt.mooring.descent import TURNS_OVER
 from catopt.mooring.many import BODY, PER_LINE, settle_all
 from catopt.mooring.moored import moor
-from catopt.mooring.settle import TURNS_OVER
 
 __all__ = ["Batch", "SystemSolutions", "solve_system_many"]
 
@@ -104,7 +104,7 @@ def solve_system_many(
     InputError
         When shapes do not fit, a number is not finite, or there is a moment on a body that does
         not turn.
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         When there is no zero-load position.
     """
     return Batch(system).under(force, moment)
@@ -123,7 +123,7 @@ class Batch:
 
     Raises
     ------
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         When there is no zero-load position.
     """
 

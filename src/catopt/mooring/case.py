@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from catopt.catenary.surface import named_line
 from catopt.catenary.warnings import above_water
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
@@ -84,19 +85,21 @@ def report_system(
     ------
     InputError
         When the case has no system.
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         As for `solve_system`.
+    FloatsUpError
+        A buoy of a line would float above the water surface.
     """
     system = case.system
     if system is None:
         wanted = "missing; a table [system] with anchor_radius and azimuths is wanted"
         raise InputError([Problem("system", "", wanted)])
     solution = solve_system(system)
-    above = tuple(
-        f"line {index + 1}: {warning}"
-        for index, line in enumerate(solution.lines)
-        for warning in above_water(line.solution, case.site.water_depth)
-    )
+    above: list[str] = []
+    for number, line in enumerate(solution.lines, start=1):
+        with named_line(number):
+            warnings = above_water(line.solution, case.site.water_depth)
+        above += (f"line {number}: {warning}" for warning in warnings)
     solution = replace(
         solution,
         title=case.title,

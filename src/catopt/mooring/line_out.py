@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 
 from catopt.errors import NoAnswerError
@@ -45,7 +44,7 @@ def one_line_out(system: System) -> tuple[LineOut, ...]:
 
     Raises
     ------
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         When the intact system has no zero-load position, or a solver stopped short.
     """
     zero = moor(system).neutral
@@ -58,7 +57,7 @@ def one_line_out(system: System) -> tuple[LineOut, ...]:
             left = moor(system.without([missing]))
             rest, lines = left.under(system.force, system.moment)
         except NoAnswerError as error:
-            found.append(LineOut(missing, None, _renumbered(str(error), missing)))
+            found.append(LineOut(missing, None, str(error)))
             continue
         response = response_of(left, rest, lines, zero)
         most_loaded = _in_the_intact(response.most_loaded, missing)
@@ -69,10 +68,3 @@ def one_line_out(system: System) -> tuple[LineOut, ...]:
 def _in_the_intact(number: int, missing: int) -> int:
     """Turn the number of a line among those left into that of the intact system, from 0."""
     return number + (number >= missing)
-
-
-def _renumbered(refusal: str, missing: int) -> str:
-    """Name lines by their numbers in the intact system; a refusal counts those left, from 1."""
-    return re.sub(
-        r"\bline (\d+)", lambda n: f"line {_in_the_intact(int(n[1]) - 1, missing) + 1}", refusal
-    )

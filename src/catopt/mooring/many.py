@@ -6,7 +6,8 @@ from typing import Any, Final
 
 from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import pull_at
-from catopt.mooring.settle import Freedom, settle
+from catopt.mooring.descent import BodyLoad, Freedom
+from catopt.mooring.settle import settle
 
 __all__ = ["BODY", "PER_LINE", "settle_all"]
 
@@ -83,9 +84,7 @@ def settle_all(
             y[i],
             yaw[i],
             pull,
-            force_x[i],
-            force_y[i],
-            moment[i],
+            BodyLoad(force_x[i], force_y[i], moment[i]),
             freedom,
             arrangement,
             lines,

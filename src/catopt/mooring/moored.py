@@ -11,16 +11,24 @@ from catopt.errors import NoEquilibriumError
 from catopt.model.system import System
 from catopt.mooring.arrangement import Arrangement, Lines, arrange, room_for
 from catopt.mooring.balance import Pull, pull_at
+from catopt.mooring.descent import (
+    TURNS_OVER,
+    BodyLoad,
+    Freedom,
+    Rest,
+    within_half_a_turn,
+    yaw_stiffness,
+)
+from catopt.mooring.heading import SAME_YAW, next_heading
 from catopt.mooring.refusal import refusal, turns_over
-from catopt.mooring.settle import TURNS_OVER, Freedom, Rest, settle
+from catopt.mooring.settle import settle
 
 __all__ = ["Moored", "copied", "is_held", "moor"]
 
 SHORT_OF_TAUT = 0.999
 """Part of its length over which a line that does not stretch may reach at the start."""
 
-YAWS_TRIED = 90
-"""Yaws over half a turn at which the largest moment is looked for."""
+NOTHING = BodyLoad(0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -52,50 +60,60 @@ class Moored:
 
         Raises
         ------
-        NoEquilibriumError, TouchesTwiceError, NotConvergedError
+        NoEquilibriumError, NotConvergedError
             As for `solve_system`.
         """
         lines = copied(self.lines)
         start = self.neutral
-        loads = (float(force[0]), float(force[1]), float(moment))
+        load = BodyLoad(float(force[0]), float(force[1]), float(moment))
         rest = settle(
-            start.x, start.y, start.yaw, start.pull, *loads, self.freedom, self.arrangement, lines
+            start.x, start.y, start.yaw, start.pull, load, self.freedom, self.arrangement, lines
         )
         if rest.status == TURNS_OVER:
-            raise turns_over(moment, self._largest_moment(loads[0], loads[1], moment))
+            raise turns_over(moment, rest)
         if rest.status != CONVERGED:
             raise refusal(rest, self.system)
         return rest, lines
 
-    def _largest_moment(self, force_x: float, force_y: float, moment: float) -> float:
-        """Look over half a turn for the largest moment that the lines carry that way round, N m."""
-        lines = copied(self.lines)
-        freedom = self.freedom._replace(in_yaw=False)
-        sense = math.copysign(1.0, moment)
-        x, y, largest = self.neutral.x, self.neutral.y, 0.0
-        for step in range(1, YAWS_TRIED + 1):
-            yaw = self.neutral.yaw + sense * math.pi * step / YAWS_TRIED
-            pull = pull_at(x, y, yaw, self.arrangement, lines, True)
-            rest = settle(x, y, yaw, pull, force_x, force_y, 0.0, freedom, self.arrangement, lines)
-            if rest.status != CONVERGED:
-                break
-            x, y = rest.x, rest.y
-            largest = max(largest, -sense * rest.pull.moment)
-        return largest
+    def other_headings(
+        self, rest: Rest, lines: Lines, force: Sequence[float], moment: float = 0.0
+    ) -> tuple[Rest, ...]:
+        """Find where else the body would rest, at another yaw, under the load it rests under.
+
+        None is looked for where the lines do not hold the body.
+
+        Parameters
+        ----------
+        rest, lines
+            As from `under`.
+        force, moment
+            On the body, N along x and y, N m.
+        """
+        if not self.freedom.in_yaw or not is_held(rest.pull, self.freedom):
+            return ()
+        load = BodyLoad(float(force[0]), float(force[1]), float(moment))
+        lines = copied(lines)
+        found: list[Rest] = []
+        at, end = rest, rest.yaw + 2.0 * math.pi - SAME_YAW
+        while True:
+            at = next_heading(at, end - at.yaw, load, self.freedom, self.arrangement, lines)
+            if at.status != CONVERGED or at.yaw >= end:
+                return tuple(found)
+            if at.yaw > rest.yaw + SAME_YAW and is_held(at.pull, self.freedom):
+                found.append(within_half_a_turn(at))
 
     def held(self, x: float, y: float) -> tuple[Rest, Lines]:
         """Hold the body at a place, m; it still turns where it is free to, under no moment.
 
         Raises
         ------
-        NoEquilibriumError, TouchesTwiceError, NotConvergedError
+        NoEquilibriumError, NotConvergedError
             When a line does not reach there, or has no answer.
         """
         lines = copied(self.lines)
         pull = pull_at(x, y, self.neutral.yaw, self.arrangement, lines, True)
         freedom = self.freedom._replace(in_plane=False)
-        nothing = (0.0, 0.0, 0.0)
-        rest = settle(x, y, self.neutral.yaw, pull, *nothing, freedom, self.arrangement, lines)
+        rest = settle(x, y, self.neutral.yaw, pull, NOTHING, freedom, self.arrangement, lines)
         if rest.status != CONVERGED:
             raise refusal(rest, self.system)
         return rest, lines
@@ -108,7 +126,7 @@ def moor(system: System) -> Moored:
     ------
     NoEquilibriumError
         When lines that do not stretch are too short to reach the body together.
-    TouchesTwiceError, NotConvergedError
+    NotConvergedError
         As for `solve_system`.
     """
     arrangement = arrange(system)
@@ -116,7 +134,7 @@ def moor(system: System) -> Moored:
     lines = room_for(len(system.legs))
     x, y = _reachable(system)
     pull = pull_at(x, y, 0.0, arrangement, lines, True)
-    neutral = settle(x, y, 0.0, pull, 0.0, 0.0, 0.0, freedom, arrangement, lines)
+    neutral = settle(x, y, 0.0, pull, NOTHING, freedom, arrangement, lines)
     if neutral.status != CONVERGED:
         raise refusal(neutral, system)
     return Moored(system, arrangement, freedom, neutral, lines)
@@ -193,9 +211,11 @@ def _reachable(system: System) -> tuple[float, float]:
     )
 
 
-def is_held(pull: Pull, in_yaw: bool, arm: float) -> bool:
+def is_held(pull: Pull, freedom: Freedom) -> bool:
     """Whether the lines hold the body against a push from any side, and a turn if it is free."""
     least = 1e-9 * max(pull.xx + pull.yy, 1e-300)
     if pull.xx * pull.yy - pull.xy * pull.xy <= least * (pull.xx + pull.yy):
         return False
-    return not in_yaw or pull.mm / (arm * arm) > least
+    if not freedom.in_yaw:
+        return True
+    return yaw_stiffness(pull, freedom.in_plane) > least * freedom.arm * freedom.arm

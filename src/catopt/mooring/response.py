@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass
 
 from catopt.mooring.arrangement import Lines
+from catopt.mooring.descent import Rest
 from catopt.mooring.moored import Moored
-from catopt.mooring.most_loaded import most_loaded
-from catopt.mooring.settle import Rest
+from catopt.ties import first_largest
 
 __all__ = ["Response", "response_of"]
 
@@ -67,7 +67,7 @@ def response_of(moored: Moored, rest: Rest, lines: Lines, zero: Rest | None = No
         yaw=rest.yaw,
         offset=math.hypot(rest.x - start.x, rest.y - start.y),
         largest_tension=max(tensions),
-        most_loaded=most_loaded(tensions),
+        most_loaded=first_largest(tensions),
         largest_anchor_tension=max(map(math.hypot, lines.H_anchor, lines.V_anchor)),
         largest_uplift=max(lines.V_anchor),
         least_grounded=min(lines.grounded),

@@ -67,7 +67,7 @@ def restoring_curve(
     ------
     NoEquilibriumError
         When a line that does not stretch is too short for an offset.
-    InputError, TouchesTwiceError, NotConvergedError
+    InputError, NotConvergedError
         As for `solve_system`.
     """
     _check("offsets", offsets, direction, "m")
@@ -98,7 +98,7 @@ def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -
 
     Raises
     ------
-    InputError, NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    InputError, NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
     _check("forces", forces, direction, "N")

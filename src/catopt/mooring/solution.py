@@ -9,7 +9,7 @@ from typing import Any
 from catopt.catenary.solution import Solution
 from catopt.model.system import Leg, System
 from catopt.mooring.document import system_document
-from catopt.mooring.most_loaded import most_loaded
+from catopt.ties import first_largest
 
 __all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
 
@@ -142,7 +142,7 @@ class SystemSolution:
     @property
     def most_loaded(self) -> int:
         """The line of the largest tension at the fairlead, counted from 0; the first of several."""
-        return most_loaded([line.tension for line in self.lines])
+        return first_largest([line.tension for line in self.lines])
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt system --json`` prints (schema catopt.system/1)."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from catopt.catenary.closing import BY_SPAN
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
 from catopt.catenary.setting import Setting
@@ -12,8 +13,8 @@ from catopt.catenary.state import CONVERGED
 from catopt.errors import NotConvergedError
 from catopt.model.system import Leg, System
 from catopt.mooring.arrangement import Lines
+from catopt.mooring.descent import Rest
 from catopt.mooring.moored import Moored, is_held, moor
-from catopt.mooring.settle import Rest
 from catopt.mooring.solution import LegState, Position, SystemResidual, SystemSolution
 
 __all__ = ["solve_system"]
@@ -42,8 +43,6 @@ def solve_system(system: System) -> SystemSolution:
     ------
     NoEquilibriumError
         When a line that does not stretch is too short, or the lines cannot carry the moment.
-    TouchesTwiceError
-        When a buoyant part lifts a line off the bed between two stretches that lie there.
     NotConvergedError
         When the solver stopped short of its tolerance.
 
@@ -65,6 +64,7 @@ def solve_system(system: System) -> SystemSolution:
 def solution_at(moored: Moored, rest: Rest, lines: Lines) -> SystemSolution:
     """Lay out every line with the body at a place of rest."""
     system, neutral, pull = moored.system, moored.neutral, rest.pull
+    others = moored.other_headings(rest, lines, system.force, system.moment)
     states = tuple(
         _leg_state(leg, rest, system.seabed_friction, (lines.H[k], lines.V[k]), k)
         for k, leg in enumerate(system.legs)
@@ -81,7 +81,7 @@ def solution_at(moored: Moored, rest: Rest, lines: Lines) -> SystemSolution:
         ),
         residual=SystemResidual(rest.force_error, rest.moment_error),
         steps=rest.steps,
-        warnings=_warnings(moored, rest, states),
+        warnings=_warnings(moored, rest, states, others),
     )
 
 
@@ -101,7 +101,12 @@ def _leg_state(
     if state.status != CONVERGED:
         raise NotConvergedError(f"line {index + 1} did not converge; please report this case")
     own = solution_of(
-        state._replace(span=max(span, 1e-9)), leg.line, setting, segment_of, method="closed-form"
+        state._replace(span=max(span, 1e-9)),
+        leg.line,
+        setting,
+        segment_of,
+        method="closed-form",
+        known=BY_SPAN,
     )
     worst = max(abs(own.residual.height), abs(own.residual.span))
     if not worst <= LINE_LIMIT * max(leg.line.length, span):
@@ -111,14 +116,26 @@ def _leg_state(
     return LegState(leg, own, (x, y), math.atan2(to_y, to_x))
 
 
-def _warnings(moored: Moored, rest: Rest, states: tuple[LegState, ...]) -> tuple[str, ...]:
+def _warnings(
+    moored: Moored, rest: Rest, states: tuple[LegState, ...], others: tuple[Rest, ...]
+) -> tuple[str, ...]:
     found = [
         f"line {index + 1}: {warning}"
         for index, state in enumerate(states)
         for warning in state.solution.warnings
     ]
-    if not is_held(rest.pull, moored.freedom.in_yaw, moored.freedom.arm):
+    if not is_held(rest.pull, moored.freedom):
         found.insert(
             0, "the lines do not hold the body here: it can drift without any force against it"
         )
+    found += [
+        f"the body would also rest at a yaw of {math.degrees(other.yaw):.2f} deg, its origin at "
+        f"({_metres(other.x)}, {_metres(other.y)}) m: which of them it takes depends on how it "
+        "came there"
+        for other in others
+    ]
     return tuple(found)
+
+
+def _metres(length: float) -> str:
+    return f"{round(length, 3) + 0.0:.3f}"

@@ -9,6 +9,7 @@ from catopt.model.system import System
 from catopt.model.validity import Findings
 from catopt.mooring.moored import moor
 from catopt.mooring.response import Response, response_of
+from catopt.ties import first_largest
 
 __all__ = ["WatchCircle", "watch_circle"]
 
@@ -40,14 +41,12 @@ class WatchCircle:
     @property
     def farthest(self) -> int:
         """Index of the direction of the largest offset."""
-        offsets = [each.offset for each in self.responses]
-        return offsets.index(max(offsets))
+        return first_largest([each.offset for each in self.responses])
 
     @property
     def hardest(self) -> int:
         """Index of the direction of the largest tension in any line."""
-        tensions = [each.largest_tension for each in self.responses]
-        return tensions.index(max(tensions))
+        return first_largest([each.largest_tension for each in self.responses])
 
 
 def watch_circle(system: System, *, force: float, directions: int = 120) -> WatchCircle:
@@ -64,7 +63,7 @@ def watch_circle(system: System, *, force: float, directions: int = 120) -> Watc
 
     Raises
     ------
-    InputError, NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    InputError, NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
     found = Findings("watch circle")

@@ -47,7 +47,7 @@ def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
     ------
     InputError
         When a level brings a fairlead below the bed.
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
     found = Findings("water levels")
