@@ -1,0 +1,56 @@
+"""`catopt.solve` with its kernel compiled: the same source, some ten times as fast."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+
+from catopt.catenary import equilibrium, pieces, span, tension
+from catopt.catenary.setting import Setting
+from catopt.compiled import compiled
+from catopt.model import Line
+
+__all__ = ["compiled_kernel"]
+
+_KERNEL = {
+    "catopt.catenary.solve.given_force": equilibrium.given_force,
+    "catopt.catenary.solve.given_span": span.given_span,
+    "catopt.catenary.solve.given_tension": tension.given_tension,
+    "catopt.catenary.solve.other_forces": tension.other_forces,
+    "catopt.catenary.refusal.least_tension": tension.least_tension,
+}
+
+
+@contextmanager
+def compiled_kernel() -> Iterator[None]:
+    """Let `catopt.solve` call the compiled kernel inside the block."""
+    with ExitStack() as stack:
+        for name, function in _KERNEL.items():
+            stack.enter_context(patch(name, _on_floats(compiled(function))))
+        stack.enter_context(patch("catopt.catenary.solve.cut", _cut_to_arrays))
+        yield
+
+
+def _cut_to_arrays(line: Line) -> tuple[pieces.Pieces, tuple[int, ...]]:
+    cut, owner = pieces.cut(line)
+    return pieces.Pieces(*(np.array(column) for column in cut)), owner
+
+
+def _on_floats(function: Any) -> Any:
+    """Pass whole numbers as floats, so that one compiled version serves every call."""
+
+    def called(*arguments: Any) -> Any:
+        return function(*map(_with_floats, arguments))
+
+    return called
+
+
+def _with_floats(argument: Any) -> Any:
+    if isinstance(argument, Setting):
+        numbers = (argument.anchor_height, argument.fairlead_height, argument.friction)
+        return Setting(argument.pieces, *map(float, numbers))
+    return argument
