@@ -23,7 +23,6 @@ from catopt.fem import (
     LineProperties,
     MorisonSection,
     Sampled,
-    Scheme,
     Seabed,
     StepControls,
     TimeStepping,
@@ -291,21 +290,6 @@ def test_a_step_that_does_not_close_is_named() -> None:
         run_dynamics(
             CHAIN, TimeStepping(10.0, 0.2, 4.0, controls=controls), height=80.0, span=280.0,
             motion=Harmonic(4.0, (3.0, 0.0, 0.0)), properties=WET, elements=20,
-        )  # fmt: skip
-
-
-def test_ringing_is_no_result() -> None:
-    """A light stiff line that snaps, at a step far too long for a scheme that does not damp."""
-    line = Line([Segment(33.0, 0.7, EA=1e4, mass=0.0818)])
-    properties = LineProperties(
-        [MorisonSection(0.0022, 2.5, 0.5, 2.8)], LineDamping(internal=2.0), Fluid(1000.0, 9.81),
-        Seabed(700.0, friction=0.3),
-    )  # fmt: skip
-    stepping = TimeStepping(14.0, 0.01, ramp_time=7.0, scheme=Scheme.average_acceleration())
-    with pytest.raises(NotConvergedError, match=r"rings in .* steps"):
-        run_dynamics(
-            line, stepping, height=3.3, span=32.554, properties=properties, elements=66,
-            motion=Harmonic(3.5, (0.2, 0.0, 0.2), (0.0, 0.0, math.pi / 2)), sea=Sea(3.0),
         )  # fmt: skip
 
 

@@ -62,16 +62,19 @@ CASES: dict[str, Case] = {
     "taut": moored([(200.0, 300.0, 5e7)], 100.0, Load(span=174.0)),
     "taut and inextensible": moored([(200.0, 1000.0, math.inf)], 100.0, Load(span=173.2)),
 }
-"""Every one has a closed form."""
 
 TOUCHES_TWICE: dict[str, Case] = {
-    "force": moored([(300.0, 1000.0, EA)], 50.0, force(2e4), clumps=[(150.0, -5e4)]),
-    "span": moored([(300.0, 1000.0, EA)], 50.0, Load(span=270.0), clumps=[(150.0, -5e4)]),
-    "fairlead tension": moored(
+    "touches twice": moored([(300.0, 1000.0, EA)], 50.0, force(2e4), clumps=[(150.0, -5e4)]),
+    "touches twice, span given": moored(
+        [(300.0, 1000.0, EA)], 50.0, Load(span=270.0), clumps=[(150.0, -5e4)]
+    ),
+    "touches twice, fairlead tension given": moored(
         [(300.0, 1000.0, EA)], 50.0, Load(fairlead_tension=8e4), clumps=[(150.0, -5e4)]
     ),
-    "friction, inextensible": moored(
+    "touches twice, friction, inextensible": moored(
         [(300.0, 1000.0, math.inf)], 50.0, force(4e4), clumps=[(150.0, -5e4)], friction=0.3
     ),
 }
 """A buoy lifts each off the bed between two touchdowns."""
+
+CASES |= TOUCHES_TWICE

@@ -16,10 +16,11 @@ from catopt.model import LoadCase
 from catopt.schemas import schema
 from catopt.verify import front as front_module
 from catopt.verify.case import verify_case
+from catopt.verify.compared import ROUNDING
 from catopt.verify.front import Design, verify_front
 from catopt.verify.result import Verification
 
-from .cases import CASES, TOUCHES_TWICE
+from .cases import CASES
 
 ROOT = Path(__file__).parents[2]
 
@@ -48,7 +49,6 @@ def test_every_load_case_is_verified_at_its_own_water_level() -> None:
     assert [part.name for part in found.parts] == ["storm", "everyday"]
     assert told == [(0, 2), (1, 2)]
     closed = found.parts[0].lines[0].closed
-    assert closed is not None
     assert (closed.fairlead_height, closed.horizontal_force) == (52.0, 3e5)
     assert found.verdict == "agrees"
 
@@ -65,7 +65,6 @@ def test_one_load_case_by_name() -> None:
 def test_a_case_that_seeks_something_is_verified_with_what_was_found() -> None:
     found = verify_case(read("tanker-20m-find-length"))
     closed = found.static.lines[0].closed
-    assert closed is not None
     assert closed.line.length != read("tanker-20m-find-length").line.length
     assert found.verdict == "agrees"
 
@@ -78,7 +77,7 @@ def test_every_case_of_the_project_agrees(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "case", [CASES["friction"], WITH_STATES, TOUCHES_TWICE["force"]], ids=["load", "states", "two"]
+    "case", [CASES["friction"], WITH_STATES, CASES["touches twice"]], ids=["load", "states", "two"]
 )
 def test_the_document_keeps_to_its_schema(case: catopt.Case) -> None:
     validated(verify_case(case))
@@ -98,18 +97,10 @@ def test_the_document_says_what_was_found() -> None:
     assert document["load_cases"] == [static]
 
 
-def test_without_a_closed_form_the_document_has_none() -> None:
-    static = validated(verify_case(TOUCHES_TWICE["force"]))["static"]
-    assert isinstance(static, dict)
-    assert (static["closed_form"], static["difference"]) == (None, None)
-    assert static["fem"]["span_m"] > 0.0
-    assert static["verdict"] == "no closed form"
-
-
 def test_static_is_the_load_case_that_agrees_least() -> None:
     found = verify_case(WITH_STATES)
     gaps = [part.worst.gap for part in found.parts]
-    assert found.static is found.parts[gaps.index(max(gaps))]
+    assert found.static.worst.gap == pytest.approx(max(gaps), abs=ROUNDING)
     part = found.parts[0]
     wrong = replace(
         part, quantities=tuple(replace(q, fem=(q.fem[0],) * 3) for q in part.quantities)
@@ -120,17 +111,19 @@ def test_static_is_the_load_case_that_agrees_least() -> None:
 
 def test_verdicts_of_several_load_cases_add_up() -> None:
     good = verify_case(CASES["on the bed"]).parts[0]
-    alone = verify_case(TOUCHES_TWICE["force"]).parts[0]
     bad = replace(
         good,
-        quantities=tuple(replace(q, closed_form=(q.closed_form or 0.0) + 1.0)
-                         for q in good.quantities),
-    )  # fmt: skip
+        quantities=tuple(replace(q, closed_form=q.closed_form + 1.0) for q in good.quantities),
+    )
+    # Meshes that change by more than half a metre do not tell a metre.
+    changing = replace(
+        bad, quantities=tuple(replace(q, fem=(*q.fem[:2], q.fem[1] + 0.5)) for q in bad.quantities)
+    )
     case = CASES["on the bed"]
     assert Verification(case, (good, good)).verdict == "agrees"
-    assert Verification(case, (good, alone)).verdict == "no closed form"
-    assert Verification(case, (good, alone)).is_settled
-    assert Verification(case, (bad, alone, good)).verdict == "differs"
+    assert Verification(case, (good, good)).is_settled
+    assert Verification(case, (good, changing)).verdict == "not resolved"
+    assert Verification(case, (changing, bad, good)).verdict == "differs"
     assert not Verification(case, (good, bad)).is_settled
 
 

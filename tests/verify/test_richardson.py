@@ -51,15 +51,6 @@ def test_a_rough_error_is_not(values: tuple[float, ...]) -> None:
     assert not each.agrees  # 0.05 or 0.1 of 100 is more than 1e-4
 
 
-def test_without_a_closed_form_the_meshes_are_judged() -> None:
-    each = by((10.16, 10.04, 10.01), closed_form=None)
-    assert (each.difference, each.difference_before) == (None, None)
-    # The finest mesh is still 0.01 off the limit, 10.
-    assert each.gap == pytest.approx(0.01 / 100.0)
-    assert by((10.16, 10.04, 10.01), closed_form=None, tolerance=2e-4).agrees
-    assert not by((10.16, 10.04, 10.01), closed_form=None, tolerance=0.5e-4).agrees
-
-
 def test_a_rough_order_is_a_number() -> None:
     order = by((10.1, 10.1, 10.05)).order
     assert order is not None

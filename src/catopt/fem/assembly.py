@@ -21,7 +21,7 @@ import numpy.typing as npt
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.bar import axis
 from catopt.fem.bed import ABSENT, FREE, HELD, ON_BED, PULLED, SPRING, Ground, touches
-from catopt.fem.friction import drag_spring, rub
+from catopt.fem.friction import drag_spring, limit, rub
 from catopt.fem.loads import BarLoads
 from catopt.fem.touchdown import (
     hanging_node,
@@ -301,12 +301,13 @@ def _add_friction(
     law: Law, band: Any,
 ) -> None:  # fmt: skip
     balance = state.balance[node]
-    mu, stiffness = ground.friction, ground.stiffness[node]
+    mu, stiffness = ground.friction[node], ground.stiffness[node]
+    most = limit(node, pushed, ground, state.contact)
     if ground.law == PULLED:
         T = state.tension[e]
-        rub(state.x, node, row, T, pushed, mu, law.soft, rigid, stiffness, balance, band)
+        rub(state.x, node, row, T, most, mu, law.soft, rigid, stiffness, balance, band)
     elif ground.law == SPRING:
         foot, spring = ground.spring_foot[node], ground.tangential[node]
         x = state.x[node]
         if not math.isnan(foot[0]):
-            drag_spring(x, foot, spring, row, pushed, mu, law.soft, rigid, stiffness, balance, band)
+            drag_spring(x, foot, spring, row, most, mu, law.soft, rigid, stiffness, balance, band)

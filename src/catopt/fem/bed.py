@@ -108,8 +108,13 @@ class Ground(NamedTuple):
     ----------
     stiffness : array
         Normal stiffness of the bed under each node, N/m; infinite where rigid.
-    friction : float
-        Coulomb coefficient.
+    friction : array
+        Coulomb coefficient of each node: that of the bed, or of the point load on it.
+    beside : array, shape (nodes, 2)
+        What the bars towards the anchor and the fairlead, which rub with the bed's coefficient,
+        add to that where they lie, N; 0 without a point load of its own friction.
+    bed_friction : float
+        Coulomb coefficient of the line itself.
     law : int
         NO_FRICTION, PULLED or SPRING.
     tangential : array
@@ -119,7 +124,9 @@ class Ground(NamedTuple):
     """
 
     stiffness: Array
-    friction: float
+    friction: Array
+    beside: Array
+    bed_friction: float
     law: int
     tangential: Array
     spring_foot: Array

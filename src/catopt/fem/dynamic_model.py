@@ -17,6 +17,7 @@ from catopt.fem.damping import LineDamping
 from catopt.fem.mesh import LineMesh
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import MovingLines
+from catopt.fem.problem import node_friction
 from catopt.fem.seabed import Seabed
 from catopt.model.validity import Findings
 
@@ -134,7 +135,7 @@ def lay_out_moving(
         held=held,
         drag_spring=bed[3].copy(),
         drag_dashpot=bed[4].copy(),
-        friction=float(seabed.friction) if isinstance(seabed, Seabed) else 0.0,
+        friction=_friction(meshes, seabed, pressing),
         mass_factor=float(damping.mass_factor),
         stiffness_factor=float(damping.stiffness_factor),
         near=near,
@@ -207,6 +208,28 @@ def _bed_rows(
     depth = np.maximum(pressing, 1e-3 * usual * carried) / k
     rows[:] = np.stack([k, c, depth, spring, 2.0 * np.sqrt(spring * heavy)])
     return rows
+
+
+def _friction(
+    meshes: Sequence[LineMesh], seabed: Seabed | HeldBed | None, pressing: Array
+) -> Array:
+    """Coulomb coefficient of each node, by what the line and its point load weigh there."""
+    if not isinstance(seabed, Seabed):
+        return np.zeros(pressing.size)
+    bed = float(seabed.friction)
+    rough = np.concatenate([node_friction(mesh, bed) for mesh in meshes])
+    loads = np.concatenate([_pressing_loads(mesh) for mesh in meshes])
+    weight = np.maximum(pressing + loads, 1e-300)
+    mixed: Array = (pressing * bed + loads * rough) / weight
+    return np.where(loads > 0.0, mixed, bed)
+
+
+def _pressing_loads(mesh: LineMesh) -> Array:
+    """Submerged weight of the clump weights on each node, N."""
+    weight = np.zeros(mesh.elements + 1)
+    for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True):
+        weight[node] += max(load.submerged_weight, 0.0)
+    return weight
 
 
 def _force_scale(

@@ -256,6 +256,11 @@ def _history(
             f"{counts.halvings} times a step did not close and was halved; the shortest took "
             f"{counts.shortest:.3g} s of the {stepping.step:g} s asked for"
         )
+    if counts.unresolved > 0:
+        warnings.append(
+            f"in {counts.unresolved} of {counts.steps} steps a tension changed faster than the "
+            f"shortest step of {counts.shortest:.3g} s follows: what snaps there is not resolved"
+        )
     if not complete:
         warnings.append(f"stopped at {record.time[-1]:.6g} s of {stepping.duration:g} s")
     seen = np.isfinite(record.highest)
@@ -273,12 +278,18 @@ def _history(
         max_tension=np.where(seen, record.highest, np.nan),
         min_tension=np.where(seen, record.lowest, np.nan),
         slack_time=record.slack_time,
+        longest_slack=record.longest_slack,
+        max_end_force=record.end_highest,
+        time_of_max_end_force=record.end_time,
+        balance=simulation.balance(record),
         since=since,
         step=stepping.step,
         shortest_step=min(counts.shortest, stepping.step),
         steps=counts.steps,
         iterations=counts.iterations,
         halvings=counts.halvings,
+        refinements=counts.refinements,
+        unresolved=counts.unresolved,
         is_complete=complete,
         warnings=tuple(warnings),
     )

@@ -1,7 +1,8 @@
 """Coulomb's friction of a node on the bed: for a line that was pulled, and with a history.
 
-Friction of a sliding node is mu R along the bed. R follows from the balance in height, which has
-the rows of the node's own neighbours, so that its change enters the linear equations exactly.
+Friction of a sliding node is mu R along the bed; a point load may have a mu of its own. R follows
+from the balance in height, which has the rows of the node's own neighbours, so that its change
+enters the linear equations exactly.
 """
 
 from __future__ import annotations
@@ -11,12 +12,31 @@ from typing import Any
 
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.bar import axis
+from catopt.fem.bed import ON_BED, Ground
 
-__all__ = ["drag_spring", "rub", "slipped_foot"]
+__all__ = ["drag_spring", "limit", "rub", "slipped_foot"]
+
+
+def limit(node: int, reaction: float, ground: Ground, contact: Any) -> float:
+    """Return the friction at which a node slides, N.
+
+    Parameters
+    ----------
+    node, reaction : int, float
+        The node, and what the bed carries there, N.
+    ground, contact : Ground, array of int
+        The bed, and the states of the nodes.
+    """
+    most = float(ground.friction[node]) * reaction
+    for side in range(2):
+        beside = ground.beside[node, side]
+        if beside != 0.0 and contact[node - 1 + 2 * side] == ON_BED:
+            most += beside
+    return max(most, 0.0)
 
 
 def rub(
-    x: Any, node: int, row: int, T: float, reaction: float, friction: float, soft: float,
+    x: Any, node: int, row: int, T: float, most: float, friction: float, soft: float,
     rigid: bool, stiffness: float, balance: Any, band: Any,
 ) -> None:  # fmt: skip
     """Add the friction of a line that was pulled towards the fairlead.
@@ -30,8 +50,8 @@ def rub(
         Coordinates, m.
     node, row : int
         The node, and the row of its balance along x.
-    T, reaction : float
-        Tension of the bar at the fairlead's side and the bed's reaction, N.
+    T, most : float
+        Tension of the bar at the fairlead's side and the `limit` of the friction, N.
     friction, soft : float
         Coulomb coefficient; unit of force of the equations, N.
     rigid, stiffness : bool, float
@@ -46,13 +66,12 @@ def rub(
     if level == 0.0 or T <= 0.0:
         return
     d = (tx / level, ty / level)
-    if T * level <= friction * reaction:
+    if T * level <= most:
         _hold(size, x, node, row, T, soft, balance, band)
         return
-    force = friction * reaction
-    turn = force / (level * size * soft)
+    turn = most / (level * size * soft)
     for i in range(2):
-        balance[i] -= force * d[i]
+        balance[i] -= most * d[i]
         if rigid:
             _add_row(band, row + i, row + 2, friction * d[i])
         else:
@@ -79,7 +98,7 @@ def _hold(
 
 
 def drag_spring(
-    x: Any, foot: Any, spring: float, row: int, reaction: float, friction: float, soft: float,
+    x: Any, foot: Any, spring: float, row: int, most: float, friction: float, soft: float,
     rigid: bool, stiffness: float, balance: Any, band: Any,
 ) -> None:  # fmt: skip
     """Add the force of a node's friction spring: elastic below mu R, slipping at it.
@@ -92,12 +111,11 @@ def drag_spring(
         Where the spring has its foot, m.
     spring : float
         Its stiffness, N/m.
-    row, reaction, friction, soft, rigid, stiffness, balance, band
+    row, most, friction, soft, rigid, stiffness, balance, band
         As for `rub`.
     """
     u = (x[0] - foot[0], x[1] - foot[1])
     distance = math.sqrt(u[0] * u[0] + u[1] * u[1])
-    most = friction * reaction
     if spring * distance <= most or distance == 0.0:
         for i in range(2):
             balance[i] -= spring * u[i]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from catopt.fem.energy_balance import EnergyBalance
 from catopt.fem.statistics import SeriesStatistics, series_statistics
 
 __all__ = ["History"]
@@ -42,14 +43,22 @@ class History:
         Unstretched arc length of the bars' middles from their anchor, m.
     max_tension, min_tension : ndarray, shape (bars,)
         From `since` on, at every step, N.
-    slack_time : ndarray, shape (bars,)
-        s without tension from `since` on.
+    slack_time, longest_slack : ndarray, shape (bars,)
+        s without tension from `since` on: in all, and at a stretch.
+    max_end_force, time_of_max_end_force : ndarray, shape (lines, 2)
+        Largest size of the force at the anchor and at the fairlead from `since` on, at every step,
+        N, and when it was reached, s.
+    balance : EnergyBalance
+        What was put in from the first moment on, and where it went.
     since : float
         Where statistics begin, s.
     step, shortest_step : float
         As asked for, and after halving, s.
     steps, iterations, halvings : int
-        Steps taken, Newton iterations, and times that a step was halved.
+        Steps taken, Newton iterations, and times that a step was halved because it did not close.
+    refinements, unresolved : int
+        Times that a step was halved because a tension surprised, and steps as short as allowed in
+        which one still did.
     is_complete : bool
         False when the run was stopped from outside (Ctrl-C).
     warnings : tuple of str
@@ -69,12 +78,18 @@ class History:
     max_tension: Array
     min_tension: Array
     slack_time: Array
+    longest_slack: Array
+    max_end_force: Array
+    time_of_max_end_force: Array
+    balance: EnergyBalance
     since: float
     step: float
     shortest_step: float
     steps: int
     iterations: int
     halvings: int
+    refinements: int
+    unresolved: int
     is_complete: bool
     warnings: tuple[str, ...]
 
@@ -112,8 +127,12 @@ class History:
         return float(self.max_tension[self._bars(line)].max())
 
     def line_slack_time(self, line: int = 0) -> float:
-        """Longest time that a bar of a line was without tension from `since` on, s."""
+        """Time that a bar of a line was without tension from `since` on, in all, at most, s."""
         return float(self.slack_time[self._bars(line)].max())
+
+    def line_longest_slack(self, line: int = 0) -> float:
+        """Longest time at a stretch that a bar of a line was without tension from `since` on, s."""
+        return float(self.longest_slack[self._bars(line)].max())
 
     def amplification(self, quasi_static_max: float, line: int = 0) -> float:
         """Largest tension at a fairlead over the largest quasi-static one.

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+import math
+from typing import Any, Final, NamedTuple
 
+import numpy as np
+
+from catopt.fem.energy_balance import add_works, fill_forces
 from catopt.fem.moving import BodyNode, Moving, MovingLines
 from catopt.fem.newmark import close_step, predict
-from catopt.fem.sampling import Record, Room, Rules, take_sample
+from catopt.fem.sampling import Record, Room, Rules, fill_end_forces, take_sample
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series
 from catopt.fem.water_at import fill_water
@@ -14,8 +18,8 @@ from catopt.waves.kinematics import Flow
 
 __all__ = ["MarchReport", "march"]
 
-_TREMOR: Final = 0.1
-"""Change of acceleration within a step that is not looked at, m/s2: rounding of lines at rest."""
+_LONGER: Final = 0.2
+"""Part of the allowed surprise below which the next step may be twice as long."""
 
 
 class MarchReport(NamedTuple):
@@ -29,9 +33,12 @@ class MarchReport(NamedTuple):
         Reached, s.
     steps, iterations, halvings : int
         Taken; Newton iterations; times that a step was halved.
-    ringing : int
-        Steps in which accelerations changed by more than velocities over the step: motion that is
-        not resolved carries the most energy.
+    refinements : int
+        Times that a step was halved because a tension surprised.
+    unresolved : float
+        Steps accepted as short as allowed with a tension that still surprised.
+    ringing, strain : float
+        Strain energy over time, J s: of what in the tensions changes from step to step, and all.
     shortest : float
         Shortest step, s.
     worst : float
@@ -45,7 +52,10 @@ class MarchReport(NamedTuple):
     steps: int
     iterations: int
     halvings: int
-    ringing: int
+    refinements: int
+    unresolved: int
+    ringing: float
+    strain: float
     shortest: float
     worst: float
     node: int
@@ -74,13 +84,15 @@ def march(
     room, record
         Work space, and where the samples go.
     """
-    steps = iterations = halvings = ringing = 0
+    steps = iterations = halvings = refinements = unresolved = level = 0
+    ringing = strain = 0.0
     shortest = rules.step
     for sample in range(first + 1, end + 1):
         for j in range(rules.every):
             start = ((sample - 1) * rules.every + j) * rules.step
-            level, part, done = 0, 1.0, 0.0
+            done = 0.0
             while done < 1.0:
+                part = 0.5**level
                 h = part * rules.step
                 closed, used, worst, node = attempt(
                     start + done * rules.step, h, rules, lines, body, led, load, flow, has_sea,
@@ -90,24 +102,68 @@ def march(
                 if not closed:
                     level += 1
                     halvings += 1
-                    part *= 0.5
                     if level > rules.halvings:
                         return MarchReport(
                             False, start + done * rules.step, steps, iterations, halvings,
-                            ringing, shortest, worst, node,
+                            refinements, unresolved, ringing, strain, shortest, worst, node,
                         )  # fmt: skip
-                    shortest = min(shortest, part * rules.step)
                     continue
+                surprise, rings, held = tension_surprise(h, lines, before, room.now, room.slope)
+                highest = max(room.highest[0], np.abs(room.now.tension).max())
+                allowed = rules.surprise * max(highest, lines.force_scale)
+                if surprise > allowed:
+                    if level < rules.refinements:
+                        level += 1
+                        refinements += 1
+                        continue
+                    unresolved += 1
+                room.highest[0] = highest
+                shortest = min(shortest, h)
                 steps += 1
                 done += part
-                ringing += accept(start + done * rules.step, h, rules, lines, before, room, record)
+                ringing += rings
+                strain += held
+                accept(start + done * rules.step, h, rules, lines, has_sea, before, room, record)
                 # Longer again where the step then ends with one twice as long.
-                if level > 0 and (done / (2.0 * part)) % 1.0 == 0.0:
+                ends_evenly = (done / (2.0 * part)) % 1.0 == 0.0
+                if level > 0 and ends_evenly and surprise < _LONGER * allowed:
                     level -= 1
-                    part *= 2.0
         take_sample(sample, rules, lines, led, body, before, room, record)
     time = end * rules.every * rules.step
-    return MarchReport(True, time, steps, iterations, halvings, ringing, shortest, 0.0, 0)
+    return MarchReport(
+        True, time, steps, iterations, halvings, refinements, unresolved, ringing, strain,
+        shortest, 0.0, 0,
+    )  # fmt: skip
+
+
+def tension_surprise(
+    h: float, lines: MovingLines, before: Moving, now: Moving, slope: Any
+) -> tuple[float, float, float]:
+    """Compare tensions at a step's end with what they were heading for.
+
+    Parameters
+    ----------
+    h : float
+        Length of the step, s.
+    lines, before, now
+        What moves, at the step's start and at its end.
+    slope : array, shape (bars,)
+        Rate of the tensions in the last step, N/s.
+
+    Returns
+    -------
+    surprise, ringing, strain : float
+        Largest difference, N; energy of the differences and of the tensions, times h, J s.
+    """
+    largest = ringing = strain = 0.0
+    old, new, length, EA = before.tension, now.tension, lines.length, lines.EA
+    for e in range(new.shape[0]):
+        off = new[e] - old[e] - h * slope[e]
+        largest = max(largest, abs(off))
+        over = 0.5 * h * length[e] / EA[e]
+        ringing += over * off * off
+        strain += over * new[e] * new[e]
+    return largest, ringing, strain
 
 
 def attempt(
@@ -117,7 +173,7 @@ def attempt(
     """Take one step into `room.now`; the state at its start stays as it is."""
     scheme = (rules.alpha_m, rules.alpha_f, rules.beta, rules.gamma)
     now, water = room.now, room.water
-    predict(t, h, scheme, lines, body, led, before, now, room.small)
+    predict(t, h, scheme, lines, body, led, before, now, room.change, room.small)
     now.foot[:] = before.foot
     if has_sea:
         fill_water(t + h, now.x, lines.start, flow, rules.alpha_f, room.water_before, water)
@@ -130,44 +186,68 @@ def attempt(
 
 
 def accept(
-    t: float, h: float, rules: Rules, lines: MovingLines, before: Moving, room: Room,
+    t: float, h: float, rules: Rules, lines: MovingLines, has_sea: bool, before: Moving, room: Room,
     record: Record,
-) -> int:  # fmt: skip
-    """Make the end of the step the start of the next; keep what was largest.
-
-    Returns 1 when accelerations changed by more than velocities over the step.
-    """
-    now, latest = room.now, room.water.latest
-    if lines.friction > 0.0:
+) -> None:  # fmt: skip
+    """Make the end of the step the start of the next; keep what was largest."""
+    now, water, slope = room.now, room.water, room.slope
+    if lines.friction.any():
         drag_feet(lines, now, h)
         before.foot[:] = now.foot
     # For the ends: accelerations at the step's end itself.
     shift = rules.alpha_m - rules.alpha_f
     x, v, a, force, at_end = now.x, now.v, now.a, now.force, room.equations.acceleration
-    x_0, v_0, a_0, force_0, water_0 = before.x, before.v, before.a, before.force, room.water_before
-    swing = speed = 0.0
-    for n in range(x.shape[0]):
+    x_0, v_0, a_0, force_0, change = before.x, before.v, before.a, before.force, room.change
+    for n in range(v.shape[0]):
         for i in range(3):
-            swing += (a[n, i] - a_0[n, i]) ** 2
-            speed += v[n, i] ** 2
-            at_end[n, i] = a[n, i] - shift * (a[n, i] - a_0[n, i])
+            change[n, i] = a[n, i] - a_0[n, i]
+            at_end[n, i] = a[n, i] - shift * change[n, i]
+    fill_forces(lines, now, water, has_sea, room.booked)
+    fill_end_forces(lines, now, at_end, room, room.ends)
+    add_works(
+        lines, before, now, water.wet, room.wet_before, room.booked_before, room.booked,
+        room.ends_before[:, 1], room.ends[:, 1], record.works,
+    )  # fmt: skip
+    tension, over, reaction, rub, rub_0 = now.tension, 1.0 / h, now.reaction, now.rub, before.rub
+    latest, water_0 = water.latest, room.water_before
+    booked, booked_0 = room.booked, room.booked_before
+    for n in range(v.shape[0]):
+        before.reaction[n] = reaction[n]
+        rub_0[n, 0], rub_0[n, 1] = rub[n, 0], rub[n, 1]
+        for i in range(3):
             x_0[n, i] = x[n, i]
             v_0[n, i] = v[n, i]
             a_0[n, i] = a[n, i]
             force_0[n, i] = force[n, i]
             water_0[n, i] = latest[n, i]
-    before.reaction[:] = now.reaction
+            for j in range(3):
+                booked_0[j, n, i] = booked[j, n, i]
+    for e in range(tension.shape[0]):
+        slope[e] = (tension[e] - before.tension[e]) * over
     before.body_force[:] = now.body_force
     before.axis[:] = now.axis
-    before.tension[:] = now.tension
-    rings = int(swing > x.shape[0] * _TREMOR**2 and h * h * swing > speed)
-    if t < rules.since - 1e-9 * rules.step:
-        return rings
-    tension, highest, lowest, slack = now.tension, record.highest, record.lowest, record.slack_time
+    before.tension[:] = tension
+    room.wet_before[:] = water.wet
+    room.ends_before[:] = room.ends
+    if t >= rules.since - 1e-9 * rules.step:
+        keep_extremes(t, h, tension, room.ends, record)
+
+
+def keep_extremes(t: float, h: float, tension: Any, ends: Any, record: Record) -> None:
+    """Keep what was largest and least of the bars' tensions and of the forces at the ends."""
+    highest, lowest, slack = record.highest, record.lowest, record.slack_time
+    longest, stretch = record.longest_slack, record.slack_now
     for e in range(tension.shape[0]):
         T = tension[e]
         highest[e] = max(highest[e], T)
         lowest[e] = min(lowest[e], T)
+        stretch[e] = stretch[e] + h if T <= 0.0 else 0.0
+        longest[e] = max(longest[e], stretch[e])
         if T <= 0.0:
             slack[e] += h
-    return rings
+    for k in range(ends.shape[0]):
+        for j in range(2):
+            square = ends[k, j, 0] ** 2 + ends[k, j, 1] ** 2 + ends[k, j, 2] ** 2
+            if square > record.end_highest[k, j] ** 2:
+                record.end_highest[k, j] = math.sqrt(square)
+                record.end_time[k, j] = t

@@ -20,6 +20,12 @@ Array = npt.NDArray[np.float64]
 _SAME_PLACE = 1e-9
 """Two joints closer than this part of the line's length are one."""
 
+_SHARP = 2.0
+"""A bend is sharp whose radius of curvature is below this many bars."""
+
+_BARS = 4.0
+"""Bars over the radius of a sharp bend, and over the distance from it."""
+
 
 @dataclass(frozen=True)
 class LineMesh:
@@ -82,8 +88,11 @@ def mesh_line(
     elements: int | Sequence[int] = 100,
     *,
     element_length: float | None = None,
+    bends: Sequence[tuple[float, float]] = (),
 ) -> LineMesh:
     """Cut a line into bars of nearly one length, with a node at every joint and point load.
+
+    Around a bend that is too sharp for them bars are shorter, and grow with the distance from it.
 
     Parameters
     ----------
@@ -94,6 +103,8 @@ def mesh_line(
         may be a few more. Or bars of each segment, from the anchor.
     element_length : float, optional
         Largest length of a bar, m; instead of `elements`.
+    bends : sequence of (float, float)
+        Arc length and radius of curvature of every sharp bend, m.
 
     Raises
     ------
@@ -102,22 +113,46 @@ def mesh_line(
     """
     _check(line, elements, element_length)
     bounds = np.concatenate([[0.0], np.cumsum([s.length for s in line.segments])])
-    joints = _joints(line, bounds)
     sizes = _target_lengths(line, elements, element_length)
+    sharp = [bend for bend in bends if bend[1] < _SHARP * sizes.max()]
+    joints = _joints(line, [*bounds, *_rings(line, sharp, float(sizes.max()))])
     owner = np.searchsorted(bounds[1:-1], 0.5 * (joints[1:] + joints[:-1]))
     pieces = np.diff(joints)
-    counts = np.maximum(1, np.ceil(pieces / sizes[owner] - 1e-6)).astype(int)
+    wanted = np.minimum(sizes[owner], _beside(joints, sharp))
+    counts = np.maximum(1, np.ceil(pieces / wanted - 1e-6)).astype(int)
     return LineMesh(line, tuple(joints.tolist()), tuple(counts.tolist()))
 
 
-def _joints(line: Line, bounds: Array) -> Array:
-    """Arc lengths of segment ends and point loads, each once."""
+def _joints(line: Line, places: Sequence[float]) -> Array:
+    """Arc lengths of segment ends, point loads and other places, each once."""
     tolerance = _SAME_PLACE * line.length
-    joints = list(bounds)
-    for load in line.point_loads:
-        if min(abs(load.position - joint) for joint in joints) > tolerance:
-            joints.append(load.position)
+    joints: list[float] = []
+    ends = [0.0, line.length]
+    for place in (*ends, *(load.position for load in line.point_loads), *places):
+        if all(abs(place - joint) > tolerance for joint in joints):
+            joints.append(place)
     return np.sort(np.array(joints))
+
+
+def _rings(line: Line, bends: Sequence[tuple[float, float]], size: float) -> list[float]:
+    """Places around bends between which the bars keep one length, each twice as far as the last."""
+    places = []
+    for place, radius in bends:
+        away = radius
+        places.append(place)
+        while away < _BARS * size:
+            places += [place - away, place + away]
+            away *= 2.0
+    return [place for place in places if 0.0 < place < line.length]
+
+
+def _beside(joints: Array, bends: Sequence[tuple[float, float]]) -> Array:
+    """Largest length of a bar between two joints that bends allow, m."""
+    wanted = np.full(len(joints) - 1, np.inf)
+    for place, radius in bends:
+        away = np.maximum(0.0, np.maximum(joints[:-1] - place, place - joints[1:]))
+        wanted = np.minimum(wanted, np.maximum(radius, away) / _BARS)
+    return wanted
 
 
 def _target_lengths(

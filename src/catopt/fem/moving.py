@@ -47,8 +47,8 @@ class MovingLines(NamedTuple):
         Whether the bed also holds the node down, as source S4 has it.
     drag_spring, drag_dashpot : array, shape (nodes,)
         Of the friction along the bed before it slips, N/m and N s/m.
-    friction : float
-        Coulomb coefficient.
+    friction : array, shape (nodes,)
+        Coulomb coefficient; of a point load and the half bars beside it by their weights.
     mass_factor, stiffness_factor : float
         Rayleigh's alpha (1/s) and beta (s).
     near, far : float
@@ -80,7 +80,7 @@ class MovingLines(NamedTuple):
     held: npt.NDArray[np.bool_]
     drag_spring: Array
     drag_dashpot: Array
-    friction: float
+    friction: Array
     mass_factor: float
     stiffness_factor: float
     near: float
@@ -120,6 +120,8 @@ class Moving(NamedTuple):
         All forces on the nodes but inertia, N.
     reaction : array, shape (nodes,)
         Upward force of the bed, N.
+    rub : array, shape (nodes, 2)
+        Friction of the bed on the nodes, N.
     foot : array, shape (nodes, 2)
         Where the friction springs have their feet, m; nan for a node that does not lie.
     body_force : array, shape (3,)
@@ -133,6 +135,7 @@ class Moving(NamedTuple):
     tension: Array
     force: Array
     reaction: Array
+    rub: Array
     foot: Array
     body_force: Array
 

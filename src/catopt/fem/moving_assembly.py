@@ -72,13 +72,14 @@ def assemble_moving(
 def _clear(lines: MovingLines, now: Moving, before: Moving, blend: Blend, to: Equations) -> None:
     """Start with constant forces and point masses; find what inertia acts by."""
     v, a, old_v, old_a, force, reaction = now.v, now.a, before.v, before.a, now.force, now.reaction
+    rub = now.rub
     diagonal, rest, acc = to.diagonal, to.rest, to.acceleration
     node_force, node_mass, alpha = lines.node_force, lines.node_mass, lines.mass_factor
     late, early = 1.0 - blend.before_force, blend.before_force
     late_a, early_a = 1.0 - blend.before_inertia, blend.before_inertia
     by_inertia = blend.by_a + alpha * blend.by_v
     for n in range(v.shape[0]):
-        reaction[n] = 0.0
+        reaction[n] = rub[n, 0] = rub[n, 1] = 0.0
         for i in range(3):
             force[n, i] = node_force[n, i]
             acc[n, i] = late_a * a[n, i] + early_a * old_a[n, i]

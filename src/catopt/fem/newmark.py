@@ -84,9 +84,9 @@ class Scheme:
 
 def predict(
     t: float, h: float, scheme: Any, lines: MovingLines, body: BodyNode, led: SeriesRows,
-    before: Moving, now: Moving, room: Any,
+    before: Moving, now: Moving, change: Any, room: Any,
 ) -> None:  # fmt: skip
-    """Set the state at the step's end as if accelerations stayed; led ends to where they are led.
+    """Set the state at the step's end as if accelerations went on; led ends to where they are led.
 
     Parameters
     ----------
@@ -98,18 +98,21 @@ def predict(
         What moves, and where to.
     before, now : Moving
         At the step's start; written to.
+    change : array, shape (nodes, 3)
+        Of the accelerations over the step, as it is expected, m/s2.
     room : array, shape (2, 3, 3)
         Work space.
     """
     shift = (scheme[0] - scheme[1]) * h
+    beta, gamma = scheme[2], scheme[3]
     x, v, a, free = now.x, now.v, now.a, body.free
     x_0, v_0, a_0 = before.x, before.v, before.a
     for n in range(x.shape[0]):
         for i in range(3):
-            same = a_0[n, i]
-            a[n, i] = same
-            v[n, i] = v_0[n, i] + h * same
-            x[n, i] = x_0[n, i] + h * (v_0[n, i] + 0.5 * h * same)
+            same, more = a_0[n, i], change[n, i]
+            a[n, i] = same + more
+            v[n, i] = v_0[n, i] + h * (same + gamma * more)
+            x[n, i] = x_0[n, i] + h * (v_0[n, i] + h * (0.5 * same + beta * more))
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
         for i in range(3):

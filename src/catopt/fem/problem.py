@@ -28,7 +28,7 @@ from catopt.fem.loads import Current, Weights
 from catopt.fem.mesh import LineMesh
 from catopt.fem.step import Body
 
-__all__ = ["Problem", "Water", "build", "straight"]
+__all__ = ["Problem", "Water", "build", "node_friction", "straight"]
 
 Array = npt.NDArray[np.float64]
 
@@ -152,7 +152,7 @@ def build(
         bars=Bars(length, compliance, start),
         weights=Weights(submerged, in_air, water.surface),
         nodal=nodal,
-        ground=Ground(np.empty(0), friction, NO_FRICTION, np.empty(0), np.empty((0, 2))),
+        ground=_frictionless(np.empty(0)),
         contact=np.concatenate([_contact(mesh, bed) for mesh in meshes]),
         body=body,
         carries_compression=carries_compression,
@@ -161,7 +161,8 @@ def build(
         along=along,
         current=water.current,
     )
-    return problem.with_ground(_ground(problem, bed, friction))
+    rough = np.concatenate([node_friction(mesh, friction) for mesh in meshes])
+    return problem.with_ground(_ground(problem, bed, friction, rough))
 
 
 def straight(problem: Problem, anchors: Array, fairleads: Array) -> State:
@@ -229,19 +230,44 @@ def _contact(mesh: LineMesh, bed: Bed | HeldBed) -> npt.NDArray[np.int64]:
     return np.where(is_held, HELD, ABSENT).astype(np.int64)
 
 
-def _ground(problem: Problem, bed: Bed | HeldBed, friction: float) -> Ground:
+def node_friction(mesh: LineMesh, friction: float) -> Array:
+    """Coulomb coefficient of each node: that of its point load, where that has its own.
+
+    Parameters
+    ----------
+    mesh : LineMesh
+        The line.
+    friction : float
+        Of the bed.
+    """
+    rough = np.full(mesh.elements + 1, float(friction))
+    for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True):
+        if load.friction is not None:
+            rough[node] = load.friction
+    return rough
+
+
+def _frictionless(stiffness: Array) -> Ground:
+    nodes = stiffness.size
+    zero, foot = np.zeros(nodes), np.full((nodes, 2), np.nan)
+    return Ground(stiffness, zero, np.zeros((nodes, 2)), 0.0, NO_FRICTION, zero, foot)
+
+
+def _ground(problem: Problem, bed: Bed | HeldBed, friction: float, rough: Array) -> Ground:
     carried = problem.carried
-    foot = np.full((carried.size, 2), np.nan)
     if isinstance(bed, HeldBed):
-        rigid = np.full(carried.size, np.inf)
-        return Ground(rigid, 0.0, NO_FRICTION, np.zeros(carried.size), foot)
+        return _frictionless(np.full(carried.size, np.inf))
+    beside = np.zeros((carried.size, 2))
+    half = 0.5 * np.maximum(problem.weights.submerged, 0.0)
+    beside[problem.first_node + 1, 0] = half
+    beside[problem.first_node, 1] = half
     law = PULLED if bed.friction_law == "pulled" else SPRING
-    return Ground(
-        stiffness=bed.normal_stiffness * carried,
-        friction=friction,
-        law=law if friction > 0.0 else NO_FRICTION,
+    return _frictionless(bed.normal_stiffness * carried)._replace(
+        friction=rough,
+        beside=(friction - rough)[:, np.newaxis] * beside,
+        bed_friction=float(friction),
+        law=law if rough.any() else NO_FRICTION,
         tangential=bed.tangential_stiffness * carried,
-        spring_foot=foot,
     )
 
 

@@ -45,7 +45,7 @@ def read_line(index: int, mesh: LineMesh, problem: Problem, rest: Rest) -> Truss
     lies = (state.contact[at] == ON_BED) | (state.contact[at] == HELD)
     part = _hanging_parts(x, T, half, lies)
     d = x[-1] - x[0]
-    friction = problem.ground.friction if problem.ground.law == PULLED else 0.0
+    friction = problem.ground.bed_friction if problem.ground.law == PULLED else 0.0
     return TrussSolution(
         mesh=mesh,
         nodes=x.copy(),
@@ -81,7 +81,7 @@ def _end(
     if has_bed and x[2] <= 0.0 and up < 0.0:
         reaction, up = -up, 0.0
         if problem.ground.law == PULLED:
-            level = max(level + side * problem.ground.friction * reaction, 0.0)
+            level = max(level + side * problem.ground.bed_friction * reaction, 0.0)
     # The line rises towards the fairlead where it pulls the anchor up and the fairlead down.
     vertical = 0.0 - side * up
     angle = math.atan2(vertical, level) if vertical != 0.0 or level != 0.0 else 0.0

@@ -12,7 +12,7 @@ from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import inertia_of_half
 from catopt.fem.series import SeriesRows, fill_series
 
-__all__ = ["Record", "Room", "Rules", "take_sample"]
+__all__ = ["Record", "Room", "Rules", "fill_end_forces", "take_sample"]
 
 Array = npt.NDArray[np.float64]
 
@@ -32,6 +32,11 @@ class Rules(NamedTuple):
         Newton iterations of a step before it is halved.
     halvings : int
         Times that a step may be halved.
+    refinements : int
+        Times that it is halved at most because a tension surprises.
+    surprise : float
+        Difference of a tension from what it was heading for beyond which that is done, over the
+        largest tension of the run so far or what a line weighs.
     tolerance : float
         Largest force left over at a node, over the largest tension or what a line weighs.
     since : float
@@ -46,6 +51,8 @@ class Rules(NamedTuple):
     every: int
     limit: int
     halvings: int
+    refinements: int
+    surprise: float
     tolerance: float
     since: float
 
@@ -73,8 +80,12 @@ class Record(NamedTuple):
         Which.
     highest, lowest : array, shape (bars,)
         Tension, N.
-    slack_time : array, shape (bars,)
-        s without tension.
+    slack_time, longest_slack, slack_now : array, shape (bars,)
+        s without tension: in all, at a stretch, and at the stretch that goes on.
+    end_highest, end_time : array, shape (lines, 2)
+        Largest size of the forces at the ends, N, and when, s, of every step.
+    works : array, shape (8,)
+        As `energy_balance.add_works` adds them, of every step, J.
     rest : array, shape (nodes, 3)
         Places from which the energies of strain, weight and bed count, m.
     """
@@ -90,11 +101,23 @@ class Record(NamedTuple):
     highest: Array
     lowest: Array
     slack_time: Array
+    longest_slack: Array
+    slack_now: Array
+    end_highest: Array
+    end_time: Array
+    works: Array
     rest: Array
 
 
 class Room(NamedTuple):
-    """Work space: the state and the water at a step's end, equations, small matrices, a force."""
+    """Work space: the state and the water at a step's end, equations, small matrices, a force.
+
+    `slope` is the rate of each bar's tension in the last step, N/s, `highest` the largest of all,
+    and `change` that of the accelerations, m/s2;
+    `booked` and `booked_before` are the forces whose work is booked, shape (3, nodes, 3), N, `ends`
+    and `ends_before` those at the ends, shape (lines, 2, 3), at a step's end and at its start, and
+    `wet_before` what is in the water at its start.
+    """
 
     now: Moving
     water: WaterAt
@@ -102,6 +125,14 @@ class Room(NamedTuple):
     equations: Equations
     small: Array
     force: Array
+    slope: Array
+    highest: Array
+    change: Array
+    booked: Array
+    booked_before: Array
+    ends: Array
+    ends_before: Array
+    wet_before: Array
 
 
 def take_sample(
@@ -127,23 +158,40 @@ def take_sample(
     record.time[sample] = t
     a = room.equations.acceleration
     for k in range(lines.start.shape[0] - 1):
-        first, last = lines.start[k] + k, lines.start[k + 1] + k
+        last = lines.start[k + 1] + k
         fill_series(t, led, k, room.small[0])
         for i in range(3):
             if body.free[i] == 0.0:
                 a[last, i] = room.small[0, 2, i]
             record.fairlead[sample, k, i] = at.x[last, i]
         bar, bar_last = lines.start[k], lines.start[k + 1] - 1
-        fill_end_force(bar, first, first + 1, lines, at, a, room, record.end_force[sample, k, 0])
-        fill_end_force(bar_last, last, last - 1, lines, at, a, room, record.end_force[sample, k, 1])
         record.end_tension[sample, k, 0] = at.tension[bar]
         record.end_tension[sample, k, 1] = at.tension[bar_last]
         record.grounded[sample, k] = length_on_bed(k, lines, at)
+    fill_end_forces(lines, at, a, room, record.end_force[sample])
     for c in range(record.chosen.shape[0]):
         for i in range(3):
             record.place[sample, c, i] = at.x[record.chosen[c], i]
     if record.energy.shape[0] > 0:
         fill_energy(lines, at, room, record.rest, record.energy[sample])
+
+
+def fill_end_forces(lines: MovingLines, at: Moving, a: Any, room: Room, to: Any) -> None:
+    """Write the forces of all lines on what holds their anchors and fairleads, N.
+
+    Parameters
+    ----------
+    lines, at, room
+        What moves, how, and the water around it.
+    a : array, shape (nodes, 3)
+        Accelerations, m/s2.
+    to : array, shape (lines, 2, 3)
+        Written to.
+    """
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k, lines.start[k + 1] + k
+        fill_end_force(lines.start[k], first, first + 1, lines, at, a, room, to[k, 0])
+        fill_end_force(lines.start[k + 1] - 1, last, last - 1, lines, at, a, room, to[k, 1])
 
 
 def fill_end_force(

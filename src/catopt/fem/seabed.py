@@ -75,21 +75,23 @@ def push_and_rub(
     now.force[n, 2] += R
     to.diagonal[n, 2, 2] += slope
     foot = now.foot[n]
-    if lines.friction == 0.0 or math.isnan(foot[0]):
+    if lines.friction[n] == 0.0 or math.isnan(foot[0]):
         return
     stiffness = lines.drag_spring[n]
     dashpot = max(lines.drag_dashpot[n], 0.5 * blend.step * stiffness)
     px = stiffness * (now.x[n, 0] - foot[0]) + dashpot * now.v[n, 0]
     py = stiffness * (now.x[n, 1] - foot[1]) + dashpot * now.v[n, 1]
     held = blend.by_x * stiffness + blend.by_v * dashpot
-    pull, most = math.sqrt(px * px + py * py), lines.friction * R
+    pull, most = math.sqrt(px * px + py * py), lines.friction[n] * R
     if pull <= most:
+        now.rub[n, 0], now.rub[n, 1] = -px, -py
         now.force[n, 0] -= px
         now.force[n, 1] -= py
         to.diagonal[n, 0, 0] += held
         to.diagonal[n, 1, 1] += held
         return
     nx, ny = px / pull, py / pull
+    now.rub[n, 0], now.rub[n, 1] = -most * nx, -most * ny
     now.force[n, 0] -= most * nx
     now.force[n, 1] -= most * ny
     turn = most / pull * held
@@ -97,8 +99,8 @@ def push_and_rub(
     to.diagonal[n, 0, 1] -= turn * nx * ny
     to.diagonal[n, 1, 0] -= turn * nx * ny
     to.diagonal[n, 1, 1] += turn * nx * nx
-    to.diagonal[n, 0, 2] -= lines.friction * slope * nx
-    to.diagonal[n, 1, 2] -= lines.friction * slope * ny
+    to.diagonal[n, 0, 2] -= lines.friction[n] * slope * nx
+    to.diagonal[n, 1, 2] -= lines.friction[n] * slope * ny
 
 
 def drag_feet(lines: MovingLines, now: Moving, h: float) -> None:
@@ -128,7 +130,7 @@ def drag_feet(lines: MovingLines, now: Moving, h: float) -> None:
         dashpot = max(lines.drag_dashpot[n], 0.5 * h * stiffness)
         px = stiffness * (now.x[n, 0] - foot[n, 0]) + dashpot * now.v[n, 0]
         py = stiffness * (now.x[n, 1] - foot[n, 1]) + dashpot * now.v[n, 1]
-        pull, most = math.sqrt(px * px + py * py), lines.friction * now.reaction[n]
+        pull, most = math.sqrt(px * px + py * py), lines.friction[n] * now.reaction[n]
         if pull > most:
             part = most / pull
             foot[n, 0] = now.x[n, 0] - (part * px - dashpot * now.v[n, 0]) / stiffness

@@ -21,7 +21,7 @@ import numpy.typing as npt
 from catopt.errors import NotConvergedError
 from catopt.fem.assembly import State
 from catopt.fem.bed import NO_FRICTION, PULLED, SPRING, Ground
-from catopt.fem.friction import slipped_foot
+from catopt.fem.friction import limit, slipped_foot
 from catopt.fem.newton import Newton
 from catopt.fem.problem import Problem
 from catopt.fem.step import Body
@@ -174,7 +174,7 @@ def _rub_in(newton: Newton, ground: Ground, controls: Controls) -> None:
     while done < 1.0:
         to = min(1.0, done + part)
         kept = _copied(newton.state)
-        rough = ground._replace(friction=to * ground.friction)
+        rough = ground._replace(friction=to * ground.friction, beside=to * ground.beside)
         if newton.run(0.0, rough, _LAST_LIMIT, controls.tolerance):
             done = to
             continue
@@ -224,7 +224,8 @@ def _dragged_feet(state: State, ground: Ground) -> Ground:
         if np.isnan(old[0]):
             foot[node] = x, y
         else:
-            reach = ground.friction * state.reaction[node] / ground.tangential[node]
+            most = limit(int(node), state.reaction[node], ground, state.contact)
+            reach = most / ground.tangential[node]
             foot[node] = slipped_foot(x, y, old[0], old[1], reach)
     return ground._replace(spring_foot=foot)
 

@@ -11,11 +11,12 @@ import numpy.typing as npt
 
 from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
+from catopt.fem.energy_balance import EnergyBalance, fill_forces
 from catopt.fem.march import MarchReport, march
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import Scheme, solve_moving
-from catopt.fem.sampling import Record, Room, Rules, take_sample
+from catopt.fem.sampling import Record, Room, Rules, fill_energy, take_sample
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series, series_rows
 from catopt.fem.step_controls import StepControls, StepCounts
@@ -32,6 +33,8 @@ _STILL = Sea(1.0)
 _REST_LIMIT = 500
 _REST_TOLERANCE = 1e-9
 _FEW_STEPS = 20
+_TURN = 0.2
+"""Change of place over a bar that a Newton step on the way to rest may bring, over its length."""
 _PIECE = 0.1
 """Seconds of computing between two looks at Ctrl-C and calls of `progress`, about."""
 
@@ -92,6 +95,14 @@ class Simulation:
             ),
             small=np.zeros((2, 3, 3)),
             force=np.zeros(3),
+            slope=np.zeros(bars),
+            highest=np.zeros(1),
+            change=np.zeros((nodes, 3)),
+            booked=np.zeros((3, nodes, 3)),
+            booked_before=np.zeros((3, nodes, 3)),
+            ends=np.zeros((ends.size, 2, 3)),
+            ends_before=np.zeros((ends.size, 2, 3)),
+            wet_before=np.ones((bars, 2)),
         )
 
     @property
@@ -153,7 +164,7 @@ class Simulation:
             at.x[:, 2],
         )
         worst, node = self.assemble(blend)
-        if pulled and self.lines.friction > 0.0:
+        if pulled and self.lines.friction.any():
             lies = at.reaction > 0.0
             at.foot[lies] = (
                 at.x[lies, :2] - at.force[lies, :2] / self.lines.drag_spring[lies, np.newaxis]
@@ -172,7 +183,7 @@ class Simulation:
             move = self.equations.rest.copy()
             move[self._anchors] = 0.0
             longest = float(np.abs(move).max())
-            part = min(1.0, 0.5 * float(self.lines.length.min()) / max(longest, 1e-300))
+            part = self._part_of(move, longest)
             if not solved or not np.isfinite(longest):
                 hold *= 10.0
                 worst, node = self.assemble(blend)
@@ -190,6 +201,16 @@ class Simulation:
             raise _not_closed("the lines did not come to rest", self, worst, node, None)
         compiled(drag_feet)(self.lines, at, 0.0)
         self.assemble(blend)
+
+    def _part_of(self, move: Array, longest: float) -> float:
+        """Part of a Newton step by which no node moves half a bar, or else no bar turns far."""
+        first = np.arange(self.lines.length.size) + np.repeat(
+            np.arange(self.lines.start.size - 1), np.diff(self.lines.start)
+        )
+        apart = np.linalg.norm(move[first + 1] - move[first], axis=1)
+        turn = float((apart / self.lines.length).max())
+        near = 0.5 * float(self.lines.length.min()) / max(longest, 1e-300)
+        return min(1.0, max(near, _TURN / max(turn, 1e-300)))
 
     def start(self) -> None:
         """Find the accelerations with which the lines set off from the present state."""
@@ -261,6 +282,8 @@ class Simulation:
             every=int(every),
             limit=int(ways.max_iterations),
             halvings=int(ways.max_halvings),
+            refinements=int(ways.max_refinements),
+            surprise=float(ways.surprise),
             tolerance=float(max(ways.tolerance, self.rounding)),
             since=float(since),
         )
@@ -294,14 +317,34 @@ class Simulation:
                     size *= 2
         return record, True
 
+    def balance(self, record: Record) -> EnergyBalance:
+        """Book the energy of a run, from its record and the state at its end."""
+        stored = np.zeros(4)
+        compiled(fill_energy)(self.lines, self.state, self._room, record.rest, stored)
+        ends, water, drag, bed, friction, damping, kinetic, put_in = map(float, record.works)
+        return EnergyBalance(
+            ends=ends,
+            water=water,
+            kinetic=kinetic,
+            elastic=float(stored[1] + stored[3]),
+            potential=float(stored[2]),
+            drag=-drag,
+            bed=-bed - float(stored[3]),
+            friction=-friction,
+            damping=-damping,
+            put_in=put_in,
+        )
+
     def _check_ringing(self, controls: StepControls, step: float, t: float) -> None:
         count = self.counts
-        if count.ringing > max(_FEW_STEPS, controls.max_ringing * count.steps):
+        if count.steps > _FEW_STEPS and count.ringing > controls.max_ringing * count.strain:
+            part = count.ringing / count.strain
             raise NotConvergedError(
-                f"by t = {t:.6g} s the line rings in {count.ringing} of {count.steps} steps: "
-                f"accelerations change there by more than velocities over the step of {step:g} s, "
-                "and tensions are not to be trusted. A shorter step, or generalised-alpha with a "
-                "smaller spectral radius, is wanted."
+                f"by t = {t:.6g} s the line rings: {part:.0%} of the energy of its "
+                "tensions changes from step to step, down to the shortest of "
+                f"{count.shortest:.3g} s, and they are not to be trusted. A time step shorter than "
+                f"{step:g} s, more line damping, or generalised-alpha with a smaller spectral "
+                "radius is wanted."
             )
 
     def _first_sample(self, rules: Rules, record: Record) -> None:
@@ -309,6 +352,12 @@ class Simulation:
         compiled(take_sample)(
             0, rules, self.lines, self.led, self.body, self.state, self._room, record
         )
+        room = self._room
+        compiled(fill_forces)(
+            self.lines, self.state, room.water, self.sea is not None, room.booked_before
+        )
+        room.ends_before[:] = record.end_force[0]
+        room.wet_before[:] = room.water.wet
 
     def _empty_record(self, samples: int, nodes: Sequence[int], energy: bool) -> Record:
         lines, bars = self.lines.start.size - 1, self.lines.length.size
@@ -324,6 +373,11 @@ class Simulation:
             highest=np.full(bars, -np.inf),
             lowest=np.full(bars, np.inf),
             slack_time=np.zeros(bars),
+            longest_slack=np.zeros(bars),
+            slack_now=np.zeros(bars),
+            end_highest=np.zeros((lines, 2)),
+            end_time=np.zeros((lines, 2)),
+            works=np.zeros(8),
             rest=self.state.x.copy(),
         )
 
@@ -356,6 +410,7 @@ def _moving(lines: MovingLines, x: Array) -> Moving:
         tension=np.zeros(bars),
         force=np.zeros((nodes, 3)),
         reaction=np.zeros(nodes),
+        rub=np.zeros((nodes, 2)),
         foot=np.full((nodes, 2), np.nan),
         body_force=np.zeros(3),
     )

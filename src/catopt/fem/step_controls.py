@@ -22,15 +22,21 @@ class StepControls:
         Newton iterations before a step is halved.
     max_halvings : int
         Times that a step may be halved before the run stops.
+    surprise : float
+        Difference of a bar's tension from what it was heading for in the last step beyond which a
+        step is halved, over the largest tension of the run so far or what a line weighs.
+    max_refinements : int
+        Times that a step may be halved for that. A step as short as that is taken as it is.
     max_ringing : float
-        Part of the steps in which accelerations may change by more than velocities over the step.
-        Beyond it the run stops: what it shows is its own ringing. A step too long for a scheme that
-        does not damp goes that way when bars snap taut, with tensions that are off by any factor.
+        Part of the strain energy, over time, that such differences may hold. Beyond it the run
+        stops: what it shows is ringing that its steps do not resolve.
     """
 
     tolerance: float = 1e-6
     max_iterations: int = 12
     max_halvings: int = 10
+    surprise: float = 0.05
+    max_refinements: int = 10
     max_ringing: float = 0.2
 
     def __post_init__(self) -> None:
@@ -38,7 +44,9 @@ class StepControls:
         found.number("tolerance", self.tolerance, "", above=0.0)
         found.number("max_iterations", self.max_iterations, "", at_least=1.0)
         found.number("max_halvings", self.max_halvings, "", at_least=0.0)
-        found.number("max_ringing", self.max_ringing, "", at_least=0.0, at_most=1.0)
+        found.number("surprise", self.surprise, "", above=0.0)
+        found.number("max_refinements", self.max_refinements, "", at_least=0.0)
+        found.number("max_ringing", self.max_ringing, "", at_least=0.0, infinite=True)
         found.raise_if_any()
 
 
@@ -50,8 +58,11 @@ class StepCounts:
     ----------
     steps, iterations, halvings : int
         Steps taken, Newton iterations of all, and times that a step was halved.
-    ringing : int
-        Steps in which accelerations changed by more than velocities over the step.
+    refinements, unresolved : int
+        Times that a step was halved because a tension surprised; steps as short as allowed in which
+        one still did.
+    ringing, strain : float
+        Strain energy over time, J s: of what in the tensions changes from step to step, and all.
     shortest : float
         Shortest step, s.
     """
@@ -59,7 +70,10 @@ class StepCounts:
     steps: int = 0
     iterations: int = 0
     halvings: int = 0
-    ringing: int = 0
+    refinements: int = 0
+    unresolved: int = 0
+    ringing: float = 0.0
+    strain: float = 0.0
     shortest: float = field(default=float("inf"))
 
     def add(self, report: MarchReport) -> None:
@@ -67,5 +81,8 @@ class StepCounts:
         self.steps += report.steps
         self.iterations += report.iterations
         self.halvings += report.halvings
+        self.refinements += report.refinements
+        self.unresolved += report.unresolved
         self.ringing += report.ringing
+        self.strain += report.strain
         self.shortest = min(self.shortest, report.shortest)

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from catopt.catenary.case import solve_case
-from catopt.catenary.solution import Solution
-from catopt.errors import InputError, Problem, TouchesTwiceError
+from catopt.catenary.surface import check_buoys, named_line
+from catopt.errors import InputError, Problem
 from catopt.model import Case, Load
 from catopt.units import as_written
 from catopt.verify.line import Moored, verify_line
@@ -35,8 +35,7 @@ def verify_case(
 
     The truss model shares nothing with the closed form but the line it is given. It is solved on
     three meshes, of which each has twice the bars of the one before; their values are extrapolated
-    where they close up with the square of the bar length. Where the closed form refuses (a buoy
-    that makes the line touch the bed twice) the truss model answers alone.
+    where they close up with the square of the bar length.
 
     Parameters
     ----------
@@ -61,8 +60,8 @@ def verify_case(
     ------
     InputError
         When a setting is out of range, or no load case has that name.
-    NoEquilibriumError
-        When there is no equilibrium.
+    NoEquilibriumError, FloatsUpError
+        When there is no equilibrium, or a buoy would float above the water surface.
     NotConvergedError
         When one of the models stopped short of its tolerance.
 
@@ -129,10 +128,11 @@ def _found(case: Case) -> Case:
 
 def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticComparison:
     if case.system is not None:
-        return verify_system(case.system, elements=elements, tolerance=tolerance, name=name)
+        part = verify_system(case.system, elements=elements, tolerance=tolerance, name=name)
+        _check_buoys(part, case.site.water_depth)
+        return part
     case = _found(case)
     assert case.load is not None
-    closed, refusal = _closed_form(case)
     moored = Moored(
         line=case.line,
         height=case.fairlead_height,
@@ -140,14 +140,18 @@ def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticC
         anchor_height=case.anchor_height,
         seabed_friction=case.site.seabed_friction,
     )
-    return verify_line(
-        moored, closed, elements=elements, tolerance=tolerance, name=name, refusal=refusal
-    )
+    part = verify_line(moored, solve_case(case), elements=elements, tolerance=tolerance, name=name)
+    _check_buoys(part, case.site.water_depth)
+    return part
 
 
-def _closed_form(case: Case) -> tuple[Solution | None, str]:
-    """Solve in closed form, or say why it refuses a line that yet may hang."""
-    try:
-        return solve_case(case), ""
-    except TouchesTwiceError as error:
-        return None, str(error)
+def _check_buoys(part: StaticComparison, water_depth: float) -> None:
+    """Refuse buoys above the water surface by the truss model, which has every line."""
+    for number, pair in enumerate(part.lines, start=1):
+        mesh = pair.finest.mesh
+        heights = pair.finest.nodes[mesh.load_node, 2].tolist()
+        if part.kind == "line":
+            check_buoys(mesh.line, heights, water_depth)
+            continue
+        with named_line(number):
+            check_buoys(mesh.line, heights, water_depth)

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
+from catopt.ties import largest
 from catopt.verify.richardson import ORDER, extrapolated, observed_order
 
-__all__ = ["NOISE", "SMOOTH", "Compared", "Unit"]
+__all__ = ["NOISE", "ROUNDING", "SMOOTH", "Compared", "Unit", "worst_of"]
 
 Unit = Literal["N", "m", "rad", "Nm"]
 
 SMOOTH = 0.25
 """How far the observed order may be from that of theory for the meshes to be extrapolated."""
 
-NOISE = 1e-9
-"""Change from mesh to mesh that is rounding, over the scale: ten times the truss's tolerance."""
+ROUNDING = 1e-10
+"""Tolerance of the truss model: what is below it, over the scale, is rounding."""
+
+NOISE = 10.0 * ROUNDING
+"""Change from mesh to mesh that is rounding, over the scale."""
 
 
 @dataclass(frozen=True)
@@ -28,8 +33,8 @@ class Compared:
         What it is, such as ``"fairlead_tension"``; keys of documents are this and the unit.
     unit : str
         ``"N"``, ``"m"``, ``"rad"`` or ``"Nm"``.
-    closed_form : float or None
-        None where the closed form refuses.
+    closed_form : float
+        By the closed form.
     fem : tuple of float
         By the truss model on each mesh, from the coarsest.
     scale : float
@@ -46,7 +51,7 @@ class Compared:
 
     quantity: str
     unit: Unit
-    closed_form: float | None
+    closed_form: float
     fem: tuple[float, ...]
     scale: float
     tolerance: float
@@ -85,14 +90,14 @@ class Compared:
         return abs(self.fem[-1] - self.fem[-2]) if len(self.fem) > 1 else 0.0
 
     @property
-    def difference_before(self) -> float | None:
+    def difference_before(self) -> float:
         """Finest mesh minus closed form."""
-        return None if self.closed_form is None else self.fem[-1] - self.closed_form
+        return self.fem[-1] - self.closed_form
 
     @property
-    def difference(self) -> float | None:
+    def difference(self) -> float:
         """Truss model's answer minus closed form."""
-        return None if self.closed_form is None else self.extrapolated - self.closed_form
+        return self.extrapolated - self.closed_form
 
     @property
     def allowed(self) -> float:
@@ -101,11 +106,32 @@ class Compared:
 
     @property
     def gap(self) -> float:
-        """Size of the difference over the scale; without closed form what meshes still change."""
-        difference = self.difference
-        return (self.left if difference is None else abs(difference)) / self.scale
+        """Size of the difference over the scale."""
+        return abs(self.difference) / self.scale
+
+    @property
+    def is_resolved(self) -> bool:
+        """Whether a difference is more than what the truss model itself may still be off by.
+
+        Of an error that falls smoothly that is what was extrapolated; otherwise three times the
+        last change, which is what follows it at order 0.4.
+        """
+        own = self.left if self.is_smooth else 3.0 * self.left
+        return abs(self.difference) > own
+
+    @property
+    def severity(self) -> float:
+        """The gap over its tolerance."""
+        return self.gap / self.tolerance
 
     @property
     def agrees(self) -> bool:
         """Whether the gap is within the tolerance."""
         return self.gap <= self.tolerance
+
+
+def worst_of(quantities: Iterable[Compared]) -> Compared:
+    """Return the quantity with the largest gap over its tolerance; of those alike the first."""
+    listed = list(quantities)
+    resolved = ROUNDING / min(each.tolerance for each in listed)
+    return largest(listed, lambda each: each.severity, resolved)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from catopt.verify.result import VERDICTS, least_agreeing
+
 if TYPE_CHECKING:
     from catopt.verify.compared import Compared
     from catopt.verify.front import DesignVerification, FrontVerification
@@ -33,14 +35,13 @@ def verification_document(verification: Verification) -> dict[str, Any]:
 def front_document(front: FrontVerification) -> dict[str, Any]:
     """Build the document of a front; ``static`` is the design on which they agree least."""
     parts = [each.static for each in front.verified]
-    worst = max(parts, key=lambda part: part.worst.gap / part.worst.tolerance, default=None)
     verdicts = [each.verdict for each in front.verified]
-    known = [v for v in ("differs", "no closed form", "agrees") if v in verdicts]
+    known = [v for v in VERDICTS if v in verdicts]
     return {
         "schema": _SCHEMA,
         "title": front.title,
         "verdict": (known[0] if len(verdicts) == len(front.designs) else "no answer"),
-        "static": None if worst is None else static_document(worst),
+        "static": static_document(least_agreeing(parts)) if parts else None,
         "dynamic": None,
         "designs": [_design(each) for each in front.designs],
     }
@@ -58,16 +59,14 @@ def _design(each: DesignVerification) -> dict[str, Any]:
 
 def static_document(part: StaticComparison) -> dict[str, Any]:
     """Build the part of one load case; all in SI, the unit in the key."""
-    has_closed_form = not part.refusal
     return {
         "load_case": part.name,
         "kind": part.kind,
         "verdict": part.verdict,
         "tolerance": part.tolerance,
-        "closed_form": (_by_key(part, lambda each: each.closed_form) if has_closed_form else None),
-        "refusal": part.refusal,
+        "closed_form": _by_key(part, lambda each: each.closed_form),
         "fem": _by_key(part, lambda each: each.extrapolated),
-        "difference": _by_key(part, lambda each: each.difference) if has_closed_form else None,
+        "difference": _by_key(part, lambda each: each.difference),
         "worst": _name(part.worst) | {"gap": part.worst.gap},
         "meshes": [_mesh(mesh) for mesh in part.meshes],
         "quantities": [_quantity(each) for each in part.quantities],
@@ -75,7 +74,7 @@ def static_document(part: StaticComparison) -> dict[str, Any]:
     }
 
 
-def _by_key(part: StaticComparison, value: Callable[[Compared], float | None]) -> dict[str, Any]:
+def _by_key(part: StaticComparison, value: Callable[[Compared], float]) -> dict[str, Any]:
     """Lay values out by quantity, those of a system's lines in a list."""
     laid: dict[str, Any] = {each.key: value(each) for each in part.quantities if each.line is None}
     if part.kind == "system":

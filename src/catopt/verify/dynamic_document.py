@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from catopt.fem.energy_balance import EnergyBalance
     from catopt.verify.dynamic_result import (
         DynamicPart,
         DynamicRun,
         DynamicVerification,
         OverRuns,
     )
+    from catopt.verify.proof import Again
 
 __all__ = ["dynamic_document"]
 
@@ -19,6 +21,8 @@ def dynamic_document(found: DynamicVerification) -> dict[str, Any]:
     """Build the part of a case in motion; all in SI. Series are in the files of ``--out``."""
     return {
         "is_complete": found.is_complete,
+        "verdict": found.verdict,
+        "drag_axial_area": "D",
         "load_cases": [_part(part) for part in found.parts],
     }
 
@@ -33,6 +37,14 @@ def _part(part: DynamicPart) -> dict[str, Any]:
         "quasi_static_max_tension_N": part.quasi_static_max,
         "amplification": part.amplification,
         "slack_time_s": part.slack_time,
+        "longest_slack_s": part.longest_slack,
+        "verdict": part.verdict,
+        "proof": part.proof,
+        "changes": [
+            {"quantity": each.quantity, "way": each.way, "change": each.size}
+            for each in part.changes
+        ],
+        "numerical_part": part.numerical_part,
         "runs": [_run(number, run) for number, run in enumerate(part.runs, start=1)],
         "remarks": list(part.remarks),
     }
@@ -66,4 +78,34 @@ def _run(number: int, run: DynamicRun) -> dict[str, Any]:
         "max_fairlead_tension_N": tension.maximum,
         "time_of_max_s": tension.time_of_maximum,
         "slack_time_s": history.line_slack_time(),
+        "longest_slack_s": history.line_longest_slack(),
+        "refinements": history.refinements,
+        "energy": _energy(history.balance),
+        "again": [_again(each) for each in run.again],
+    }
+
+
+def _energy(balance: EnergyBalance) -> dict[str, Any]:
+    return {
+        "put_in_J": balance.put_in,
+        "ends_J": balance.ends,
+        "water_J": balance.water,
+        "kinetic_J": balance.kinetic,
+        "elastic_J": balance.elastic,
+        "potential_J": balance.potential,
+        "drag_J": balance.drag,
+        "bed_J": balance.bed,
+        "friction_J": balance.friction,
+        "line_damping_J": balance.damping,
+        "numerical_J": balance.numerical,
+    }
+
+
+def _again(again: Again) -> dict[str, Any]:
+    return {
+        "way": again.way,
+        "time_step_s": again.step,
+        "elements": again.elements,
+        "maxima": dict(again.maxima),
+        "failure": again.failure,
     }

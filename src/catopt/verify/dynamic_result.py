@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -20,8 +20,10 @@ from catopt.fem.statistics import (
     series_statistics,
 )
 from catopt.model import Case
+from catopt.ties import largest
+from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
 
-__all__ = ["SERIES", "DynamicPart", "DynamicRun", "DynamicVerification", "OverRuns"]
+__all__ = ["SERIES", "DynamicPart", "DynamicRun", "DynamicVerification", "OverRuns", "Verdict"]
 
 Array = npt.NDArray[np.float64]
 
@@ -34,6 +36,11 @@ SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
     }
 )
 """What statistics are made of; offset is the fairlead's horizontal way from its place at rest."""
+
+_ENDS = MappingProxyType({"anchor_tension": 0, "fairlead_tension": 1})
+"""Column of each tension at an end in the largest forces of every step."""
+
+Verdict = Literal["converged", "not converged", "not proven"]
 
 _UNITS = MappingProxyType({"grounded_length": "m", "offset": "m"})
 
@@ -77,10 +84,13 @@ class DynamicRun:
     quasi_static : ndarray, shape (samples,)
         Tension at the fairlead in closed form for each of its places, without current, N; nan where
         the closed form has none.
+    again : tuple of Again
+        The same run again, at half the step and with twice the bars; empty when it was run once.
     """
 
     history: History
     quasi_static: Array
+    again: tuple[Again, ...] = ()
 
     @cached_property
     def counted(self) -> npt.NDArray[np.bool_]:
@@ -89,11 +99,46 @@ class DynamicRun:
         return counted if counted.sum() > 1 else np.ones(counted.size, dtype=bool)
 
     def statistics(self, quantity: str) -> SeriesStatistics:
-        """Statistics of one of `SERIES`."""
+        """Statistics of one of `SERIES`; the largest tension at an end is that of every step."""
         history = self.history
-        return series_statistics(
+        found = series_statistics(
             history.time[self.counted], SERIES[quantity](history)[self.counted]
         )
+        at = _ENDS.get(quantity)
+        if at is None or history.max_end_force[0, at] <= found.maximum:
+            return found
+        return replace(
+            found,
+            maximum=float(history.max_end_force[0, at]),
+            time_of_maximum=float(history.time_of_max_end_force[0, at]),
+        )
+
+    @cached_property
+    def maxima(self) -> dict[str, float]:
+        """Largest value of each of `SERIES`, and the largest tension anywhere along the line."""
+        maxima = {quantity: self.statistics(quantity).maximum for quantity in SERIES}
+        along = float(np.fmax.reduce(self.history.max_tension, initial=0.0))
+        ends = (maxima["fairlead_tension"], maxima["anchor_tension"])
+        return {**maxima, "largest_tension": max(along, *ends)}
+
+    def changes(self, line_length: float) -> Iterator[Change]:
+        """Yield how far each maximum moved in each run again that has an answer.
+
+        Parameters
+        ----------
+        line_length : float
+            m.
+        """
+        own = self.maxima
+        for again in self.again:
+            for quantity, value in again.maxima.items():
+                over = max(own[quantity], value)
+                if quantity.endswith("tension"):
+                    over = max(over, LEAST_TENSION * own["largest_tension"])
+                elif quantity == "grounded_length":
+                    over = line_length
+                if over > 0.0:
+                    yield Change(quantity, again.way, abs(value - own[quantity]) / over)
 
     def tension_spectrum(self) -> tuple[Array, Array]:
         """Spectrum of the tension at the fairlead: rad/s, and N^2 s/rad."""
@@ -120,6 +165,10 @@ class DynamicPart:
         One a seed.
     is_random : bool
         Whether the runs are drawn from a random sea.
+    line_length : float
+        Unstretched, m.
+    proof : {"none", "step", "bars"}
+        How the runs were to be proven.
     elements : int
         Bars.
     remarks : tuple of str
@@ -129,13 +178,58 @@ class DynamicPart:
     name: str
     runs: tuple[DynamicRun, ...]
     is_random: bool
+    line_length: float
+    proof: Proof
     elements: int
     remarks: tuple[str, ...] = ()
 
     @property
     def is_complete(self) -> bool:
-        """Whether no run was stopped."""
-        return all(run.history.is_complete for run in self.runs)
+        """Whether no run was stopped, nor its proof."""
+        proven = self.proof == "none" or all(run.again for run in self.runs)
+        return proven and all(run.history.is_complete for run in self.runs)
+
+    @cached_property
+    def changes(self) -> tuple[Change, ...]:
+        """Largest change of each maximum in any run, by the way in which it was run again."""
+        found = (each for run in self.runs for each in run.changes(self.line_length))
+        return tuple(largest_changes(found))
+
+    @cached_property
+    def added_changes(self) -> tuple[Change, ...]:
+        """Largest change of each maximum in any run, by all ways in which it was run again."""
+        found = (each for run in self.runs for each in added(run.changes(self.line_length)))
+        return tuple(largest_changes(found))
+
+    @property
+    def worst_change(self) -> Change | None:
+        """The largest of them; None where nothing was run again."""
+        return max(self.added_changes, key=lambda each: each.size, default=None)
+
+    def change_of(self, quantity: str) -> float | None:
+        """Largest change of the maximum of a quantity, all ways added; None where run once."""
+        found = (each.size for each in self.added_changes if each.quantity == quantity)
+        return max(found, default=None)
+
+    @property
+    def failure(self) -> Again | None:
+        """A run again that did not converge itself."""
+        return next((a for run in self.runs for a in run.again if a.failure), None)
+
+    @property
+    def numerical_part(self) -> float:
+        """Largest part of the work put into a run that its steps lost."""
+        return max(run.history.balance.numerical_part for run in self.runs)
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the maxima hang on the step or the bars by no more than `LIMIT`."""
+        worst = self.worst_change
+        if self.failure is not None or self.numerical_part > LIMIT:
+            return "not converged"
+        if worst is not None and worst.size > LIMIT:
+            return "not converged"
+        return "converged" if worst is not None and self.is_complete else "not proven"
 
     @cached_property
     def quantities(self) -> tuple[OverRuns, ...]:
@@ -149,14 +243,17 @@ class DynamicPart:
     @property
     def max_tension(self) -> float:
         """Largest tension, at an end or anywhere along the line, N."""
-        along = [np.fmax.reduce(run.history.max_tension, initial=0.0) for run in self.runs]
-        ends = [self.of(each).maximum for each in ("fairlead_tension", "anchor_tension")]
-        return float(max(*along, *ends))
+        return max(run.maxima["largest_tension"] for run in self.runs)
 
     @property
     def slack_time(self) -> float:
-        """Longest time that a bar of the line had no tension in one run, after the ramp, s."""
+        """Time in all that a bar of the line had no tension in one run, after the ramp, s."""
         return max(run.history.line_slack_time() for run in self.runs)
+
+    @property
+    def longest_slack(self) -> float:
+        """Longest time at a stretch that a bar of the line had no tension, after the ramp, s."""
+        return max(run.history.line_longest_slack() for run in self.runs)
 
     @property
     def quasi_static_max(self) -> float | None:
@@ -174,7 +271,7 @@ class DynamicPart:
     @property
     def governing(self) -> DynamicRun:
         """The run with the largest tension at the fairlead."""
-        return max(self.runs, key=lambda run: run.statistics("fairlead_tension").maximum)
+        return largest(self.runs, lambda run: run.statistics("fairlead_tension").maximum)
 
     def _over_runs(self, quantity: str) -> OverRuns:
         each = [run.statistics(quantity) for run in self.runs]
@@ -215,6 +312,15 @@ class DynamicVerification:
     case: Case
     parts: tuple[DynamicPart, ...]
     is_complete: bool
+
+    @property
+    def verdict(self) -> Verdict:
+        """That of the load cases together."""
+        of_parts = {part.verdict for part in self.parts}
+        for verdict in ("not converged", "not proven"):
+            if verdict in of_parts:
+                return verdict
+        return "converged"
 
     def to_dict(self) -> dict[str, Any]:
         """Build what ``catopt verify --dynamic --json`` has under ``dynamic``."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
+from catopt.fem.step_controls import StepControls
 from catopt.model import Case, Dynamics, Segment, WaveState
 from catopt.model.current_profile import CurrentProfile
 from catopt.verify.motion_file import Raos, read_motion, read_raos
@@ -107,20 +108,30 @@ class Drive:
             (given.surge_phase, given.sway_phase, given.heave_phase),
         )
 
-    def stepping(self, sea: Sea, motion: Series | None) -> TimeStepping:
-        """Lay out steps and samples of a run."""
+    def stepping(self, sea: Sea, motion: Series | None, finer: int = 1) -> TimeStepping:
+        """Lay out steps and samples of a run.
+
+        Parameters
+        ----------
+        sea, motion
+            Of the run.
+        finer : int
+            So many steps in place of one, and the square of that less surprise in each.
+        """
         dynamics = self.dynamics
         step = dynamics.time_step or self._shortest_period(sea, motion) / _STEPS
         if dynamics.output_interval is None:
             every = max(1, math.ceil(dynamics.duration / step / _SAMPLES))
         else:
             every = max(1, round(dynamics.output_interval / step))
+        controls = StepControls()
         return TimeStepping(
             dynamics.duration,
-            step,
+            step / finer,
             ramp_time=self.ramp,
             output_interval=every * step,
             scheme=self.scheme,
+            controls=replace(controls, surprise=controls.surprise / finer**2),
         )
 
     @property
@@ -150,7 +161,9 @@ class Drive:
         site, dynamics = self.case.site, self.dynamics
         return LineProperties(
             sections=[_section(segment) for segment in self.case.line.segments],
-            damping=LineDamping(stiffness_time=dynamics.damping_time),
+            damping=LineDamping(
+                critical_ratio=dynamics.critical_ratio, stiffness_time=dynamics.damping_time
+            ),
             fluid=Fluid(density=site.water_density),
             seabed=Seabed(
                 normal_stiffness=dynamics.seabed_stiffness,

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from catopt.catenary.solution import Solution
-from catopt.errors import NoEquilibriumError
+from catopt.errors import NotConvergedError
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
 from catopt.model import Line, Load
 from catopt.verify.compared import Compared, Unit
@@ -24,6 +24,7 @@ __all__ = [
     "SLACK_ORDER",
     "Moored",
     "angle_scale",
+    "bends",
     "compare_line",
     "on_meshes",
     "slack_bar",
@@ -43,8 +44,8 @@ SLACK = (
     "length itself (order 1), and a bar's weight and length are allowed at least"
 )
 
-_HALVINGS = 5
-"""Down to a horizontal force of 1/32 of the fairlead tension the truss model follows a line."""
+_AT_END = 1e-9
+"""How far beyond its end, over its length, a stretch may be level."""
 
 _TOP = "fairlead"
 _FOOT = "anchor"
@@ -75,12 +76,11 @@ class Moored:
 
 def verify_line(
     moored: Moored,
-    closed: Solution | None,
+    closed: Solution,
     *,
     elements: int,
     tolerance: float,
     name: str = "",
-    refusal: str = "",
 ) -> StaticComparison:
     """Solve a line by the truss model on three meshes and hold it against the closed form.
 
@@ -88,22 +88,41 @@ def verify_line(
     ----------
     moored : Moored
         The line. A fairlead tension that is known is reached by the closed form's horizontal
-        force; where there is no closed form, by the truss model's own.
-    closed : Solution or None
-        Of the same line; None where the closed form refuses.
+        force.
+    closed : Solution
+        Of the same line.
     elements : int
         Bars of the coarsest mesh; the others have two and four times as many.
     tolerance : float
         Allowed difference: of the fairlead tension, of the line's length, in rad.
-    name, refusal : str
-        Load case, and why there is no closed form.
+    name : str
+        Of the load case.
     """
     trusses = on_meshes(
         elements,
-        lambda bars: [mesh_line(moored.line, bars)],
+        lambda bars: [mesh_line(moored.line, bars, bends=bends(closed))],
         lambda meshes: _under_load(moored, meshes[0], closed),
     )
-    return compare_line(moored, closed, trusses, tolerance=tolerance, name=name, refusal=refusal)
+    return compare_line(moored, closed, trusses, tolerance=tolerance, name=name)
+
+
+def bends(closed: Solution) -> list[tuple[float, float]]:
+    """Arc length and radius of curvature H/w, m, of where the closed form is level.
+
+    There it bends most, and there bars have to be short beside H/w. Where they end is all that the
+    truss model takes from the closed form.
+    """
+    found: list[tuple[float, float]] = []
+    if closed.regime == "slack":
+        return found  # a slack line has no radius, and is known to a bar
+    for stretch in closed.stretches:
+        w = stretch.submerged_weight
+        if stretch.on_bed or w == 0.0 or stretch.length == 0.0 or stretch.horizontal_force == 0.0:
+            continue
+        level = -stretch.vertical_force / w
+        if -_AT_END <= level / stretch.length <= 1.0 + _AT_END:
+            found.append((stretch.start + level, stretch.horizontal_force / abs(w)))
+    return found
 
 
 def on_meshes(
@@ -132,18 +151,17 @@ def on_meshes(
 
 def compare_line(
     moored: Moored,
-    closed: Solution | None,
+    closed: Solution,
     trusses: Sequence[TrussSolution],
     *,
     tolerance: float,
     name: str = "",
-    refusal: str = "",
 ) -> StaticComparison:
     """Hold solutions of the truss model against a closed form.
 
     Parameters
     ----------
-    moored, closed, tolerance, name, refusal
+    moored, closed, tolerance, name
         As for `verify_line`.
     trusses : sequence of TrussSolution
         Each of twice the bars of the one before.
@@ -158,8 +176,7 @@ def compare_line(
         ),
         lines=(LinePair(closed, tuple(trusses)),),
         tolerance=tolerance,
-        refusal=refusal,
-        remarks=tuple(_remarks(moored, closed, trusses[-1])),
+        remarks=tuple(_remarks(moored, closed)),
     )
 
 
@@ -168,22 +185,23 @@ def compare_line(
 
 def _quantities(
     moored: Moored,
-    closed: Solution | None,
+    closed: Solution,
     trusses: Sequence[TrussSolution],
     tolerance: float,
 ) -> Iterator[Compared]:
     finest = trusses[-1]
-    tension = finest.fairlead.tension if closed is None else closed.fairlead.tension
+    tension = closed.fairlead.tension
     length = moored.line.length
-    is_slack = closed is not None and closed.regime == "slack"
+    is_slack = closed.regime == "slack"
     theory = SLACK_ORDER if is_slack else ORDER
     bar = slack_bar(finest) if is_slack else (0.0, 0.0)
     force, reach = max(tension, bar[0] / tolerance), max(length, bar[1] / tolerance)
 
     def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
-        exact = None if closed is None else _read(closed, path)
         values = tuple(_read(truss, path) for truss in trusses)
-        return Compared(quantity, unit, exact, values, scale, tolerance, theory=theory)
+        return Compared(
+            quantity, unit, _read(closed, path), values, scale, tolerance, theory=theory
+        )
 
     if moored.load.span is None:
         yield compared("span", "m", "span", reach)
@@ -193,11 +211,10 @@ def _quantities(
         yield compared(f"{end}_tension", "N", f"{end}.tension", force)
         yield compared(f"{end}_vertical_force", "N", f"{end}.vertical_force", force)
         if not is_slack:
-            there = _read(finest if closed is None else closed, f"{end}.tension")
-            scale = angle_scale(tension, there, tolerance)
+            scale = angle_scale(tension, _read(closed, f"{end}.tension"), tolerance)
             yield compared(f"{end}_angle", "rad", f"{end}.angle", scale)
     yield compared("grounded_length", "m", "grounded_length", reach)
-    if closed is not None and not is_slack:
+    if not is_slack:
         distances, limit = largest_distances(closed, trusses)
         yield Compared("shape", "m", 0.0, distances, length, tolerance, limit=limit)
 
@@ -228,16 +245,14 @@ def _read(solution: Any, path: str) -> float:
     return float(solution)
 
 
-def _remarks(moored: Moored, closed: Solution | None, finest: TrussSolution) -> Iterator[str]:
-    if closed is not None and closed.regime == "slack":
+def _remarks(moored: Moored, closed: Solution) -> Iterator[str]:
+    if closed.regime == "slack":
         yield (f"{SLACK}; how its bights lie is not defined, and angles and shape are not compared")
-    if closed is not None and moored.load.fairlead_tension is not None:
+    if moored.load.fairlead_tension is not None:
         yield (
             "the truss model was put under the horizontal force of the closed form; that it has "
             "the fairlead tension asked for is part of what is compared"
         )
-    if closed is None and finest.touchdowns > 1:
-        yield f"the line lies on the bed in {finest.touchdowns} separate stretches"
 
 
 # ------------------------------------------------------------------ solving
@@ -249,6 +264,7 @@ def _solved(
     *,
     horizontal_force: float | None = None,
     span: float | None = None,
+    start: TrussSolution | None = None,
 ) -> TrussSolution:
     return solve_line(
         moored.line,
@@ -258,40 +274,21 @@ def _solved(
         seabed_friction=moored.seabed_friction,
         anchor_height=moored.anchor_height,
         mesh=mesh,
+        start=start,
     )
 
 
-def _under_load(moored: Moored, mesh: LineMesh, closed: Solution | None) -> TrussSolution:
-    load = moored.load
-    if load.span is not None:
-        return _solved(moored, mesh, span=load.span)
-    if closed is not None:
-        return _solved(moored, mesh, horizontal_force=closed.horizontal_force)
-    if load.horizontal_force is not None:
-        return _solved(moored, mesh, horizontal_force=load.horizontal_force)
-    assert load.fairlead_tension is not None
-    return _under_tension(moored, mesh, load.fairlead_tension)
+def _under_force(moored: Moored, mesh: LineMesh, H: float) -> TrussSolution:
+    """Solve from straight, or where that fails from twice the force, which bends the line less."""
+    try:
+        return _solved(moored, mesh, horizontal_force=H)
+    except NotConvergedError:
+        if H > abs(moored.line.submerged_weight):
+            raise
+    return _solved(moored, mesh, horizontal_force=H, start=_under_force(moored, mesh, 2.0 * H))
 
 
-def _under_tension(moored: Moored, mesh: LineMesh, tension: float) -> TrussSolution:
-    """Find the horizontal force that gives the fairlead tension, with the truss model alone."""
-    from scipy.optimize import brentq
-
-    def missing(H: float) -> float:
-        return _solved(moored, mesh, horizontal_force=H).fairlead.tension / tension - 1.0
-
-    # The tension is not below the horizontal force, so that the root is not above it.
-    high, short = tension, math.inf
-    for _ in range(_HALVINGS):
-        low = 0.5 * high
-        short = missing(low)
-        if short < 0.0:
-            H = brentq(missing, low, high, xtol=1e-12 * tension, rtol=1e-12)
-            return _solved(moored, mesh, horizontal_force=float(H))
-        high = low
-    raise NoEquilibriumError(
-        f"the fairlead tension of {tension:.6g} N is too small for what hangs from the fairlead: "
-        f"under a horizontal force of {high:.4g} N it is {short * tension:.6g} N more",
-        "force",
-        short * tension,
-    )
+def _under_load(moored: Moored, mesh: LineMesh, closed: Solution) -> TrussSolution:
+    if moored.load.span is not None:
+        return _solved(moored, mesh, span=moored.load.span)
+    return _under_force(moored, mesh, closed.horizontal_force)

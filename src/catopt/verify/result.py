@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from catopt.catenary.solution import Solution
 from catopt.fem import TrussSolution
 from catopt.model import Case
-from catopt.verify.compared import Compared
+from catopt.ties import largest
+from catopt.verify.compared import ROUNDING, Compared, worst_of
 
-__all__ = ["LinePair", "Mesh", "StaticComparison", "Verdict", "Verification"]
+__all__ = [
+    "VERDICTS",
+    "LinePair",
+    "Mesh",
+    "StaticComparison",
+    "Verdict",
+    "Verification",
+    "least_agreeing",
+]
 
-Verdict = Literal["agrees", "differs", "no closed form"]
+Verdict = Literal["agrees", "differs", "not resolved"]
+VERDICTS: tuple[Verdict, ...] = ("differs", "not resolved", "agrees")
+"""From the one that outweighs all others."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +51,9 @@ class Mesh:
 
 @dataclass(frozen=True)
 class LinePair:
-    """One line by both models: the closed form, if it has one, and the truss on its meshes."""
+    """One line by both models: the closed form, and the truss on its meshes."""
 
-    closed: Solution | None
+    closed: Solution
     trusses: tuple[TrussSolution, ...] = field(repr=False)
 
     @property
@@ -68,8 +80,6 @@ class StaticComparison:
         Shapes and tensions.
     tolerance : float
         Allowed difference over each quantity's scale.
-    refusal : str
-        Why the closed form refuses; empty where it does not.
     remarks : tuple of str
         What to know before the verdict is used.
     """
@@ -80,13 +90,12 @@ class StaticComparison:
     meshes: tuple[Mesh, ...]
     lines: tuple[LinePair, ...]
     tolerance: float
-    refusal: str = ""
     remarks: tuple[str, ...] = ()
 
     @property
     def worst(self) -> Compared:
-        """The quantity with the largest gap over its tolerance."""
-        return max(self.quantities, key=lambda each: each.gap / each.tolerance)
+        """The quantity with the largest gap over its tolerance; of those alike the first."""
+        return worst_of(self.quantities)
 
     @property
     def rough(self) -> tuple[Compared, ...]:
@@ -100,24 +109,20 @@ class StaticComparison:
 
     @property
     def verdict(self) -> Verdict:
-        """Whether the two models agree."""
-        if self.refusal:
-            return "no closed form"
-        return "agrees" if self.is_settled else "differs"
+        """Whether the two models agree, or the meshes do not resolve what is between them."""
+        if self.is_settled:
+            return "agrees"
+        off = [each for each in self.quantities if not each.agrees]
+        return "differs" if any(each.is_resolved for each in off) else "not resolved"
 
     @property
     def residual(self) -> float:
         """Largest force left over at a node of the finest mesh, over the largest tension."""
         return self.meshes[-1].residual
 
-    def mesh_gap(self, mesh: int) -> float | None:
-        """Largest difference over its scale on one mesh, from 0; None without a closed form."""
-        gaps = [
-            abs(each.fem[mesh] - each.closed_form) / each.scale
-            for each in self.quantities
-            if each.closed_form is not None
-        ]
-        return max(gaps, default=None)
+    def mesh_gap(self, mesh: int) -> float:
+        """Largest difference over its scale on one mesh, from 0."""
+        return max(abs(each.fem[mesh] - each.closed_form) / each.scale for each in self.quantities)
 
     def of(self, quantity: str, line: int | None = None) -> Compared:
         """Look a quantity up.
@@ -130,6 +135,12 @@ class StaticComparison:
             Of a system: which line, from 0.
         """
         return next(q for q in self.quantities if (q.quantity, q.line) == (quantity, line))
+
+
+def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
+    """Return the load case in which the models agree least; of those alike the first."""
+    resolved = ROUNDING / min(part.tolerance for part in parts)
+    return largest(parts, lambda part: part.worst.severity, resolved)
 
 
 @dataclass(frozen=True)
@@ -150,17 +161,17 @@ class Verification:
     @property
     def static(self) -> StaticComparison:
         """The load case in which the models agree least."""
-        return max(self.parts, key=lambda part: part.worst.gap / part.worst.tolerance)
+        return least_agreeing(self.parts)
 
     @property
     def verdict(self) -> Verdict:
-        """``"differs"`` where any load case does, ``"agrees"`` where all do."""
+        """The one of a load case that outweighs the others; ``"agrees"`` where all do."""
         verdicts = [part.verdict for part in self.parts]
-        return next((v for v in ("differs", "no closed form") if v in verdicts), "agrees")
+        return next(v for v in VERDICTS if v in verdicts)
 
     @property
     def is_settled(self) -> bool:
-        """Whether the models agree, or, without a closed form, the meshes do."""
+        """Whether the models agree."""
         return all(part.is_settled for part in self.parts)
 
     def to_dict(self) -> dict[str, Any]:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from catopt.errors import TouchesTwiceError
 from catopt.fem import Leg as TrussLeg
 from catopt.fem import SystemSolution as TrussSystem
 from catopt.fem import mesh_line
@@ -16,7 +15,7 @@ from catopt.model import System
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
 from catopt.verify.compared import Compared, Unit
-from catopt.verify.line import SLACK, SLACK_ORDER, on_meshes, slack_bar
+from catopt.verify.line import SLACK, SLACK_ORDER, bends, on_meshes, slack_bar
 from catopt.verify.result import LinePair, Mesh, StaticComparison
 from catopt.verify.richardson import ORDER
 
@@ -45,11 +44,14 @@ def verify_system(
     name : str
         Of the load case.
     """
-    closed, refusal = _closed_form(system)
-    legs, height = truss_legs(system, 0.0 if closed is None else closed.position.yaw)
+    closed = solve_system(system)
+    legs, height = truss_legs(system, closed.position.yaw)
     trusses = on_meshes(
         elements,
-        lambda bars: [mesh_line(leg.line, bars) for leg in legs],
+        lambda bars: [
+            mesh_line(leg.line, bars, bends=bends(each.solution))
+            for leg, each in zip(legs, closed.lines, strict=True)
+        ],
         lambda meshes: solve_truss(
             legs,
             height=height,
@@ -58,7 +60,7 @@ def verify_system(
             meshes=meshes,
         ),
     )
-    return compare_system(system, closed, trusses, tolerance=tolerance, name=name, refusal=refusal)
+    return compare_system(system, closed, trusses, tolerance=tolerance, name=name)
 
 
 def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
@@ -88,12 +90,11 @@ def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
 
 def compare_system(
     system: System,
-    closed: SystemSolution | None,
+    closed: SystemSolution,
     trusses: Sequence[TrussSystem],
     *,
     tolerance: float,
     name: str = "",
-    refusal: str = "",
 ) -> StaticComparison:
     """Hold solutions of the truss model against a system's closed form.
 
@@ -101,12 +102,10 @@ def compare_system(
     ----------
     system, tolerance, name
         As for `verify_system`.
-    closed : SystemSolution or None
-        None where the closed form refuses.
+    closed : SystemSolution
+        By the closed form.
     trusses : sequence of SystemSolution
         Of the truss model, each of twice the bars of the one before.
-    refusal : str
-        Why there is no closed form.
     """
     count = len(system.legs)
     return StaticComparison(
@@ -126,33 +125,19 @@ def compare_system(
             for truss in trusses
         ),
         lines=tuple(
-            LinePair(
-                None if closed is None else closed.lines[k].solution,
-                tuple(truss.lines[k] for truss in trusses),
-            )
+            LinePair(closed.lines[k].solution, tuple(truss.lines[k] for truss in trusses))
             for k in range(count)
         ),
         tolerance=tolerance,
-        refusal=refusal,
         remarks=tuple(_remarks(system, closed)),
     )
 
 
-def _closed_form(system: System) -> tuple[SystemSolution | None, str]:
-    try:
-        return solve_system(system), ""
-    except TouchesTwiceError as error:
-        return None, str(error)
-
-
-def _remarks(system: System, closed: SystemSolution | None) -> Iterator[str]:
-    for k, line in enumerate(() if closed is None else closed.lines):
+def _remarks(system: System, closed: SystemSolution) -> Iterator[str]:
+    for k, line in enumerate(closed.lines):
         if line.solution.regime == "slack":
             yield f"line {k + 1}: {SLACK}"
     if not system.turns:
-        return
-    if closed is None:
-        yield "the truss model's body does not turn: it was held in a yaw of 0"
         return
     yaw = math.degrees(closed.position.yaw)
     yield (
@@ -163,25 +148,22 @@ def _remarks(system: System, closed: SystemSolution | None) -> Iterator[str]:
 
 def _body(
     system: System,
-    closed: SystemSolution | None,
+    closed: SystemSolution,
     trusses: Sequence[TrussSystem],
     tolerance: float,
 ) -> Iterator[Compared]:
     longest = max(leg.line.length for leg in system.legs)
-    offset = trusses[-1].position[:2] if closed is None else closed.offset
-    scale = max(math.hypot(*offset), _LEAST_OFFSET * longest)
+    scale = max(math.hypot(*closed.offset), _LEAST_OFFSET * longest)
+    exact = (closed.position.x, closed.position.y)
     for axis, key in enumerate(("position_x", "position_y")):
-        exact = None
-        if closed is not None:
-            exact = (closed.position.x, closed.position.y)[axis]
         values = tuple(truss.position[axis] for truss in trusses)
-        yield Compared(key, "m", exact, values, scale, tolerance)
+        yield Compared(key, "m", exact[axis], values, scale, tolerance)
     if system.turns:
         arm = max(leg.fairlead_radius for leg in system.legs)
         largest = max(line.fairlead.tension for line in trusses[-1].lines)
-        exact = None if closed is None else -system.moment
         values = tuple(_moment(truss) for truss in trusses)
-        yield Compared("moment_of_lines", "Nm", exact, values, arm * largest, tolerance)
+        scale = arm * largest
+        yield Compared("moment_of_lines", "Nm", -system.moment, values, scale, tolerance)
 
 
 def _moment(truss: TrussSystem) -> float:
@@ -198,21 +180,19 @@ def _moment(truss: TrussSystem) -> float:
 def _line(
     k: int,
     system: System,
-    closed: SystemSolution | None,
+    closed: SystemSolution,
     trusses: Sequence[TrussSystem],
     tolerance: float,
 ) -> Iterator[Compared]:
-    exact = None if closed is None else closed.lines[k].solution
-    finest = trusses[-1].lines[k]
-    tension = finest.fairlead.tension if exact is None else exact.fairlead.tension
-    length = system.legs[k].line.length
-    is_slack = exact is not None and exact.regime == "slack"
+    exact = closed.lines[k].solution
+    tension, length = exact.fairlead.tension, system.legs[k].line.length
+    is_slack = exact.regime == "slack"
     if is_slack:
-        weight, bar = slack_bar(finest)
+        weight, bar = slack_bar(trusses[-1].lines[k])
         tension, length = max(tension, weight / tolerance), max(length, bar / tolerance)
 
     def compared(
-        quantity: str, unit: Unit, own: float | None, fem: Sequence[float], scale: float
+        quantity: str, unit: Unit, own: float, fem: Sequence[float], scale: float
     ) -> Compared:
         theory = SLACK_ORDER if is_slack else ORDER
         return Compared(quantity, unit, own, tuple(fem), scale, tolerance, k, theory=theory)
@@ -220,25 +200,25 @@ def _line(
     lines = [truss.lines[k] for truss in trusses]
     yield compared(
         "fairlead_tension", "N",
-        None if exact is None else exact.fairlead.tension,
+        exact.fairlead.tension,
         [line.fairlead.tension for line in lines], tension,
     )  # fmt: skip
     yield compared(
         "anchor_tension", "N",
-        None if exact is None else exact.anchor.tension,
+        exact.anchor.tension,
         [line.anchor.tension for line in lines], tension,
     )  # fmt: skip
     yield compared(
         "horizontal_force", "N",
-        None if exact is None else exact.horizontal_force,
+        exact.horizontal_force,
         [line.horizontal_force for line in lines], tension,
     )  # fmt: skip
     yield compared(
         "span", "m",
-        None if exact is None else exact.span, [line.span for line in lines], length,
+        exact.span, [line.span for line in lines], length,
     )  # fmt: skip
     yield compared(
         "grounded_length", "m",
-        None if exact is None else exact.grounded_length,
+        exact.grounded_length,
         [line.grounded_length for line in lines], length,
     )  # fmt: skip

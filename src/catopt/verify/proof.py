@@ -1,0 +1,86 @@
+"""A line in motion run again, at half the step and with twice the bars: what its maxima hang on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Final, Literal
+
+__all__ = ["LEAST_TENSION", "LIMIT", "Again", "Change", "Proof", "Way", "added", "largest_changes"]
+
+LIMIT: Final = 0.05
+"""Change of a maximum, or part of the work lost, above which a run has not converged."""
+
+LEAST_TENSION: Final = 0.02
+"""Part of the largest tension below which a change of another is over that part of it."""
+
+Proof = Literal["none", "step", "bars"]
+"""How a run is proven: not at all (--once); at half the step, and where the line goes slack with
+twice the bars; with both in any case."""
+
+Way = Literal["step", "bars"]
+"""How it is run again: at half the step, or with twice the bars."""
+
+
+@dataclass(frozen=True)
+class Again:
+    """One run again.
+
+    Attributes
+    ----------
+    way : {"step", "bars"}
+        At half the step, or with twice the bars.
+    step : float
+        s.
+    elements : int
+        Bars.
+    maxima : mapping of str to float
+        As `DynamicRun.maxima`; empty where it did not converge itself.
+    failure : str
+        Why it did not.
+    """
+
+    way: Way
+    step: float
+    elements: int
+    maxima: Mapping[str, float]
+    failure: str = ""
+
+
+@dataclass(frozen=True)
+class Change:
+    """How far a maximum moved when a run was made again.
+
+    Attributes
+    ----------
+    quantity : str
+        A key of `DynamicRun.maxima`.
+    way : {"step", "bars", "both"}
+        How it was run again; "both" where the changes by the two are added.
+    size : float
+        Over the maximum; over the line's length of a grounded length.
+    """
+
+    quantity: str
+    way: Way | Literal["both"]
+    size: float
+
+
+def added(changes: Iterable[Change]) -> Iterator[Change]:
+    """Yield for each quantity its changes in one run, by all ways together: errors add up."""
+    by_quantity: dict[str, list[Change]] = {}
+    for each in changes:
+        by_quantity.setdefault(each.quantity, []).append(each)
+    for quantity, of in by_quantity.items():
+        way = of[0].way if len(of) == 1 else "both"
+        yield Change(quantity, way, sum(each.size for each in of))
+
+
+def largest_changes(changes: Iterable[Change]) -> list[Change]:
+    """Keep the largest change of each quantity by each way, over several runs."""
+    largest: dict[tuple[str, str], Change] = {}
+    for each in changes:
+        key = (each.quantity, each.way)
+        if key not in largest or each.size > largest[key].size:
+            largest[key] = each
+    return list(largest.values())

@@ -1,0 +1,133 @@
+"""Runs made again: what changes with the step and the bars, and what is said of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from catopt.errors import NotConvergedError
+from catopt.fem import run_dynamics
+from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site
+from catopt.report.tables.dynamic import proof_sentences
+from catopt.verify import dynamic
+from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.dynamic_result import DynamicPart
+from catopt.verify.dynamic_setup import Drive
+from catopt.verify.proof import LIMIT, Proof
+
+# 38 mm studless chain, to three digits, in 20 m of water.
+CHAIN = Segment(
+    60.0, 245.0, EA=1.23e8, mass=28.8, drag_diameter=0.038, drag_normal=2.4, drag_axial=0.4,
+    added_mass_normal=1.0, added_mass_axial=0.5,
+)  # fmt: skip
+
+
+def case(force: float, motion: Motion, run: Dynamics) -> Case:
+    return Case(
+        site=Site(20.0, seabed_friction=0.5),
+        line=Line([CHAIN]),
+        load=Load(horizontal_force=force),
+        fairlead_height=20.0,
+        motion=motion,
+        dynamics=run,
+    )
+
+
+TAUT = case(60e3, Motion(period=6.0, surge=0.1, heave=0.1), Dynamics(30.0, ramp=12.0, elements=30))
+SNAPPING = case(20e3, Motion(period=6.0, heave=3.0), Dynamics(30.0, ramp=12.0, elements=8))
+
+
+@cache
+def proven(of: Case, proof: Proof = "step") -> DynamicPart:
+    (part,) = verify_dynamic(of, proof=proof).parts
+    return part
+
+
+def test_a_taut_line_is_run_again_at_half_the_step() -> None:
+    part = proven(TAUT)
+    assert part.verdict == "converged"
+    (again,) = part.runs[0].again
+    assert (again.way, again.elements) == ("step", 30)
+    assert again.step == part.runs[0].history.step / 2.0
+    assert {each.quantity for each in part.changes} == set(part.runs[0].maxima)
+    # (2 pi/60)^2/12 of a period is what average acceleration is off by.
+    assert all(each.size < 0.005 for each in part.changes)
+
+
+def test_changes_are_those_of_a_run_with_that_step() -> None:
+    """The same as a case that asks for half the step, but for the surprise allowed in each."""
+    part = proven(TAUT)
+    step = part.runs[0].history.step / 2.0
+    of = replace(TAUT, dynamics=replace(TAUT.dynamics, time_step=step))  # type: ignore[type-var]
+    assert proven(of, "none").runs[0].maxima == pytest.approx(part.runs[0].again[0].maxima)
+
+
+def test_twice_the_bars_on_request_and_for_a_slack_line() -> None:
+    assert [again.elements for again in proven(TAUT, "bars").runs[0].again] == [30, 60]
+    assert [again.way for again in proven(SNAPPING).runs[0].again] == ["step", "bars"]
+
+
+def test_too_few_bars_for_a_snap_have_not_converged() -> None:
+    """8 bars of 7.5 m, two of them between the surface and the bed."""
+    part = proven(SNAPPING)
+    assert part.verdict == "not converged"
+    worst = part.worst_change
+    assert worst is not None
+    assert worst.size > LIMIT
+    said = "\n".join(proof_sentences(part))
+    assert f"changes by {worst.size:.1%}, more than 5%" in said
+    assert "A shorter time_step, more elements or more line_damping is wanted." in said
+
+
+def test_run_once_proves_nothing_and_says_so() -> None:
+    part = proven(TAUT, "none")
+    assert part.runs[0].again == ()
+    assert part.verdict == "not proven"
+    assert part.change_of("fairlead_tension") is None
+    assert proof_sentences(part)[0].startswith("NOT PROVEN: it was run once")
+
+
+def test_a_run_again_that_fails_is_not_converged(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the base run is worth then is not known."""
+    own = run_dynamics
+
+    def fails(*args: object, **options: object) -> object:
+        if args[1].step < 0.08:  # type: ignore[attr-defined]
+            raise NotConvergedError("the step did not close")
+        return own(*args, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(dynamic, "run_dynamics", fails)
+    (part,) = verify_dynamic(TAUT).parts
+    assert part.verdict == "not converged"
+    assert part.failure is not None
+    assert part.failure.failure == "the step did not close"
+    assert "run again at half the step, it has no answer" in proof_sentences(part)[0]
+
+
+@pytest.mark.parametrize(
+    ("given", "ratio", "time"),
+    [
+        ({}, 1.0, 0.0),
+        ({"damping_time": 2e-4}, 0.0, 2e-4),
+        ({"line_damping": 0.0}, 0.0, 0.0),
+        ({"line_damping": 0.4, "damping_time": 1e-3}, 0.4, 1e-3),
+    ],
+)
+def test_line_damping_is_critical_unless_something_is_said(
+    given: dict[str, float], ratio: float, time: float
+) -> None:
+    of = replace(TAUT, dynamics=Dynamics(30.0, **given))  # type: ignore[arg-type]
+    damping = Drive(of).properties.damping
+    assert (damping.critical_ratio, damping.stiffness_time) == (ratio, time)
+
+
+def test_changes_by_step_and_bars_are_added() -> None:
+    """Errors of step and bars add up, and so the verdict is on their sum."""
+    part = proven(SNAPPING)
+    found = {(each.quantity, each.way): each.size for each in part.changes}
+    for quantity in part.runs[0].maxima:
+        both = [found[quantity, way] for way in ("step", "bars") if (quantity, way) in found]
+        if both:
+            assert part.change_of(quantity) == pytest.approx(sum(both))
