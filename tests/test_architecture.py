@@ -15,7 +15,7 @@ import catopt
 
 PACKAGE = Path(catopt.__file__).parent
 
-BASE = {"errors", "constants", "units", "quantities", "compiled", "interrupt"}
+BASE = {"errors", "constants", "units", "quantities", "compiled", "interrupt", "ties"}
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile"}
 DESIGNING = {"checks", "design"}
@@ -34,6 +34,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "quantities": {"errors", "constants", "units"},
     "compiled": set(),
     "interrupt": set(),
+    "ties": set(),
     "schemas": {"errors"},
     "model": BASE,
     "catalogue": BASE | {"model"},

@@ -26,7 +26,6 @@ NAMES = [
     "Site",
     "Solution",
     "System",
-    "TouchesTwiceError",
     "__version__",
     "check_case",
     "curve_case",

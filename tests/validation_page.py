@@ -45,11 +45,13 @@ EVIDENCE = {
         "waves/test_kinematics",
     ),
     "Another method": (
-        "catenary/test_random_lines",
+        "campaign/test_campaign",
+        "campaign/test_oracle",
         "catenary/test_swarm_any_line",
         "fem/test_closed_form",
         "fem/test_equations",
         "verify/test_lines",
+        "verify/test_touches_twice",
         "verify/test_system",
         "waves/test_spectrum",
         "design/test_enumeration",
@@ -71,7 +73,7 @@ EVIDENCE = {
     ),
     "Limits, symmetry and order": (
         "catenary/test_properties",
-        "catenary/test_round_trips",
+        "catenary/test_refusals_and_extremes",
         "catenary/test_small_forces",
         "fem/test_bar",
         "fem/test_time",

@@ -133,7 +133,9 @@ def test_an_interrupted_search_keeps_its_front(
             return None
 
     monkeypatch.setattr(Output, "progress", lambda _self, _what: Watched())
-    ran = run("design", DESIGN, "--method", "swarm", "--json", "--out", tmp_path)
+    ran = run(
+        "design", DESIGN, "--method", "swarm", "--evaluations", "6000", "--json", "--out", tmp_path
+    )
     assert ran.status == 130
     document = json.loads(ran.out)
     assert document["interrupted"] is True

@@ -91,7 +91,7 @@ PROMISED = {
     "residual warnings",
     "fairlead": "tension_N vertical_force_N angle_rad",
     "anchor": "tension_N horizontal_force_N vertical_force_N angle_rad",
-    "residual": "height_m span_m",
+    "residual": "height_m span_m force_uncertainty_N",
     "profile": "s_m x_m z_m tension_N",
     "pso": "objective evaluations iterations runs seed converged_runs",
 }

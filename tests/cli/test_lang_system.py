@@ -9,17 +9,17 @@ from pathlib import Path
 import openpyxl
 import pytest
 
-from catopt.catenary.state import JUMPS, TOO_SHORT
+from catopt.catenary.state import TOO_SHORT
 from catopt.model import Line, Segment, System
 from catopt.mooring.balance import Pull
+from catopt.mooring.descent import TURNS_OVER, Rest
 from catopt.mooring.line_out import one_line_out
 from catopt.mooring.refusal import refusal, turns_over
-from catopt.mooring.settle import Rest
 from catopt.mooring.sharing_rule import sharing_rule
 from catopt.report.texts import Words
 
 from .conftest import CASES, Run
-from .test_system import SPREAD
+from .test_system import SPREAD, TWO_HEADINGS
 from .vietnamese import numbers, untranslated
 
 FSO = CASES / "fso-rang-dong" / "case.toml"
@@ -36,6 +36,7 @@ CASE_TEXTS = {
     "one line": SPREAD.replace(FOUR, 'azimuths = ["180 deg"]').replace(
         'fairlead_radius = "10 m"\n', ""
     ),
+    "two headings": TWO_HEADINGS,
     "no force": SPREAD.replace('force = ["200 kN", "0 kN"]', ""),
     "taut": SPREAD.replace('EA = "800 MN"\n', "").replace("600 m", "563 m"),
 }
@@ -153,10 +154,10 @@ def refusals() -> list[str]:
     """List what a line that is gone may leave behind; what stops one line alone is verify's."""
     short = ring([0.0, 180.0], EA=math.inf, length=563.0)
     pull = Pull(0, -1, *([0.0] * (len(Pull._fields) - 2)))
-    rests = [Rest(status, 1, 30.0, 0.0, 0.0, 3, 1.0, 0.0, pull) for status in (TOO_SHORT, JUMPS)]
+    rest = Rest(TOO_SHORT, 1, 30.0, 0.0, 0.0, 3, 1.0, 0.0, pull)
     return [
-        *(str(refusal(rest, short)) for rest in rests),
-        str(turns_over(9e8, 1e8)),
+        str(refusal(rest, short)),
+        str(turns_over(9e8, Rest(TURNS_OVER, -1, 30.0, 0.0, 0.0, 3, 1.0, 8e8, pull))),
         *(each.refusal for each in one_line_out(ring([180.0]))),
     ]
 

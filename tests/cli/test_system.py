@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +39,23 @@ azimuths = ["0 deg", "90 deg", "180 deg", "270 deg"]
 fairlead_radius = "10 m"
 force = ["200 kN", "0 kN"]
 """
+
+TWO_HEADINGS = """
+title = "Barge on two lines"
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "80 m"
+submerged_weight = "1000 N/m"
+EA = "800 MN"
+[system]
+anchor_radius = "100 m"
+azimuths = ["30 deg", "330 deg"]
+fairlead_radius = "40 m"
+force = ["100 kN", "0 kN"]
+"""
+"""By symmetry the body heads along x: bow to the anchors, or beyond them with its bow back."""
 
 
 def document_of(run: Run, *arguments: object) -> dict[str, Any]:
@@ -172,6 +191,38 @@ def test_lines_that_do_not_meet(run: Run, tmp_path: Path) -> None:
     ran = run("system", written(tmp_path, text))
     assert ran.status == 3
     assert "no place that every line reaches" in ran.err
+
+
+def test_a_second_heading_is_named_in_every_face(run: Run, tmp_path: Path) -> None:
+    case = written(tmp_path, TWO_HEADINGS)
+    told = re.compile(
+        r"the body would also rest at a yaw of -?180\.00 deg, its origin at \(\d+\.\d{3}, 0\.000\) "
+        "m: which of them it takes depends on how it came there"
+    )
+    document = document_of(run, "system", case)
+    assert document["position"]["yaw_rad"] == pytest.approx(0.0, abs=1e-9)
+    assert sum(told.fullmatch(warning) is not None for warning in document["warnings"]) == 1
+    assert told.search(" ".join(run("system", case).out.split()))
+    assert run("report", case, "--no-verify", "--out", tmp_path / "note").status == 0
+    (page,) = (tmp_path / "note").glob("*.html")
+    assert told.search(page.read_text(encoding="utf-8"))
+    (path,) = (tmp_path / "note").glob("*.xlsx")
+    book = openpyxl.load_workbook(path)
+    cells = [
+        str(cell) for sheet in book for row in sheet.iter_rows(values_only=True) for cell in row
+    ]
+    assert any(told.search(cell) for cell in cells)
+
+
+def test_a_moment_that_is_carried_is_not_refused(run: Run, tmp_path: Path) -> None:
+    """One line on an arm of 20 m under 100 kN holds 400 kN m: it could hold 2,000."""
+    text = SPREAD.replace(
+        'azimuths = ["0 deg", "90 deg", "180 deg", "270 deg"]', 'azimuths = ["16 deg"]'
+    )
+    text = text.replace('"10 m"', '"20 m"').replace('"200 kN"', '"100 kN"')
+    document = document_of(run, "system", written(tmp_path, text + 'moment = "400 kN*m"\n'))
+    assert document["lines"][0]["horizontal_force_N"] == pytest.approx(1e5, rel=1e-9)
+    assert -math.pi < document["position"]["yaw_rad"] <= math.pi
 
 
 def test_a_moment_that_is_not_carried(run: Run, tmp_path: Path) -> None:

@@ -174,5 +174,7 @@ def same_words(name: str, english: str, vietnamese: str) -> set[str]:
     for language, sheet in (("en", english), ("vi", vietnamese)):
         book = openpyxl.load_workbook(BytesIO(note_workbook(further_note(name), language)))  # type: ignore[arg-type]
         cells = (cell for row in book[sheet].iter_rows(values_only=True) for cell in row)
-        found.append({cell for cell in cells if isinstance(cell, str) and not cell[:1].isdigit()})
+        found.append(
+            {cell for cell in cells if isinstance(cell, str) and not cell.lstrip("-")[:1].isdigit()}
+        )
     return {text for text in found[0] & found[1] if not text.startswith("=")}

@@ -123,6 +123,7 @@ OF_THE_LINE = {
     "Line mass in air": "line_mass_kg",
     "Residual of the height": "residual.height_m",
     "Residual of the span": "residual.span_m",
+    "Force left open by rounding of the input": "residual.force_uncertainty_N",
 }
 UNITS = {
     "m": 1.0, "kN": KILO, "tf": 9806.65, "deg": DEGREE, "rad": 1.0, "t": 1e3, "kg/m^3": 1.0, "": 1.0

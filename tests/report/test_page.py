@@ -196,6 +196,7 @@ def test_results_are_those_of_the_solution(note: Note, page: ReadPage) -> None:
         "Stretched length": solution.stretched_length,
         "Residual of the height": solution.residual.height,
         "Residual of the span": solution.residual.span,
+        "Force left open by rounding of the input": solution.residual.force_uncertainty,
     }
     for label, value in expected.items():
         assert table.row(label)[1].value == value

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import html
 import math
+import re
 
 import pytest
 
 from catopt.report.page.curve_figure import curve_figure
-from catopt.report.page.figure import WIDTH, Figure, Frame, Shape, tick_words, ticks
+from catopt.report.page.figure import WIDTH, Figure, Frame, Shape, breadth, tick_words, ticks
 from catopt.report.page.line_drawing import line_drawing, touchdowns
 from catopt.report.page.note import Note
 from catopt.report.page.tension_figure import capacities, tension_figure
 from catopt.report.texts import Words
+from tests.reports import NOTES
 
 from .page_cases import EVERY, known_note
 
@@ -108,7 +111,7 @@ def test_points_of_the_line_say_what_the_profile_has(note: Note) -> None:
         for index in (0, len(profile.s) // 2, len(profile.s) - 1):
             assert figure.points[index].text == (
                 f"s = {profile.s[index]:.3f} m, x = {profile.x[index]:.3f} m, "
-                f"z = {profile.z[index] + 0.0:.3f} m, "
+                f"z = {round(profile.z[index], 3) + 0.0:.3f} m, "
                 f"tension T = {profile.tension[index] / 1e3:.3f} kN"
             )
 
@@ -176,3 +179,20 @@ def test_a_frame_places_its_corners() -> None:
     frame = Frame(10.0, 110.0, 20.0, 70.0, (0.0, 2.0), (-1.0, 1.0))
     assert frame.at(0.0, -1.0) == (10.0, 70.0)
     assert frame.at(2.0, 1.0) == (110.0, 20.0)
+
+
+WRITTEN = re.compile(
+    r'<text class="(\w+)" x="([\d.]+)" y="[\d.]+" text-anchor="(\w+)"( transform)?[^>]*>([^<]+)<'
+)
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in NOTES.glob("*.html")))
+def test_words_have_room_in_any_font(name: str) -> None:
+    """In the widest letters words along a figure stay in it; titles of axes are never turned."""
+    written = WRITTEN.findall((NOTES / f"{name}.html").read_text("utf-8"))
+    assert len(written) > 20
+    for style, at, anchor, turned, words in written:
+        x = float(at)
+        room = {"start": WIDTH - x, "end": x, "middle": 2.0 * min(x, WIDTH - x)}[anchor]
+        assert turned or breadth(html.unescape(words)) <= room, words
+        assert not (turned and style == "axis"), words

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from catopt.catenary.solve import solve
+from catopt.model import Line, PointLoad, Segment
 from catopt.report.page.note import Note
 from catopt.report.page.trail import Trail, is_uniform, trail_of
 
@@ -96,6 +98,19 @@ def test_every_value_is_that_of_the_solver(trail: Trail) -> None:
     assert {"trail.span", "trail.fairlead_tension"} <= {step.name for step in compared}
     for step in compared:
         assert step.value == pytest.approx(step.stated, rel=1e-9, abs=1e-9), step.name
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3, 1.0])
+def test_a_line_that_touches_twice_is_followed(friction: float) -> None:
+    """With a friction of 1 nothing is left of the force where the buoy lifts the line."""
+    line = Line([Segment(300.0, 1000.0, EA=5e8)], [PointLoad(120.0, -5e4)])
+    solution = solve(line, height=50.0, horizontal_force=4e4, seabed_friction=friction)
+    assert solution.regime == "grounded-in-parts"
+    trail = trail_of(solution)
+    assert (min(row.T1 for row in trail.rows if not row.on_bed) == 0.0) == (friction == 1.0)
+    for step in trail.steps:
+        if step.stated is not None:
+            assert step.value == pytest.approx(step.stated, rel=1e-9, abs=1e-9), step.name
 
 
 def test_a_wrong_solution_does_not_pass() -> None:

@@ -11,7 +11,7 @@ import openpyxl
 import pytest
 
 from catopt.casefile import read_case
-from catopt.errors import NotConvergedError, TouchesTwiceError
+from catopt.errors import NotConvergedError
 from catopt.model import Case
 from catopt.report.page.note import Note, note_of, read_note
 from catopt.report.page.render import render_page
@@ -160,11 +160,12 @@ def test_a_quantity_that_is_not_smooth_is_named() -> None:
 
 
 @pytest.mark.parametrize("case", TOUCHES_TWICE.values(), ids=TOUCHES_TWICE)
-def test_a_line_that_the_closed_form_refuses_has_no_note(case: Case) -> None:
-    """The truss model alone would answer, but the note follows the closed form's equations."""
-    source = known_note("buoy-9.5m").origin.files
-    with pytest.raises(TouchesTwiceError):
-        note_of(case, source)
+def test_the_note_of_a_line_that_touches_twice_shows_that_the_models_agree(case: Case) -> None:
+    note = note_of(case, known_note("buoy-9.5m").origin.files)
+    assert note.solution.regime == "grounded-in-parts"
+    page, _ = seen(note)
+    verdicts = {row[-1].text for row in page.table("verification").rows}
+    assert verdicts == {"agrees"}
 
 
 # ------------------------------------------------------------------ in Vietnamese

@@ -13,11 +13,11 @@ from catopt.checks.evaluation import evaluate, segment_words
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.strength import Strength
 from catopt.errors import (
+    FloatsUpError,
     InputError,
     NoEquilibriumError,
     NotConvergedError,
     Problem,
-    TouchesTwiceError,
 )
 from catopt.model import Anchor, Case, Line, Load
 from catopt.model.load_case import LoadCaseKind
@@ -66,7 +66,7 @@ def check_case(case: Case) -> CheckReport:
     InputError
         A code is not known, or a criterion needs a strength, a diameter or a factor that is
         missing; all of them at once.
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         As for `solve`; the message names the load case.
     """
     case = _found(case)
@@ -113,7 +113,7 @@ def _under(load_case: str) -> Iterator[None]:
         yield
     except NoEquilibriumError as error:
         raise NoEquilibriumError(f"{words}{error}", error.quantity, error.missing) from error
-    except (TouchesTwiceError, NotConvergedError) as error:
+    except (FloatsUpError, NotConvergedError) as error:
         raise type(error)(f"{words}{error}") from error
 
 

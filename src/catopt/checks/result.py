@@ -10,6 +10,7 @@ from catopt.catenary.solution import Solution
 from catopt.checks.document import check_document, result_document
 from catopt.checks.excess import ROUNDING
 from catopt.model import LoadCase
+from catopt.ties import largest
 
 __all__ = ["CheckReport", "CheckResult", "CheckSource"]
 
@@ -132,14 +133,15 @@ class CheckReport:
         """
         if self.failed:
             return self.failed[0]
-        used = {result: result.utilisation for result in self.results}
-        return max(used, key=lambda result: used[result] or 0.0, default=None)
+        if not self.results:
+            return None
+        return largest(self.results, lambda result: result.utilisation or 0.0, ROUNDING)
 
     @property
     def failed(self) -> tuple[CheckResult, ...]:
-        """The checks that are failed, the worst first."""
+        """The checks that are failed, the worst first; those alike as they come."""
         failed = [result for result in self.results if not result.passes]
-        return tuple(sorted(failed, key=lambda result: -result.excess))
+        return tuple(sorted(failed, key=lambda result: -round(result.excess, 9)))
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt check --json`` prints (schema catopt.check/1)."""

@@ -33,6 +33,8 @@ class Wanted:
     swarm, motion : bool or None
         Whether the particle swarm and the line in motion are there, too; None: as was asked for in
         a result directory.
+    once : bool or None
+        Whether the line in motion is run without its proof; None: as in a result directory.
     """
 
     design: int | None = None
@@ -40,6 +42,7 @@ class Wanted:
     verify: bool = True
     swarm: bool | None = None
     motion: bool | None = None
+    once: bool | None = None
 
 
 def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -> AnyNote:
@@ -75,6 +78,7 @@ def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -
         verify=wanted.verify,
         swarm=wanted.swarm,
         motion=wanted.motion,
+        once=wanted.once,
         progress=progress,
     )
 

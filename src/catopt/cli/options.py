@@ -13,6 +13,7 @@ __all__ = [
     "DesignOption",
     "JsonOption",
     "LangOption",
+    "OnceOption",
     "OutOption",
     "ReportLanguage",
     "TablesOutOption",
@@ -68,6 +69,15 @@ DesignOption = Annotated[
         "--design",
         metavar="K",
         help="Take design K of the front in the result directory CASE, by its number there.",
+    ),
+]
+
+OnceOption = Annotated[
+    bool,
+    typer.Option(
+        "--once",
+        help="Of --dynamic: run the line once, without the proof at half the step; the answer says "
+        "so.",
     ),
 ]
 

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption, ReportLanguage
+from catopt.cli.options import JsonOption, OnceOption, ReportLanguage
 from catopt.cli.solve import Method
-from catopt.cli.verify import INTERRUPTED
+from catopt.cli.verify import INTERRUPTED, stop_if_not_converged
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output, Progress
@@ -91,6 +91,7 @@ def report(
             "When left out: of a result directory, what catopt verify was asked for there.",
         ),
     ] = None,
+    once: OnceOption = False,
     as_json: JsonOption = False,
     out: Annotated[
         Path | None,
@@ -119,7 +120,7 @@ def report(
     _check_place(out)
     with output.progress("Calculation note") as tell:
         swarm = None if method is None else method is Method.PSO
-        wanted = Wanted(design, date, verify, swarm, motion)
+        wanted = Wanted(design, date, verify, swarm, motion, once or None)
         note = note_of_file(case, wanted, _first_of_three(tell))
         number = None
         if isinstance(note, Note):
@@ -138,6 +139,8 @@ def report(
     else:
         for path, _ in written:
             output.text(str(path))
+    if isinstance(note, Note) and note.motion is not None:
+        stop_if_not_converged(output, note.motion.found, lang)
 
 
 def _tell(tell: Progress | None, steps: int) -> None:

@@ -70,7 +70,7 @@ def show_solution(
     if solution.found is not None:
         left = f"Residual of the condition, relative: {solution.found.residual:.2e}"
         output.text(words.sentence(left).text)
-    for name, entry in zip(("height", "span"), residuals(solution), strict=True):
+    for name, entry in zip(("height", "span"), residuals(solution), strict=False):
         value = entry.quantity.format(entry.value, unit=True)
         left = f"Residual of the {name}, laid out from the anchor: {value}"
         output.text(words.sentence(left).text)

@@ -12,6 +12,7 @@ from catopt.cli.options import (
     DesignOption,
     JsonOption,
     LangOption,
+    OnceOption,
     OutOption,
     ReportLanguage,
 )
@@ -22,15 +23,16 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.front import Design, FrontVerification
+    from catopt.verify.proof import Proof
     from catopt.verify.result import Verification
 
-__all__ = ["verify"]
+__all__ = ["stop_if_not_converged", "verify"]
 
 DIFFERS = 3
 """Of --strict: the input is right, but the models do not agree."""
 
 STOPPED = 4
-"""Of --all: for a design a solver did not converge."""
+"""Of --all: for a design a solver did not converge; of --dynamic: a maximum hangs on the step."""
 
 INTERRUPTED = 130
 """Of --dynamic: Ctrl-C; what was computed until then is printed and written."""
@@ -86,6 +88,14 @@ def verify(
             "file. Ctrl-C keeps what was computed until then.",
         ),
     ] = False,
+    once: OnceOption = False,
+    twice_the_bars: Annotated[
+        bool,
+        typer.Option(
+            "--twice-the-bars",
+            help="Of --dynamic: run again with twice the bars, too, also a line that stays taut.",
+        ),
+    ] = False,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
@@ -101,6 +111,7 @@ def verify(
         from catopt.report.files import check_directory
 
         check_directory(out)
+    _refuse_without_motion(with_motion=with_motion, once=once, twice_the_bars=twice_the_bars)
     check_settings(elements, tolerance, source="options", prefix="--")
     found: Verification | FrontVerification
     dynamic: DynamicVerification | None = None
@@ -111,7 +122,8 @@ def verify(
     else:
         read = _read(case, design, with_motion=with_motion)
         found = _case(read, output, load_case, elements, tolerance)
-        dynamic = _dynamic(read, output, load_case) if with_motion else None
+        proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
+        dynamic = _dynamic(read, output, load_case, proof) if with_motion else None
     if out is not None:
         from catopt.cli.result_files import write_result
         from catopt.report.bundle import verification_bundle
@@ -153,12 +165,25 @@ def _end(
         said = Words(lang.value).sentence(stopped_sentence(dynamic)).text
         output.note(f"catopt: {said}")
         raise typer.Exit(INTERRUPTED)
+    if dynamic is not None:
+        stop_if_not_converged(output, dynamic, lang)
     if isinstance(found, FrontVerification) and not found.has_converged:
         output.note("catopt: for a design a solver did not converge")
         raise typer.Exit(STOPPED)
     if strict and not found.is_settled:
         output.note(f"catopt: {verdict_sentence(found)}")
         raise typer.Exit(DIFFERS)
+
+
+def stop_if_not_converged(output: Output, found: DynamicVerification, lang: ReportLanguage) -> None:
+    """Leave with the status of a solver that did not converge, where a line in motion has not."""
+    if found.verdict == "not converged":
+        from catopt.report.tables.dynamic import not_converged_sentence
+        from catopt.report.texts import Words
+
+        said = Words(lang.value).sentence(not_converged_sentence(found)).text
+        output.note(f"catopt: {said}")
+        raise typer.Exit(STOPPED)
 
 
 def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
@@ -185,11 +210,13 @@ def _case(
         )
 
 
-def _dynamic(case: Case, output: Output, load_case: str | None) -> DynamicVerification:
+def _dynamic(
+    case: Case, output: Output, load_case: str | None, proof: Proof
+) -> DynamicVerification:
     from catopt.verify.dynamic import verify_dynamic
 
     with output.progress("Line in motion") as tell:
-        return verify_dynamic(case, load_case=load_case, progress=tell)
+        return verify_dynamic(case, load_case=load_case, proof=proof, progress=tell)
 
 
 def _case_of_front(directory: Path) -> Case:
@@ -222,6 +249,22 @@ def _refuse(load_case: str | None, design: int | None, *, with_motion: bool) -> 
     if with_motion:
         allowed = "does not go with --all: run one design by --design"
         problems.append(Problem("--dynamic", "", allowed))
+    if problems:
+        raise InputError(problems, "options")
+
+
+def _refuse_without_motion(*, with_motion: bool, once: bool, twice_the_bars: bool) -> None:
+    """Refuse what says how a line in motion is proven, where none is run or in two ways."""
+    from catopt.errors import InputError, Problem
+
+    given = {"--once": once, "--twice-the-bars": twice_the_bars}
+    problems = [
+        Problem(option, "", "goes with --dynamic, which is missing")
+        for option, is_given in given.items()
+        if is_given and not with_motion
+    ]
+    if once and twice_the_bars:
+        problems.append(Problem("--once", "", "does not go with --twice-the-bars"))
     if problems:
         raise InputError(problems, "options")
 

@@ -39,14 +39,16 @@ def _part(output: Output, words: Words, part: DynamicPart, *, with_name: bool) -
         words("moving.head_minimum"),
         words("moving.head_maximum"),
         words("moving.head_probable"),
+        words("moving.head_change"),
     ]
     output.table(
         ["", *headings],
-        [_row(words, each) for each in part.quantities],
+        [_row(words, part, each) for each in part.quantities],
         title=title,
-        numbers=range(1, 6),
+        numbers=range(1, 7),
     )
     output.text(_runs(words, part))
+    output.text(words("moving.drag_area"))
     for sentence in dynamic_sentences(part):
         output.text(words.sentence(sentence).text, bold=True)
     for remark in part.remarks:
@@ -68,10 +70,12 @@ def _runs(words: Words, part: DynamicPart) -> str:
     return words("moving.run", **told)
 
 
-def _row(words: Words, each: OverRuns) -> tuple[str, ...]:
+def _row(words: Words, part: DynamicPart, each: OverRuns) -> tuple[str, ...]:
     quantity = DYNAMIC_QUANTITY_OF[each.quantity]
+    change = part.change_of(each.quantity)
     values = (each.mean, each.std, each.minimum, each.maximum, each.most_probable_maximum)
     return (
         words.heading(f"{quantity.name} ({quantity.field_unit})"),
         *(quantity.format(value) for value in values),
+        "-" if change is None else f"{change:.2%}",
     )

@@ -11,6 +11,7 @@ from catopt.report.tables.verify import (
     rough_sentence,
     verdict_sentence,
 )
+from catopt.verify.compared import worst_of
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
@@ -51,17 +52,12 @@ def show_verification(
 
 
 def _part(output: Output, words: Words, part: StaticComparison, *, with_name: bool) -> None:
-    if part.refusal:
-        why = words.sentence(part.refusal).text
-        output.text(words("verified.refuses", why=why))
-        output.line()
     body = [each for each in part.quantities if each.line is None]
     _table(output, words, _title(words, part, with_name=with_name), body)
     if part.kind == "system":
         _lines(output, words, part)
     _meshes(output, words, part)
-    if not part.refusal:
-        output.text(words("verified.scales"))
+    output.text(words("verified.scales"))
     output.text(words.sentence(part_sentence(part)).text, bold=True)
     rough = rough_sentence(part)
     if rough:
@@ -74,10 +70,10 @@ def _part(output: Output, words: Words, part: StaticComparison, *, with_name: bo
 def _title(words: Words, part: StaticComparison, *, with_name: bool) -> str:
     """Say what is compared in the first table."""
     if part.kind == "system":
-        return words("verified.body" if part.refusal else "verified.body_both")
+        return words("verified.body_both")
     if not with_name:
-        return words("verified.truss" if part.refusal else "verified.both")
-    return words("verified.truss_under" if part.refusal else "checks.under", name=part.name)
+        return words("verified.both")
+    return words("checks.under", name=part.name)
 
 
 def _table(output: Output, words: Words, title: str, quantities: list[Compared]) -> None:
@@ -113,7 +109,7 @@ def _lines(output: Output, words: Words, part: StaticComparison) -> None:
     for k in range(len(part.lines)):
         own = [each for each in part.quantities if each.line == k]
         fairlead, anchor = part.of("fairlead_tension", k), part.of("anchor_tension", k)
-        worst = max(own, key=lambda each: each.gap)
+        worst = worst_of(own)
         rows.append(
             (
                 str(k + 1),
@@ -147,7 +143,7 @@ def _meshes(output: Output, words: Words, part: StaticComparison) -> None:
             str(mesh.elements),
             str(mesh.iterations),
             f"{mesh.residual:.1e}",
-            _largest(part, number),
+            in_parts(part.mesh_gap(number)),
         )
         for number, mesh in enumerate(part.meshes)
     ]
@@ -164,23 +160,18 @@ def _meshes(output: Output, words: Words, part: StaticComparison) -> None:
     )
 
 
-def _largest(part: StaticComparison, mesh: int) -> str:
-    gap = part.mesh_gap(mesh)
-    return "-" if gap is None else in_parts(gap)
-
-
 def _label(words: Words, each: Compared) -> str:
     quantity = QUANTITY_OF[each.quantity]
     symbol = f" {quantity.symbol}" if each.quantity.startswith("position") else ""
     return words.heading(f"{quantity.name}{symbol} ({quantity.field_unit})")
 
 
-def _value(each: Compared, value: float | None) -> str:
+def _value(each: Compared, value: float) -> str:
     return QUANTITY_OF[each.quantity].format(value)
 
 
-def _part_of(each: Compared, difference: float | None) -> str:
-    return "-" if difference is None else in_parts(abs(difference) / each.scale)
+def _part_of(each: Compared, difference: float) -> str:
+    return in_parts(abs(difference) / each.scale)
 
 
 def _order(each: Compared) -> str:
@@ -218,7 +209,7 @@ def _design(words: Words, each: DesignVerification) -> tuple[str, ...]:
         return number, each.design.load_case or "", "-", "-", "-", "-", none
     part = found.static
     tension = part.of("fairlead_tension")
-    verdict = "DIFFERS" if part.verdict == "differs" else part.verdict
+    verdict = part.verdict.upper() if part.verdict in ("differs", "not resolved") else part.verdict
     return (
         number,
         part.name,

@@ -115,7 +115,7 @@ def hang(case: Case, EA: float | None = None) -> Hung:
 
     Raises
     ------
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         As for `solve_case` and `solve_system`.
     """
     return _line(case, EA) if case.system is None else _body(case, EA)
@@ -195,10 +195,13 @@ def _with_EA(line: Line, EA: float) -> Line:
 
 def _at_rest(solution: Solution) -> Solution | None:
     """Solve the line anew between its ends, without friction; None where it feels none."""
-    if solution.seabed_friction == 0.0 or solution.grounded_length == 0.0:
+    line = solution.line
+    rough = solution.seabed_friction > 0.0 or any(load.friction for load in line.point_loads)
+    if not rough or solution.grounded_length == 0.0:
         return None
+    loads = [replace(load, friction=None) for load in line.point_loads]
     return solve(
-        solution.line,
+        Line(line.segments, loads),
         height=solution.fairlead_height,
         anchor_height=solution.anchor_height,
         span=solution.span,

@@ -251,10 +251,10 @@ def _step(parts: Sequence[Part], stiffness: float) -> float:
 def _rounded_up(value: float) -> float:
     """Round to two significant digits, away from 0."""
     unit = 10.0 ** (math.floor(math.log10(value)) - 1)
-    return math.ceil(value / unit) * unit
+    return math.ceil(value / unit * (1.0 - ROUNDING)) * unit
 
 
 def _rounded_down(value: float) -> float:
     """Round to two significant digits, towards 0."""
     unit = 10.0 ** (math.floor(math.log10(value)) - 1)
-    return math.floor(value / unit) * unit
+    return math.floor(value / unit * (1.0 + ROUNDING)) * unit

@@ -77,6 +77,17 @@ def _on_the_bed(model: Model) -> Iterator[str]:
             "Compare with the closed form on a bed without friction; the fairleads stand where "
             "they do with friction."
         )
+    own = {
+        f"{load.friction:g}"
+        for line in model.hung.lines
+        for load in line.solution.line.point_loads
+        if load.friction is not None
+    }
+    if own:
+        yield (
+            f"friction {', '.join(sorted(own))} of a point load's own on the bed is not in the "
+            "file: MoorDyn has one coefficient for the whole bed, and a point does not rub."
+        )
     if any(resting(model.parts)):
         yield (
             "a point load rests on the bed: a point of MoorDyn does not feel the bed, the line at "

@@ -13,6 +13,7 @@ from catopt.model import Case, Line, System
 from catopt.mooring.load_sharing import load_sharing_factor
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
+from catopt.ties import largest
 
 __all__ = ["BodyState", "Pattern", "PatternState", "pattern", "shared_force", "system_case"]
 
@@ -104,7 +105,7 @@ class Pattern:
     @property
     def hardest(self) -> PatternState:
         """The load case of the largest horizontal force in a line."""
-        return max(self.states, key=lambda state: state.line_force)
+        return largest(self.states, lambda state: state.line_force)
 
     @property
     def largest_pull(self) -> float:
@@ -157,7 +158,7 @@ def pattern(
 
     Raises
     ------
-    NoEquilibriumError, TouchesTwiceError, NotConvergedError
+    NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
     reach = solve(
@@ -175,7 +176,7 @@ def pattern(
         _hardest(base.raised(state.fairlead_height - still_height), state, lines)
         for state in states
     ]
-    worst = max(hardest, key=lambda each: each[0].line_force)
+    worst = largest(hardest, lambda each: each[0].line_force)
     return Pattern(
         lines,
         pretension,
@@ -217,7 +218,7 @@ def _hardest(system: System, state: BodyState, lines: int) -> tuple[PatternState
         towards = math.pi + off
         force = (state.force * math.cos(towards), state.force * math.sin(towards))
         solved.append((off, solve_system(system.under(force))))
-    off, hardest = max(solved, key=lambda each: _line_force(each[1]))
+    off, hardest = largest(solved, lambda each: _line_force(each[1]))
     return (
         PatternState(
             load_case=state.load_case,

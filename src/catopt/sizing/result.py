@@ -16,6 +16,7 @@ from catopt.sizing.document import sizing_document
 from catopt.sizing.limits import Limit
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.settle import Settled
+from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 
 __all__ = ["SHOT", "Sizing", "SwingRadius"]
@@ -119,7 +120,7 @@ class Sizing:
     @property
     def hardest(self) -> tuple[str, Solution]:
         """Load case and line of the largest tension at the fairlead."""
-        return max(self.point.checks.solutions, key=lambda each: each[1].fairlead.tension)
+        return largest(self.point.checks.solutions, lambda each: each[1].fairlead.tension)
 
     @property
     def largest_tension(self) -> float:

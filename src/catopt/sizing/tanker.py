@@ -23,6 +23,7 @@ from catopt.sizing.posed import LoadsAt, Posed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
+from catopt.ties import largest
 
 __all__ = ["EVERYDAY", "EVERYDAY_SHARE", "pose_tanker", "size_tanker"]
 
@@ -320,7 +321,7 @@ def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> 
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
     if around is not None:
         states = [state for state in around.states if state.load_case.endswith("low water")]
-        widest = max(states, key=lambda state: state.offset)
+        widest = largest(states, lambda state: state.offset)
         first = ("offset of the body", widest.offset)
         name = widest.load_case
     else:
@@ -329,7 +330,7 @@ def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> 
             for name, solution in settled.point.checks.solutions
             if name.endswith("low water")
         ]
-        name, span = max(spans, key=lambda each: each[1])
+        name, span = largest(spans, lambda each: each[1])
         first = ("line at low water", span)
     parts = [first]
     if request.hawser > 0.0:

@@ -24,6 +24,7 @@ from catopt.report.plots.common import (
     water_and_bed,
 )
 from catopt.report.wording.design import OBJECTIVES, clump_weight_words, segment_words
+from catopt.ties import largest
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -165,4 +166,4 @@ def _lines(axes: Axes, result: DesignResult, chosen: dict[int, Solution]) -> Non
 
 def _farthest(point: DesignPoint) -> str:
     """Name the load case with the largest span."""
-    return max(point.checks.solutions, key=lambda state: state[1].span)[0]
+    return largest(point.checks.solutions, lambda state: state[1].span)[0]

@@ -20,7 +20,6 @@ from catopt.report.plots.common import (
     STYLE,
     folded,
     label_axes,
-    legend_below,
 )
 from catopt.verify.shape import closed_form_at, flat
 
@@ -73,20 +72,15 @@ def comparison(part: StaticComparison, title: str) -> Figure:
         Above the figure.
     """
     pair = part.lines[_most_loaded(part)]
-    rows = 1 if pair.closed is None else 2
     with rc_context(STYLE):
-        figure = Figure(figsize=(SIZE[0], 0.9 + 2.7 * rows), layout="constrained")
+        figure = Figure(figsize=(SIZE[0], 6.3), layout="constrained")
         FigureCanvasAgg(figure)
-        axes = figure.subplots(rows, 2, squeeze=False)
+        axes = figure.subplots(2, 2)
     _shapes(axes[0, 0], pair)
     _tensions(axes[0, 1], pair)
-    if pair.closed is not None:
-        _differences(axes[1, 0], axes[1, 1], pair)
+    _differences(axes[1, 0], axes[1, 1], pair)
     figure.suptitle(folded(title), fontsize=11, parse_math=False)
     handles, labels = figure.axes[0].get_legend_handles_labels()
-    if rows == 1:
-        legend_below(figure, 3)
-        return figure
     more = axes[1, 0].get_legend_handles_labels()
     figure.legend(
         [*handles, *more[0]], [*labels, *more[1]], loc="outside lower center", ncols=3,
@@ -97,12 +91,9 @@ def comparison(part: StaticComparison, title: str) -> Figure:
 
 def _shapes(axes: Axes, pair: LinePair) -> None:
     label_axes(axes, QUANTITIES["x"], QUANTITIES["z"])
-    if pair.closed is not None:
-        profile = pair.closed.profile(401)
-        axes.plot(profile.x, profile.z, color="black", label="Closed form")
+    profile = pair.closed.profile(401)
+    axes.plot(profile.x, profile.z, color="black", label="Closed form")
     shape = flat(pair.finest)
-    if pair.closed is None:
-        axes.plot(shape[:, 0], shape[:, 1], color=ORANGE, linewidth=1.0)
     axes.plot(
         shape[:, 0], shape[:, 1], "o",
         markersize=3.5, markerfacecolor="white", markeredgecolor=ORANGE,
@@ -119,13 +110,10 @@ def _shapes(axes: Axes, pair: LinePair) -> None:
 def _tensions(axes: Axes, pair: LinePair) -> None:
     quantity = QUANTITIES["tension"]
     label_axes(axes, QUANTITIES["s"], quantity)
-    if pair.closed is not None:
-        profile = pair.closed.profile(401)
-        axes.plot(profile.s, [quantity.to_field(T) for T in profile.tension], color="black")
+    profile = pair.closed.profile(401)
+    axes.plot(profile.s, [quantity.to_field(T) for T in profile.tension], color="black")
     middles = 0.5 * (pair.finest.arc[1:] + pair.finest.arc[:-1])
     tensions = quantity.to_field(1.0) * pair.finest.tension
-    if pair.closed is None:
-        axes.plot(middles, tensions, color=ORANGE, linewidth=1.0)
     axes.plot(
         middles, tensions, "o",
         markersize=3.5, markerfacecolor="white", markeredgecolor=ORANGE,
@@ -137,7 +125,6 @@ def _tensions(axes: Axes, pair: LinePair) -> None:
 def _differences(shapes: Axes, tensions: Axes, pair: LinePair) -> None:
     """Draw over the arc length how far nodes and bar tensions are off, for each mesh."""
     closed = pair.closed
-    assert closed is not None
     first = pair.trusses[0].mesh.elements
     tops = [0.0, 0.0]
     for number, truss in enumerate(pair.trusses):

@@ -11,17 +11,25 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.report.tables.summary import named
+from catopt.verify.proof import LIMIT
 
 if TYPE_CHECKING:
     import pandas as pd
 
     from catopt.report.texts import Words
-    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, OverRuns
+    from catopt.verify.dynamic_result import (
+        DynamicPart,
+        DynamicRun,
+        DynamicVerification,
+        OverRuns,
+    )
 
 __all__ = [
     "DYNAMIC_QUANTITY_OF",
     "dynamic_sentences",
     "frames",
+    "not_converged_sentence",
+    "proof_sentences",
     "stopped_sentence",
     "workbook_frames",
 ]
@@ -35,6 +43,26 @@ DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
     }
 )
 """What each quantity of a line in motion is in tables."""
+
+_HOW = {
+    "step": "at half the step",
+    "bars": "with twice the bars",
+    "both": "at half the step and with twice the bars",
+}
+
+_PROOF = {
+    "none": "run once",
+    "step": "at half the step, and of a slack line with twice the bars",
+    "bars": "at half the step and with twice the bars",
+}
+
+_LARGEST = {
+    "fairlead_tension": "the largest fairlead tension",
+    "anchor_tension": "the largest anchor tension",
+    "largest_tension": "the largest tension along the line",
+    "grounded_length": "the largest grounded length",
+    "offset": "the largest offset",
+}
 
 _TENSION = DYNAMIC_QUANTITY_OF["fairlead_tension"]
 
@@ -61,11 +89,52 @@ def dynamic_sentences(part: DynamicPart) -> list[str]:
         )
     if part.slack_time > 0.0:
         sentences.append(
-            f"The line goes SLACK: a bar is without tension for {part.slack_time:.2f} s of a run."
+            f"The line goes SLACK: a bar is without tension for {part.slack_time:.2f} s of a run "
+            f"in all, and for {part.longest_slack:.2f} s at a stretch."
         )
     else:
         sentences.append("No part of the line goes slack.")
+    return [*sentences, *proof_sentences(part)]
+
+
+def proof_sentences(part: DynamicPart) -> list[str]:
+    """Say how far the maxima hang on step and bars, and how much of the work is numerical."""
+    sentences = []
+    worst, failed = part.worst_change, part.failure
+    if failed is not None:
+        sentences.append(f"NOT CONVERGED: run again {_HOW[failed.way]}, it has no answer.")
+    elif worst is None:
+        sentences.append(
+            "NOT PROVEN: it was run once, so that nothing says how far its maxima hang on the "
+            "step and the bars."
+        )
+    elif worst.size > LIMIT:
+        sentences.append(
+            f"NOT CONVERGED: run again {_HOW[worst.way]}, {_LARGEST[worst.quantity]} changes by "
+            f"{worst.size:.1%}, more than {LIMIT:.0%}. A shorter time_step, more elements or more "
+            "line_damping is wanted."
+        )
+    else:
+        sentences.append(
+            f"Run again {_HOW[worst.way]}, no maximum changes by more than {worst.size:.2%}; "
+            f"{LIMIT:.0%} is the limit."
+        )
+    lost = part.numerical_part
+    if lost > LIMIT:
+        sentences.append(
+            f"NOT CONVERGED: {lost:.1%} of the work put in is numerical, more than {LIMIT:.0%}. "
+            "A shorter time_step is wanted."
+        )
+    else:
+        sentences.append(f"Of the work put in {lost:.2g} is numerical.")
     return sentences
+
+
+def not_converged_sentence(found: DynamicVerification) -> str:
+    """Say which load case has not converged, and why."""
+    part = next(each for each in found.parts if each.verdict == "not converged")
+    why = next(each for each in proof_sentences(part) if each.startswith("NOT CONVERGED"))
+    return f"load case {part.name}: {why}"
 
 
 def stopped_sentence(found: DynamicVerification) -> str:
@@ -123,6 +192,7 @@ def _statistics_row(part: DynamicPart, each: OverRuns) -> dict[str, object]:
         "Standard deviation (unit of the row)": each.std,
         "Minimum (unit of the row)": each.minimum,
         "Maximum (unit of the row)": each.maximum,
+        "Change of the maximum when run again (-)": part.change_of(each.quantity),
         "Most probable maximum (unit of the row)": each.most_probable_maximum,
     }
 
@@ -136,7 +206,12 @@ def _summary_row(part: DynamicPart) -> dict[str, object]:
         "Largest tension anywhere (N)": part.max_tension,
         "Largest quasi-static fairlead tension (N)": part.quasi_static_max,
         "Dynamic amplification (-)": part.amplification,
-        "Slack time (s)": part.slack_time,
+        "Slack in all (s)": part.slack_time,
+        "Longest slack (s)": part.longest_slack,
+        "Verdict": part.verdict,
+        "Proof": _PROOF[part.proof],
+        "Change of the largest tension when run again (-)": part.change_of("largest_tension"),
+        "Numerical part of the work (-)": part.numerical_part,
         "Remarks": "; ".join(part.remarks),
     }
 
@@ -157,8 +232,29 @@ def _run_rows(part: DynamicPart) -> Iterable[dict[str, object]]:
             "Largest fairlead tension (N)": tension.maximum,
             "at (s)": tension.time_of_maximum,
             "Largest quasi-static fairlead tension (N)": run.quasi_static_max,
-            "Slack time (s)": history.line_slack_time(),
+            "Slack in all (s)": history.line_slack_time(),
+            "Longest slack (s)": history.line_longest_slack(),
+            **{f"{name} (J)": value for name, value in _energies(run)},
+            "Numerical part of the work (-)": history.balance.numerical_part,
         }
+
+
+def _energies(run: DynamicRun) -> list[tuple[str, float]]:
+    """List what the energy balance of a run consists of, by name, J."""
+    balance = run.history.balance
+    return [
+        ("Work put in", balance.put_in),
+        ("Work of the ends", balance.ends),
+        ("Work of the water's pressure", balance.water),
+        ("Kinetic energy gained", balance.kinetic),
+        ("Strain energy gained", balance.elastic),
+        ("Potential energy gained", balance.potential),
+        ("Taken by drag", balance.drag),
+        ("Taken by the bed", balance.bed),
+        ("Taken by friction", balance.friction),
+        ("Taken by line damping", balance.damping),
+        ("Numerical", balance.numerical),
+    ]
 
 
 def _envelope(part: DynamicPart) -> pd.DataFrame:
@@ -173,7 +269,8 @@ def _envelope(part: DynamicPart) -> pd.DataFrame:
             "Arc length s (m)": histories[0].arc,
             "Largest tension (N)": np.fmax.reduce([each.max_tension for each in histories]),
             "Smallest tension (N)": np.fmin.reduce([each.min_tension for each in histories]),
-            "Slack time (s)": np.max([each.slack_time for each in histories], axis=0),
+            "Slack in all (s)": np.max([each.slack_time for each in histories], axis=0),
+            "Longest slack (s)": np.max([each.longest_slack for each in histories], axis=0),
         }
     )
 

@@ -71,6 +71,7 @@ def segment_inputs(line: Line) -> pd.DataFrame:
 def point_load_inputs(line: Line) -> pd.DataFrame:
     """Tabulate clump weights and buoys as given, a row each by position."""
     parts = line.point_loads
+    own = [load.friction for load in parts]
     return pd.DataFrame(
         {
             "Point load": range(1, len(parts) + 1),
@@ -78,6 +79,7 @@ def point_load_inputs(line: Line) -> pd.DataFrame:
             **column("position", (load.position for load in parts)),
             **column("point_weight", (load.submerged_weight for load in parts)),
             **column("mass", (load.mass for load in parts)),
+            **(column("friction", own) if any(mu is not None for mu in own) else {}),
         }
     )
 

@@ -122,10 +122,12 @@ def results(solution: Solution) -> tuple[Entry, ...]:
 
 
 def residuals(solution: Solution) -> tuple[Entry, ...]:
-    """List by how much the line, laid out from the anchor, misses its fairlead."""
+    """List by how much the line misses its fairlead, and what rounding leaves of its forces."""
+    open_force = solution.residual.force_uncertainty
     return (
         Entry(named("residual", "Residual of the height"), solution.residual.height),
         Entry(named("residual", "Residual of the span"), solution.residual.span),
+        _force("tension", "Force left open by rounding of the input", open_force, ""),
     )
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.report.tables.summary import named
+from catopt.verify.compared import ROUNDING
 from catopt.verify.richardson import ORDER
 
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
 __all__ = [
     "QUANTITY_OF",
-    "ROUNDING",
     "frames",
     "gap_words",
     "in_parts",
@@ -59,14 +59,8 @@ _SCALE_WORDS = MappingProxyType(
 )
 
 
-ROUNDING = 1e-10
-"""Tolerance of the truss model: what is below it is rounding."""
-
-
 def in_parts(value: float) -> str:
-    """Write a difference over its scale; below the truss's own tolerance its digits are chance."""
-    if value == 0.0:
-        return "0"
+    """Write a difference over its scale; below the truss's own tolerance even a 0 is chance."""
     return f"{value:.1e}" if value >= ROUNDING else f"<{ROUNDING:.0e}"
 
 
@@ -92,12 +86,6 @@ def part_sentence(part: StaticComparison) -> str:
     """Say what came of one load case."""
     worst = part.worst
     limit = f"allowed are {part.tolerance:.0e}"
-    if part.refusal:
-        settled = "have settled" if part.is_settled else "have NOT settled"
-        return (
-            f"No closed form: the truss model answers alone. Its meshes {settled}: finer ones "
-            f"would change the {name_of(worst)} most, by {gap_words(worst)}; {limit}."
-        )
     if part.verdict == "agrees":
         told = f"{name_of(worst)}, {gap_words(worst)}"
         if worst.gap < ROUNDING:
@@ -108,6 +96,12 @@ def part_sentence(part: StaticComparison) -> str:
         f"{name_of(each)} by {_amount(each)}, {gap_words(each)}" for each in others[:4]
     )
     more = f"; and {len(others) - 4} more" if len(others) > 4 else ""
+    if part.verdict == "not resolved":
+        return (
+            "NOT RESOLVED: the bars are too long for this line. The two models differ: "
+            f"{told}{more}; {limit}; but the truss model may still be off by as much. More bars "
+            "(--elements) decide."
+        )
     return f"The two models DIFFER: {told}{more}; {limit}."
 
 
@@ -241,7 +235,6 @@ def _verdict_row(name: str, part: StaticComparison) -> dict[str, object]:
         "Largest difference over its scale (-)": part.worst.gap,
         "Tolerance (-)": part.tolerance,
         "Residual of the truss over its tension (-)": part.residual,
-        "Refusal of the closed form": part.refusal,
         "Remarks": "; ".join(part.remarks),
     }
 
@@ -292,17 +285,16 @@ def _shapes(parts: Iterable[tuple[str, StaticComparison]]) -> pd.DataFrame:
         for number, pair in enumerate(part.lines, start=1):
             truss = pair.finest
             shape = flat(truss)
+            exact = closed_form_at(pair.closed, truss.arc)
             laid: dict[str, object] = {
                 "Load case": [name] * len(shape),
                 "Line": [number] * len(shape),
                 **column("s", truss.arc),
                 **column(named("x", "Truss", "x"), shape[:, 0]),
                 **column(named("z", "Truss", "z"), shape[:, 1]),
+                **column(named("x", "Closed form", "x"), exact[:, 0]),
+                **column(named("z", "Closed form", "z"), exact[:, 1]),
+                **column(named("tension", "Closed form", "T"), exact[:, 2]),
             }
-            if pair.closed is not None:
-                exact = closed_form_at(pair.closed, truss.arc)
-                laid |= column(named("x", "Closed form", "x"), exact[:, 0])
-                laid |= column(named("z", "Closed form", "z"), exact[:, 1])
-                laid |= column(named("tension", "Closed form", "T"), exact[:, 2])
             made.append(pd.DataFrame(laid))
     return pd.concat(made, ignore_index=True)

@@ -9,8 +9,10 @@ import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from catopt.checks.excess import ROUNDING
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.report.tables.summary import named
+from catopt.ties import largest
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport, CheckResult
@@ -98,8 +100,8 @@ def check_kinds(reports: Iterable[CheckReport]) -> list[str]:
 
 def tightest(report: CheckReport, kind: str) -> CheckResult | None:
     """Return the check of a kind that is nearest to its limit, over segments and load cases."""
-    made = (result for result in report.results if result.kind == kind)
-    return max(made, key=lambda result: result.excess, default=None)
+    made = [result for result in report.results if result.kind == kind]
+    return largest(made, lambda result: result.excess, ROUNDING) if made else None
 
 
 def governing_words(result: CheckResult | None) -> str:

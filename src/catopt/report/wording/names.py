@@ -24,6 +24,7 @@ REGIMES: Mapping[str, str] = MappingProxyType(
         "grounded-between": "the line hangs at both ends and lies on the bed between them",
         "on-bed": "the whole line lies on the bed",
         "slack": "slack: the line hangs straight down and the rest lies in bights on the bed",
+        "grounded-in-parts": "the line lies on the bed in several stretches, lifted between them",
     }
 )
 """How a line hangs."""

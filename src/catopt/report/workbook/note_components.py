@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES
-from catopt.report.page.components import figures_of, looked_up, sources_of
+from catopt.report.page.components import figures_of, looked_up, point_load_quantities, sources_of
 from catopt.report.page.table import called
 from catopt.report.tables import solution as tables
 from catopt.report.workbook.note_cells import headed, number_of
@@ -49,10 +49,11 @@ def components_sheet(book: Book, solution: Solution) -> Sheet:
 
 def _point_loads(sheet: Sheet, line: Line) -> None:
     words = sheet.book.words
-    quantities = [QUANTITIES[key] for key in ("position", "point_weight", "mass")]
+    quantities = point_load_quantities(line)
     rows: list[Sequence[Cell]] = []
     for index, load in enumerate(line.point_loads, start=1):
-        values = zip(quantities, (load.position, load.submerged_weight, load.mass), strict=True)
+        figures = (load.position, load.submerged_weight, load.mass, load.friction)
+        values = zip(quantities, figures, strict=False)
         name = called(words, load.submerged_weight, load.name)
         rows.append((Number(index), name, *(number_of(q, value) for q, value in values)))
     headings = [words("components.number"), words("components.name")]
@@ -60,7 +61,7 @@ def _point_loads(sheet: Sheet, line: Line) -> None:
         [*headings, *(headed(words, q) for q in quantities)],
         rows,
         title=words("components.point_loads"),
-        right=(2, 3, 4),
+        right=range(2, 2 + len(quantities)),
     )
 
 

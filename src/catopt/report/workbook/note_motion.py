@@ -71,11 +71,13 @@ def _statistics(sheet: Sheet, moved: InMotion, part: DynamicPart, solution: Solu
             rest[each.quantity], each.mean, each.std, each.minimum, each.maximum,
             each.most_probable_maximum,
         )  # fmt: skip
+        change = part.change_of(each.quantity)
         rows.append(
             (
                 words.name(quantity.name),
                 Text(unit_of(quantity.field_unit), "text"),
                 *(number_of(quantity, value) for value in numbers),
+                None if change is None else Number(change, "0.00%"),
             )
         )
     title = ""
@@ -194,7 +196,7 @@ def _runs(sheet: Sheet, part: DynamicPart) -> None:
         words.name("Largest quasi-static fairlead tension") + unit,
         words("in_motion.when"),
         words.name("Largest fairlead tension") + unit,
-        f"{words.name('Slack time')} (s)",
+        f"{words.name('Slack in all')} (s)",
         words.name("Steps"),
         words.name("Halvings"),
     ]
