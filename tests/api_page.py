@@ -66,7 +66,7 @@ def _table(found: re.Match[str]) -> str:
 def _source(thing: object) -> str:
     """Link to where a thing is defined, also when the installed package is elsewhere."""
     module = Path(import_module(str(thing.__module__)).__file__ or "")
-    return f"../src/catopt/{module.relative_to(Path(catopt.__file__).parent).as_posix()}"
+    return f"../catopt/{module.relative_to(Path(catopt.__file__).parent).as_posix()}"
 
 
 if __name__ == "__main__":

@@ -11,17 +11,18 @@ from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from catopt.casefile import read_case
+from catopt.casefile import read_case, write_case
 from catopt.casefile.sizing_file import SIZING, moored_in
 from catopt.cli.size_note import note_of_file
 from catopt.design.search import design_case
-from catopt.report.bundle import design_bundle, reproduction_bundle
+from catopt.render.plain import document_bytes
+from catopt.report.bundle import reproduction_pictures
 from catopt.report.files import write_files
 from catopt.report.page.note import Note, read_note
 from catopt.report.page.render import render_page
 from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.system.note import SystemNote, read_system_note
-from catopt.reproduce import reproduce
+from catopt.reproduce import book, reproduce
 
 __all__ = ["CASES", "NOTES", "REPORTS", "SIZINGS", "note_of_case", "note_page"]
 
@@ -42,9 +43,10 @@ def note_of_case(name: str) -> Note | SystemNote:
         return read_system_note(path)
     if case.design is None:
         return read_note(path)
-    files = design_bundle(design_case(case))
+    result = design_case(case)
+    document = document_bytes(result.to_dict())
     with TemporaryDirectory() as folder:
-        kept = {name: files[name] for name in ("case.toml", "design.json")}
+        kept = {"case.toml": write_case(result.case).encode(), "design.json": document}
         write_files(Path(folder), kept)
         return read_note(Path(folder))
 
@@ -66,9 +68,11 @@ def size_note_of_case(name: str) -> SizeNote:
 
 def _book() -> dict[str, bytes]:
     """Make the reproduction book with the figures that it shows."""
-    files = reproduction_bundle(reproduce())
-    shown = re.findall(r"\((\w+\.svg)\)", files["reproduction.md"].decode())
-    return {name: files[name] for name in ("reproduction.md", *shown)}
+    result = reproduce()
+    written = book(result)
+    pictures = reproduction_pictures(result)
+    shown = re.findall(r"\((\w+\.svg)\)", written)
+    return {"reproduction.md": written.encode(), **{name: pictures[name] for name in shown}}
 
 
 def _written() -> Iterator[Path]:

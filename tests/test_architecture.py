@@ -15,7 +15,10 @@ import catopt
 
 PACKAGE = Path(catopt.__file__).parent
 
-BASE = {"errors", "constants", "units", "quantities", "compiled", "interrupt", "ties"}
+BASE = {
+    "errors", "constants", "documents", "units", "quantities", "words",
+    "compiled", "interrupt", "ties",
+}  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile"}
 DESIGNING = {"checks", "design"}
@@ -24,21 +27,27 @@ ALL_BUT_CLI = (
     | READING
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "export", "report"}
+    | {"answers", "figures", "render"}
 )
+RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce"}
+"""Parts whose results are drawn: only a type checker reads them there."""
 
 MAY_IMPORT: dict[str, set[str]] = {
     "_version": set(),
     "errors": set(),
     "constants": set(),
+    "documents": {"errors"},
     "units": {"errors", "constants"},
     "quantities": {"errors", "constants", "units"},
-    "compiled": set(),
+    "words": {"quantities"},
+    "compiled": {"errors", "machine_code"},
+    "machine_code": {"interrupt"},
     "interrupt": set(),
     "ties": set(),
-    "schemas": {"errors"},
+    "schemas": {"errors", "documents"},
     "model": BASE,
     "catalogue": BASE | {"model"},
-    "casefile": BASE | {"model", "catalogue"},
+    "casefile": BASE | {"model", "catalogue", "schemas"},
     "catenary": BASE | {"model"},
     "mooring": SOLVING,
     "waves": BASE | {"model"},
@@ -50,12 +59,17 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "_version"},
+    "answers": SOLVING | DESIGNING | {"mooring", "loads", "catalogue", "reproduce", "sizing"},
+    "render": BASE | {"answers", "figures", "_version"},
+    "figures": BASE | RESULTS,
     "report": SOLVING
+    | {"answers"}
     | READING
     | DESIGNING
-    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "_version"},
+    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "_version"}
+    | {"figures", "render"},
     "cli": ALL_BUT_CLI | {"_version"},
-    "__main__": {"cli", "errors", "_version"},
+    "__main__": {"cli", "errors", "interrupt", "_version"},
     "__init__": SOLVING
     | READING
     | DESIGNING
@@ -69,14 +83,24 @@ def part_of(module: Path, package: Path) -> str:
     return module.relative_to(package).with_suffix("").parts[0]
 
 
-def imported_parts(module: Path, package: Path) -> Iterator[tuple[int, str]]:
+def imported_parts(
+    module: Path, package: Path, *, only_run: bool = False
+) -> Iterator[tuple[int, str]]:
     """Line and part of every import from the package, wherever it stands in the module."""
     inside = [package.name, *module.relative_to(package).parent.parts]
-    for node in ast.walk(ast.parse(module.read_text(encoding="utf-8"), str(module))):
+    tree = ast.parse(module.read_text(encoding="utf-8"), str(module))
+    if only_run:
+        tree.body = [node for node in tree.body if not _is_for_types(node)]
+    for node in ast.walk(tree):
         for name in _targets(node, inside):
             path = name.split(".")
             if path[0] == package.name:
                 yield getattr(node, "lineno", 0), path[1] if len(path) > 1 else "__init__"
+
+
+def _is_for_types(node: ast.stmt) -> bool:
+    """Whether a statement runs for type checkers alone."""
+    return isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
 
 
 def _targets(node: ast.AST, inside: list[str]) -> list[str]:
@@ -119,6 +143,24 @@ def test_no_import_points_up() -> None:
     assert violations(PACKAGE, MAY_IMPORT) == []
 
 
+LAID_OUT = BASE - {"compiled", "interrupt", "ties"} | {"model", "catalogue", "answers"}
+"""All that runs to lay an answer out; results are read, and nothing is solved."""
+
+
+def test_answers_solve_nothing() -> None:
+    for module in sorted((PACKAGE / "answers").rglob("*.py")):
+        for line, target in imported_parts(module, PACKAGE, only_run=True):
+            assert target in LAID_OUT, f"{module}:{line}: {target}"
+
+
+def test_renderers_know_no_kind() -> None:
+    for module in sorted((PACKAGE / "render").rglob("*.py")):
+        for node in ast.walk(ast.parse(module.read_text("utf-8"))):
+            for name in _targets(node, ["catopt", "render"]):
+                if name.startswith("catopt.answers"):
+                    assert name.startswith("catopt.answers.blocks"), f"{module}: {name}"
+
+
 def test_every_part_of_the_table_exists() -> None:
     present = {part_of(module, PACKAGE) for module in PACKAGE.rglob("*.py")}
     assert set(MAY_IMPORT) == present
@@ -135,6 +177,40 @@ def test_the_table_has_no_circle() -> None:
             front = set().union(*(MAY_IMPORT[each] for each in front)) - reached
         below[part] = reached
     assert [part for part, reached in below.items() if part in reached] == []
+
+
+def of_type_checkers(module: Path) -> set[int]:
+    """Lines that only a type checker reads."""
+    return {
+        node.lineno
+        for block in ast.walk(ast.parse(module.read_text(encoding="utf-8")))
+        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
+        for node in ast.walk(block)
+        if isinstance(node, ast.Import | ast.ImportFrom)
+    }
+
+
+def test_drawings_import_no_solver() -> None:
+    """Not when they run: results are their arguments, and only a type checker reads their types."""
+    found = [
+        f"{module.name}:{line}: {part}"
+        for module in (PACKAGE / "figures").glob("*.py")
+        for line, part in imported_parts(module, PACKAGE)
+        if part not in BASE | {"figures"} and line not in of_type_checkers(module)
+    ]
+    assert found == []
+
+
+def test_renderers_know_no_kind_of_drawing() -> None:
+    """They import the description of a chart, and no chart."""
+    found = {
+        target
+        for module in (PACKAGE / "render").glob("*.py")
+        for node in ast.walk(ast.parse(module.read_text(encoding="utf-8")))
+        for target in _targets(node, ["catopt", "render"])
+        if target.startswith("catopt.figures") and not target.startswith("catopt.figures.chart.")
+    }
+    assert found == set()
 
 
 TABLE = {"low": set[str](), "high": {"low"}, "__init__": {"low", "high"}}

@@ -7,6 +7,8 @@ import re
 
 import pytest
 
+from catopt.report.bundle import reproduction_pictures
+from catopt.reproduce import reproduce
 from tests.reports import CASES, NOTES, REPORTS, SIZINGS, note_page
 
 LAST_DIGITS = 1e-9
@@ -55,6 +57,14 @@ def test_a_note_is_fresh(name: str) -> None:
     if committed != made:
         found = differences(committed.decode(), made.decode())
         assert found == [], "write them anew: python -m tests.reports"
+
+
+def test_the_swarms_figures_are_fresh() -> None:
+    """What is drawn of a search ends where rounding begins to decide it."""
+    made = reproduction_pictures(reproduce("buoy_9p5m"))
+    for name in ("buoy_9p5m_fitness.svg", "buoy_9p5m_tension.svg"):
+        committed = (REPORTS / name).read_text("utf-8")
+        assert differences(committed, made[name].decode()) == [], name
 
 
 def test_every_case_has_a_note_and_every_note_a_case() -> None:

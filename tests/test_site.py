@@ -59,7 +59,7 @@ def test_every_page_is_in_the_navigation(page: str) -> None:
         ("how-to/a.md", "[t](../theory.md#on-the-bed)", "[t](../theory.md#on-the-bed)"),
         ("theory.md", "![m](regime-map.svg)", "![m](regime-map.svg)"),
         ("theory.md", "[theory.md](theory.md)", "[Theory](theory.md)"),
-        ("theory.md", "[`f`](../src/catopt/errors.py)", "`f`"),
+        ("theory.md", "[`f`](../catopt/errors.py)", "`f`"),
         ("reports/reproduction.md", "[t](../docs/theory.md)", "[t](../theory.md)"),
         ("theory.md", "[s](#notation) [w](https://toml.io)", "[s](#notation) [w](https://toml.io)"),
         ("theory.md", "[g](gone.md)", "[g](gone.md)"),

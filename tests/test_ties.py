@@ -10,7 +10,6 @@ import pytest
 
 from catopt.checks.result import CheckReport, CheckResult, CheckSource
 from catopt.mooring.watch_circle import watch_circle
-from catopt.report.wording.design import tightest
 from catopt.ties import first_largest, largest
 from catopt.verify.compared import Compared
 from catopt.verify.result import StaticComparison, least_agreeing
@@ -75,7 +74,7 @@ def test_of_checks_alike_the_first_governs(last: tuple[float, ...], used: float)
     results = tuple(checked(f"check {k}", used * each) for k, each in enumerate(last))
     report = CheckReport("", (checked("other", 0.5), *results), ())
     assert report.governing == results[0]
-    assert tightest(report, "tension") == results[0]
+    assert report.tightest("tension") == results[0]
     assert report.failed == (results if used > 1.0 else ())
 
 

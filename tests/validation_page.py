@@ -59,6 +59,7 @@ EVIDENCE = {
     ),
     "Another program": (
         "peers/test_moorpy",
+        "fem/test_dyn_other_programs",
         "export/test_moorpy_finds_it",
         "export/test_moordyn_finds_it",
         "design/test_hypervolume",

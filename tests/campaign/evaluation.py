@@ -78,7 +78,7 @@ def evaluate(trials: Sequence[Trial]) -> list[Outcome]:
 
     `catopt.solve` runs with its kernel compiled, for time, and as it stands on one line in PLAIN.
     """
-    with compiled_kernel():
+    with compiled_kernel(len(trials)):
         singles = [_single(trial) for trial in trials]
     for number, trial in enumerate(trials):
         if trial.index % PLAIN == 0 and not singles[number].outcome.failed:

@@ -9,14 +9,15 @@ from unittest.mock import patch
 
 import numpy as np
 
-from catopt.catenary import equilibrium, pieces, span, tension
+from catopt.catenary import equilibrium, pieces, runs, span, tension
 from catopt.catenary.setting import Setting
+from catopt.catenary.state import State
 from catopt.compiled import compiled
 from catopt.model import Line
 
 __all__ = ["compiled_kernel"]
 
-_KERNEL = {
+_KERNEL: dict[str, Any] = {
     "catopt.catenary.solve.given_force": equilibrium.given_force,
     "catopt.catenary.solve.given_span": span.given_span,
     "catopt.catenary.solve.given_tension": tension.given_tension,
@@ -24,20 +25,33 @@ _KERNEL = {
     "catopt.catenary.refusal.least_tension": tension.least_tension,
 }
 
+A_LINE = 5e-4
+"""Time that a line takes with the kernel as it stands, s."""
+
 
 @contextmanager
-def compiled_kernel() -> Iterator[None]:
-    """Let `catopt.solve` call the compiled kernel inside the block."""
+def compiled_kernel(lines: int) -> Iterator[None]:
+    """Let `catopt.solve` call the compiled kernel inside the block, where it has enough to do."""
     with ExitStack() as stack:
         for name, function in _KERNEL.items():
-            stack.enter_context(patch(name, _on_floats(compiled(function))))
+            stack.enter_context(patch(name, _on_floats(compiled(function, A_LINE * lines))))
         stack.enter_context(patch("catopt.catenary.solve.cut", _cut_to_arrays))
+        stack.enter_context(patch("catopt.catenary.layout.runs_of", _runs_of))
         yield
 
 
 def _cut_to_arrays(line: Line) -> tuple[pieces.Pieces, tuple[int, ...]]:
     cut, owner = pieces.cut(line)
     return pieces.Pieces(*(np.array(column) for column in cut)), owner
+
+
+def _runs_of(state: State, setting: Setting, lists: runs.Runs) -> int:
+    """Write the runs of a line into lists, by way of arrays."""
+    arrays = runs.Runs(*(np.array(column) for column in lists))
+    count: int = compiled(runs.runs_of)(state, _with_floats(setting), arrays)
+    for column, found in zip(lists, arrays, strict=True):
+        column[:] = found.tolist()
+    return count
 
 
 def _on_floats(function: Any) -> Any:

@@ -133,10 +133,24 @@ def upright(V: float, w: float, c: float, length: float, error: float) -> Reach:
     doubt = c * error * length
     z_V = c * length
     if w != 0.0:
-        doubt += 2.0 * min(length, error / abs(w))
+        # V is now that of the upper end.
+        start = V - w * length
+        far = _turned_by(V, error) - math.copysign(1.0, V * start) * _turned_by(start, error)
+        doubt += min(abs(far) / abs(w), 2.0 * length)
         if turns:
             # The limit of the integral of H^2/T^3 over what is next to V = 0.
             z_V += 1.0 / abs(w)
-    elif abs(V) <= error:
+    elif abs(V) > 0.0:
+        doubt += min(2.0, error / abs(V)) * length
+    else:
         doubt += 2.0 * length
     return Reach(0.0, z, low, 0.0, 0.0, z_V, doubt)
+
+
+@fast
+def _turned_by(V: float, error: float) -> float:
+    """Integral of min(2, error/v) over v from 0 to |V|, N."""
+    flat = 0.5 * error
+    if abs(V) <= flat or flat == 0.0:
+        return 2.0 * min(abs(V), flat)
+    return error * (1.0 + math.log(abs(V) / flat))

@@ -35,7 +35,6 @@ def test_no_line_fails() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(strict=False, reason="0 failures are shown for 20,000 lines, not yet for these")
 def test_no_line_fails_in_many() -> None:
     tally = run(200_000, seed=2, workers=2)
     assert tally.failures == 0, tally.table()

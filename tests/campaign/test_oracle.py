@@ -13,6 +13,8 @@ from catopt import solve
 from catopt.catenary.solution import EndState, PointLoadState, Residual, Solution
 from catopt.catenary.stretch import Stretch
 from catopt.model import Line, PointLoad, Segment
+from tests.campaign.evaluation import solved
+from tests.campaign.lines import draw
 from tests.campaign.oracle import check
 from tests.campaign.quadrature import hanging, upright
 
@@ -343,3 +345,24 @@ def test_without_force_a_piece_stands_upright() -> None:
     assert found.low == pytest.approx(-down, rel=1e-14)
     assert found.z == pytest.approx(50.0 + 0.5 * c * w * 50.0**2 - down, rel=1e-14)
     assert found.x == 0.0
+
+
+@pytest.mark.parametrize(
+    ("V", "w"), [(-200.0, 10.0), (40.0, 10.0), (0.0, 10.0), (300.0, -10.0), (9.0, 0.0)]
+)
+def test_what_is_open_without_force_is_what_a_little_force_turns(V: float, w: float) -> None:
+    """Each element moves by min(2, error/|V|) of itself: summed up over thin slices."""
+    error, slices = 1.0, 100_000
+    ds = 70.0 / slices
+    forces = (abs(V + w * (k + 0.5) * ds) for k in range(slices))
+    turned = ds * math.fsum(min(2.0, error / force) for force in forces)
+    assert upright(V, w, 0.0, 70.0, error).doubt == pytest.approx(turned, rel=1e-5)
+
+
+@pytest.mark.parametrize("index", [987981, 98085, 598677, 671733])
+def test_tension_that_begins_within_rounding_of_a_touchdown_leaves_the_place_open(
+    index: int,
+) -> None:
+    """Nearly all friction is beside them: the force left over reaches sideways up to a buoy."""
+    trial = draw(2, index)
+    assert check(solved(trial), trial.known, trial.value).is_right

@@ -24,7 +24,6 @@ def test_a_slice() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(strict=False, reason="0 failures are shown over the former line kernel only")
 def test_a_larger_slice() -> None:
     _is_clean(run(3000, seed=2027))
 

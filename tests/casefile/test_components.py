@@ -124,7 +124,9 @@ confidence = "C"
 
 
 def test_a_file_of_families_is_read_even_when_no_component_is_named() -> None:
-    with pytest.raises(InputError, match=r'catalogue.file: found "gone.toml"; it cannot be read'):
+    with pytest.raises(
+        InputError, match=r'catalogue.file: found "gone.toml"; there is no such file'
+    ):
         parse_case(case("submerged_weight = 5", rest='[catalogue]\nfile = "gone.toml"\n'))
 
 

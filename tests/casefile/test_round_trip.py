@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from catopt.casefile import parse_case, write_case
+from catopt.documents import unfit
 from catopt.model import (
     Anchor,
     Buoy,
@@ -33,21 +35,32 @@ from catopt.model import (
     Site,
     SwarmSettings,
     WaveState,
+    WaveTrain,
 )
 from catopt.model.case import BOUNDARY_HANDLINGS
 from catopt.model.design import OBJECTIVES, SEARCH_METHODS
-from catopt.model.dynamics import TIME_SCHEMES
+from catopt.model.dynamics import INITIAL_FRICTION, TIME_SCHEMES
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.load_case import LOAD_CASE_KINDS
-from catopt.model.wave_state import STRETCHINGS
+from catopt.model.validity import COUNTS
+from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 
-POSITIVE = st.floats(min_value=0.0, exclude_min=True, allow_infinity=False)
-NOT_NEGATIVE = st.floats(min_value=0.0, allow_infinity=False)
-ANY = st.floats(allow_nan=False, allow_infinity=False)
-TEXT = st.text(st.characters(exclude_categories=["Cs"]), max_size=20)
+POSITIVE = st.floats(min_value=1e-3, max_value=100.0)
+"""Plausible of every quantity."""
+NOT_NEGATIVE = st.just(0.0) | POSITIVE
+ANY = NOT_NEGATIVE | POSITIVE.map(lambda value: -value)
+TEXT = st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=20).filter(
+    lambda text: not unfit(text)
+)
 NAME = TEXT.filter(str.strip)
 LENGTHS = st.floats(min_value=1e-3, max_value=1e5)
-FACTOR = st.floats(min_value=1.0, allow_infinity=False)
+
+
+def up_to(most: float) -> st.SearchStrategy[float]:
+    return st.just(0.0) | st.floats(1e-6, most)
+
+
+FACTOR = st.floats(min_value=1.0, max_value=1e3)
 
 SEGMENTS = st.one_of(
     st.builds(
@@ -67,6 +80,18 @@ SEGMENTS = st.one_of(
         drag_axial=st.none() | NOT_NEGATIVE,
         added_mass_normal=st.none() | NOT_NEGATIVE,
         added_mass_axial=st.none() | NOT_NEGATIVE,
+    ),
+    st.builds(
+        Segment,
+        length=LENGTHS,
+        submerged_weight=ANY,
+        mass=NOT_NEGATIVE,
+        drag_diameter=POSITIVE,
+        added_mass_axial=st.none() | NOT_NEGATIVE,
+        drag_method=st.just("roughness"),
+        roughness=NOT_NEGATIVE,
+        keulegan_carpenter=st.floats(12.0, 1e3),
+        wake_amplification=POSITIVE,
     ),
     # Of a component, with figures of one's own before those of the catalogue.
     st.builds(
@@ -98,7 +123,7 @@ LOADS = st.one_of(
 CHECKS = st.builds(
     Checks,
     safety_factor=FACTOR,
-    max_anchor_uplift_angle=st.none() | st.floats(0.0, math.pi / 2.0),
+    max_anchor_uplift_angle=st.none() | up_to(math.pi / 2.0),
     codes=st.lists(NAME, max_size=3, unique=True).map(tuple),
     proof_load_factor=st.none() | FACTOR,
     max_anchor_uplift_force=st.none() | NOT_NEGATIVE,
@@ -128,8 +153,12 @@ ANCHORS = st.one_of(
 CHOICES = st.builds(CatalogueChoice, allow_recalled=st.booleans())
 
 
+def counts(key: str) -> st.SearchStrategy[int]:
+    return st.integers(*COUNTS[key])
+
+
 def values(
-    least: float = 1e-300, most: float = 1e300, *, size: int = 1
+    least: float = 1e-3, most: float = 1e6, *, size: int = 1
 ) -> st.SearchStrategy[tuple[float, ...]]:
     drawn = st.lists(st.floats(least, most), min_size=size, max_size=20, unique=True)
     return drawn.map(lambda each: tuple(sorted(each)))
@@ -170,7 +199,7 @@ def designs(draw: st.DrawFn, line: Line, references: int) -> Design:
     sinker = st.builds(
         SinkerChoice,
         masses=values(),
-        density=st.floats(1e6, 1e9),
+        density=st.floats(1e3, 3e4),
         friction=POSITIVE,
         safety_factor=st.none() | FACTOR,
     )
@@ -181,43 +210,61 @@ def designs(draw: st.DrawFn, line: Line, references: int) -> Design:
         draw(st.none() | sinker),
         tuple(draw(st.permutations(named)))[: draw(st.integers(2, 3))],
         draw(st.sampled_from(SEARCH_METHODS)),
-        draw(st.integers(1, 10**9)),
-        draw(st.integers(4, 10**9)),
-        draw(st.integers(0, 2**63 - 1)),
-        draw(st.integers(1, 10**9)),
+        *(draw(counts(key)) for key in ("evaluations", "population", "seed", "max_enumerated")),
     )
 
 
 SWARMS = st.builds(
     SwarmSettings,
-    particles=st.integers(2, 10**9),
-    iterations=st.integers(1, 10**9),
-    runs=st.integers(1, 10**9),
-    seed=st.integers(0, 2**63 - 1),
-    cognitive=st.floats(0.0, 4.0),
-    social=st.floats(0.0, 4.0),
-    inertia=st.floats(0.0, 1.0),
+    particles=st.integers(2, 1_000),
+    iterations=counts("iterations"),
+    runs=counts("runs"),
+    seed=counts("seed"),
+    cognitive=up_to(4.0),
+    social=up_to(4.0),
+    inertia=up_to(1.0),
     boundary=st.sampled_from(BOUNDARY_HANDLINGS),
 )
 
 
 GAMMA = st.none() | st.floats(1.0, 20.0)
-PLAIN = st.sampled_from(["pierson-moskowitz", "regular"])
-WAVES = st.one_of(
-    *(
-        st.builds(
-            WaveState,
-            spectrum=spectrum,
-            height=POSITIVE,
-            period=POSITIVE,
-            peak_enhancement=gamma,
-            direction=ANY,
-            components=st.integers(1, 10**9),
-            stretching=st.sampled_from(STRETCHINGS),
-            seed=st.integers(0, 2**63 - 1),
-        )
-        for spectrum, gamma in ((st.just("jonswap"), GAMMA), (PLAIN, st.none()))
+SPREADINGS: st.SearchStrategy[dict[str, Any]] = st.sampled_from(
+    [{}, {"spreading_exponent": 2.5, "spreading_directions": 7}]
+)
+
+
+@st.composite
+def trains(draw: st.DrawFn) -> WaveTrain:
+    spectrum: Any = draw(st.sampled_from(WAVE_SPECTRA))
+    spread: dict[str, Any] = draw(SPREADINGS) if spectrum != "regular" else {}
+    return WaveTrain(
+        spectrum,
+        draw(POSITIVE),
+        draw(POSITIVE),
+        draw(GAMMA) if spectrum == "jonswap" else None,
+        draw(ANY),
+        7 * draw(st.integers(1, 1000)),
+        **spread,
     )
+
+
+SEA: dict[str, Any] = {
+    "stretching": st.sampled_from(STRETCHINGS),
+    "seed": counts("seed"),
+}
+WAVES: st.SearchStrategy[WaveState] = st.one_of(
+    st.tuples(trains(), st.fixed_dictionaries(SEA)).map(
+        lambda drawn: WaveState(**vars(drawn[0]), **drawn[1])
+    ),
+    st.builds(WaveState, trains=st.lists(trains(), min_size=1, max_size=3).map(tuple), **SEA),
+    st.builds(
+        WaveState,
+        elevation_file=st.just("/data/elevation.csv"),
+        elevation_x=ANY,
+        shortest_period=st.none() | POSITIVE,
+        direction=ANY,
+        stretching=SEA["stretching"],
+    ),
 )
 TABLES = st.lists(st.tuples(NOT_NEGATIVE, ANY), min_size=1, max_size=4, unique_by=lambda r: r[0])
 CURRENTS = st.one_of(
@@ -229,13 +276,24 @@ CURRENTS = st.one_of(
         direction=ANY,
     ),
     st.builds(CurrentProfile, profile=st.just("wind"), speed=NOT_NEGATIVE, depth=POSITIVE),
+    st.builds(
+        CurrentProfile, profile=st.just("power"), direction=ANY, series_file=st.just("/data/c.csv")
+    ),
+    st.builds(
+        CurrentProfile,
+        profile=st.just("table"),
+        depths=st.just((1.0, 2.0)),
+        speeds=st.tuples(POSITIVE, NOT_NEGATIVE),
+        directions=st.tuples(up_to(1.5), up_to(1.5)),
+        series_file=st.sampled_from(["", "/data/c.csv"]),
+    ),
     TABLES.map(
         lambda rows: CurrentProfile(
             "table", depths=tuple(sorted(d for d, _ in rows)), speeds=tuple(s for _, s in rows)
         )
     ),
 )
-MOTIONS = st.one_of(
+LOWER_MOTIONS = st.one_of(
     st.builds(
         Motion,
         period=POSITIVE,
@@ -243,8 +301,8 @@ MOTIONS = st.one_of(
         **dict.fromkeys(("surge_phase", "sway_phase", "heave_phase"), ANY),
     ),
     st.builds(Motion, file=st.just("/data/motion.csv")),
-    st.builds(Motion, rao_file=st.just("/data/rao.csv")),
 )
+MOTIONS = LOWER_MOTIONS | st.builds(Motion, rao_file=st.just("/data/rao.csv"))
 WITHIN = st.none() | st.floats(1e-3, 0.9)
 RUNS = st.builds(
     Dynamics,
@@ -252,15 +310,21 @@ RUNS = st.builds(
     ramp=WITHIN,
     time_step=WITHIN,
     output_interval=WITHIN,
-    elements=st.integers(4, 10**9),
+    elements=counts("elements"),
     scheme=st.sampled_from(TIME_SCHEMES),
-    spectral_radius=st.floats(0.0, 1.0),
-    runs=st.integers(1, 10**9),
+    initial_friction=st.sampled_from(INITIAL_FRICTION),
+    spectral_radius=up_to(1.0),
+    runs=counts("runs"),
     seabed_stiffness=st.none() | POSITIVE,
     seabed_damping=st.none() | NOT_NEGATIVE,
     line_damping=st.none() | NOT_NEGATIVE,
     damping_time=NOT_NEGATIVE,
+    duration_of_interest=POSITIVE,
 )
+
+
+DRAG = st.sampled_from([{}, {"drag_area": st.floats(0.1, 9.0), "drag_coefficient": st.just(1.2)}])
+"""The two are given together."""
 
 
 @st.composite
@@ -269,11 +333,13 @@ def lines(draw: st.DrawFn) -> Line:
     total = math.fsum(segment.length for segment in segments)
     loads = st.builds(
         PointLoad,
-        position=st.floats(0.0, total, exclude_min=True, exclude_max=True),
+        position=st.floats(1e-6, 0.999 * total),
         submerged_weight=ANY,
         mass=st.none() | NOT_NEGATIVE,
         name=TEXT,
         friction=st.none() | NOT_NEGATIVE,
+        added_mass_coefficient=NOT_NEGATIVE,
+        **draw(DRAG),
     )
     # In one place there is one friction.
     apart = st.lists(loads, max_size=3, unique_by=lambda load: load.position)
@@ -285,7 +351,7 @@ def questions(draw: st.DrawFn, line: Line) -> tuple[Line, Load | None, Find | No
     """Draw a line with a load, or with something sought and the load that goes with it."""
     quantity = draw(st.sampled_from([None, *FIND_QUANTITIES]))
     segment = draw(st.none() | st.integers(1, len(line.segments)))
-    angle = draw(st.floats(0.0, math.pi / 2.0))
+    angle = draw(up_to(math.pi / 2.0))
     if quantity == "length":
         load = draw(LOADS.filter(lambda load: load.span is None))
         on_bed = draw(st.none() | POSITIVE)
@@ -323,10 +389,15 @@ def cases(draw: st.DrawFn) -> Case:
         load = None
     references = sum(each.kind == "reference" for each in states)
     waves, motion = draw(WAVES), draw(st.none() | MOTIONS)
-    moving = {"waves": waves, "current": draw(st.none() | CURRENTS), "motion": motion}
+    moving: dict[str, Any] = {
+        "waves": waves,
+        "current": draw(st.none() | CURRENTS),
+        "motion": motion,
+        "anchor_motion": draw(st.none() | LOWER_MOTIONS),
+    }
     moving |= {"dynamics": draw(RUNS)} if draw(st.booleans()) else dict.fromkeys(moving)
     return Case(
-        site=Site(depth, draw(NOT_NEGATIVE), draw(st.floats(1e-3, 1e5))),
+        site=Site(depth, draw(NOT_NEGATIVE), draw(st.floats(1e-3, 900.0))),
         line=line,
         load=load,
         fairlead_height=fairlead,

@@ -15,7 +15,9 @@ import pytest
 from catopt.casefile import parse_case
 from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.casefile.schema import (
+    AnchorMotionTable,
     AnchorTable,
+    BodyTable,
     BuoyTable,
     CaseTable,
     CatalogueTable,
@@ -39,6 +41,7 @@ from catopt.casefile.schema import (
     Table,
     VariantsTable,
     WavesTable,
+    WaveTrainTable,
     entries,
 )
 from catopt.catalogue import ALL
@@ -46,6 +49,7 @@ from catopt.catalogue.figure import SPECS
 from catopt.errors import InputError
 from catopt.model import (
     Anchor,
+    Body,
     Buoy,
     Case,
     CatalogueChoice,
@@ -66,9 +70,12 @@ from catopt.model import (
     Site,
     SwarmSettings,
     WaveState,
+    WaveTrain,
 )
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import OBJECTIVES
+from catopt.model.drag_method import DRAG_METHODS
+from catopt.model.motion import OF_A_BODY
 from catopt.units import UNITS, Dimension
 
 PAGE = (Path(__file__).parents[2] / "docs" / "case-file.md").read_text(encoding="utf-8")
@@ -108,12 +115,19 @@ MODEL: dict[type[Table], tuple[Callable[..., object], dict[str, Any]]] = {
     ),
     SinkerChoiceTable: (SinkerChoice, {"masses": (500.0,), "density": 2400.0, "friction": 0.5}),
     WavesTable: (WaveState, {"spectrum": "jonswap", "height": 2.0, "period": 8.0}),
+    WaveTrainTable: (WaveTrain, {"spectrum": "jonswap", "height": 2.0, "period": 8.0}),
     CurrentTable: (CurrentProfile, {"profile": "power", "speed": 1.0}),
     MotionTable: (Motion, {"period": 8.0}),
+    AnchorMotionTable: (Motion, {"period": 8.0}),
+    BodyTable: (Body, {"mass": 1e5}),
     DynamicsTable: (Dynamics, {"duration": 600.0}),
     PsoTable: (SwarmSettings, {}),
 }
 """For each table the model's class and what it needs at least."""
+
+RECORDED = {"spectrum": None, "height": None, "period": None, "elevation_file": "e.csv"}
+ROUGH = {"drag_method": "roughness", "roughness": 1e-4, "keulegan_carpenter": 8.0}
+SPREAD = {"spreading_exponent": 2.0, "components": 12}
 
 BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
     (FindTable, "quantity"): {"anchor_angle": 0.0},
@@ -125,13 +139,31 @@ BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
         "friction": None,
     },
     (ClumpWeightChoiceTable, "joint"): {"positions": ()},
+    **{(SegmentTable, k): ROUGH for k in ("roughness", "wake_amplification")},
+    (SegmentTable, "keulegan_carpenter"): ROUGH | {"wake_amplification": 1.0},
     (CurrentTable, "depth"): {"profile": "wind"},
     (CurrentTable, "depths"): {"profile": "table", "speed": None, "speeds": (1.0,)},
     (CurrentTable, "speeds"): {"profile": "table", "speed": None, "depths": (1.0,)},
+    **{(table, "spreading_directions"): SPREAD for table in (WavesTable, WaveTrainTable)},
+    **{(WavesTable, key): RECORDED for key in ("elevation_x", "shortest_period")},
+    (WavesTable, "elevation_file"): RECORDED,
+    (CurrentTable, "directions"): {
+        "profile": "table",
+        "speed": None,
+        "depths": (1.0,),
+        "speeds": (1.0,),
+    },
+    (CurrentTable, "series_file"): {"speed": None},
+    (PointLoadTable, "drag_area"): {"drag_coefficient": 1.0},
+    (PointLoadTable, "drag_coefficient"): {"drag_area": 1.0},
     (MotionTable, "file"): {"period": None},
+    (AnchorMotionTable, "file"): {"period": None},
     (MotionTable, "rao_file"): {"period": None},
     **{(DynamicsTable, key): {"duration": 1.7e308} for key in ("ramp", "time_step")},
     (DynamicsTable, "output_interval"): {"duration": 1.7e308},
+    (DynamicsTable, "broken_line"): {"broken_at": 5.0},
+    (DynamicsTable, "broken_at"): {"duration": 1.7e308, "broken_line": 1},
+    (DynamicsTable, "broken_end"): {"duration": 9.0, "broken_line": 1, "broken_at": 5.0},
 }
 """What some keys need beside them."""
 
@@ -141,6 +173,7 @@ RENAMED: dict[tuple[type[Table], str], str] = {(SegmentTable, "diameter"): "nomi
 NOT_IN_THE_MODEL = {
     (SegmentTable, "drag_axial_area"),  # the coefficient is brought to D when it is read
     (PointLoadTable, "density"),
+    (PointLoadTable, "volume"),
     (AnchorTable, "density"),
     (ChecksTable, "code"),
     (SegmentChoiceTable, "component"),
@@ -159,12 +192,28 @@ NARROWER = {
     (ChecksTable, "codes"),
     (CatalogueTable, "file"),
     (MotionTable, "file"),
-    (MotionTable, "rao_file"),
+    (AnchorMotionTable, "file"),
+    *((MotionTable, f"rao_{end}") for end in ("file", "phase", "rotation", "per")),
+    (MotionTable, "drift_file"),
+    (BodyTable, "force_file"),
+    (WavesTable, "elevation_file"),
+    (CurrentTable, "series_file"),
 }
 """An angle is limited to a right one, because a bare 5 is more likely meant in degrees; a name that
 is blank is no name."""
 
-WORDS = {(DesignTable, "objectives"): OBJECTIVES, (AnchorTable, "kind"): ANCHOR_KINDS}
+SIZES = {
+    (MotionTable, "rao_reference"): 3,
+    (MotionTable, "drift"): 2,
+    (BodyTable, "wave_force"): 2,
+}
+"""Arrays that have so many values."""
+
+WORDS = {
+    (DesignTable, "objectives"): OBJECTIVES,
+    (AnchorTable, "kind"): ANCHOR_KINDS,
+    (SegmentTable, "drag_method"): DRAG_METHODS,
+}
 """Words that need others beside them, or other keys, so that the model refuses them alone."""
 
 PROBES: list[float | str] = [
@@ -178,6 +227,9 @@ PROBES: list[float | str] = [
     3,
     4,
     math.nextafter(4.0, 5.0),
+    400,
+    10**8 + 1,
+    2**63,
     1e300,
 ]
 PROBES += ["", "nearest", "length", "drag", "sinker", "reference", "mass", "auto"]
@@ -214,7 +266,10 @@ def test_the_ranges_are_those_of_the_model(table: type[Table], key: str, kind: K
     probes = [p for p in PROBES if isinstance(p, str) == textual]
     for probe in (p for p in probes if not whole or isinstance(p, int)):
         by_file = accepts(kind.read, probe)
-        value = (probe,) if entries(table)[key].array else probe
+        if isinstance(kind, Measured) and kind.dimension.implausible(float(probe)):
+            assert not by_file, probe  # from Python anything goes that the formulas take
+            continue
+        value = (probe,) * SIZES.get((table, key), 1) if entries(table)[key].array else probe
         by_model = accepts(build, **{**needed, attribute: value})
         if (table, key) in NARROWER:
             assert by_model or not by_file, probe
@@ -233,6 +288,8 @@ def test_every_attribute_of_the_model_has_its_key() -> None:
     for table, (build, _) in MODEL.items():
         assert isinstance(build, type)
         attributes = {f.name for f in fields(build)}
+        if table is AnchorMotionTable:
+            attributes -= {"rao_file", *OF_A_BODY}  # refused there
         keys = {k for k in entries(table) if (table, k) not in NOT_IN_THE_MODEL}
         assert {RENAMED.get((table, k), k) for k in keys} == attributes
     renamed = {"pso": "swarm"}
@@ -312,7 +369,7 @@ def range_of(kind: Kind) -> str:
     if isinstance(kind, OneOf):
         return "one of " + ", ".join(kind.words)
     if isinstance(kind, Whole):
-        return f"{kind.at_least} or more"
+        return "{} to {}".format(*kind.bounds)
     assert isinstance(kind, Measured)
     if kind.at_most is not None:
         top = "pi/2" if kind.at_most == math.pi / 2.0 else f"{kind.at_most:g}"
@@ -334,9 +391,9 @@ def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
                 continue
             assert rows[field.name].default == default_of(field.default), field.name
             compared += 1
-    # site, load cases, checks, service, catalogue, design with segments and clump weights,
-    # waves, current, motion, dynamics, pso
-    assert compared == 2 + 2 + 2 + 1 + 1 + (6 + 1 + 1) + 4 + 1 + 6 + 5 + 8
+    # segments, site, point loads, load cases, checks, service, catalogue, design with its segments
+    # and clump weights, waves with trains, current, motion of both ends, body, dynamics, pso
+    assert compared == 1 + 2 + 1 + 2 + 2 + 1 + 1 + (6 + 1 + 1) + (5 + 2) + 1 + 6 + 6 + 2 + 7 + 8
 
 
 def default_of(default: object) -> str:
@@ -347,18 +404,19 @@ def default_of(default: object) -> str:
 
 
 def test_the_units_on_the_page_are_those_of_the_table() -> None:
-    rows = re.findall(
-        r"^\| ([a-z ]+) \| (`.+) \|$", PAGE.split("## Top of the file")[0], re.MULTILINE
-    )
+    top = PAGE.split("## Top of the file")[0]
+    rows = re.findall(r"^\| ([a-z ]+) \| (`.+) \| (\S+) to (\S+) \|$", top, re.MULTILINE)
     used = {
         kind.dimension
         for table in tables().values()
         for kind in (entry.kind for entry in entries(table).values())
         if isinstance(kind, Measured)
     }
-    on_page = {name: re.findall(r"`([^`]+)`", units) for name, units in rows}
+    on_page = {name: re.findall(r"`([^`]+)`", units) for name, units, _, _ in rows}
+    plausible = {name: (float(low), float(high)) for name, _, low, high in rows}
     expected = {d.noun.split(" ", 1)[1]: list(UNITS[d]) for d in Dimension if d in used}
     assert on_page == expected
+    assert plausible == {d.noun.split(" ", 1)[1]: (d.smallest, d.largest) for d in used}
 
 
 def test_the_example_on_the_page_is_a_case_and_its_mistakes_are_told_as_shown() -> None:

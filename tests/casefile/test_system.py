@@ -93,3 +93,99 @@ def test_the_model_refuses_a_load_beside_a_system() -> None:
     case = parse_case(HEAD + SYSTEM)
     with pytest.raises(InputError, match="load: found beside a system"):
         Case(Site(50.0), LINE, Load(span=500.0), 48.0, system=case.system)
+
+
+# ------------------------------------------------------------------ in motion
+
+LED = """
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "120 m"
+submerged_weight = "1110 N/m"
+mass = "130 kg/m"
+EA = "400 MN"
+drag_normal = 0
+[system]
+anchor_radius = "117 m"
+azimuths = ["180 deg", "60 deg", "-60 deg"]
+[waves]
+spectrum = "regular"
+height = "2 m"
+period = "7 s"
+[motion]
+rao_file = "rao.csv"
+rao_phase = "lead"
+rao_reference = ["1 m", "-2 m", "22 m"]
+rao_rotation = "rad/m"
+rao_per = "height"
+drift = ["1 m", "0 m"]
+drift_file = "drift.csv"
+[dynamics]
+duration = "24 s"
+"""
+
+FREE = (
+    LED[: LED.index("[motion]")]
+    + """
+[body]
+mass = "200 t"
+added_mass = "20 t"
+damping = "3 kN*s/m"
+force_file = "force.csv"
+wave_force = ["100 kN/m", "0 N/m"]
+[dynamics]
+duration = "24 s"
+broken_line = 2
+broken_at = "12 s"
+"""
+)
+
+
+@pytest.mark.parametrize("text", [LED, FREE], ids=["led", "free"])
+def test_a_body_in_motion_is_written_and_read_again(text: str) -> None:
+    case = parse_case(text)
+    assert parse_case(write_case(case)) == case
+
+
+def test_a_free_body_is_read_in_si() -> None:
+    body = parse_case(FREE).body
+    assert body is not None
+    assert (body.mass, body.added_mass, body.damping) == (2e5, 2e4, 3e3)
+    assert body.wave_force == (1e5, 0.0)
+    assert body.force_file.endswith("/force.csv")
+
+
+@pytest.mark.parametrize(
+    ("left_out", "message"),
+    [
+        ('rao_phase = "lead"\n', "motion.rao_phase: missing; the RAOs of a body mean nothing"),
+        ('rao_reference = ["1 m", "-2 m", "22 m"]\n', "motion.rao_reference: missing"),
+        ('rao_rotation = "rad/m"\n', "motion.rao_rotation: missing"),
+        ('rao_per = "height"\n', "motion.rao_per: missing"),
+    ],
+)
+def test_what_raos_do_not_say_themselves_has_to_be_there(left_out: str, message: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_case(LED.replace(left_out, ""))
+    assert message in str(caught.value)
+    assert len(caught.value.problems) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (LED.replace("rao_phase", "rao_phaze"), "did you mean rao_phase?"),
+        (FREE.replace("broken_at", "# broken_at"), "dynamics.broken_at: missing"),
+        (FREE.replace("broken_line = 2", "broken_line = 4"), "there are 3 lines"),
+        (FREE.replace('"12 s"', '"24 s"'), "must be below 24 s, the duration"),
+        (LED.replace("[dynamics]\n", '[body]\nmass = "1 t"\n[dynamics]\n'), "a body is led, or"),
+    ],
+)
+def test_mistakes_of_a_body_in_motion_are_told_once(text: str, message: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_case(text, "case.toml")
+    assert str(caught.value).startswith("case.toml: ")
+    assert message in str(caught.value)
+    assert len(caught.value.problems) == 1

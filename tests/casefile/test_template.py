@@ -14,7 +14,7 @@ from catopt.errors import InputError
 from catopt.model import Find
 from tests.casefile.test_schema import tables
 
-MOVING = ("waves", "current", "motion", "dynamics")
+MOVING = ("waves", "current", "motion", "anchor_motion", "body", "dynamics")
 CASES = Path(__file__).parents[2] / "cases"
 
 
@@ -45,8 +45,9 @@ def test_a_template_fits_a_screen_and_says_what_it_is(name: str) -> None:
 def test_what_is_commented_out_is_right_too() -> None:
     """With its comment marks off every optional key is read; some are given another way."""
     text = re.sub(r"^# (?=\[|\w+ = )", "", template("buoy"), flags=re.MULTILINE)
-    others = ("span", "fairlead_tension", "density", "point_load", "grounded_length")
-    for other in (*others, "code", "holding_capacity", "file"):
+    others = ("span", "fairlead_tension", "density", "volume", "point_load", "grounded_length")
+    rough = ("drag_method", "roughness", "keulegan_carpenter", "wake_amplification")
+    for other in (*others, *rough, "code", "holding_capacity", "file"):
         assert re.search(rf"^{other} = ", text, re.MULTILINE)
         text = re.sub(rf"^{other} = .*\n", "", text, flags=re.MULTILINE)
     case = parse_case(text)

@@ -15,7 +15,7 @@ from catopt.checks.case import check_case
 from catopt.errors import FloatsUpError
 from catopt.model import Case, Checks, Leg, Line, Load, LoadCase, PointLoad, Segment, Site, System
 from catopt.mooring.case import report_system
-from catopt.report.texts import Words
+from catopt.render.texts import Words
 
 BUOYED = Line([Segment(120.0, 1000.0, EA=5e8, MBL=3e6)], [PointLoad(80.0, -150e3, name="float")])
 """Its buoy is above 50 m under less than 115 kN, and below that under more."""

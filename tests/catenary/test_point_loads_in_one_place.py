@@ -15,7 +15,10 @@ def line(*weights: float) -> Line:
     return Line(CHAIN, [PointLoad(30.0, weight) for weight in weights])
 
 
-@pytest.mark.parametrize("weights", [(400.0, 300.0), (300.0, 400.0), (1000.0, -300.0)])
+TOGETHER = [(400.0, 300.0), (300.0, 400.0), (1000.0, -300.0), (-100.0, -200.0, 1000.0)]
+
+
+@pytest.mark.parametrize("weights", TOGETHER)
 def test_they_hang_as_their_sum_hangs(weights: tuple[float, ...]) -> None:
     at = {"height": 15.0, "horizontal_force": 400.0, "seabed_friction": 0.6}
     both, one = solve(line(*weights), **at), solve(line(sum(weights)), **at)

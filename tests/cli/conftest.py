@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -55,6 +57,13 @@ class Ran:
 
 
 Run = Callable[..., Ran]
+
+
+def without_digest(path: Path) -> dict[str, Any]:
+    """Read a document that --out wrote; it has the digest of its case beside what is printed."""
+    document: dict[str, Any] = json.loads(path.read_text("utf-8"))
+    assert len(document.pop("case_sha256")) == 64
+    return document
 
 
 @pytest.fixture

@@ -91,7 +91,7 @@ def test_show_has_value_source_confidence_and_diameter_of_each_figure(run: Run) 
 def test_show_without_grade_has_a_column_for_each(run: Run) -> None:
     out = run("catalog", "show", "chain studless").out
     (heading,) = [line for line in out.splitlines() if "ORQ" in line and "R4S" in line][:1]
-    assert heading.split()[2:] == ["ORQ", "R3", "R3S", "R4", "R4S", "R5"]
+    assert heading.split()[1:] == ["ORQ", "R3", "R3S", "R4", "R4S", "R5"]
     (row,) = [line for line in out.splitlines() if line.split()[:2] == ["76", "4621"]]
     assert row.split() == ["76", "4621", "4884", "5454", "6001", "6658", "7009"]
 
@@ -104,11 +104,11 @@ def test_what_is_recalled_is_said(run: Run) -> None:
     )
     asked = run("catalog", "show", "wire 6-strand wire-core", "--diameter", "90 mm", "--recalled")
     assert "Drag coefficient across" in asked.out
-    assert "R, only recalled and read in no document: drag across the line." in " ".join(
+    assert "R, only recalled and read in no document: Drag across the line." in " ".join(
         asked.out.split()
     )
     found = run("catalog", "search", "--family", "wire 6-strand wire-core", "--recalled").out
-    assert "R, only recalled and read in no document: drag across the line." in " ".join(
+    assert "R, only recalled and read in no document: Drag across the line." in " ".join(
         found.split()
     )
 

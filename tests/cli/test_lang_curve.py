@@ -83,7 +83,7 @@ def test_no_text_is_missing(
     run: Run, missing: set[str], arguments: list[object], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # Figures are the same in every language and take most of the time.
-    monkeypatch.setattr("catopt.report.bundle._figure", lambda *_: {})
+    monkeypatch.setattr("catopt.render.picture.pictures", lambda *_, **__: {})
     ran = run("curve", *arguments, "--lang", "vi", "--out", "out")
     assert ran.status == 0
     assert untranslated(missing) == []
@@ -129,7 +129,7 @@ def test_both_workbooks_have_the_same_numbers(run: Run, tmp_path: Path, case: ob
     english, said = (
         openpyxl.load_workbook(tmp_path / lang / "curve.xlsx") for lang in ("en", "vi")
     )
-    assert said.sheetnames == ["Số liệu đầu vào", "Kết quả", "Đường cong", "Điểm đánh dấu"]
+    assert said.sheetnames == ["Đường cong", "Điểm đánh dấu", "Số liệu đầu vào", "Kết quả"]
     numbers = 0
     for ours, theirs in zip(english, said, strict=True):
         for row, other in zip(ours.iter_rows(), theirs.iter_rows(), strict=True):

@@ -8,10 +8,12 @@ from pathlib import Path
 import pytest
 
 import catopt.cli.size_answer
-from catopt.report.tables.size import size_tables
-from catopt.report.texts import Words
-from catopt.report.workbook.books import size_workbook
+from catopt.answers.size import size_answer
+from catopt.loads.drag_anchor import holding_capacity
+from catopt.render.texts import Words
+from catopt.render.workbook import workbook
 from catopt.sizing import Sizing
+from catopt.words import Message, say
 
 from .conftest import Run
 from .test_size import answering
@@ -63,9 +65,11 @@ def test_a_sizing_in_vietnamese(
     assert "…" not in ran.out
     assert max(map(len, ran.out.splitlines())) <= 80
     (of,) = sized
-    workbook = (tmp_path / "size.xlsx").read_bytes()
-    assert numbers(workbook) == numbers(size_workbook(of.case.title, size_tables(of)))
-    assert json.loads((tmp_path / "size.json").read_text("utf-8")) == of.to_dict()
+    written = (tmp_path / "size.xlsx").read_bytes()
+    assert numbers(written) == numbers(workbook(size_answer(of)))
+    document = json.loads((tmp_path / "size.json").read_text("utf-8"))
+    assert document.pop("case_sha256")
+    assert document == of.to_dict()
 
 
 def test_the_document_is_the_same_in_both_languages(run: Run) -> None:
@@ -76,11 +80,11 @@ def test_the_document_is_the_same_in_both_languages(run: Run) -> None:
 def test_the_words_of_a_sizing(run: Run) -> None:
     shown = " ".join(run(*SIZED["defaults"], "--lang", "vi").out.split())
     for part in (
-        "pillar 1.8 m in 12 m of water",
+        "pillar 1.8 m ở độ sâu nước 12 m",
         "chain open-link 4D Q2 25 mm, 74 m = 2.69 đường lỉn",
         "Rùa neo rùa neo bê tông 20 t (cần 16 t)",
         "xích: 73 m thay cho 74 m: không đạt về góc nghiêng dây neo tại đáy (bão, mực nước cao).",
-        "dòng chảy lên thân phao 12.452 [A]",
+        "dòng chảy lên thân phao theo hướng tải 12.452 A",
         "Lấy theo mặc định vì không cho trước: gió 25 m/s;",
     ):
         assert part in shown
@@ -101,33 +105,25 @@ def test_questions_in_vietnamese(
     assert untranslated(missing) == []
 
 
-@pytest.mark.parametrize(
-    ("english", "said"),
-    [
-        (
-            "passes; tension, segment 1 (chain studless R3 76 mm) (loaded, high water)",
-            "đạt; lực căng, đoạn 1 (chain studless R3 76 mm) (đầy tải, mực nước cao)",
-        ),
-        (
-            "chain: 28 m for 28.5 m: fails by the tension, segment 1 (a b) (storm, low water).",
-            "xích: 28 m thay cho 28.5 m: không đạt về lực căng, đoạn 1 (a b) (bão, mực nước thấp).",
-        ),
-        (
-            "clump weight: at 24 m for 36 m: fails by the grounded length (everyday).",
-            "khối gia tải: tại 24 m thay cho 36 m: không đạt về chiều dài nằm trên đáy "
-            "(thường ngày).",
-        ),
-        (
-            "fails: vertical pull on the buoy (ballast, low water)",
-            "không đạt: lực kéo đứng lên phao (chạy dằn, mực nước thấp)",
-        ),
-        (
-            "Holding capacity after UFC: UFC, table 5-3 [R]; recalled, and used because it is the "
-            "lower; DTOcean has 120 kN.",
-            "Khả năng giữ theo UFC: UFC, table 5-3 [R]; theo trí nhớ, được dùng vì là giá trị nhỏ "
-            "hơn; DTOcean cho 120 kN.",
-        ),
-    ],
-)
-def test_a_part_of_a_sentence_does_not_swallow_the_next(english: str, said: str) -> None:
-    assert Words("vi").sentence(english) == (said, "")
+def test_what_a_sentence_holds_is_said_with_it() -> None:
+    segment = Message("checks.named_segment", number=1, name="a b")
+    check = Message(
+        "checks.in_case",
+        check=Message("checks.tension", segment=segment),
+        load_case=Message("sizing.storm_low"),
+    )
+    change = Message("design.changed", part=Message("sizing.chain_part"), new="28 m", old="28.5 m")
+    said = Message("sizing.step_fails", change=change, check=check)
+    assert (
+        said == "chain: 28 m for 28.5 m: fails by the tension, segment 1 (a b) (storm, low water)."
+    )
+    assert say(said, "vi") == (
+        "xích: 28 m thay cho 28.5 m: không đạt về lực căng, đoạn 1 (a b) (bão, mực nước thấp)."
+    )
+
+
+def test_what_a_drag_anchor_holds_is_said() -> None:
+    held = holding_capacity("stockless", "sand", 5000.0)
+    said = Message("sizing.holding_after", note=held.note)
+    assert "; DTOcean has " in said
+    assert "; DTOcean cho " in say(said, "vi")

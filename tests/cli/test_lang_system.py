@@ -16,7 +16,8 @@ from catopt.mooring.descent import TURNS_OVER, Rest
 from catopt.mooring.line_out import one_line_out
 from catopt.mooring.refusal import refusal, turns_over
 from catopt.mooring.sharing_rule import sharing_rule
-from catopt.report.texts import Words
+from catopt.render.texts import Words
+from catopt.words import Message
 
 from .conftest import CASES, Run
 from .test_system import SPREAD, TWO_HEADINGS
@@ -104,7 +105,7 @@ def test_the_answer_in_vietnamese(run: Run, tmp_path: Path) -> None:
     ):
         assert part in shown
     assert openpyxl.load_workbook(tmp_path / "system.xlsx").sheetnames == [
-        "Vật nổi", "Các dây neo", "Dây đứt", "Vòng dịch chuyển", "Lực phục hồi 1",
+        "Vật nổi", "Các dây neo", "Đứt một dây", "Vòng dịch chuyển", "Lực phục hồi 1",
         "Lực phục hồi 2", "Các mực nước",
     ]  # fmt: skip
 
@@ -150,20 +151,22 @@ def test_every_reason_against_the_rule_is_said(system: System) -> None:
     assert Words("vi").sentence(why).lang == ""
 
 
-def refusals() -> list[str]:
+def refusals() -> list[Message]:
     """List what a line that is gone may leave behind; what stops one line alone is verify's."""
     short = ring([0.0, 180.0], EA=math.inf, length=563.0)
     pull = Pull(0, -1, *([0.0] * (len(Pull._fields) - 2)))
     rest = Rest(TOO_SHORT, 1, 30.0, 0.0, 0.0, 3, 1.0, 0.0, pull)
-    return [
-        str(refusal(rest, short)),
-        str(turns_over(9e8, Rest(TURNS_OVER, -1, 30.0, 0.0, 0.0, 3, 1.0, 8e8, pull))),
+    said = [
+        refusal(rest, short).args[0],
+        turns_over(9e8, Rest(TURNS_OVER, -1, 30.0, 0.0, 0.0, 3, 1.0, 8e8, pull)).args[0],
         *(each.refusal for each in one_line_out(ring([180.0]))),
     ]
+    assert all(isinstance(each, Message) for each in said)
+    return said
 
 
-@pytest.mark.parametrize("english", refusals())
-def test_every_refusal_is_said(missing: set[str], english: str) -> None:
-    said = f"Without line 2 there is no equilibrium: {english}"
+@pytest.mark.parametrize("refused", refusals())
+def test_every_refusal_is_said(missing: set[str], refused: Message) -> None:
+    said = Message("mooring.lost", number=2, refusal=refused)
     assert Words("vi").sentence(said).text.startswith("Không có dây 2")
     assert untranslated(missing) == []

@@ -24,17 +24,18 @@ from catopt.catenary.surface import check_buoys, named_line
 from catopt.cli.output import Output
 from catopt.cli.verify_view import show_verification
 from catopt.errors import CatoptError, FloatsUpError, NotConvergedError
-from catopt.fem.plausible_step import step_warnings
+from catopt.fem.plausible_step import record_warnings, step_warnings
 from catopt.fem.settle import Controls
 from catopt.fem.solve import solve_line
 from catopt.model import Case, Line, Load, PointLoad, Segment, System
+from catopt.render.texts import Words
 from catopt.report.tables.verify import frames, part_sentence, rough_sentence, said_frames
-from catopt.report.texts import Words
 from catopt.report.workbook.books import verification_workbook
 from catopt.verify.compared import Compared, Unit
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import StaticComparison, Verification
 from catopt.waves import Sea, jonswap, random_waves
+from catopt.words import Message, Several, say
 
 from .conftest import BUOY, CASES, SLACK, Run
 from .test_lang_curve import said_alike
@@ -128,7 +129,50 @@ TWICE_IN_MOTION = (
     + MOVING[MOVING.index("[motion]") :]
 )
 
+LED = (
+    AT_SEA[: AT_SEA.index("[[load_cases]]")]
+    + """
+[system]
+anchor_radius = "117 m"
+fairlead_radius = "4 m"
+azimuths = ["180 deg", "60 deg", "-60 deg"]
+force = ["30 kN", "0 kN"]
+"""
+    + AT_SEA[AT_SEA.index("[waves]") :]
+    + """
+[motion]
+rao_file = "ship.csv"
+rao_phase = "lag"
+rao_reference = ["0 m", "0 m", "22 m"]
+rao_rotation = "deg/m"
+rao_per = "amplitude"
+[dynamics]
+duration = "24 s"
+elements = 10
+"""
+)
+SHIP = """heading (deg),period (s),surge (m/m),surge_phase (deg),heave (m/m),pitch (deg/m)
+0,5,0.2,-90,0.3,0.5
+0,10,0.6,-90,0.8,1.5
+"""
+PUSHED = (
+    LED[: LED.index("[waves]")]
+    + """
+[body]
+mass = "200 t"
+force_file = "force.csv"
+[dynamics]
+duration = "24 s"
+elements = 10
+"""
+)
+FORCE = "t (s),Fx (kN),Fz (kN)\n" + "".join(f"{t},{2 * t * (24 - t)},1\n" for t in range(25))
+
 FILES = {
+    "led.toml": LED,
+    "ship.csv": SHIP,
+    "pushed.toml": PUSHED,
+    "force.csv": FORCE,
     "twice.toml": TWICE,
     "slack.toml": BIGHTS,
     "tension-known.toml": TENSION_KNOWN,
@@ -158,6 +202,8 @@ VERIFIED: list[list[object]] = [
     ["twice-in-motion.toml", "--dynamic", "--elements", "40"],
     ["at-sea.toml", "--dynamic"],
     ["slack-in-motion.toml", "--dynamic"],
+    ["led.toml", "--dynamic", "--elements", "40", "--once"],
+    ["pushed.toml", "--dynamic", "--elements", "40"],
 ]
 
 
@@ -169,7 +215,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")
     # Figures are the same in every language and take most of the time.
-    monkeypatch.setattr("catopt.report.bundle._figure", lambda *_: {})
+    monkeypatch.setattr("catopt.render.picture.pictures", lambda *_, **__: {})
 
 
 def fits(text: str) -> bool:
@@ -245,7 +291,7 @@ def test_what_is_said_of_a_line_in_motion_and_of_a_slack_one(run: Run) -> None:
         "Trường hợp tải trọng storm: dây chuyển động",
         "2 lần chạy, mỗi lần 24 s",
         "Lực căng tại điểm treo đạt",
-        "Cực đại khả dĩ nhất của một lần chạy như vậy là",
+        "Quá ít đỉnh để tính cực đại khả dĩ nhất của lực căng tại điểm treo.",
         "Lưu ý: lực căng tựa tĩnh không kể dòng chảy.",
     ):
         assert part in shown
@@ -455,22 +501,24 @@ def refusals() -> Iterator[str]:
         level = Setting(cut(line)[0], 0.0, 60.0, 0.5)
         span = Load(span=80.0)
         for load in (span, Load(fairlead_tension=100.0)):
-            yield str(refusal(TOO_SHORT, line, load, setting))
-        yield str(refusal(TOO_SHORT, plain_line, span, level))  # 60, 80, 100: just as long
+            yield refusal(TOO_SHORT, line, load, setting).message
+        yield refusal(TOO_SHORT, plain_line, span, level).message  # 60, 80, 100: just as long
     straight_up = Setting(cut(plain_line)[0], 0.0, 100.0, 0.5)
-    yield str(refusal(TOO_SHORT, plain_line, Load(fairlead_tension=1.0), straight_up))
-    yield str(refusal(TOO_HEAVY, plain_line, Load(fairlead_tension=100.0), level))
-    yield str(refusal(NOT_CONVERGED, plain_line, span, setting))
-    yield str(stuck())
+    yield refusal(TOO_SHORT, plain_line, Load(fairlead_tension=1.0), straight_up).message
+    yield refusal(TOO_HEAVY, plain_line, Load(fairlead_tension=100.0), level).message
+    yield refusal(NOT_CONVERGED, plain_line, span, setting).message
+    yield stuck().message
     with pytest.raises(CatoptError) as stopped:
         solve_line(plain_line, height=60.0, span=90.0)
-    yield str(stopped.value)
+    yield stopped.value.message
     for name in ("", "float"):
         high = Line([Segment(100.0, 1000.0)], [PointLoad(50.0, -9e4, name=name)])
+        with pytest.raises(FloatsUpError) as afloat:
+            check_buoys(high, [25.0], 20.0)
+        yield afloat.value.message
         with pytest.raises(FloatsUpError) as afloat, named_line(2):
             check_buoys(high, [25.0], 20.0)
-        yield str(afloat.value)
-        yield str(afloat.value).removeprefix("line 2: ")
+        yield afloat.value.message
 
 
 def test_every_refusal_is_said_in_vietnamese(missing: set[str]) -> None:
@@ -488,7 +536,9 @@ def test_warnings_of_a_run_are_said_in_vietnamese(missing: set[str]) -> None:
     sea = Sea(8.0, random_waves(jonswap(7.0, 9.0), 12, np.random.default_rng(1)))
     told = step_warnings(0.5, 600.0, {"the motion or force": 8.0}, sea)
     assert [part.split()[0] for part in told] == ["the", "12", "the", "the"]
+    told += record_warnings(0.2, 0.1)
+    told += [Message("motion.sets_off", speed=1.57, jump=380.0)]
     for english in told:
         assert VI.sentence(english).lang == ""
-    assert VI.sentences("; ".join(told)) == "; ".join(VI.sentence(each).text for each in told)
+    assert say(Several(told), "vi") == "; ".join(VI.sentence(each).text for each in told)
     assert untranslated(missing) == []

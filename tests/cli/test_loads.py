@@ -41,8 +41,8 @@ def test_a_buoy_shows_each_force_with_its_source(run: Run) -> None:
     """The numbers are those worked by hand in docs/loads.md."""
     shown = run(*BUOY).out
     for words in (
-        "current on the hull     8.921   [A]",
-        "horizontal force       18.987",
+        "current on the hull    along    8.921   A",
+        "horizontal force               18.987",
         "V = 4.021 m/s",
         "IALA CALMAR technical reference, 27 February 2014, 5.2.1 [A]",
         "reserve",

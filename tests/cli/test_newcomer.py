@@ -132,16 +132,22 @@ def test_a_name_that_is_no_text_is_replaced(run: Run, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("document", "told"),
     [
-        ({"front": [], "recommended": None}, "design.json: it has no design"),
-        ({"front": [{}], "recommended": 0}, "design.json: it has no 'segments'"),
-        ({"recommended": 0}, "design.json: it has no 'front'"),
+        (
+            {"schema": "catopt.design/1", "recommended": 0},
+            "11 errors\n  title: missing\n",
+        ),
+        (
+            {"schema": "catopt.solution/1"},
+            "'catopt.design/1' is wanted",
+        ),
+        ([], "file: an object in braces is wanted"),
     ],
 )
 def test_a_damaged_result_directory_is_told_as_one(
-    run: Run, tmp_path: Path, document: dict[str, object], told: str
+    run: Run, tmp_path: Path, document: object, told: str
 ) -> None:
     (tmp_path / "case.toml").write_bytes(BUOY.read_bytes())
-    (tmp_path / "design.json").write_text(json.dumps({"schema": "catopt.design/1", **document}))
+    (tmp_path / "design.json").write_text(json.dumps(document))
     for command in (["report"], ["solve", "--design", "1"]):
         name, *options = command
         ran = run(name, tmp_path, *options)

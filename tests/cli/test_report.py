@@ -233,7 +233,6 @@ def test_what_catopt_system_wrote_has_a_note(run: Run) -> None:
     [
         (["--design", "1"], "--design: found 1"),
         (["--method", "pso"], "--method: found pso"),
-        (["--dynamic"], "--dynamic: found given"),
     ],
 )
 def test_what_is_for_one_line_is_refused_for_a_body(run: Run, option: list[str], told: str) -> None:

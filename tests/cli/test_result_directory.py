@@ -159,9 +159,41 @@ def test_both_go_together(run: Run, moving: Path) -> None:
 def test_documents_of_another_program_ask_for_nothing(run: Run) -> None:
     assert run("solve", BUOY, "--out", "out").status == 0
     Path("out/verify.json").write_text('{"dynamic": {}}', encoding="utf-8")
-    Path("out/solution.json").write_text("not JSON", encoding="utf-8")
+    Path("out/solution.json").write_text("[]", encoding="utf-8")
+    ran = run("report", "out")
+    assert (ran.status, ran.out) == (2, "")
+    assert "solution.json: 1 error\n  file: an object in braces is wanted" in ran.err
+    Path("out/solution.json").write_text('{"schema": "other/1"}', encoding="utf-8")
     document = report(run, "out")
     assert (document["swarm"], document["motion"]) == (None, None)
+
+
+def test_a_document_that_was_tampered_with_is_refused_with_its_place(run: Run) -> None:
+    assert run("solve", BUOY, "--out", "out").status == 0
+    document = json.loads(Path("out/solution.json").read_text("utf-8"))
+    document["segments"] = 3
+    document["fairlead"]["tension_N"] = "strong"
+    Path("out/solution.json").write_text(json.dumps(document), encoding="utf-8")
+    ran = run("report", "out")
+    assert (ran.status, ran.out) == (2, "")
+    assert "  segments: found 3; an array is wanted\n" in ran.err
+    assert "  fairlead.tension_N: found 'strong'; a number is wanted\n" in ran.err
+
+
+def test_a_directory_of_two_cases_is_refused(run: Run, chain: Path) -> None:
+    """As a power cut leaves it, or a document copied from elsewhere."""
+    assert run("solve", BUOY, "--out", "one").status == 0
+    assert run("check", chain, "--out", "two").status == 0
+    assert report(run, "one")["path"] == "one.html"
+    Path("one/check.json").write_bytes(Path("two/check.json").read_bytes())
+    ran = run("report", "one")
+    assert (ran.status, ran.out) == (2, "")
+    assert "check.json: it is of another case than case.toml beside it" in ran.err
+    assert "solution.json" not in ran.err
+    # The same case, whoever wrote it down, is the same case.
+    Path("one/check.json").unlink()
+    Path("one/case.toml").write_bytes(BUOY.read_bytes())
+    assert report(run, "one")["path"] == "one.html"
 
 
 # ------------------------------------------------------------------ a case file that stays

@@ -262,7 +262,7 @@ def test_what_is_no_file_is_told(run: Run, tmp_path: Path) -> None:
 
 
 def test_a_file_of_buoys_counts_from_the_folder_of_the_file(run: Run, tmp_path: Path) -> None:
-    library = (ROOT / "src/catopt/loads/data/buoys.toml").read_text("utf-8")
+    library = (ROOT / "catopt/loads/data/buoys.toml").read_text("utf-8")
     (tmp_path / "mine.toml").write_text(library.replace('"pillar ', '"my pillar '), "utf-8")
     written = tmp_path / "sizing.toml"
     text = BUOY_FILE.replace('"pillar 2.4 m"', '"my pillar 2.4 m"\nfile = "mine.toml"')

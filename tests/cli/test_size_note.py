@@ -12,8 +12,8 @@ import pytest
 
 from catopt import schemas
 from catopt.casefile.sizing_file import moored_in
-from catopt.casefile.syntax import parse_toml
 from catopt.cli.size_note import sizing_of_file
+from catopt.documents import parse_toml
 from tests.report.page_reader import read_page
 
 from .conftest import BUOY, CASES, Run

@@ -151,7 +151,8 @@ def test_the_files(run: Run, tmp_path: Path) -> None:
     )
     book = openpyxl.load_workbook(out / "system.xlsx")
     assert book.sheetnames == [
-        "Body", "Lines", "Line out", "Watch circle", "Restoring 1", "Restoring 2", "Water levels",
+        "Body", "Lines", "One line out", "Watch circle", "Restoring 1", "Restoring 2",
+        "Water levels",
     ]  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from catopt.casefile.design_directory import read_case_or_design
 from catopt.cli import verify as command
 from catopt.verify.dynamic import verify_dynamic
 
-from .conftest import BUOY, Run
+from .conftest import BUOY, Run, without_digest
 
 CASE = """
 title = "A chain in motion"
@@ -69,7 +69,7 @@ def test_the_document_and_the_files(run: Run, moving: Path, tmp_path: Path) -> N
     found = document(run("verify", moving, "--dynamic", "--json", "--out", out).out)
     (part,) = found["dynamic"]["load_cases"]
     assert found["dynamic"]["is_complete"]
-    assert document((out / "verify.json").read_text(encoding="utf-8")) == found
+    assert without_digest(out / "verify.json") == found
     with (out / "dynamic_series.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     (ran,) = part["runs"]
@@ -210,3 +210,51 @@ def test_once_without_motion_is_refused(run: Run, moving: Path) -> None:
     ran = run("verify", moving, "--once")
     assert ran.status == 2
     assert "--once: goes with --dynamic, which is missing" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (["--workers", "2"], "--workers: goes with --dynamic, which is missing"),
+        (["--dynamic", "--workers", "0"], "--workers: found 0; 1 or more processes"),
+    ],
+)
+def test_workers_that_make_no_sense_are_refused(
+    run: Run, moving: Path, given: list[str], said: str
+) -> None:
+    ran = run("verify", moving, *given)
+    assert ran.status == 2
+    assert said in ran.err
+
+
+def test_extremes_are_in_every_form_with_their_duration_and_interval(
+    run: Run, tmp_path: Path
+) -> None:
+    path = tmp_path / "sea.toml"
+    sea = '[waves]\nspectrum = "jonswap"\nheight = "2 m"\nperiod = "6 s"\ncomponents = 30\n'
+    text = CASE.replace('"24 s"\nelements = 20', '"5 min"\nelements = 8\ntime_step = "0.1 s"')
+    path.write_text(f'{text}duration_of_interest = "90 min"\n{sea}', encoding="utf-8")
+    out = tmp_path / "out"
+    ran = run("verify", path, "--dynamic", "--once", "--json", "--out", out)
+    tension, *_, offset = document(ran.out)["dynamic"]["load_cases"][0]["quantities"]
+    tail = tension["tail"]
+    assert (tail["duration_s"], tail["confidence"]) == (5400.0, 0.9)
+    assert tail["low"] < tension["most_probable_max"] == tail["most_probable_max"] < tail["high"]
+    assert offset["tail"] is None  # led as prescribed
+    with (out / "dynamic_statistics.csv").open(newline="", encoding="utf-8") as file:
+        row, *_ = csv.DictReader(file)
+    assert float(row["Interval from (unit of the row)"]) == tail["low"]
+    assert float(row["Interval to (unit of the row)"]) == tail["high"]
+    assert float(row["Duration of interest (s)"]) == 5400.0
+    assert float(row["Threshold of the tail (unit of the row)"]) == tail["threshold"]
+    shown = " ".join(run("verify", path, "--dynamic", "--once").out.split())
+    assert "in 90 min" in shown
+    told = (tension["most_probable_max"], tail["low"], tail["high"], tail["expected_max"])
+    most, low, high, mean = (f"{value / 1e3:.3f}" for value in told)
+    assert (
+        f"In 90 min the most probable maximum of the fairlead tension is {most} kN (90% interval "
+        f"{low} to {high} kN); the expected one is {mean} kN."
+    ) in shown
+    vietnamese = " ".join(run("verify", path, "--dynamic", "--once", "--lang", "vi").out.split())
+    assert "Trong 90 min, cực đại khả dĩ nhất của lực căng tại điểm treo là" in vietnamese
+    assert f"(khoảng tin cậy 90% từ {low} đến {high} kN)" in vietnamese

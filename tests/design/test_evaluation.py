@@ -185,6 +185,25 @@ def test_weights_are_taken_in_the_order_of_their_places() -> None:
         assert found.excess[0] == pytest.approx(plain[1], rel=AGREES, abs=AGREES)
 
 
+def test_a_weight_lies_on_the_bed_with_its_own_friction() -> None:
+    """Two weights near a weak anchor, given the other way round: friction takes off its force."""
+    values = []
+    for friction in (None, 1.5):
+        far = ClumpWeightChoice((20e3,), 7850.0, positions=(20.0,), friction=friction)
+        near = ClumpWeightChoice((10e3,), 7850.0, positions=(10.0,), friction=0.0)
+        weak = Anchor("drag", holding_capacity=1e4, safety_factor=1.5)
+        problem = DesignProblem.of(replace(small_case(clump_weights=(far, near)), anchor=weak))
+        genes = (3, 2, 0, 0, 0, 0, 0, 0)
+        plain = plain_value(problem, genes)
+        assert plain is not None
+        found = problem.evaluate(np.array([genes]))
+        assert found.excess[0] == pytest.approx(plain[1], rel=AGREES, abs=AGREES)
+        line = problem.space.line(genes)
+        assert [load.friction for load in line.point_loads] == [0.0, friction]
+        values.append(plain[1])
+    assert values[1] < values[0] - 1e-3
+
+
 def test_a_weight_beyond_the_line_is_no_design_and_the_excess_says_how_far() -> None:
     weight = ClumpWeightChoice((5e3,), 7850.0, positions=(100.0, 120.0, 200.0))
     problem = DesignProblem.of(small_case(clump_weights=(weight,)))

@@ -177,6 +177,20 @@ def test_two_loads_at_one_place_are_one_point() -> None:
     assert float(both[6]) == pytest.approx((6150.0 - 51e3 / G) / 1025.0, rel=1e-9)
 
 
+def test_drag_and_added_mass_of_what_hangs_at_one_point_are_put_together() -> None:
+    """CdA adds up; Ca is over both volumes: of 2 m3 with 0.5 and 1 m3 with 1.1, 0.7."""
+    loads = [
+        PointLoad(200.0, (4000.0 - 2050.0) * G, mass=4000.0, drag_area=2.0, drag_coefficient=0.6,
+                  added_mass_coefficient=0.5),
+        PointLoad(200.0, (500.0 - 1025.0) * G, mass=500.0, drag_area=1.0, drag_coefficient=1.1,
+                  added_mass_coefficient=1.1),
+    ]  # fmt: skip
+    case = chain_and_wire()
+    exported = moordyn_input(hang(replace(case, line=Line(case.line.segments, loads))))
+    (both,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
+    assert [float(cell) for cell in both[5:]] == pytest.approx([4500.0, 3.0, 2.3, 0.7], rel=1e-6)
+
+
 def test_everything_that_is_missing_is_told_at_once() -> None:
     floats = Segment(10.0, -50.0, name="floats")
     too_light = Segment(50.0, 2100.0, EA=1e9, mass=200.0)

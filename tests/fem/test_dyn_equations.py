@@ -7,7 +7,6 @@ import math
 import numpy as np
 import pytest
 
-from catopt.compiled import compiled
 from catopt.fem import mesh_line
 from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
 from catopt.fem.damping import LineDamping, rayleigh_factors
@@ -23,7 +22,7 @@ from catopt.model import Line, Segment
 from tests.fem.strings import plain_simulation
 
 BARS = 6
-SECTION = MorisonSection(0.3, 1.4, 0.5, 1.1, 0.3)
+SECTION = MorisonSection(0.3, 1.4, 0.5, 1.1, 0.3, oblique=(0.2, 0.4))
 DAMPING = LineDamping(internal=2e4, mass_factor=0.3, stiffness_factor=0.04)
 
 
@@ -52,7 +51,7 @@ def _shaken(seed: int, friction: float = 0.4) -> Simulation:
 def _left_over(
     simulation: Simulation, now: Moving, before: Moving, blend: Blend, to: Equations
 ) -> np.ndarray:
-    compiled(assemble_moving)(
+    assemble_moving(
         simulation.lines, simulation.body, simulation._room.water, np.zeros(3), now, before, blend,
         to,
     )  # fmt: skip
@@ -117,7 +116,12 @@ def test_drag_and_inertia_by_the_formula() -> None:
         r_t, r_n = (r @ t) * t, r - (r @ t) * t
         displaced = 120.0 - 500.0 / 9.81
         D, rho = SECTION.diameter, fluid.density
-        drag = (
+        # S4 [2.32], g between the line and the relative velocity.
+        cos = float(r @ t) / float(np.linalg.norm(r))
+        sin = math.sqrt(1.0 - cos * cos)
+        (m, n), C_n = SECTION.oblique, SECTION.drag_normal
+        oblique = 0.5 * rho * D * C_n * (m + n * sin) * cos * float(r @ r) * t
+        drag = oblique + (
             0.5
             * rho
             * D
@@ -181,9 +185,9 @@ def test_arrow_solver_against_a_full_matrix() -> None:
                 full[3 * i : 3 * i + 3, 3 * j : 3 * j + 3] = block[i]
     expected = np.linalg.solve(full, rest.ravel()).reshape(n, 3)
     to = Equations(blocks[1].copy(), blocks[0].copy(), blocks[2].copy(), rest.copy(), rest.copy())
-    assert compiled(eliminate_blocks)(to, 0, n - 1)
+    assert eliminate_blocks(to, 0, n - 1)
     to.rest[-1] = np.linalg.solve(to.diagonal[-1], to.rest[-1])
-    compiled(back_substitute_blocks)(to, 0, n - 1)
+    back_substitute_blocks(to, 0, n - 1)
     # Well-conditioned: double precision.
     assert to.rest == pytest.approx(expected, abs=1e-12)
 

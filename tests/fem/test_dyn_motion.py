@@ -224,7 +224,7 @@ def test_line_dragged_along_a_rough_bed() -> None:
     x = np.linspace([0.0, 0.0, -0.01], [L, 0.0, -0.01], 21)
     slow = Harmonic(1e3, (-2.0, 0.0, 0.0), (math.pi / 2, 0.0, 0.0))
     simulation = Simulation(lines, x, led=series_rows(x[-1:], [slow], 0.0))
-    simulation.settle(pulled=True)
+    simulation.settle(rubbed=True)
     simulation.start()
     record, _ = simulation.run(200, 5, 0.01)
     stretch = mu * w * L**2 / 2.0 / 1e7

@@ -9,7 +9,6 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from catopt.compiled import compiled
 from catopt.fem import Bed, Current, DragSection, Water, mesh_line
 from catopt.fem.assembly import Law, State, assemble
 from catopt.fem.banded import DIAGONAL, REACH, WIDTH, back_substitute, eliminate
@@ -47,13 +46,13 @@ def equations(problem: Problem, state: State, ground: Any, law: Law) -> tuple[Ar
     velocity = np.zeros((0, 3))
     if problem.current is not None:
         velocity = problem.current.velocity(np.zeros((count, 3)))
-    compiled(bar_loads)(
+    bar_loads(
         state.x, problem.first_node, problem.weights, problem.bars.length,
         problem.across, problem.along, velocity, loads,
     )  # fmt: skip
     band, rhs = np.zeros((4 * count, WIDTH)), np.zeros(4 * count)
     copy = State(*(a.copy() for a in state))  # type: ignore[arg-type]
-    compiled(assemble)(0, problem.bars, copy, loads, problem.nodal, ground, law, band, rhs)
+    assemble(0, problem.bars, copy, loads, problem.nodal, ground, law, band, rhs)
     return dense(band), rhs
 
 
@@ -137,10 +136,10 @@ def test_elimination_agrees_with_numpy(seed: int) -> None:
     band[5, DIAGONAL] = 0.0  # a pivot that has to be sought
     rhs = rng.normal(size=rows)
     matrix, right = dense(band), rhs.copy()
-    assert compiled(eliminate)(band, rhs, 0, rows) == -1
+    assert eliminate(band, rhs, 0, rows) == -1
     last = np.array([[band[rows - 3 + i, DIAGONAL + j - i] for j in range(3)] for i in range(3)])
     rhs[-3:] = np.linalg.solve(last, rhs[-3:])
-    compiled(back_substitute)(band, rhs, 0, rows)
+    back_substitute(band, rhs, 0, rows)
     condition = np.linalg.cond(matrix)
     assert (
         np.abs(rhs - np.linalg.solve(matrix, right)).max() < 1e-14 * condition * np.abs(rhs).max()
@@ -151,4 +150,4 @@ def test_a_row_of_zeros_is_found() -> None:
     band = np.zeros((12, WIDTH))
     band[:, DIAGONAL] = 1.0
     band[4, DIAGONAL] = 0.0
-    assert compiled(eliminate)(band, np.ones(12), 0, 12) == 4
+    assert eliminate(band, np.ones(12), 0, 12) == 4

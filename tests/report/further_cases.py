@@ -9,9 +9,9 @@ from tempfile import TemporaryDirectory
 
 import openpyxl
 
+from catopt.render.texts import Language
 from catopt.report.page.note import Note, read_note
 from catopt.report.page.render import render_page
-from catopt.report.texts import Language
 from catopt.report.workbook.note import note_workbook
 
 from .page_reader import ReadPage, read_page
@@ -124,7 +124,7 @@ speeds = ["1 m/s", "0.2 m/s"]
 [motion]
 rao_file = "rao.csv"
 [dynamics]
-duration = "60 s"
+duration = "150 s"
 ramp = "15 s"
 runs = 2
 elements = 24

@@ -7,9 +7,9 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from catopt.render.texts import Language
 from catopt.report.page.note import Note, read_note
 from catopt.report.page.render import render_page
-from catopt.report.texts import Language
 
 from .page_reader import ReadPage, read_page
 
@@ -171,7 +171,15 @@ def design_directory(folder: Path, designs: int = 3) -> Path:
         "schema": "catopt.design/1",
         "title": "Buoy chain",
         "objectives": ["mass_kg", "offset_m"],
-        "load_cases": [{"name": "storm (high water)"}, {"name": "everyday"}],
+        "load_cases": [
+            {
+                "name": name, "kind": kind, "water_level_m": level, "horizontal_force_N": force,
+                "fairlead_height_m": 20.0 + level,
+            }
+            for name, kind, level, force in (
+                ("storm (high water)", "extreme", 1.0, 20e3), ("everyday", "reference", 0.0, 5e3),
+            )
+        ],
         "front": [_design(index, designs) for index in range(designs)],
         "recommended": 1,
         "recommendation": "The knee of the front.",
@@ -198,7 +206,10 @@ def design_directory(folder: Path, designs: int = 3) -> Path:
         },
         "method": "enumeration",
         "is_exact": True,
+        "designs": 1234,
         "evaluations": 1234,
+        "feasible": 321,
+        "interrupted": False,
         "hypervolume": 1.0,
         "reference_point": [1.0, 1.0],
         "seed": 1,
@@ -214,6 +225,8 @@ def _design(index: int, designs: int) -> dict[str, object]:
     return {
         "mass_kg": 4500.0 + 115.0 * index,
         "offset_m": 55.0 - 10.0 * index / designs,
+        "spans_m": [55.0 - 10.0 * index / designs, 50.0],
+        "genes": [index],
         "excursion_m": 2.0 + 0.1 * index,
         "segments": [
             {
@@ -223,7 +236,9 @@ def _design(index: int, designs: int) -> dict[str, object]:
                 "wear_rate_m_per_s": None,
             }
         ],
-        "point_loads": [{"position_m": 7.0, "submerged_weight_N": 2000.0, "mass_kg": 250.0}],
+        "point_loads": [
+            {"position_m": 7.0, "submerged_weight_N": 2000.0, "mass_kg": 250.0, "name": ""}
+        ],
         "sinker": None,
         "checks": [],
         "governing": "offset (storm (high water))",

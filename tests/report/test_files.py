@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import os
+import signal
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -97,3 +100,67 @@ def test_a_directory_that_is_closed(tmp_path: Path) -> None:
             check_directory(tmp_path)
     finally:
         tmp_path.chmod(0o700)
+
+
+# ------------------------------------------------------------------ one answer
+
+
+CASE = b'title = "one"\n'
+OTHER = b'title = "another"\n'
+DOCUMENT = b'{\n  "schema": "catopt.solution/1",\n  "title": ""\n}\n'
+
+
+def answer(case: bytes) -> dict[str, bytes]:
+    return {"solution.json": DOCUMENT, "case.toml": case, "summary.csv": case}
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_waits_until_all_files_have_their_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: signal.Signals
+) -> None:
+    write_files(tmp_path, answer(CASE))
+    before = signal.getsignal(number)
+    replace, moved = Path.replace, []
+
+    def interrupted(self: Path, target: Path) -> Path:
+        moved.append(target.name)
+        if len(moved) <= 2:  # pressed twice, by somebody in a hurry
+            signal.raise_signal(number)
+        return replace(self, target)
+
+    def stop(number: int, _: object) -> None:
+        raise KeyboardInterrupt(number)
+
+    monkeypatch.setattr(Path, "replace", interrupted)
+    signal.signal(number, stop)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            write_files(tmp_path, answer(OTHER))
+        assert signal.getsignal(number) is stop
+    finally:
+        signal.signal(number, before)
+    assert moved == ["case.toml", "summary.csv", "solution.json"]
+    found = contents(tmp_path)
+    assert found["case.toml"] == found["summary.csv"] == OTHER
+    assert sha256(OTHER).hexdigest().encode() in found["solution.json"]
+
+
+def test_files_that_a_killed_run_left_are_swept(tmp_path: Path) -> None:
+    stale, fresh, own = (tmp_path / name for name in (".a.csv.17.tmp", ".b.csv.18.tmp", ".my.tmp"))
+    for place in (stale, fresh, own):
+        place.write_bytes(b"half")
+    for place in (stale, own):
+        os.utime(place, (0.0, 0.0))
+    write_files(tmp_path, OLD)
+    assert [place.exists() for place in (stale, fresh, own)] == [False, True, True]
+
+
+def test_a_document_carries_the_digest_of_its_case_and_nothing_else_does(tmp_path: Path) -> None:
+    foreign = b'{\n  "schema": "other/1"\n}\n'
+    write_files(tmp_path, answer(CASE) | {"other.json": foreign})
+    found = json.loads((tmp_path / "solution.json").read_text("utf-8"))
+    assert list(found) == ["schema", "case_sha256", "title"]
+    assert found["case_sha256"] == sha256(CASE).hexdigest()
+    assert (tmp_path / "other.json").read_bytes() == foreign
+    write_files(tmp_path / "none", {"solution.json": DOCUMENT})
+    assert (tmp_path / "none" / "solution.json").read_bytes() == DOCUMENT

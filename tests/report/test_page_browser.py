@@ -59,7 +59,7 @@ def test_figures_are_drawn(quiet: Tab, page: Path) -> None:
     quiet.open(page, 1200)
     drawn = quiet.value(
         "[...document.querySelectorAll('figure')].map((each) => [each.dataset.figure, "
-        "each.querySelector('.mooring, .curve, .chosen').getBoundingClientRect().width])"
+        "each.querySelector('.mooring, .first, .chosen').getBoundingClientRect().width])"
     )
     expected = {"line", "tension", "curve"} | ({"front"} if page.stem == "result" else set())
     assert {key for key, _ in drawn} == expected

@@ -41,7 +41,7 @@ def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> No
 def test_pointing_at_a_figure_reads_it(quiet: Tab, page: Path, width: int) -> None:
     quiet.open(page, width)
     for figure in FIGURES[page.stem]:
-        drawn = f"document.querySelector('figure[data-figure={figure}] .curve')"
+        drawn = f"document.querySelector('figure[data-figure={figure}] .first')"
         assert quiet.value(f"{drawn}.getBoundingClientRect().width") > 250
         for share in (0.0, 0.3, 0.7, 1.0):
             x, y, texts = place_on(quiet, figure, share)

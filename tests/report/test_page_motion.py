@@ -15,14 +15,15 @@ import openpyxl
 import pytest
 
 from catopt.errors import InputError
+from catopt.figures.chart import legend
+from catopt.figures.motion import around_the_largest, envelope, history
 from catopt.quantities import QUANTITIES
+from catopt.render.texts import Words
 from catopt.report.page.closing import warnings
 from catopt.report.page.in_motion import InMotion, motion_warnings
 from catopt.report.page.motion import motion
-from catopt.report.page.motion_figure import around_the_largest, envelope, history_figure
 from catopt.report.page.note import read_note
 from catopt.report.page.render import render_page
-from catopt.report.texts import Words
 from catopt.report.workbook.note import note_workbook
 from tests.cli.vietnamese import gathered, untranslated
 
@@ -276,9 +277,8 @@ def test_the_series_is_around_the_largest_value(name: str) -> None:
     for text, k in zip(texts, chosen, strict=True):
         t, shown = f"{run.history.time[k]:.2f}", QUANTITIES["tension"].format(tension[k], unit=True)
         assert text.startswith(f"t = {t} s, T = {shown}, quasi-static ")
-    legend = history_figure(part, 1.0, Words()).legend
     largest = QUANTITIES["tension"].format(part.of("fairlead_tension").maximum, unit=True)
-    assert any(largest in entry.text for entry in legend)
+    assert any(largest in entry.label for entry in legend(history(part, 1.0)))
 
 
 @pytest.mark.parametrize("name", BOTH)
@@ -296,13 +296,42 @@ def test_the_envelope_holds_what_the_runs_reached(name: str) -> None:
 
 def test_what_must_be_known_of_it() -> None:
     random, harmonic = (further_page(name).sections["in_motion"] for name in ("random", "harmonic"))
-    assert "statistics, envelope and the largest values are of 15 s to 60 s" in random
+    assert "statistics, envelope and the largest values are of 15 s to 150 s" in random
     assert "2 runs with seeds of their own" in random
     assert "the quasi-static tension is without the current" in random
-    assert "the most probable maximum is that of one run of 60 s" in random.lower()
+    assert "The most probable maximum is that of 3 h of this sea" in random
+    assert "the most probable maximum of the fairlead tension is " in random
     assert "The grounded length in motion is known to the length of a bar" in random
     assert "Nothing is random here" in harmonic
     assert "two" not in harmonic
+
+
+def test_extremes_with_their_interval_and_what_they_rest_on() -> None:
+    part = moved("random").found.parts[moved("random").governing]
+    page = further_page("random")
+    assert page.table("motion_statistics").headings[6] == "Most probable maximum in 3 h"
+    table = page.table("motion_extremes")
+    found = [each for each in part.quantities if each.tail is not None]
+    assert [each.quantity for each in found] == ["fairlead_tension", "anchor_tension", "offset"]
+    rows = {row[0].text: [cell.value for cell in row[1:]] for row in table.rows}
+    for k, each in enumerate(found):
+        tail = each.tail
+        assert tail is not None
+        assert rows["90 % interval of it, from"][k] == tail.extreme.low
+        assert rows["to"][k] == tail.extreme.high
+        assert rows["Threshold of the tail"][k] == tail.threshold
+        assert rows["Weibull shape"][k] == tail.shape
+    assert not any("Gumbel" in key for key in rows)  # two runs
+    told = points("exceedance", page)
+    tail = found[0].tail
+    assert tail is not None
+    assert len(told) == len(tail.clusters)
+    often = tail.extreme.duration / tail.time
+    largest = QUANTITIES["tension"].format(tail.clusters[0], unit=True)
+    assert told[0] == f"T = {largest}: {often:.3g} peaks in 3 h above or at it"
+    harmonic = further_page("harmonic")
+    assert not harmonic.all("motion_extremes")
+    assert not any(e.attributes.get("data-figure") == "exceedance" for e in harmonic.elements)
 
 
 def test_a_safety_factor_that_nobody_gave_is_not_said_to_be_the_case_files(tmp_path: Path) -> None:
@@ -420,6 +449,16 @@ def test_the_sheet(name: str) -> None:
         for value, si in zip(values, wanted, strict=True):
             assert (value is None) == (si is None)
             assert si is None or math.isclose(value, si / 1e3, rel_tol=ROUNDING)
+    found_extremes = [
+        [cell.value for cell in row[1:4]]
+        for row in sheet.iter_rows(max_col=4)
+        if row[0].value == "90 % interval of it, from"
+    ]
+    tails = [each.tail for each in part.quantities if each.tail is not None]
+    assert len(found_extremes) == (1 if tails else 0)
+    for row in found_extremes:
+        for value, tail, size in zip(row, tails, (1e3, 1e3, 1.0), strict=True):
+            assert math.isclose(value, tail.extreme.low / size, rel_tol=ROUNDING)
     arc, high, _ = envelope(part)
     assert found_below(sheet, "Arc length s (m)", 5) == pytest.approx(arc, rel=ROUNDING)
     tensions = found_below(sheet, "largest in motion (kN)", 6)

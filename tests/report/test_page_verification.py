@@ -13,15 +13,16 @@ import pytest
 from catopt.casefile import read_case
 from catopt.errors import NotConvergedError
 from catopt.model import Case
+from catopt.render.texts import LANGUAGES, Language, Words
 from catopt.report.page.note import Note, note_of, read_note
 from catopt.report.page.render import render_page
 from catopt.report.tables.verify import part_sentence
-from catopt.report.texts import LANGUAGES, Language, Words
 from catopt.report.workbook.note import note_workbook
 from catopt.verify import case as verify_module
 from catopt.verify.case import verify_case
 from catopt.verify.compared import Compared
 from catopt.verify.result import StaticComparison
+from catopt.words import Message
 from tests.verify.cases import TOUCHES_TWICE
 
 from .page_cases import CASES, EVERY, case_path, known_note, known_page
@@ -142,7 +143,7 @@ def test_models_that_differ_are_told_loudly(
     assert verdicts.count(differs) == 2
     assert sheet.count(differs) == 2 + sentence.text.count(differs)
     assert [each.tag for each in page.styled("fails", "verification")] == ["p", "td", "td"]
-    warning = words.sentence("closed form and truss model differ: see the verification").text
+    warning = words.sentence(Message("notes.models_differ")).text
     assert warning in page.sections["warnings"]
 
 

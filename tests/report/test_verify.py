@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import catopt
-from catopt.report.plots.common import render
-from catopt.report.plots.verify import figures
+from catopt.figures.verification import comparison
+from catopt.report.bundle import verification_bundle
 from catopt.report.tables.verify import (
     QUANTITY_OF,
     frames,
@@ -119,21 +119,22 @@ def test_the_tables_have_every_number_in_si(found: Verification) -> None:
     )
 
 
-def test_a_figure_for_every_load_case(found: Verification, system: Verification) -> None:
-    assert list(figures(found)) == ["comparison"]
+def test_a_figure_for_every_load_case(found: Verification) -> None:
+    assert {name for name in verification_bundle(found) if name.endswith("png")} == {
+        "comparison.png"
+    }
     two = Verification(found.case, (found.static, found.static))
-    assert list(figures(two)) == ["comparison_1", "comparison_2"]
-    (of_system,) = figures(system).values()
-    assert "line 2, the most loaded" in of_system.get_suptitle()
+    named = {name for name in verification_bundle(two) if name.endswith("svg")}
+    assert named == {"comparison_1.svg", "comparison_2.svg"}
 
 
 def test_the_figure_has_both_shapes_and_what_is_between_them(found: Verification) -> None:
-    (figure,) = figures(found).values()
-    shape, tension, between, off_tension = figure.axes
-    assert [line.get_label() for line in shape.get_lines()][:2] == ["Closed form", "Truss model"]
-    assert len(tension.get_lines()) == 2
-    for axes in (between, off_tension):
-        assert axes.get_yscale() == "log"
-        assert len(axes.get_lines()) == 3
-    (again,) = figures(found).values()
-    assert render(figure, "png") == render(again, "png")
+    (pair,) = found.static.lines
+    shape, tension, between, off_tension = comparison(pair)
+    assert [each.role for each in shape.series] == ["mooring", "nodes"]
+    assert [each.label for each in tension.series] == ["closed form", "truss model"]
+    largest = found.static.of("shape").fem[2]
+    for chart in (between, off_tension):
+        assert chart.y.foot is not None
+        assert len(chart.series) == 3
+    assert max(v for v in between.series[-1].y if v == v) == pytest.approx(largest, rel=1e-9)

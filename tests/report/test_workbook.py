@@ -8,22 +8,27 @@ from io import BytesIO
 
 import openpyxl
 
+from catopt.answers.solution import solution_answer
 from catopt.catenary.solution import Solution
 from catopt.model import Case, Line, Load, Site
-from catopt.report.workbook.books import solution_workbook
+from catopt.render.workbook import workbook
 
 from .conftest import buoy_case, report_with
 
 
+def _workbook(case: Case, solution: Solution) -> bytes:
+    return workbook(solution_answer(case, solution))
+
+
 def test_every_sheet_keeps_its_headings_in_sight(case: Case, swarm: Solution) -> None:
-    book = openpyxl.load_workbook(BytesIO(solution_workbook(case, swarm)))
+    book = openpyxl.load_workbook(BytesIO(_workbook(case, swarm)))
     assert book.sheetnames == ["Inputs", "Results", "Line shape", "Swarm"]
     assert [sheet.freeze_panes for sheet in book] == ["A2"] * 4
     assert book.properties.title == "Buoy"
 
 
 def test_charts_are_native_and_read_their_cells(case: Case, swarm: Solution) -> None:
-    with zipfile.ZipFile(BytesIO(solution_workbook(case, swarm))) as package:
+    with zipfile.ZipFile(BytesIO(_workbook(case, swarm))) as package:
         names = sorted(name for name in package.namelist() if "charts/chart" in name)
         charts = [package.read(name).decode("utf-8") for name in names]
     assert len(charts) == 4
@@ -35,20 +40,20 @@ def test_charts_are_native_and_read_their_cells(case: Case, swarm: Solution) -> 
 
 def test_a_history_of_zeros_has_no_logarithmic_axis(case: Case, swarm: Solution) -> None:
     still = replace(swarm, swarm=report_with((0.0, 0.0)))
-    with zipfile.ZipFile(BytesIO(solution_workbook(case, still))) as package:
+    with zipfile.ZipFile(BytesIO(_workbook(case, still))) as package:
         assert b"logBase" not in package.read("xl/charts/chart3.xml")
 
 
 def test_names_that_look_like_formulas_are_text(leg: Solution) -> None:
     case = Case(Site(56.0), leg.line, Load(horizontal_force=1.2e6), 71.4, title="=1+1")
-    book = openpyxl.load_workbook(BytesIO(solution_workbook(case, leg)))
+    book = openpyxl.load_workbook(BytesIO(_workbook(case, leg)))
     cells = {cell.value: cell.data_type for row in book["Inputs"] for cell in row}
     assert cells["=1+1"] == "s"
     assert cells["=clump"] == "s"
 
 
 def test_numbers_are_numbers_in_the_format_of_their_unit(case: Case, buoy: Solution) -> None:
-    sheet = openpyxl.load_workbook(BytesIO(solution_workbook(case, buoy)))["Results"]
+    sheet = openpyxl.load_workbook(BytesIO(_workbook(case, buoy)))["Results"]
     formats = {row[0].value: row[1].number_format for row in sheet.iter_rows(max_col=2)}
     assert formats["Fairlead tension T (kN)"] == "0.000"
     assert formats["Fairlead tension T (tf)"] == "0.0000"
@@ -61,7 +66,7 @@ def test_an_inextensible_segment_says_so() -> None:
     assert case.line == Line(case.line.segments)
     from catopt.catenary.case import solve_case
 
-    book = openpyxl.load_workbook(BytesIO(solution_workbook(case, solve_case(case))))
+    book = openpyxl.load_workbook(BytesIO(_workbook(case, solve_case(case))))
     values = [cell.value for row in book["Inputs"] for cell in row]
     assert "inextensible" in values
     assert 230.0 in values  # MBL, kN

@@ -207,7 +207,7 @@ def test_an_unknown_name_is_refused() -> None:
 
 def test_the_case_file_is_the_published_case() -> None:
     case = catopt.read_case(ROOT / "cases" / "buoy-9.5m" / "case.toml")
-    path = ROOT / "src" / "catopt" / "reproduce" / "published.toml"
+    path = ROOT / "catopt" / "reproduce" / "published.toml"
     table = tomllib.loads(path.read_text(encoding="utf-8"))["buoy_9p5m"]
     given = table["inputs"]
     kgf = 9.80665  # N

@@ -5,12 +5,10 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import catopt
-from catopt.report.plots.common import render
-from catopt.report.plots.moorings import elevation, plan
+from catopt.figures.studies import models_from_above, models_from_the_side, models_near
 from catopt.reproduce import Study, book, reproduce
 from catopt.reproduce.fso_rang_dong import as_run, free_bed, turret
 from catopt.reproduce.published import published
@@ -141,16 +139,13 @@ def test_the_page_shows_the_tables_and_both_views() -> None:
 
 
 def test_the_plan_shows_both_moorings_and_the_elevation_the_loaded_line(study: Study) -> None:
-    whole, near = plan(study).axes
-    assert len(whole.get_lines()) == len(near.get_lines()) == 2 * (9 + 1) + 1
-    names = [mooring.name for mooring in study.moorings]
-    assert {line.get_label() for line in whole.get_lines()} >= set(names)
-    left, right = near.get_xlim()
-    assert left < -21.7 < -6.1 < right
-    (side,) = elevation(study).axes
-    run, free = (np.array(line.get_xydata()) for line in side.get_lines()
-                 if line.get_label() in names)  # fmt: skip
-    assert run[:, 0].max() == pytest.approx(1056.0 + 6.071, abs=0.01)
-    assert free[:, 0].max() == pytest.approx(1056.0 + 21.738, abs=0.01)
-    assert free[:, 1].max() == 71.4
-    assert render(elevation(study), "svg").startswith(b"<?xml")
+    of = study.moorings
+    for chart in (models_from_above(of), models_near(of)):
+        assert len(chart.series) == 2 * 9
+        assert {series.label for series in chart.series} == {mooring.name for mooring in of}
+    near = models_near(of)
+    assert near.x.low < -21.7 < -6.1 < near.x.high
+    run, free = models_from_the_side(of, study.loaded_line).series
+    assert max(run.x) == pytest.approx(1056.0 + 6.071, abs=0.01)
+    assert max(free.x) == pytest.approx(1056.0 + 21.738, abs=0.01)
+    assert max(free.y) == 71.4

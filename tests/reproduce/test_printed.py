@@ -66,7 +66,7 @@ def test_the_interval_of_an_input_for_a_print(sign: float) -> None:
     # 4e-16 is two steps of double precision near 1.5.
     assert found.least == pytest.approx(1.475, abs=4e-16)
     assert found.largest == pytest.approx(1.525, abs=4e-16)
-    assert found.text(2) == "1.48 to 1.52"
+    assert found.ends(2) == ("1.48", "1.52")
 
 
 def test_an_interval_outside_the_range_is_an_error() -> None:

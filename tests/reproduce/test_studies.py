@@ -7,11 +7,10 @@ import re
 from pathlib import Path
 
 import jsonschema
-import numpy as np
 import pytest
 
-from catopt.report.bundle import reproduction_bundle
-from catopt.report.plots.studies import lines_to_scale
+from catopt.figures.studies import lines_to_scale
+from catopt.report.bundle import reproduction_pictures
 from catopt.reproduce import book, names, reproduce
 from catopt.reproduce.comparison import compare
 from catopt.reproduce.published import published
@@ -45,7 +44,7 @@ def test_the_document_keeps_to_its_schema(name: str) -> None:
 def test_every_figure_of_the_page_is_among_the_files(name: str) -> None:
     reproduction = reproduce(name)
     shown = re.findall(r"!\[.*?\]\((.*?)\)", book(reproduction))
-    files = reproduction_bundle(reproduction)
+    files = reproduction_pictures(reproduction)
     assert shown == [f"{name}_lines.svg"]
     assert set(shown) <= set(files)
 
@@ -53,17 +52,15 @@ def test_every_figure_of_the_page_is_among_the_files(name: str) -> None:
 def test_a_figure_of_a_study_is_to_scale_and_shows_every_line_from_anchor_to_fairlead() -> None:
     """Spans by the logarithms of S2 for its first two lines, whose anchors are level."""
     (study,) = reproduce("ship_200m").studies
-    (axes,) = lines_to_scale(study).axes
-    drawn = {line.get_label(): np.asarray(line.get_xydata()) for line in axes.lines}
+    drawn_lines = [(each.name, each.solution) for each in study.drawn]
+    chart = lines_to_scale(drawn_lines, 200.0)
+    drawn = {each.label: list(zip(each.x, each.y, strict=True)) for each in chart.series}
     spans = {"under 300 kN": 200 + 300 * math.log(3), "under 800 kN": 800 * math.log(2)}
     for name, span in spans.items():
         assert drawn[name][0] == pytest.approx((0.0, 0.0), abs=1e-9)
         assert drawn[name][-1] == pytest.approx((span, 200.0), rel=1e-9)
     assert "under 800 kN, with the sinker" in drawn
-    left, bottom, right, top = axes.get_window_extent().extents
-    across = (right - left) / (axes.get_xlim()[1] - axes.get_xlim()[0])
-    up = (top - bottom) / (axes.get_ylim()[1] - axes.get_ylim()[0])
-    assert across == pytest.approx(up, rel=1e-6)
+    assert chart.to_scale == 1.0
 
 
 @pytest.mark.parametrize("name", WITHOUT_SWARM)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from catopt.loads import SeaState, SurfaceCurrent, WaterLevels, Wind, buoy
-from catopt.loads.ship_estimate import ESTIMATES, estimated_tanker
+from catopt.loads.ship_estimate import estimated_tanker, estimates
 from catopt.sizing import (
     BuoyRequest,
     Environment,
@@ -134,7 +134,7 @@ def tanker_request(lines: int = 1) -> TankerRequest:
     place = Environment(
         WaterLevels.steady(20.0), Wind(20.0), SurfaceCurrent(1.2), SeaState(8.0, maximum_height=3.5)
     )
-    return TankerRequest((moored,), place, estimates=ESTIMATES, lines=lines)
+    return TankerRequest((moored,), place, estimates=estimates(), lines=lines)
 
 
 def check(heading: str, *sources: dict[str, float]) -> None:

@@ -18,6 +18,7 @@ from catopt.casefile import parse_case, read_case
 from catopt.catenary.solve import solve
 from catopt.errors import InputError
 from catopt.fem.simulation import Simulation
+from catopt.figures.motion import exceedance
 from catopt.model import (
     Case,
     CurrentProfile,
@@ -30,10 +31,13 @@ from catopt.model import (
     Site,
     WaveState,
 )
+from catopt.model.dynamics import INITIAL_FRICTION
+from catopt.report.tables.dynamic import dynamic_sentences
 from catopt.verify.case import verify_case
 from catopt.verify.dynamic import verify_dynamic
-from catopt.verify.dynamic_result import DynamicPart
-from catopt.verify.dynamic_setup import Drive
+from catopt.verify.dynamic_document import dynamic_document
+from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+from catopt.verify.dynamic_setup import Drive, read_drive
 from catopt.waves import Waves
 
 EXAMPLE = Path(__file__).parents[2] / "cases" / "dynamic-chain-56m" / "case.toml"
@@ -190,6 +194,23 @@ def test_a_recorded_motion_is_the_harmonic_one_it_samples(tmp_path: Path) -> Non
     assert np.abs(a / b - 1.0).max() < 1e-4
 
 
+@pytest.mark.parametrize("every", [0.05, 0.1, 0.5])
+def test_the_step_goes_by_the_recorded_motion_not_by_its_sampling(
+    every: float, tmp_path: Path
+) -> None:
+    """9 s at 10 Hz was run at 0.0067 s; a sixtieth of 9 s is 0.15 s."""
+    t = np.arange(0.0, 120.0 + 0.5 * every, every)
+    x = 0.6 * np.sin(2.0 * np.pi * t / 9.0)
+    rows = "\n".join(f"{a:.6f},{b:.12f}" for a, b in zip(t, x, strict=True))
+    (tmp_path / "m.csv").write_text(f"t,x\n{rows}\n", encoding="utf-8")
+    drive = read_drive(chain(Motion(file=str(tmp_path / "m.csv")), 120.0))
+    sea = drive.sea(0)
+    # 120 s tell periods apart by one part in 13.
+    motion = drive.motion(sea, 110.0)
+    assert motion is not None
+    assert drive.stepping(sea, [motion]).step == pytest.approx(0.15, rel=2 / 13)
+
+
 def test_raos_of_one_wave_make_the_harmonic_motion(tmp_path: Path) -> None:
     """The crest passes the fairlead first, and the answer comes by its phase later."""
     (tmp_path / "rao.csv").write_text(
@@ -197,8 +218,6 @@ def test_raos_of_one_wave_make_the_harmonic_motion(tmp_path: Path) -> None:
     )
     waves = WaveState("regular", 2.0, 8.0)
     case = chain(Motion(rao_file=str(tmp_path / "rao.csv")), 30.0, waves=waves)
-    from catopt.verify.dynamic_setup import read_drive
-
     drive = read_drive(case)
     sea, span = drive.sea(0), 110.0
     motion = drive.motion(sea, span)
@@ -210,6 +229,19 @@ def test_raos_of_one_wave_make_the_harmonic_motion(tmp_path: Path) -> None:
     x, _, z = (amplitudes[i] * math.cos(omega_ * t + amplitudes[3 + i]) for i in range(3))
     assert x == pytest.approx(0.3 * math.cos(omega * t - k * span - math.pi / 2.0), abs=1e-12)
     assert z == pytest.approx(0.8 * float(sea.elevation(t, span)), abs=1e-9)
+
+
+@pytest.mark.parametrize("state", INITIAL_FRICTION)
+def test_both_bounds_of_the_anchor_by_friction_stand_in_the_answer(state: str) -> None:
+    """H = 300 kN, and what lies of 120 m times 0.5 w more or less; bars of 3 m."""
+    case = chain(Motion(period=8.0, surge=0.01), 8.0, initial_friction=state)
+    (part,) = verify_dynamic(case, proof="none").parts
+    lies = 120.0 - 20.0 * math.sqrt(1.0 + 2.0 * 300e3 / (1110.0 * 20.0))
+    for key, sense in (("pulled", -1.0), ("none", 0.0), ("laid", 1.0)):
+        expected = 300e3 + sense * 0.5 * 1110.0 * lies
+        assert part.anchor_at_rest[key] == pytest.approx(expected, abs=0.5 * 1110.0 * 3.0), key  # type: ignore[index]
+    began = part.runs[0].history.anchor_tension[0, 0]
+    assert began == pytest.approx(part.anchor_at_rest[state], rel=1e-6)  # type: ignore[index]
 
 
 def test_every_run_has_its_own_seed_and_the_same_seed_the_same_sea() -> None:
@@ -238,10 +270,99 @@ def test_runs_in_a_random_sea_are_taken_together() -> None:
     assert len(part.runs) == 2
     assert found.maximum == max(one.maximum for one in each)
     assert found.mean == pytest.approx(np.mean([one.mean for one in each]), rel=1e-12)
-    # Gumbel by moments: mode = mean - 0.5772 sqrt(6)/pi s, with s of two values |a - b|/sqrt(2).
-    a, b = (one.maximum for one in each)
-    expected = 0.5 * (a + b) - 0.57721566490 * math.sqrt(6.0) / math.pi * abs(a - b) / math.sqrt(2)
-    assert found.most_probable_maximum == pytest.approx(expected, rel=1e-9)
+    # 10 cycles in all: too few for a tail, and two maxima for Gumbel.
+    assert (found.tail, found.gumbel) == (None, None)
+
+
+@cache
+def storm(runs: int = 1, duration_of_interest: float = 10800.0) -> DynamicPart:
+    """Run a random sea of 280 s that counts, in which the fairlead is led as prescribed."""
+    waves = WaveState("jonswap", 2.0, 6.0, components=40)
+    motion = Motion(period=7.0, surge=0.5)
+    case = chain(
+        motion, 300.0, waves=waves, ramp=20.0, runs=runs, time_step=0.1, elements=8,
+        duration_of_interest=duration_of_interest,
+    )  # fmt: skip
+    (part,) = verify_dynamic(case, proof="none").parts
+    return part
+
+
+def test_extremes_are_of_the_duration_of_interest() -> None:
+    """Not of the run's own length, and higher in a longer storm."""
+    short, long = (storm(1, hours * 3600.0).of("fairlead_tension").tail for hours in (3.0, 12.0))
+    assert short is not None
+    assert long is not None
+    assert storm().of("fairlead_tension").tail == short  # 3 h unless said
+    assert (short.extreme.duration, long.extreme.duration) == (10800.0, 43200.0)
+    assert short.extreme.most_probable < long.extreme.most_probable
+    assert short.extreme.low < short.extreme.most_probable < short.extreme.high
+    assert short.extreme.most_probable < short.extreme.expected
+    assert short.time == pytest.approx(280.0, abs=0.2)
+    # One peak in 280 s has been as high as the largest; in 39 times as long more are.
+    assert short.expected_above(storm().of("fairlead_tension").maximum) > 5.0
+
+
+def test_what_is_prescribed_has_no_most_probable_maximum() -> None:
+    """The fairlead goes 0.5 m whatever the sea: 1.522 m were given for 1.5 m prescribed."""
+    offset = storm().of("offset")
+    assert offset.maximum == pytest.approx(0.5, abs=1e-3)
+    assert offset.most_probable_maximum is None
+    told = " ".join(dynamic_sentences(storm()))
+    assert "offset" not in told
+    assert "In 3 h the most probable maximum of the fairlead tension is " in told
+    assert "(90% interval " in told
+    regular = " ".join(dynamic_sentences(slow()))
+    assert "Nothing is random here: the largest values are those of this run" in regular
+    assert "most probable" not in regular
+
+
+def test_the_figure_draws_the_peaks_where_there_is_a_tail() -> None:
+    part = storm()
+    tail = part.of("fairlead_tension").tail
+    assert tail is not None
+    assert exceedance(slow()) is None
+    chart = exceedance(part)
+    assert chart is not None
+    assert chart.y.label == "Peaks above T in 3 h"
+    assert [point.x for point in chart.points] == list(tail.clusters)
+    (level,) = chart.levels
+    assert (level.start, level.end) == (max(tail.extreme.low, tail.threshold), tail.extreme.high)
+    assert chart.marks[-1][:3] == ("probable", tail.extreme.most_probable, 1.0)
+
+
+def test_gumbel_is_fitted_from_five_runs_on() -> None:
+    assert storm(2).of("anchor_tension").gumbel is None
+    part = storm(5)
+    found = part.of("anchor_tension").gumbel
+    assert found is not None
+    assert (found.runs, found.extreme.duration) == (5, 10800.0)
+    maxima = [run.statistics("anchor_tension").maximum for run in part.runs]
+    scale = np.std(maxima, ddof=1) * math.sqrt(6.0) / math.pi
+    mode = np.mean(maxima) - 0.57721566490 * scale
+    assert found.run == pytest.approx(280.0, abs=0.2)
+    moved = mode + scale * math.log(10800.0 / found.run)
+    assert found.extreme.most_probable == pytest.approx(moved, rel=1e-9)
+    assert "By Gumbel's distribution of the maxima of 5 runs" in " ".join(dynamic_sentences(part))
+
+
+def test_the_document_has_the_extremes_with_their_interval() -> None:
+    part = storm(5)
+    case = chain(Motion(period=8.0, surge=0.1))
+    quantities = dynamic_document(DynamicVerification(case, (part,), True))
+    tension, _, grounded, offset = quantities["load_cases"][0]["quantities"]
+    tail = part.of("fairlead_tension").tail
+    assert tail is not None
+    assert tension["most_probable_max"] == tail.extreme.most_probable
+    told = tension["tail"]
+    assert (told["duration_s"], told["confidence"]) == (10800.0, 0.9)
+    assert (told["low"], told["high"]) == (tail.extreme.low, tail.extreme.high)
+    assert (told["threshold"], told["shape"]) == (tail.threshold, tail.shape)
+    assert tension["gumbel"]["runs"] == 5
+    for each in (grounded, offset):
+        assert (each["most_probable_max"], each["tail"], each["gumbel"]) == (None, None, None)
+    whole = schemas.schema("catopt.verify/1")
+    item = {"$defs": whole["$defs"], **whole["$defs"]["dynamic"]["properties"]["load_cases"]}
+    jsonschema.Draft202012Validator(item).validate(quantities["load_cases"])
 
 
 def test_the_document_fits_its_schema() -> None:
@@ -361,3 +482,40 @@ def test_drag_along_the_line_on_the_circumference() -> None:
     assert on_both == [pytest.approx(0.5 * math.pi, rel=1e-15), 0.5]
     with pytest.raises(InputError, match="goes with drag_axial, which is missing"):
         parse_case(text.replace("drag_axial = 0.5", 'drag_axial_area = "pi D"'))
+
+
+def test_a_line_whose_lower_end_is_led_or_lost() -> None:
+    """Led in heave it says that nothing is quasi-static; lost, its anchor holds nothing more."""
+    led = chain(Motion(period=6.0), anchor_motion=Motion(period=6.0, heave=0.3))
+    (part,) = verify_dynamic(led, proof="none").parts
+    assert np.ptp(part.runs[0].history.anchor_tension) > 0.0
+    assert part.amplification is None
+    assert any(each.startswith("the lower end is led") for each in part.remarks)
+
+    lost = chain(Motion(period=6.0, surge=0.2), broken_line=1, broken_at=10.0, broken_end="anchor")
+    (part,) = verify_dynamic(lost, proof="none").parts
+    history = part.runs[0].history
+    after = history.time > 10.1
+    assert not history.anchor_tension[after].any()
+    assert history.anchor_tension[history.time < 9.9].min() > 0.0
+    assert np.isnan(part.runs[0].quasi_static[after]).all()
+    assert "the line is lost at its anchor at 10 s" in part.remarks
+
+
+CASES = Path(__file__).parents[2] / "cases"
+MOVING = sorted(
+    path for path in CASES.glob("*/*.toml") if "[dynamics]" in path.read_text(encoding="utf-8")
+)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=[pytest.mark.slow] * ("[system]" in path.read_text("utf-8")))
+        for path in MOVING
+    ],
+    ids=lambda path: f"{path.parent.name}/{path.stem}",
+)
+def test_less_than_a_thousandth_of_the_work_is_numerical_in_what_is_shipped(path: Path) -> None:
+    found = verify_dynamic(read_case(path), proof="none")
+    assert max(part.numerical_part for part in found.parts) < 1e-3

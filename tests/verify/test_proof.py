@@ -11,7 +11,7 @@ from catopt.errors import NotConvergedError
 from catopt.fem import run_dynamics
 from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site
 from catopt.report.tables.dynamic import proof_sentences
-from catopt.verify import dynamic
+from catopt.verify import dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import Drive
@@ -98,7 +98,7 @@ def test_a_run_again_that_fails_is_not_converged(monkeypatch: pytest.MonkeyPatch
             raise NotConvergedError("the step did not close")
         return own(*args, **options)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(dynamic, "run_dynamics", fails)
+    monkeypatch.setattr(dynamic_lines, "run_dynamics", fails)
     (part,) = verify_dynamic(TAUT).parts
     assert part.verdict == "not converged"
     assert part.failure is not None

@@ -11,10 +11,13 @@ import pytest
 from catopt.errors import InputError
 from catopt.waves import (
     Current,
+    CurrentSeries,
+    Kinematics,
     PowerLawCurrent,
     Sea,
     TableCurrent,
     WindCurrent,
+    fill_kinematics,
     regular_wave,
     wind_driven_speed,
 )
@@ -107,6 +110,8 @@ def test_wind_driven_speed() -> None:
         (TableCurrent, ([0.0, 1.0], [1.0]), ["speeds"]),
         (TableCurrent, ([-1.0, 2.0], [1.0, math.nan]), ["depths[0]", "speeds[1]"]),
         (TableCurrent, ([0.0, 5.0, 5.0], [1.0, 1.0, 1.0]), ["depths[2]"]),
+        (TableCurrent, ([0.0, 5.0], [1.0, 1.0], 0.0, [1.0]), ["directions"]),
+        (TableCurrent, ([0.0, 5.0], [1.0, 1.0], 0.0, [1.0, math.inf]), ["directions[1]"]),
     ],
 )
 def test_wrong_input_is_named_all_at_once(
@@ -114,4 +119,90 @@ def test_wrong_input_is_named_all_at_once(
 ) -> None:
     with pytest.raises(InputError) as caught:
         profile(*arguments)  # type: ignore[arg-type]
+    assert [p.key for p in caught.value.problems] == keys
+
+
+def test_a_table_that_turns_with_depth() -> None:
+    """Towards x at the surface and y at 20 m: halfway both halves, so that 0.71 m/s are left."""
+    table = TableCurrent([0.0, 20.0], [1.0, 1.0], directions=[0.0, 0.5 * math.pi])
+    u = at([56.0, 46.0, 36.0, 0.0], table)
+    wanted = [[1.0, 0.0, 0.0], [0.5, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
+    np.testing.assert_allclose(u, wanted, atol=1e-15)
+
+
+def test_directions_all_alike_are_one_direction() -> None:
+    depths, speeds = [0.0, 12.0, 33.0], [0.2, 0.5, 0.1]
+    one = at([3.0, 30.0, 51.0], TableCurrent(depths, speeds, -2.0))
+    several = at([3.0, 30.0, 51.0], TableCurrent(depths, speeds, directions=[-2.0] * 3))
+    np.testing.assert_allclose(several, one, atol=1e-16)
+
+
+SERIES = CurrentSeries([0.0, 100.0, 300.0], [1.0, 2.0, 0.5], [0.0, 0.0, 0.5 * math.pi])
+
+
+@pytest.mark.parametrize("is_compiled", [False, True])
+def test_a_series_scales_and_turns_the_profile(is_compiled: bool) -> None:
+    """Linear in x and y between its times, held beyond; the profile's own speed is a shape."""
+    for profile in (PowerLawCurrent(7.0, 1.3), TableCurrent([0.0, 56.0], [3.0, 1.0], -0.4)):
+        sea = Sea(DEPTH, None, profile, current_series=SERIES)  # type: ignore[arg-type]
+        shape = at([28.0], profile)[0, :2] @ [1.0, 1.0j]
+        shape /= at([56.0], profile)[0, :2] @ [1.0, 1.0j]
+        for t, top in ((-5.0, 1.0), (50.0, 1.5), (200.0, 1.0 + 0.25j), (999.0, 0.5j)):
+            motion = Kinematics(np.empty((2, 3)), np.empty((2, 3)), np.empty(2))
+            points = np.array([[0.0, 0.0, 56.0], [0.0, 0.0, 28.0]])
+            if is_compiled:
+                motion = sea.kinematics(t, points)
+            else:
+                fill_kinematics(t, points, sea.flow, *motion)
+            found = motion.velocity[:, 0] + 1j * motion.velocity[:, 1]
+            np.testing.assert_allclose(found, top * np.array([1.0, shape]), atol=1e-14)
+
+
+def test_a_series_without_directions_keeps_those_of_the_profile() -> None:
+    series = CurrentSeries([0.0, 10.0], [1.0, -1.0])
+    sea = Sea(DEPTH, None, [PowerLawCurrent(2.0, 0.3)], current_series=series)
+    for t, speed in ((0.0, 1.0), (5.0, 0.0), (10.0, -1.0)):
+        u = sea.kinematics(t, [[0.0, 0.0, DEPTH]]).velocity[0]
+        np.testing.assert_allclose(
+            u[:2], [speed * math.cos(0.3), speed * math.sin(0.3)], atol=1e-15
+        )
+
+
+def test_water_that_changes_its_speed_accelerates() -> None:
+    """Straight between the times, so that a central difference is exact to rounding."""
+    sea = Sea(DEPTH, None, [PowerLawCurrent(2.0, 0.3)], current_series=SERIES)
+    points = [[0.0, 0.0, 40.0]]
+    ahead, back = (sea.kinematics(220.0 + h, points).velocity for h in (5.0, -5.0))
+    found = sea.kinematics(220.0, points).acceleration
+    np.testing.assert_allclose(found, (ahead - back) / 10.0, atol=1e-16)
+    assert np.abs(found).max() > 1e-3
+
+
+def test_before_the_run_the_current_is_that_of_its_start_and_steady() -> None:
+    shifted = CurrentSeries([-50.0, 50.0], [1.0, 2.0])
+    sea = Sea(DEPTH, regular_wave(4.0, 9.0), [PowerLawCurrent(1.0)], current_series=shifted)
+    motion = Kinematics(np.empty((1, 3)), np.empty((1, 3)), np.empty(1))
+    fill_kinematics(777.0, np.array([[0.0, 0.0, DEPTH]]), sea.flow_at_rest, *motion)
+    np.testing.assert_allclose(motion.velocity, [[1.5, 0.0, 0.0]], atol=1e-15)
+    assert not motion.acceleration.any()
+
+
+def test_a_series_needs_a_current_to_scale() -> None:
+    for current in ([], [TableCurrent([0.0, 10.0], [0.0, 1.0])]):
+        with pytest.raises(InputError, match="a current that flows at the surface is wanted"):
+            Sea(DEPTH, None, current, current_series=SERIES)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "keys"),
+    [
+        (([], []), ["times", "speeds"]),
+        (([0.0, 1.0], [1.0]), ["speeds"]),
+        (([0.0, 1.0], [1.0, math.nan], [0.0]), ["speeds", "directions"]),
+        (([0.0, 1.0, 1.0], [1.0, 1.0, 1.0]), ["times"]),
+    ],
+)
+def test_a_wrong_series_is_refused(arguments: tuple[list[float], ...], keys: list[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        CurrentSeries(*arguments)
     assert [p.key for p in caught.value.problems] == keys

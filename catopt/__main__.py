@@ -1,0 +1,87 @@
+"""The command ``catopt``: every failure ends in a message and an exit status."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+
+__all__ = ["main"]
+
+FAULT = 1
+INTERRUPTED = 130
+"""128 + SIGINT: what a shell reports of a program that was interrupted."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        Without the program's name; those of the process when left out.
+
+    Returns
+    -------
+    int
+        Exit status: 0 done, 1 a fault of ours, 2 wrong input, 3 no answer exists,
+        4 not converged, 130 interrupted.
+    """
+    try:
+        if arguments is None:  # the process is the program's own
+            from catopt.interrupt import terminate_as_interrupt
+
+            terminate_as_interrupt()
+        from catopt.cli.output import Output
+        from catopt.errors import CatoptError
+
+    except KeyboardInterrupt:  # while the program is still being loaded
+        sys.stderr.write("catopt: interrupted\n")
+        return INTERRUPTED
+    output = Output()
+    try:
+        if arguments is None:
+            from catopt.cli.streams import guard_streams
+
+            guard_streams()
+        return _run(arguments, output)
+    except KeyboardInterrupt:
+        status = INTERRUPTED
+    except SystemExit as stop:
+        status = stop.code if isinstance(stop.code, int) else int(stop.code is not None)
+    except CatoptError as error:
+        status = error.exit_status
+        output.note(f"catopt: {error}" if status != FAULT else _fault(error, output))
+    except Exception as error:
+        status = FAULT
+        output.note(_fault(error, output))
+    if status == INTERRUPTED:
+        output.note("catopt: interrupted")
+    return status
+
+
+def _run(arguments: Sequence[str] | None, output: Output) -> int:
+    from catopt.cli.app import app
+
+    app(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
+    return 0
+
+
+def _fault(error: Exception, output: Output) -> str:
+    """Say what went wrong on our side; with its traceback when that was asked for."""
+    if output.debug:
+        from traceback import format_exception
+
+        return "".join(format_exception(error)).rstrip()
+    what = f"{type(error).__name__}: {error}".splitlines()[0]
+    return (
+        f"catopt: a fault of catopt's own ({what})\n"
+        "Run it again as 'catopt --debug ...' and report what that prints with your case file."
+    )
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,423 @@
+"""The blocks that every answer consists of; values in SI, words as messages, no face.
+
+A renderer (`catopt.render`) knows these blocks and nothing of what they are about.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Literal
+
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.words import Language, Message, heading, quantity_name, say, term
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+__all__ = [
+    "Answer",
+    "Block",
+    "Column",
+    "Fact",
+    "Facts",
+    "For",
+    "Graph",
+    "Section",
+    "Table",
+    "Text",
+    "Value",
+    "Verdict",
+    "Warnings",
+    "fact",
+    "in_tonne_force",
+    "measured",
+    "named",
+    "of_row",
+    "texts",
+]
+
+Value = float | str | None
+"""A number in SI, a count, a message, the user's own words, or None where it is not known."""
+
+For = Literal["all", "people", "files", "workbook", "not csv"]
+"""People read terminals and pages; files are CSV and workbooks. Columns are of people or files."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a table.
+
+    Attributes
+    ----------
+    name : str
+        Its heading, a message; symbol and unit come from the quantity.
+    values : tuple of Value
+        One a row.
+    quantity : Quantity or None
+        What its numbers are; None for words and counts.
+    units : tuple of Quantity
+        In place of one quantity, that of each row: people read a unit with each value, files have
+        a further column with it.
+    priority : int
+        Columns above 0 are left out, the highest first, where a terminal has no room for them.
+    only : For
+        For whom it is.
+    """
+
+    name: str
+    values: tuple[Value, ...]
+    quantity: Quantity | None = None
+    units: tuple[Quantity, ...] = ()
+    priority: int = 0
+    only: For = "all"
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it holds measured values or counts, which are set flush right."""
+        return bool(self.quantity or self.units) or all(
+            isinstance(value, int | float) for value in self.values
+        )
+
+    def quantity_of(self, row: int) -> Quantity | None:
+        """Return what the number in a row is."""
+        return self.units[row] if self.units else self.quantity
+
+    @property
+    def heading(self) -> str:
+        """In files, in English: ``Fairlead tension T (kN)``."""
+        return self.said_heading("en")
+
+    def said_heading(self, language: Language) -> str:
+        """In files, in a language."""
+        if self.units:
+            return say(Message("columns.of_row", name=self.name), language)
+        if self.quantity is None:
+            return say(self.name, language)
+        return heading(self.name, self.quantity, language)
+
+    def in_files(self, row: int) -> Value:
+        """Value of a row in the field's unit."""
+        value, quantity = self.values[row], self.quantity_of(row)
+        if quantity is None or isinstance(value, str):
+            return value
+        return math.nan if value is None else quantity.to_field(value)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under headings.
+
+    Attributes
+    ----------
+    name : str
+        Of its file.
+    columns : tuple of Column
+        All of the same length.
+    caption : str
+        Above it, a message.
+    shown : tuple of int, optional
+        Rows that people see; all of them when None.
+    marked : int, optional
+        Row that is pointed out.
+    parts : tuple of (str, tuple of int)
+        Captions and rows of the tables into which it falls for people; one table when empty.
+    only : For
+        For whom it is.
+    """
+
+    name: str
+    columns: tuple[Column, ...]
+    caption: str = ""
+    shown: tuple[int, ...] | None = None
+    marked: int | None = None
+    parts: tuple[tuple[str, tuple[int, ...]], ...] = ()
+    only: For = "all"
+
+    @property
+    def length(self) -> int:
+        """How many rows it has."""
+        return len(self.columns[0].values)
+
+    def for_files(self) -> Iterator[Column]:
+        """Yield the columns of files; units of rows stand behind the last that needs them."""
+        last = max((k for k, each in enumerate(self.columns) if each.units), default=-1)
+        for k, each in enumerate(self.columns):
+            if each.only != "people":
+                yield each
+            if k == last:
+                yield texts("unit", [term(quantity.field_unit) for quantity in each.units])
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return it as it stands in files, in the field's units, with English headings."""
+        import pandas as pd
+
+        laid = {each.heading: _series(each) for each in self.for_files()}
+        return pd.DataFrame(laid)
+
+
+@dataclass(frozen=True)
+class Fact:
+    """One named value.
+
+    Attributes
+    ----------
+    name : str
+        What it is, a message.
+    value : Value
+        In SI, or words.
+    quantity : Quantity or None
+        What a number is.
+    also : tuple of Quantity
+        The same in further units.
+    only : For
+        For whom it is.
+    """
+
+    name: str
+    value: Value
+    quantity: Quantity | None = None
+    also: tuple[Quantity, ...] = ()
+    only: For = "all"
+
+    def columns(self) -> Iterator[Column]:
+        """Yield it as columns of one row, one a unit."""
+        for quantity in (self.quantity, *self.also):
+            yield Column(self.name, (self.value,), quantity, only=self.only)
+
+
+@dataclass(frozen=True)
+class Facts:
+    """A list of named values.
+
+    Attributes
+    ----------
+    name : str
+        Of its file.
+    facts : tuple of Fact
+        In their order.
+    caption : str
+        Above it, a message.
+    only : For
+        For whom it is.
+    """
+
+    name: str
+    facts: tuple[Fact, ...]
+    caption: str = ""
+    only: For = "all"
+
+    def as_table(self) -> Table:
+        """Lay it out as a table of one row, as files have it."""
+        columns = tuple(column for fact in self.facts for column in fact.columns())
+        return Table(self.name, columns, self.caption, only=self.only)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return it as one row, in the field's units, with English headings."""
+        return self.as_table().to_dataframe()
+
+
+@dataclass(frozen=True)
+class Text:
+    """A paragraph.
+
+    Attributes
+    ----------
+    said : str
+        A message.
+    caption : str
+        Above it.
+    only : {"all", "people", "files", "workbook"}
+        For whom it is.
+    """
+
+    said: str
+    caption: str = ""
+    only: For = "all"
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What an answer comes to."""
+
+    said: str
+    passes: bool
+
+
+@dataclass(frozen=True)
+class Warnings:
+    """What is to be known before an answer is used."""
+
+    said: tuple[str, ...]
+    only: For = "all"
+
+
+@dataclass(frozen=True)
+class Graph:
+    """Columns of a table of the same section, drawn by the spreadsheet program.
+
+    Attributes
+    ----------
+    title : str
+        Above it.
+    table : str
+        Name of the table.
+    x : int
+        Place of the column that is drawn along, among those of files.
+    y : tuple of int
+        Places of those that are drawn over it.
+    log : tuple of float, optional
+        Ends of a logarithmic axis of y.
+    points : bool
+        Whether they are points, not lines.
+    """
+
+    title: str
+    table: str
+    x: int
+    y: tuple[int, ...]
+    log: tuple[float, float] | None = None
+    points: bool = False
+
+
+Block = Table | Facts | Text | Verdict | Warnings | Graph
+
+
+@dataclass(frozen=True)
+class Section:
+    """Blocks that belong together: a sheet of a workbook, a part of a page.
+
+    Attributes
+    ----------
+    title : str
+        A message.
+    blocks : tuple of Block
+        In their order.
+    """
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """All of an answer.
+
+    Attributes
+    ----------
+    name : str
+        Of its document and its workbook.
+    title : str
+        The user's own, or a message.
+    sections : tuple of Section
+        In their order.
+    """
+
+    name: str
+    title: str
+    sections: tuple[Section, ...]
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """Those of all sections."""
+        return tuple(block for section in self.sections for block in section.blocks)
+
+
+# ------------------------------------------------------------------ making them
+
+
+def named(key: str, symbol: str | None = None) -> Quantity:
+    """Take a quantity of the table, under another symbol where one is given."""
+    quantity = QUANTITIES[key]
+    return quantity if symbol is None else replace(quantity, symbol=symbol)
+
+
+def in_tonne_force(quantity: Quantity) -> Quantity:
+    """Take a force in tf; a decimal more than in kN, for a tf is about 10 kN."""
+    from catopt.constants import STANDARD_GRAVITY
+
+    return replace(
+        quantity, field_unit="tf", factor=1000.0 * STANDARD_GRAVITY, digits=quantity.digits + 1
+    )
+
+
+def measured(
+    key: str,
+    values: Iterable[float | None],
+    name: str = "",
+    *,
+    symbol: str | None = None,
+    priority: int = 0,
+    only: For = "all",
+) -> Column:
+    """Make a column of a quantity.
+
+    Parameters
+    ----------
+    key : str
+        Of `catopt.quantities.QUANTITIES`.
+    values : iterable of float or None
+        In SI.
+    name : str
+        Key of its heading in the group ``columns``; the quantity's own name when left out.
+    symbol : str, optional
+        In place of the quantity's.
+    priority, only
+        As of `Column`.
+    """
+    said = Message(f"columns.{name}") if name else quantity_name(key)
+    known = tuple(None if value is None else float(value) for value in values)
+    return Column(said, known, named(key, symbol), priority=priority, only=only)
+
+
+def fact(
+    key: str,
+    value: float | None,
+    name: str = "",
+    *,
+    symbol: str | None = None,
+    said: str = "",
+    only: For = "all",
+) -> Fact:
+    """Make a fact of a quantity.
+
+    Parameters
+    ----------
+    key : str
+        Of `catopt.quantities.QUANTITIES`.
+    value : float or None
+        In SI.
+    name : str
+        Key of what it is in the group ``columns``; the quantity's own name when left out.
+    symbol : str, optional
+        In place of the quantity's.
+    said : str
+        What it is, in place of a key.
+    only : For
+        For whom it is.
+    """
+    known = said or (Message(f"columns.{name}") if name else quantity_name(key))
+    return Fact(known, value, named(key, symbol), only=only)
+
+
+def texts(
+    name: str, values: Sequence[Value] | Iterable[Value], *, priority: int = 0, only: For = "all"
+) -> Column:
+    """Make a column of words or counts, by the key of its heading in the group ``columns``."""
+    return Column(Message(f"columns.{name}"), tuple(values), priority=priority, only=only)
+
+
+def of_row(name: str, values: Iterable[Value], *, only: For = "all") -> Column:
+    """Make a column of values in the units of a column beside it, as they are."""
+    heading = Message("columns.of_row", name=Message(f"columns.{name}"))
+    return Column(heading, tuple(values), only=only)
+
+
+def _series(column: Column) -> pd.Series:
+    import pandas as pd
+
+    values = [column.in_files(row) for row in range(len(column.values))]
+    if column.quantity is None and not column.units:
+        return pd.Series(values, dtype="object" if not column.is_number else None)
+    return pd.Series(values, dtype="float64")

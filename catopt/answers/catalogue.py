@@ -1,0 +1,554 @@
+"""What an answer out of the catalogue consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Section,
+    Table,
+    Text,
+    Value,
+    measured,
+    named,
+    texts,
+)
+from catopt.catalogue.figure import SPECS, weakest
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.words import Measure, Message, Several, quantity_name, term
+
+if TYPE_CHECKING:
+    from catopt.catalogue import Alternative, Component, Family, Figure, Source
+    from catopt.catalogue.components import Provenance
+    from catopt.catalogue.document import Answer as Found
+
+__all__ = ["catalogue_answer"]
+
+_COEFFICIENTS = {
+    "drag_normal": ("drag_coefficient_across", "catalogue.drag_diameter"),
+    "drag_axial": ("drag_coefficient_along", "catalogue.drag_diameter"),
+    "added_mass_normal": ("added_mass_coefficient_across", "catalogue.diameter"),
+    "added_mass_axial": ("added_mass_coefficient_along", "catalogue.diameter"),
+}
+"""What the coefficients are called, and the diameters that they are referred to."""
+
+_PLAIN = {
+    "mass": ("mass_per_length", "columns.mass_in_air_per_length"),
+    "submerged_weight": ("submerged_weight", "quantities.submerged_weight"),
+    "volume_diameter": ("volume_diameter", "quantities.volume_diameter"),
+    "MBL": ("MBL", "quantities.MBL"),
+    "proof_load": ("proof_load", "quantities.proof_load"),
+    "EA": ("EA", "quantities.EA"),
+    "price": ("price", "columns.price_material_only"),
+}
+"""Quantity and name of the figures of a component that are a number each."""
+
+
+def catalogue_answer(found: Found, *, in_full: bool = False) -> Answer:
+    """Lay out families and components, every figure with its source.
+
+    Parameters
+    ----------
+    found : Found
+        What a question gave.
+    in_full : bool
+        Whether one component was asked for with all that is known of it.
+    """
+    title: str = Message("captions.catalogue")
+    seen: Iterable[Block]
+    how: tuple[Block, ...] = ()
+    if found.question == "list":
+        seen = (_list(found.families), _said("catalogue.of_list"))
+    elif found.question == "search":
+        seen = _search(found)
+    elif in_full:
+        (family,), (component,) = found.families, found.components
+        title = Message("catalogue.titled", title=family.title, name=component.name)
+        seen, how = _one(family, component), (_how(_figures_of(component)),)
+    else:
+        (family,) = found.families
+        title = family.title
+        seen = _family(family, found.components)
+        how = (_how(_figures_of_grades(family, found.components)),)
+    components = (_components(found.components),) if found.components else ()
+    return Answer(
+        "catalog",
+        title,
+        (
+            Section(Message("terms.components"), (*components, *seen)),
+            Section(Message("terms.figures"), (_figures(found.families), *how)),
+            Section(Message("terms.families"), (_families(found.families),)),
+            Section(Message("columns.sources"), (_sources(found.sources), *_documents(found))),
+        ),
+    )
+
+
+# ------------------------------------------------------------------ tables of files
+
+
+def _components(components: Sequence[Component]) -> Table:
+    """Tabulate components, a row each; added mass is on the volume-equivalent diameter."""
+
+    def of(key: str, read: Callable[[Component], float | None], name: str = "") -> Column:
+        return measured(key, map(read, components), name, symbol="")
+
+    return Table(
+        "components",
+        (
+            texts("component", [each.name for each in components]),
+            texts("family", [each.family for each in components]),
+            texts("grade", [each.grade or "" for each in components]),
+            of("nominal_diameter", lambda c: c.nominal_diameter),
+            of("mass_per_length", lambda c: c.mass, "mass_in_air_per_length"),
+            of("submerged_weight", lambda c: c.submerged_weight),
+            of("volume_diameter", lambda c: c.volume_diameter),
+            of("MBL", lambda c: c.MBL),
+            of("MBL", lambda c: c.MBL_in_water, "minimum_breaking_load_in_water"),
+            of("proof_load", lambda c: c.proof_load),
+            of("EA", lambda c: c.EA),
+            *(of(key, _part_of(own, name), heading) for own, name, key, heading in _HYDRODYNAMIC),
+            of("price", lambda c: c.price),
+            texts("confidence_of_mbl", [_confidence(each, "") for each in components]),
+            texts("recalled", [", ".join(each.recalled) for each in components]),
+        ),
+        only="files",
+    )
+
+
+def _part_of(own: str, name: str) -> Callable[[Component], float | None]:
+    def read(component: Component) -> float | None:
+        found = getattr(component, own)
+        return None if found is None else getattr(found, name)
+
+    return read
+
+
+_HYDRODYNAMIC = (
+    ("drag_normal", "coefficient", "coefficient", "drag_coefficient_across_the_line"),
+    ("drag_normal", "diameter", "drag_diameter", "drag_diameter_across_the_line"),
+    ("drag_axial", "coefficient", "coefficient", "drag_coefficient_along_the_line"),
+    ("drag_axial", "diameter", "drag_diameter", "drag_diameter_along_the_line"),
+    (
+        "added_mass_normal",
+        "coefficient",
+        "coefficient",
+        "added_mass_coefficient_across_the_line",
+    ),
+    ("added_mass_axial", "coefficient", "coefficient", "added_mass_coefficient_along_the_line"),
+)
+"""Attribute of a component, what of it, its quantity and its heading."""
+
+
+def _figures(families: Sequence[Family]) -> Table:
+    rows = [(family, figure) for family in families for figure in family.figures]
+    figures = [figure for _, figure in rows]
+    return Table(
+        "figures",
+        (
+            texts("family", [family.name for family, _ in rows]),
+            texts("quantity", [each.quantity for each in figures]),
+            texts("grades", [", ".join(each.grades) for each in figures]),
+            texts("variant", [each.variant for each in figures]),
+            texts("default", [_yes(each.default) for each in figures]),
+            texts("formula", [each.text for each in figures]),
+            *_ranges([each.range for each in figures]),
+            texts("confidence", [each.confidence for each in figures]),
+            texts("sources", [_keys(each.sources) for each in figures]),
+            texts("place", [each.place for each in figures]),
+            texts("reason", [each.reason for each in figures]),
+            texts("note", [each.note for each in figures]),
+        ),
+        only="files",
+    )
+
+
+def _yes(said: bool) -> Message:
+    return Message(f"answers.{'yes' if said else 'no'}")
+
+
+def _families(families: Sequence[Family]) -> Table:
+    sizes = [each.sizes for each in families]
+    return Table(
+        "families",
+        (
+            texts("family", [each.name for each in families]),
+            texts("title", [each.title for each in families]),
+            texts("also", [", ".join(each.also) for each in families]),
+            texts("grades", [", ".join(each.grades) for each in families]),
+            *_ranges([each.range for each in families]),
+            texts("sizes", [len(each.diameters) for each in sizes]),
+            texts("confidence_of_the_sizes", [each.confidence for each in sizes]),
+            texts("sources_of_the_sizes", [_keys(each.sources) for each in sizes]),
+            texts("note", [each.note for each in families]),
+        ),
+        only="files",
+    )
+
+
+def _ranges(ranges: Sequence[tuple[float, float]]) -> Iterator[Column]:
+    for end, name in enumerate(("smallest_nominal_diameter", "largest_nominal_diameter")):
+        yield measured("nominal_diameter", [each[end] for each in ranges], name, symbol="")
+
+
+def _sources(sources: Sequence[Source]) -> Table:
+    return Table(
+        "sources",
+        (
+            texts("source", [each.key for each in sources]),
+            texts("title", [each.title for each in sources]),
+            texts("place", [each.place for each in sources]),
+        ),
+        only="files",
+    )
+
+
+# ------------------------------------------------------------------ what people see of a list
+
+
+def _list(families: Sequence[Family]) -> Table:
+    shortest = _shortest("nominal_diameter")
+    ends = [map(shortest.format, each.range) for each in families]
+    ranges = [Message("catalogue.range", low=low, high=high) for low, high in ends]
+    return Table(
+        "list",
+        (
+            texts("family", [each.name for each in families]),
+            texts("grades", [", ".join(each.grades) or "-" for each in families]),
+            Column(quantity_name("nominal_diameter"), tuple(ranges), shortest),
+            texts("sizes", [_count(each) for each in families]),
+            texts("conf", [_strength(each) for each in families]),
+        ),
+        only="people",
+    )
+
+
+def _count(family: Family) -> str:
+    count = len(family.sizes.diameters)
+    return f"{count} ({family.sizes.confidence})" if count else "-"
+
+
+def _strength(family: Family) -> str:
+    """Name the confidence of the default breaking loads: the weakest of all grades."""
+    found = []
+    for grade in family.grades or (None,):
+        figure = family.default("MBL", grade)
+        while figure is not None:
+            found.append(figure.confidence)
+            rest = figure.formula.rests_on
+            figure = family.default(rest[0], grade) if rest else None
+    return weakest(found) if found else "-"
+
+
+# ------------------------------------------------------------------ of a search
+
+
+def _search(found: Found) -> Iterator[Block]:
+    components = found.components
+    yield Table(
+        "found",
+        (
+            texts("component", [each.name for each in components]),
+            *_weights(components),
+            measured(
+                "MBL",
+                [each.MBL_in_water for each in components],
+                "minimum_breaking_load_in_water",
+            ),
+            measured("price", [each.price for each in components]),
+            texts("conf", [_confidence(each, "-") for each in components]),
+        ),
+        only="people",
+    )
+    yield _said("catalogue.symbols_found")
+    recalled = [each.name for each in found.families if each.sizes.is_recalled]
+    if recalled:
+        yield _said("catalogue.recalled_sizes", families=", ".join(recalled))
+    yield from _recalled(components)
+
+
+def _confidence(component: Component, unknown: str) -> str:
+    origin = component.provenance.get("MBL")
+    return origin.confidence if origin else unknown
+
+
+def _recalled(components: Sequence[Component]) -> Iterator[Text]:
+    """Name what rests on figures that were read in no document."""
+    recalled = {key for component in components for key in component.recalled}
+    if recalled:
+        every = Several((_name(key) for key in SPECS if key in recalled), ", ")
+        yield _said("catalogue.recalled", quantities=every)
+
+
+# ------------------------------------------------------------------ of one component
+
+
+class _Row(NamedTuple):
+    """A figure: what it is, its value and where it comes from."""
+
+    name: str
+    value: Value
+    quantity: Quantity
+    origin: Provenance | None = None
+
+
+def _one(family: Family, component: Component) -> Iterator[Block]:
+    yield _said(
+        "catalogue.water",
+        diameter=_diameter(component.nominal_diameter),
+        density=Measure("density", component.water_density),
+    )
+    if family.note:
+        yield Text(family.note, only="people")
+    yield _rows("component", "quantity", list(_known(component)))
+    others = [_other(each) for each in component.alternatives]
+    if others:
+        yield _rows("alternatives", "also_published", others)
+    yield from _recalled([component])
+
+
+def _rows(name: str, heading: str, rows: Sequence[_Row]) -> Table:
+    origins = [each.origin for each in rows]
+    return Table(
+        name,
+        (
+            texts(heading, [each.name for each in rows]),
+            Column(
+                Message("columns.value"),
+                tuple(each.value for each in rows),
+                units=tuple(each.quantity for each in rows),
+            ),
+            texts("conf", [each.confidence if each else "" for each in origins]),
+            texts("sources", [_keys(each.sources) if each else "" for each in origins]),
+        ),
+        only="people",
+    )
+
+
+def _known(component: Component) -> Iterator[_Row]:
+    origins = component.provenance
+    for key, (unit, name) in _PLAIN.items():
+        quantity = named(unit)
+        if key in origins:
+            label = Message(name)
+            if quantity.symbol:
+                label = Message("words.label", name=label, symbol=quantity.symbol)
+            yield _Row(label, getattr(component, key), quantity, origins[key])
+        if key == "MBL" and component.wet_strength_factor is not None:
+            wet = Message("columns.mbl_in_water")
+            yield _Row(wet, component.MBL_in_water, quantity, origins["wet_strength_factor"])
+        if key == "EA" and component.EA_dynamic_terms is not None:
+            constant, slope = component.EA_dynamic_terms
+            said = Message("catalogue.dynamic", constant=constant, slope=slope)
+            ratio = Message("columns.dynamic_ea_over_mbl")
+            yield _Row(ratio, said, named("coefficient"), origins["EA_dynamic"])
+    for key, (name, referred) in _COEFFICIENTS.items():
+        found = getattr(component, key)
+        if found is not None:
+            name = Message(f"columns.{name}")
+            yield _Row(name, found.coefficient, _shortest("coefficient"), origins[key])
+            own = "catalogue.volume_diameter" if found.name == "volume" else referred
+            below = Several(("  ", Message(own, name=found.name)), "")
+            yield _Row(below, found.diameter, named("drag_diameter"))
+
+
+def _other(other: Alternative) -> _Row:
+    """Tell what another variant gives, and by which words it is asked for."""
+    name = f"{other.quantity}={other.variant}"
+    if other.value is None or other.reference is None:
+        unit = {"mass": "mass_per_length", "EA_dynamic": "EA"}.get(other.quantity, other.quantity)
+        quantity = named(unit) if unit in QUANTITIES else _shortest("coefficient")
+        return _Row(name, other.value, quantity, other.provenance)
+    said = Message(
+        "catalogue.on",
+        coefficient=f"{other.value:g}",
+        diameter=Measure("drag_diameter", other.reference),
+    )
+    return _Row(name, said, named("drag_diameter"), other.provenance)
+
+
+# ------------------------------------------------------------------ of a family over its sizes
+
+
+def _family(family: Family, components: Sequence[Component]) -> Iterator[Block]:
+    if family.note:
+        yield Text(family.note, only="people")
+    if not components:
+        yield _said("catalogue.no_sizes", **_ends(family.range))
+        return
+    grades = list(dict.fromkeys(each.grade for each in components))
+    if len(grades) == 1:
+        yield _one_grade(components)
+    else:
+        first = {each.nominal_diameter: each for each in reversed(components)}
+        diameters = sorted(first)
+        one_each = [first[diameter] for diameter in diameters]
+        yield Table("sizes", tuple(_sizes(one_each)), only="people")
+        yield _by_grade(components, diameters, [grade for grade in grades if grade])
+    said = [Message("catalogue.symbols")]
+    factor = components[0].wet_strength_factor
+    if factor is not None and len(grades) == 1:
+        said.append(Message("catalogue.wet", factor=factor))
+    yield Text(Several(said, " "), only="people")
+    yield from _sizes_from(family)
+    yield from _recalled(components)
+
+
+def _one_grade(components: Sequence[Component]) -> Table:
+    columns = [*_sizes(components), measured("MBL", [each.MBL for each in components])]
+    if any(each.proof_load is not None for each in components):
+        columns.append(measured("proof_load", [each.proof_load for each in components]))
+    columns += [
+        measured("EA", [each.EA for each in components]),
+        measured("price", [each.price for each in components]),
+    ]
+    return Table("sizes", tuple(columns), only="people")
+
+
+def _by_grade(
+    components: Sequence[Component], diameters: Sequence[float], grades: Sequence[str]
+) -> Table:
+    strengths = {(each.nominal_diameter, each.grade): each.MBL for each in components}
+    quantity = replace(named("MBL", ""), digits=0)
+    columns = (
+        Column(Several((grade,)), tuple(strengths.get((d, grade)) for d in diameters), quantity)
+        for grade in grades
+    )
+    caption = Message("captions.mbl_by_grade")
+    return Table("by_grade", (_diameters(diameters), *columns), caption, only="people")
+
+
+def _sizes(components: Sequence[Component]) -> Iterator[Column]:
+    yield _diameters([each.nominal_diameter for each in components])
+    yield from _weights(components)
+    yield measured("volume_diameter", [each.volume_diameter for each in components], symbol="D")
+
+
+def _diameters(diameters: Sequence[float]) -> Column:
+    return Column(
+        quantity_name("nominal_diameter"), tuple(diameters), _shortest("nominal_diameter")
+    )
+
+
+def _weights(components: Sequence[Component]) -> Iterator[Column]:
+    yield measured("mass_per_length", [each.mass for each in components], "mass_in_air_per_length")
+    weights = tuple(each.submerged_weight for each in components)
+    quantity = replace(named("submerged_weight"), digits=1)
+    yield Column(quantity_name("submerged_weight"), weights, quantity)
+
+
+def _sizes_from(family: Family) -> Iterator[Text]:
+    sizes = family.sizes
+    sources = _keys(sources=sizes.sources)
+    said = [
+        Message("catalogue.sizes", sources=sources, place=sizes.place, confidence=sizes.confidence)
+    ]
+    if sizes.is_recalled:
+        said.append(Message("catalogue.ask"))
+    yield Text(Several(said, " "), only="people")
+
+
+# ------------------------------------------------------------------ how figures follow
+
+
+def _how(said: Iterable[Message]) -> Text:
+    return Text(Several(said, "\n"), Message("terms.how_each_figure_follows"), "people")
+
+
+def _figures_of(component: Component) -> Iterator[Message]:
+    for key, origin in component.provenance.items():
+        yield _explained(_name(key), origin.formula, origin)
+    for key, why in component.missing.items():
+        yield Message("catalogue.unknown", quantity=_name(key), why=why)
+
+
+def _figures_of_grades(family: Family, components: Sequence[Component]) -> Iterator[Message]:
+    """Explain every figure of the grades that are shown."""
+    grades = {each.grade for each in components} or set(family.grades or (None,))
+    for figure in family.figures:
+        if any(figure.holds_for(grade) for grade in grades):
+            name = _name(figure.quantity)
+            if figure.grades:
+                of = ", ".join(figure.grades)
+                name = Message("catalogue.of_grades", quantity=name, grades=of)
+            yield _explained(name, figure.text, figure)
+
+
+def _explained(name: str, formula: str, origin: Provenance | Figure) -> Message:
+    """Say how a figure follows, for which diameters, who has it and why it is the default."""
+    variant = f" ({origin.variant})" if origin.variant else ""
+    known = Message(
+        "catalogue.explained",
+        quantity=name,
+        variant=variant,
+        formula=formula,
+        **_ends(origin.range),
+        confidence=origin.confidence,
+        sources=_keys(origin.sources),
+        place=origin.place,
+    )
+    reason = Message("catalogue.reason", reason=origin.reason) if origin.reason else ""
+    return Several((part for part in (known, reason, origin.note) if part), " ")
+
+
+def _documents(found: Found) -> Iterator[Text]:
+    """Name the documents, with the places to find them, and say what confidence means."""
+    if found.question == "search":
+        return
+    if found.question == "show":
+        said = (
+            Message("catalogue.source", key=each.key, title=each.title, place=each.place)
+            for each in _cited(found)
+        )
+        yield Text(Several(said, "\n"), Message("columns.sources"), "people")
+    yield Text(Message("answers.confidence"), only="people")
+
+
+def _cited(found: Found) -> Iterator[Source]:
+    """Yield the documents that the components rest on; of several, all of their family's."""
+    if len(found.components) != 1:
+        yield from found.sources
+        return
+    (component,) = found.components
+    origins = [*component.provenance.values()]
+    origins += [each.provenance for each in component.alternatives]
+    used = {source for origin in origins for source in origin.sources}
+    used |= set(found.families[0].sizes.sources)
+    yield from (source for source in found.sources if source in used)
+
+
+# ------------------------------------------------------------------ words
+
+
+def _said(key: str, **values: object) -> Text:
+    return Text(Message(key, **values), only="people")
+
+
+def _name(key: str) -> str:
+    """Name a quantity of the catalogue."""
+    if key not in SPECS:
+        return quantity_name("submerged_weight")
+    words = SPECS[key].words
+    return term(words[:1].upper() + words[1:])
+
+
+def _keys(sources: Iterable[Source]) -> str:
+    return ", ".join(source.key for source in sources)
+
+
+def _shortest(key: str) -> Quantity:
+    """Take a quantity that is written in as few digits as it has."""
+    return replace(named(key), notation="shortest", digits=6)
+
+
+def _ends(ends: tuple[float, float]) -> dict[str, str]:
+    low, high = (_diameter(end) for end in ends)
+    return {"low": low, "high": high}
+
+
+def _diameter(value: float) -> str:
+    return _shortest("nominal_diameter").format(value, unit=True)

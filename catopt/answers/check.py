@@ -1,0 +1,267 @@
+"""What a report of checks consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Section,
+    Table,
+    Text,
+    Verdict,
+    Warnings,
+    measured,
+    texts,
+)
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.words import Measure, Message, Several
+
+if TYPE_CHECKING:
+    from catopt.checks.result import CheckReport, CheckResult, CheckSource
+
+__all__ = [
+    "QUANTITY_OF",
+    "check_answer",
+    "check_columns",
+    "governing_sentence",
+    "kind_name",
+    "load_case_table",
+    "load_case_words",
+    "tightest_checks",
+    "tightest_table",
+    "verdict_sentence",
+]
+
+QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
+    {
+        "tension": QUANTITIES["tension"],
+        "uplift_angle": QUANTITIES["angle"],
+        "uplift_force": QUANTITIES["vertical_force"],
+        "grounded_length": QUANTITIES["grounded_length"],
+        "offset": QUANTITIES["span"],
+        "buoyancy": QUANTITIES["vertical_force"],
+        "sliding": QUANTITIES["point_weight"],
+        "holding": QUANTITIES["horizontal_force"],
+    }
+)
+"""What demand and capacity of each kind of check are."""
+
+_LOAD_CASES = {
+    "": "checks.load_case",
+    "extreme": "checks.extreme_load_case",
+    "reference": "checks.reference_load_case",
+}
+
+
+def check_answer(report: CheckReport) -> Answer:
+    """Lay out a report of checks.
+
+    Parameters
+    ----------
+    report : CheckReport
+        What came out.
+    """
+    said: list[Block] = [Verdict(verdict_sentence(report), report.passes)]
+    if report.results:
+        said.append(Text(governing_sentence(report)))
+    checked: list[Block] = [_checks(report), _criteria(report), *_confidence(report)]
+    return Answer(
+        "check",
+        report.title or Message("captions.mooring_line"),
+        (
+            Section(Message("captions.checks"), (*checked, *said, Warnings(report.warnings))),
+            Section(Message("captions.load_cases"), (load_case_table(report),)),
+        ),
+    )
+
+
+def check_columns(results: Sequence[CheckResult]) -> tuple[Column, ...]:
+    """List checks, a row each: what is wanted, what there is, and by which criterion.
+
+    Parameters
+    ----------
+    results : sequence of CheckResult
+        Of one report or of several.
+    """
+    return (
+        texts("load_case", [each.load_case for each in results], only="files"),
+        texts("check", [each.name for each in results]),
+        *_use(results),
+        texts("passes", [_yes(each.passes, "yes", "no") for each in results], only="files"),
+        texts("verdict", [_yes(each.passes, "passes", "fails") for each in results], only="people"),
+        texts("by", [_by(each.source) for each in results], only="people"),
+        texts("code", [each.source.code for each in results], only="files"),
+        texts("source", [each.source.text for each in results], only="files"),
+        texts("note", [each.note for each in results], only="files"),
+    )
+
+
+def _use(results: Sequence[CheckResult]) -> tuple[Column, Column, Column]:
+    """List demand, capacity and utilisation."""
+    units = tuple(QUANTITY_OF[each.kind] for each in results)
+    demands = tuple(each.demand for each in results)
+    capacities = tuple(each.capacity for each in results)
+    return (
+        Column(Message("columns.demand"), demands, units=units),
+        Column(Message("columns.capacity"), capacities, units=units),
+        measured("utilisation", [each.utilisation for each in results]),
+    )
+
+
+def kind_name(kind: str) -> Message:
+    """Name a kind of check: ``Uplift angle``."""
+    return Message(f"kinds.{kind}")
+
+
+def tightest_checks(report: CheckReport) -> dict[str, CheckResult]:
+    """Find the check of each kind that is nearest to its limit, in the order of tables."""
+    found = {kind: report.tightest(kind) for kind in QUANTITY_OF}
+    return {kind: check for kind, check in found.items() if check is not None}
+
+
+def tightest_table(report: CheckReport) -> Table:
+    """Tabulate the check of each kind that is nearest to its limit."""
+    found = tightest_checks(report)
+    checks = list(found.values())
+    where = [Several((each.load_case, each.source.text)) for each in checks]
+    return Table(
+        "tightest",
+        (
+            texts("check", [kind_name(kind) for kind in found]),
+            *_use(checks),
+            texts("load_case_and_source", where),
+        ),
+        Message("captions.tightest"),
+        only="not csv",
+    )
+
+
+def _yes(passes: bool, yes: str, no: str) -> Message:
+    return Message(f"answers.{yes if passes else no}")
+
+
+def _checks(report: CheckReport) -> Table:
+    parts = tuple(
+        (
+            load_case_words(report, index),
+            tuple(row for row, each in enumerate(report.results) if each.load_case == name),
+        )
+        for index, (name, _) in enumerate(report.solutions)
+    )
+    return Table("checks", check_columns(report.results), parts=parts)
+
+
+def _by(source: CheckSource) -> str:
+    return source.text if source.confidence is None else f"{source.code} [{source.confidence}]"
+
+
+def _criteria(report: CheckReport) -> Table:
+    """Say once how each capacity comes about, and where the criterion stands."""
+    rows = tuple(
+        dict.fromkeys(
+            (each.name, _by(each.source), each.note, each.source.text) for each in report.results
+        )
+    )
+    sources = [
+        Several(part for part in (note, text if text != by else "") if part)
+        for _, by, note, text in rows
+    ]
+    return Table(
+        "criteria",
+        (
+            texts("check", [row[0] for row in rows]),
+            texts("by", [row[1] for row in rows]),
+            texts("capacity_and_source", sources),
+        ),
+        Message("captions.criteria"),
+        only="people",
+    )
+
+
+def _confidence(report: CheckReport) -> Iterator[Text]:
+    if any(each.source.confidence for each in report.results):
+        yield Text(Message("answers.confidence"))
+
+
+def load_case_table(report: CheckReport) -> Table:
+    """Tabulate how the line hangs in each load case."""
+    solved = [solution for _, solution in report.solutions]
+    kinds = [state.kind for state in report.load_cases] or ["extreme"] * len(solved)
+    return Table(
+        "load_cases",
+        (
+            texts("load_case", [name for name, _ in report.solutions]),
+            texts("kind", [Message(f"answers.{kind}") for kind in kinds]),
+            measured("fairlead_height", (each.fairlead_height for each in solved)),
+            measured("horizontal_force", (each.horizontal_force for each in solved)),
+            measured("span", (each.span for each in solved)),
+            measured("tension", (each.fairlead.tension for each in solved), "fairlead_tension"),
+            measured(
+                "vertical_force",
+                (each.fairlead.vertical_force for each in solved),
+                "fairlead_vertical_force",
+            ),
+            measured(
+                "horizontal_force",
+                (each.anchor.horizontal_force for each in solved),
+                "anchor_horizontal_force",
+            ),
+            measured(
+                "vertical_force",
+                (each.anchor.vertical_force for each in solved),
+                "anchor_vertical_force",
+            ),
+            measured("angle", (each.anchor.angle for each in solved), "inclination_at_the_anchor"),
+            measured("grounded_length", (each.grounded_length for each in solved)),
+        ),
+        only="files",
+    )
+
+
+# ------------------------------------------------------------------ sentences
+
+
+def verdict_sentence(report: CheckReport) -> Message:
+    """Say whether all checks are passed: ``"2 of 9 checks fail."``."""
+    count, failed = len(report.results), len(report.failed)
+    if not count:
+        return Message("checks.nothing")
+    if failed:
+        return Message("checks.some_fail", count=failed, checks=count)
+    return Message("checks.all_pass", count=count)
+
+
+def governing_sentence(report: CheckReport) -> str:
+    """Say which check governs, and how far it is used; empty when nothing was checked."""
+    found = report.governing
+    if found is None:
+        return ""
+    return Message(
+        "checks.governing",
+        check=found.name,
+        load_case=found.load_case,
+        how=_used(found),
+        source=found.source.text,
+    )
+
+
+def _used(result: CheckResult) -> Message:
+    """Say how far a check is used; its demand beside its capacity where that is no ratio."""
+    if result.utilisation is not None:
+        return Message("checks.utilisation", used=result.utilisation)
+    key = QUANTITY_OF[result.kind].key
+    demand, capacity = (Measure(key, value) for value in (result.demand, result.capacity))
+    return Message("checks.beside", demand=demand, capacity=capacity)
+
+
+def load_case_words(report: CheckReport, index: int) -> Message:
+    """Name a load case with its force: ``"storm (extreme), horizontal force 450.000 kN"``."""
+    name, solution = report.solutions[index]
+    key = _LOAD_CASES[report.load_cases[index].kind if report.load_cases else ""]
+    force = Measure("horizontal_force", solution.horizontal_force)
+    return Message(key, name=name, force=force, height=solution.fairlead_height)

@@ -1,0 +1,348 @@
+"""What the sizing of a buoy's or a tanker's mooring consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Section,
+    Table,
+    Text,
+    Value,
+    Warnings,
+    measured,
+    of_row,
+    texts,
+)
+from catopt.answers.check import check_columns, tightest_table
+from catopt.answers.loads import forces_table, numbers_table
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.units import UNITS, Dimension
+from catopt.words import Measure, Message, Several, term
+
+if TYPE_CHECKING:
+    from catopt.loads.component import Loads
+    from catopt.sizing import Sizing
+    from catopt.sizing.candidates import Candidate
+
+__all__ = ["size_answer"]
+
+
+class _Row(NamedTuple):
+    """What was found: its name, its value in SI, and how it is said beside it."""
+
+    name: str
+    value: float | None
+    quantity: Quantity
+    words: str = ""
+
+
+def size_answer(of: Sizing) -> Answer:
+    """Lay out a sizing.
+
+    Parameters
+    ----------
+    of : Sizing
+        Of a buoy or a tanker.
+    """
+    return Answer(
+        "size",
+        of.case.title,
+        (
+            Section(term("Sizing"), (_summary(of), *_why(of))),
+            Section(term("Candidates"), (_candidates(of),)),
+            Section(Message("captions.checks"), (tightest_table(of.point.checks), _checks(of))),
+            *_pattern(of),
+            Section(term("Forces"), tuple(_forces(of))),
+            Section(Message("columns.numbers"), (_numbers(of),)),
+            Section(term("Notes"), (_notes_table(of), *_notes(of))),
+        ),
+    )
+
+
+# ------------------------------------------------------------------ what was found
+
+
+def _summary(of: Sizing) -> Table:
+    """Tabulate what was found; people see what is said in words."""
+    rows = [*_line(of), *_holding(of), *_positions(of), *_forces_found(of), *_pattern_found(of)]
+    units = tuple(row.quantity for row in rows)
+    values = tuple(row.value for row in rows)
+    return Table(
+        "sizing",
+        (
+            texts("what", (row.name for row in rows)),
+            Column(Message("columns.value"), values, units=units, only="files"),
+            texts("in_words", (row.words for row in rows)),
+        ),
+        Message("captions.recommended"),
+        tuple(index for index, row in enumerate(rows) if row.words),
+    )
+
+
+def _measured(name: str, key: str, value: float) -> _Row:
+    """Make a row of a value that is said with its unit alone."""
+    said = Message("sizing.measure", value=Measure(key, value))
+    return _Row(term(name), value, QUANTITIES[key], said)
+
+
+def _line(of: Sizing) -> Iterator[_Row]:
+    line = of.point.line
+    length, mass = QUANTITIES["length"], QUANTITIES["mass"]
+    shots = replace(length, field_unit="shots", factor=UNITS[Dimension.LENGTH]["shot"])
+    values = {"component": line.segments[0].name, "length": line.length, "shots": of.shots}
+    chain = Message("sizing.chain", **values)
+    diameter = line.segments[0].nominal_diameter
+    yield _Row(term("Chain"), diameter, QUANTITIES["nominal_diameter"], chain)
+    yield _Row(term("Length"), line.length, length)
+    yield _Row(term("Length in shots"), line.length, shots)
+    if line.mass is not None:
+        yield _measured("Mass of the line in air", "mass", line.mass)
+    for load in line.point_loads:
+        tonnes = None if load.mass is None else load.mass / 1e3
+        words = Message("sizing.clump", mass=tonnes, position=load.position)
+        yield _Row(Message("columns.clump_weight"), load.mass, mass, words)
+
+
+def _holding(of: Sizing) -> Iterator[_Row]:
+    size = of.drag_anchor or of.sinker
+    if size is None:
+        return
+    anchor = of.point.anchor
+    mass = (None if anchor is None else anchor.mass) or size.mass
+    values: dict[str, Value] = {"mass": mass / 1e3, "needed": size.needed_mass / 1e3}
+    if of.drag_anchor is not None:
+        values |= {"anchor": of.drag_anchor.anchor, "soil": term(of.drag_anchor.soil)}
+        name, words = term("Drag anchor"), Message("sizing.drag_anchor", **values)
+    else:
+        assert of.sinker is not None
+        name, words = term("Sinker"), Message(_SINKERS[of.sinker.material], **values)
+    yield _Row(name, mass, QUANTITIES["mass"], words)
+    if size.factor is not None:
+        wanted = Message("sizing.factor", factor=size.factor, wanted=size.safety_factor)
+        yield _Row(term("Factor on holding"), size.factor, QUANTITIES["safety_factor"], wanted)
+
+
+_SINKERS = {"concrete": "sizing.concrete_sinker", "steel": "sizing.steel_sinker"}
+
+
+def _positions(of: Sizing) -> Iterator[_Row]:
+    total, length = of.swing.total, QUANTITIES["length"]
+    words = Message("sizing.swing", total=total)
+    if len(of.swing.parts) > 1:
+        parts = (
+            Message("sizing.swing_part", name=name, length=part) for name, part in of.swing.parts
+        )
+        words = Message("sizing.swing_of", total=total, parts=Several(parts, " + "))
+    yield _Row(term("Swing radius at low water"), total, length, words)
+    if of.excursion is not None:
+        yield _measured("Excursion", "excursion", of.excursion)
+
+
+def _forces_found(of: Sizing) -> Iterator[_Row]:
+    load_case, solution = of.hardest
+    for name, key, force in (
+        ("Horizontal force on the line", "horizontal_force", solution.horizontal_force),
+        ("Tension at the fairlead", "tension", solution.fairlead.tension),
+    ):
+        words = Message("sizing.force_in", force=force / 1e3, load_case=load_case)
+        yield _Row(term(name), force, QUANTITIES[key], words)
+    for name, factor in (
+        ("MBL over tension, new", of.break_factor),
+        ("Proof load over tension, new", of.proof_factor),
+    ):
+        if factor is not None:
+            yield _measured(name, "safety_factor", factor)
+    pull = max(each.fairlead.vertical_force for _, each in of.point.checks.solutions)
+    yield _measured("Pull down at the fairlead", "vertical_force", pull)
+    if of.reserve_buoyancy is not None:
+        yield _measured("Reserve buoyancy", "vertical_force", of.reserve_buoyancy)
+
+
+def _pattern_found(of: Sizing) -> Iterator[_Row]:
+    found = of.pattern
+    if found is None:
+        return
+    count = QUANTITIES["coefficient"]
+    yield _Row(term("Lines, evenly spaced"), found.lines, count, f"{found.lines}")
+    yield _measured("Anchor radius", "length", found.anchor_radius)
+    yield _measured("Pretension, horizontal", "horizontal_force", found.pretension)
+    hardest = found.hardest
+    if hardest.rule_force is not None:
+        yield _measured("Most loaded line by S4's rule", "horizontal_force", hardest.rule_force)
+    yield _measured("Most loaded line in equilibrium", "horizontal_force", hardest.line_force)
+    yield _measured("Pull of all lines on the body", "vertical_force", found.largest_pull)
+
+
+def _why(of: Sizing) -> Iterator[Text]:
+    said = Several((*_governing(of), of.why), "\n")
+    yield Text(said, term("What governs"))
+
+
+def _governing(of: Sizing) -> Iterator[Message]:
+    """Say what each step to less runs into, and which check is nearest to its limit."""
+    for each in of.limits:
+        yield Message("sizing.step_fails", change=each.change, check=each.words)
+    governing = of.point.governing
+    if governing is not None and governing.utilisation is not None:
+        values = {"check": governing.in_case, "used": governing.utilisation}
+        yield Message("sizing.nearest", **values)
+
+
+def _candidates(of: Sizing) -> Table:
+    """Tabulate the recommended size between its neighbours."""
+    every = of.candidates
+    points = [None if each.settled is None else each.settled.point for each in every]
+    lengths = [None if point is None else point.line.length for point in points]
+    masses = [None if point is None else point.line.mass for point in points]
+    spans = [None if point is None else point.objectives["offset_m"] for point in points]
+    anchors = [
+        None if point is None or point.anchor is None else point.anchor.mass for point in points
+    ]
+    return Table(
+        "candidates",
+        (
+            texts("which", (term(each.role) for each in every)),
+            texts("chain", (f"{each.component} {each.diameter * 1e3:g} mm" for each in every)),
+            measured("length", lengths),
+            measured("mass", masses, "mass_in_air", symbol=""),
+            measured("offset", spans, "largest_span", symbol="S"),
+            measured("mass", anchors, "anchor_mass_in_air", symbol=""),
+            texts("verdict", map(_verdict, every)),
+        ),
+        Message("captions.candidates"),
+    )
+
+
+def _verdict(of: Candidate) -> str:
+    if of.settled is None:
+        return of.reason
+    governing = of.settled.point.governing
+    return Message("sizing.passes", check="" if governing is None else governing.in_case)
+
+
+def _checks(of: Sizing) -> Table:
+    return Table("checks", check_columns(of.point.checks.results), only="files")
+
+
+def _pattern(of: Sizing) -> Iterator[Section]:
+    """Tabulate the body on its lines in each load case."""
+    if of.pattern is None:
+        return
+    states = of.pattern.states
+
+    def force(name: str, values: Iterator[float | None], priority: int = 0) -> Column:
+        return measured("horizontal_force", values, name, symbol="", priority=priority)
+
+    columns = (
+        texts("load_case", (each.load_case for each in states)),
+        force("force_on_the_body", (each.force for each in states)),
+        force("most_loaded_line_by_rule", (each.rule_force for each in states)),
+        force("most_loaded_line", (each.line_force for each in states)),
+        force("its_tension", (each.tension for each in states)),
+        measured(
+            "angle", (each.direction for each in states), "force_off_that_line", symbol="",
+            priority=2,
+        ),
+        measured(
+            "offset", (each.offset for each in states), "largest_offset_of_the_body", symbol=""
+        ),
+        force("pull_of_all_lines", (each.pull for each in states), 1),
+    )  # fmt: skip
+    yield Section(term("Pattern"), (Table("pattern", columns, Message("captions.pattern")),))
+
+
+# ------------------------------------------------------------------ loads and notes
+
+
+def _forces(of: Sizing) -> Iterator[Block]:
+    """Tabulate the forces of every load case, by load case for people."""
+    every = of.settled.posed.loads
+    if not every[0].parts:
+        names = texts("load_case", (each.load_case for each in every))
+        forces = (each.given for each in every)
+        given = measured("horizontal_force", forces, "force_f_given", symbol="")
+        yield Table("forces", (names, given), term("Loads"))
+        return
+    table = _stacked(of, "forces", forces_table)
+    of_rows = table.columns[0].values
+    parts = tuple(
+        (
+            Message(
+                "captions.loads_in",
+                load_case=each.load_case,
+                force=Measure("horizontal_force", each.horizontal_force),
+            ),
+            tuple(row for row, name in enumerate(of_rows) if name == each.load_case),
+        )
+        for each in every
+    )
+    yield replace(table, parts=parts)
+    yield Text(Message("answers.confidence"), only="people")
+
+
+def _numbers(of: Sizing) -> Table:
+    """Tabulate every number that was put in; none where the force was given."""
+    if of.settled.posed.loads[0].parts:
+        return _stacked(of, "numbers", numbers_table)
+    names = ("load_case", "on", "force", "symbol", "meaning")
+    columns = (*(texts(name, ()) for name in names), of_row("value", ()), texts("unit", ()))
+    return Table("numbers", columns, only="files")
+
+
+def _stacked(of: Sizing, name: str, tabulate: Callable[[Loads], Table]) -> Table:
+    """Stack a table of every part of every load case, with load case and part in front."""
+    parts = [(each.load_case, part) for each in of.settled.posed.loads for part in each.parts]
+    tables = [tabulate(part) for _, part in parts]
+    rows = [place for place, table in zip(parts, tables, strict=True) for _ in range(table.length)]
+    columns = (
+        replace(same[0], values=tuple(value for each in same for value in each.values))
+        for same in zip(*(table.columns for table in tables), strict=True)
+    )
+    return Table(
+        name,
+        (
+            texts("load_case", (load_case for load_case, _ in rows), only="files"),
+            texts("on", (part.title for _, part in rows), only="files"),
+            *columns,
+        ),
+        only=tables[0].only,
+    )
+
+
+def _notes_table(of: Sizing) -> Table:
+    """Tabulate what is said in words, each once."""
+    kinds = {
+        "governs": _governing(of),
+        "recommendation": (of.why,),
+        "assumption": of.assumptions,
+        "taken, not given": of.defaults,
+        "recalled (R)": of.recalled,
+        "warning": of.warnings,
+    }
+    rows = [(term(kind), said) for kind, every in kinds.items() for said in every]
+    for each in of.settled.posed.loads:
+        kind = Message("sizing.note_in", load_case=each.load_case, kind=term("assumption"))
+        rows += [(kind, said) for part in each.parts for said in part.assumptions]
+    rows = list(dict.fromkeys(rows))
+    return Table(
+        "notes",
+        (texts("kind", (kind for kind, _ in rows)), texts("text", (said for _, said in rows))),
+        only="files",
+    )
+
+
+def _notes(of: Sizing) -> Iterator[Block]:
+    for said in of.assumptions:
+        yield Text(said, only="people")
+    if of.defaults:
+        yield Text(Message("sizing.taken", items=Several(of.defaults)), only="people")
+    warnings = list(of.warnings)
+    if of.recalled:
+        warnings.append(Message("loads.recalled", names=Several(of.recalled, ", ")))
+    yield Warnings(tuple(warnings), "people")

@@ -1,0 +1,442 @@
+"""What the equilibrium of one line consists of."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Fact,
+    Facts,
+    For,
+    Graph,
+    Section,
+    Table,
+    Text,
+    Warnings,
+    fact,
+    in_tonne_force,
+    measured,
+    named,
+    texts,
+)
+from catopt.quantities import QUANTITIES
+from catopt.words import Measure, Message, Several, term
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution, SwarmReport
+    from catopt.model import Case, Line, Load
+
+__all__ = [
+    "found_facts",
+    "given_facts",
+    "given_tables",
+    "how_it_hangs",
+    "point_loads_table",
+    "profile_table",
+    "regime_name",
+    "residual_facts",
+    "result_facts",
+    "segments_table",
+    "solution_answer",
+    "swarm_tables",
+]
+
+_NO_LENGTH = 1e-9
+"""Of the line's length: what lies on the bed then is rounding."""
+_PROFILE_POINTS, _SHOWN_EVERY = 101, 5
+
+
+def solution_answer(case: Case, solution: Solution, *, with_profile: bool = False) -> Answer:
+    """Lay out a case and its solution.
+
+    Parameters
+    ----------
+    case : Case
+        What was given.
+    solution : Solution
+        What came out.
+    with_profile : bool
+        Whether people see the shape, too.
+    """
+    inputs = Facts("inputs", tuple(given_facts(case)), Message("captions.given"))
+    results: list[Block] = [_summary(solution), segments_table(solution)]
+    if solution.safety_factor != 1.0 and any(each.MBL is not None for each in solution.segments):
+        results.append(Text(Message("solution.utilisation", factor=solution.safety_factor)))
+    if solution.point_loads:
+        results.append(point_loads_table(solution))
+    method = "solution.closed_form" if solution.method == "closed-form" else "solution.swarm"
+    solved = Message("solution.solved", method=Message(method), hangs=how_it_hangs(solution))
+    return Answer(
+        "solution",
+        case.title or Message("captions.mooring_line"),
+        (
+            Section(Message("captions.inputs"), (Text(solved), inputs, *given_tables(case.line))),
+            Section(Message("captions.results"), (*_found(solution), *results)),
+            _shape(solution, with_profile=with_profile),
+            *_swarm(case, solution),
+            Section(Message("captions.residuals"), tuple(_closing(solution))),
+        ),
+    )
+
+
+# ------------------------------------------------------------------ what was given
+
+
+def given_facts(case: Case) -> Iterator[Fact]:
+    """List what a case gives beside its line: site, heights, load and limits."""
+    yield Fact(Message("columns.title"), case.title, only="files")
+    yield Fact(Message("columns.source"), case.source, only="files")
+    yield fact("water_depth", case.site.water_depth)
+    yield fact("fairlead_height", case.fairlead_height)
+    yield fact("anchor_height", case.anchor_height)
+    yield fact("friction", case.site.seabed_friction)
+    yield fact("density", case.site.water_density, "water_density")
+    yield from _load(case.load)
+    yield _unless_none("safety_factor", case.checks.safety_factor)
+    limit = case.checks.max_anchor_uplift_angle
+    yield _unless_none("angle", limit, "allowed_inclination_at_the_anchor", symbol="")
+
+
+def _unless_none(key: str, value: float | None, name: str = "", symbol: str | None = None) -> Fact:
+    only: For = "files" if value is None else "all"
+    return fact(key, value, name, symbol=symbol, only=only)
+
+
+def _load(load: Load | None) -> Iterator[Fact]:
+    """List the one known quantity; none where the force itself is sought."""
+    if load is None:
+        return
+    if load.horizontal_force is not None:
+        yield _force("horizontal_force", load.horizontal_force, "given_horizontal_force")
+    if load.span is not None:
+        yield fact("span", load.span, "given_span")
+    if load.fairlead_tension is not None:
+        yield _force("tension", load.fairlead_tension, "given_fairlead_tension")
+
+
+def given_tables(line: Line) -> tuple[Table, ...]:
+    """Tabulate segments, and clump weights and buoys, as given."""
+    segments, loads = line.segments, line.point_loads
+    tables = [
+        Table(
+            "segments_given",
+            (
+                texts("segment", range(1, len(segments) + 1)),
+                _names([each.name for each in segments]),
+                measured("length", (each.length for each in segments)),
+                measured("submerged_weight", (each.submerged_weight for each in segments)),
+                measured("EA", (each.EA for each in segments)),
+                measured("mass_per_length", (each.mass for each in segments)),
+                measured("MBL", (each.MBL for each in segments)),
+            ),
+            Message("captions.segments_from_the_anchor_to_the_fairlead"),
+        )
+    ]
+    if loads:
+        own = [each.friction for each in loads]
+        columns = [
+            texts("point_load", range(1, len(loads) + 1)),
+            _names([each.name for each in loads]),
+            measured("position", (each.position for each in loads)),
+            measured("point_weight", (each.submerged_weight for each in loads)),
+            measured("mass", (each.mass for each in loads)),
+        ]
+        if any(each is not None for each in own):
+            columns.append(measured("friction", own))
+        tables.append(Table("point_loads_given", tuple(columns), Message("captions.point_loads")))
+    return tuple(tables)
+
+
+def _names(names: Sequence[str]) -> Column:
+    return texts("name", names, only="all" if any(names) else "files")
+
+
+# ------------------------------------------------------------------ what came out
+
+
+def _found(solution: Solution) -> Iterator[Facts]:
+    """List what was sought and found, for people; files have it with the results."""
+    if solution.found is not None:
+        caption = Message("captions.found_for", condition=solution.found.condition)
+        yield Facts("found", found_facts(solution), caption, only="people")
+
+
+def found_facts(solution: Solution) -> tuple[Fact, ...]:
+    """List what was sought and found; nothing when nothing was."""
+    if solution.found is None:
+        return ()
+    value, number = solution.found.value, solution.found.number
+    if solution.found.quantity == "length":
+        return (fact("length", value, said=Message("columns.found_length", number=number)),)
+    if solution.found.quantity == "clump_weight":
+        said = Message("columns.found_weight", number=number)
+        return (_force("point_weight", value, said=said),)
+    return (_force("horizontal_force", value, "found_horizontal_force"),)
+
+
+def _summary(solution: Solution) -> Facts:
+    """List the line as a whole."""
+    found = solution.found
+    opening = [
+        Fact(Message("columns.title"), solution.title, only="files"),
+        Fact(Message("columns.method"), solution.method, only="files"),
+        Fact(Message("columns.regime"), regime_name(solution.regime), only="files"),
+    ]
+    closing = [_for_files(each) for each in residual_facts(solution)]
+    if found is not None:
+        opening.append(Fact(Message("columns.condition"), found.condition, only="files"))
+        opening += [_for_files(each) for each in found_facts(solution)]
+        name, quantity = "residual_of_the_condition_relative", QUANTITIES["coefficient"]
+        closing.append(Fact(Message(f"columns.{name}"), found.residual, quantity, only="files"))
+    warnings = Fact(Message("columns.warnings"), Several(solution.warnings), only="files")
+    facts = (*opening, *result_facts(solution), *closing, warnings)
+    return Facts("summary", facts, Message("captions.result"))
+
+
+def _for_files(given: Fact) -> Fact:
+    return Fact(given.name, given.value, given.quantity, given.also, "files")
+
+
+def result_facts(solution: Solution) -> tuple[Fact, ...]:
+    """List what was found for the line as a whole."""
+    anchor, fairlead = solution.anchor, solution.fairlead
+    return (
+        _angle(anchor.angle, "inclination_at_the_anchor", "theta0"),
+        fact("span", solution.span),
+        _force("tension", fairlead.tension, "fairlead_tension"),
+        _force("horizontal_force", solution.horizontal_force),
+        _force("vertical_force", fairlead.vertical_force, "fairlead_vertical_force"),
+        _angle(fairlead.angle, "inclination_at_the_fairlead", "theta1"),
+        _force("tension", anchor.tension, "anchor_tension", symbol=""),
+        _force("horizontal_force", anchor.horizontal_force, "anchor_horizontal_force", symbol=""),
+        _force("vertical_force", anchor.vertical_force, "anchor_vertical_force", symbol=""),
+        fact("grounded_length", solution.grounded_length),
+        fact("suspended_length", solution.suspended_length),
+        fact("stretched_length", solution.stretched_length),
+        fact("mass", solution.line.mass, "line_mass_in_air", symbol=""),
+    )
+
+
+def residual_facts(solution: Solution) -> tuple[Fact, ...]:
+    """List by how much the line misses its fairlead, and what rounding leaves of its forces."""
+    residual = solution.residual
+    return (
+        fact("residual", residual.height, "residual_of_the_height"),
+        fact("residual", residual.span, "residual_of_the_span"),
+        _force("tension", residual.force_uncertainty, "force_left_open", symbol=""),
+    )
+
+
+def segments_table(solution: Solution) -> Table:
+    """Tabulate the segments under load, from the anchor to the fairlead."""
+    parts, factor = solution.segments, solution.safety_factor
+    tensions = [each.max_tension for each in parts]
+    largest = measured("tension", tensions, "largest_tension", symbol="max. T", only="people")
+    files = measured("tension", tensions, "largest_tension", only="files")
+    return Table(
+        "segments",
+        (
+            texts("segment", range(1, len(parts) + 1)),
+            _names([each.name for each in parts]),
+            measured("length", (each.length for each in parts)),
+            files,
+            _in_tf(files),
+            largest,
+            _in_tf(largest),
+            measured("MBL", (each.MBL for each in parts)),
+            measured("safety_factor", [factor] * len(parts), only="files"),
+            measured("utilisation", (each.utilisation(factor) for each in parts)),
+        ),
+        Message("captions.segments_under_load"),
+    )
+
+
+def point_loads_table(solution: Solution) -> Table:
+    """Tabulate clump weights and buoys under load."""
+    parts = solution.point_loads
+    return Table(
+        "point_loads",
+        (
+            texts("point_load", range(1, len(parts) + 1)),
+            _names([each.name for each in parts]),
+            measured("position", (each.position for each in parts)),
+            measured("x", (each.x for each in parts)),
+            measured("z", (each.z for each in parts)),
+            measured("seabed_reaction", (each.seabed_reaction for each in parts)),
+        ),
+        Message("captions.point_loads_under_load"),
+    )
+
+
+def profile_table(solution: Solution, *, only: For = "all") -> Table:
+    """Tabulate shape and tension along the line, from the anchor to the fairlead."""
+    shape = solution.profile(_PROFILE_POINTS)
+    tension = measured("tension", shape.tension)
+    rows = len(tension.values)
+    return Table(
+        "profile",
+        (
+            measured("s", shape.s),
+            measured("x", shape.x),
+            measured("z", shape.z),
+            tension,
+            Column(tension.name, tension.values, in_tonne_force(named("tension")), only="people"),
+        ),
+        Message("captions.along_the_line"),
+        tuple(sorted({*range(0, rows, _SHOWN_EVERY), rows - 1})),
+        only=only,
+    )
+
+
+def _shape(solution: Solution, *, with_profile: bool) -> Section:
+    table = profile_table(solution, only="all" if with_profile else "files")
+    title = Message("captions.line_shape")
+    tension = Message("captions.tension_along_the_line")
+    graphs = (Graph(title, "profile", x=1, y=(2,)), Graph(tension, "profile", x=0, y=(3,)))
+    return Section(title, (table, *graphs))
+
+
+def how_it_hangs(solution: Solution) -> Message:
+    """Say how the line hangs; with the touchdown at its anchor nothing of it lies on the bed."""
+    at_anchor = solution.grounded_length <= _NO_LENGTH * solution.line.length
+    if solution.regime == "grounded" and at_anchor:
+        return Message("solution.just_level")
+    return Message(f"solution.{solution.regime.replace('-', '_')}")
+
+
+def regime_name(regime: str) -> str:
+    """Name a regime in one word."""
+    return term(regime)
+
+
+def _closing(solution: Solution) -> Iterator[Block]:
+    if solution.found is not None:
+        yield Text(Message("solution.residual_of_condition", value=solution.found.residual))
+    residual = solution.residual
+    for key, value in (
+        ("solution.residual_of_height", residual.height),
+        ("solution.residual_of_span", residual.span),
+    ):
+        yield Text(Message(key, value=Measure("residual", value)))
+    yield Warnings(tuple(solution.warnings))
+
+
+# ------------------------------------------------------------------ the swarm
+
+
+def _swarm(case: Case, solution: Solution) -> Iterator[Section]:
+    swarm = solution.swarm
+    if swarm is None:
+        return
+    settings = case.swarm
+    given = Facts(
+        "swarm_settings",
+        (
+            Fact(Message("columns.particles"), settings.particles),
+            Fact(Message("columns.iterations"), settings.iterations),
+            Fact(Message("columns.runs"), settings.runs),
+            Fact(Message("columns.seed"), settings.seed),
+            fact("coefficient", settings.cognitive, "cognitive_coefficient_c1"),
+            fact("coefficient", settings.social, "social_coefficient_c2"),
+            fact("coefficient", settings.inertia, "inertia_w"),
+            Fact(Message("columns.boundary_handling"), settings.boundary),
+        ),
+        Message("captions.swarm"),
+        only="workbook",
+    )
+    history, runs = swarm_tables(swarm)
+    objective = swarm.best_objective_history
+    graphs = (
+        Graph(history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)),
+        Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
+    )
+    facts = Facts("swarm", tuple(_flown(swarm)), Message("captions.particle_swarm"), only="people")
+    yield Section(Message("captions.swarm"), (history, runs, given, facts, *graphs))
+
+
+def swarm_tables(swarm: SwarmReport) -> tuple[Table, Table]:
+    """Tabulate the best run by iteration, and where each run ended."""
+    tension = measured("tension", swarm.tension_history, "fairlead_tension")
+    history = Table(
+        "swarm_history",
+        (
+            texts("iteration", range(1, len(tension.values) + 1)),
+            measured("objective", swarm.best_objective_history, "best_objective"),
+            tension,
+            _in_tf(tension),
+        ),
+        only="files",
+    )
+    count = len(swarm.objectives)
+    runs = Table(
+        "swarm_runs",
+        (
+            texts("run", range(1, count + 1)),
+            measured("objective", swarm.objectives),
+            texts("iterations_flown", swarm.iterations_flown or [swarm.iterations] * count),
+            texts("best_run", [_best(number == swarm.best_run) for number in range(1, count + 1)]),
+        ),
+        only="files",
+    )
+    return history, runs
+
+
+def _best(is_best: bool) -> str:
+    return Message("answers.yes") if is_best else ""
+
+
+def _flown(swarm: SwarmReport) -> Iterator[Fact]:
+    of_runs = Message("solution.of_runs", run=swarm.best_run, runs=swarm.runs, seed=swarm.seed)
+    converged = Message("solution.part_of", part=swarm.converged_runs, whole=swarm.runs)
+    yield fact("objective", swarm.objective, "best_objective")
+    yield Fact(Message("columns.best_run"), of_runs)
+    yield Fact(Message("columns.runs_converged"), converged)
+    yield Fact(Message("columns.evaluations_of_f"), swarm.evaluations)
+    yield Fact(Message("columns.iterations_a_run_at_most"), swarm.iterations)
+    yield fact("residual", swarm.span_consistency, "span_by_equation_5")
+    names = {
+        "angle_rad": ("solution.less_angle", "angle_difference"),
+        "grounded_length_m": ("solution.less_grounded", "residual"),
+        "span_m": ("solution.less_span", "residual"),
+        "tension_N": ("solution.less_tension", "force_difference"),
+    }
+    for key, difference in swarm.closed_form_difference.items():
+        name, quantity = names[key]
+        said = Message("solution.swarm_less_closed_form", what=Message(name))
+        yield fact(quantity, difference, said=said)
+
+
+def _decades(values: Sequence[float]) -> tuple[float, float] | None:
+    """Find the powers of ten around the positive values; None when there are none."""
+    positive = [value for value in values if value > 0.0]
+    if not positive:
+        return None
+    low, high = math.floor(math.log10(min(positive))), math.ceil(math.log10(max(positive)))
+    return 10.0**low, 10.0 ** max(high, low + 1)
+
+
+# ------------------------------------------------------------------ quantities in two units
+
+
+def _force(
+    key: str, value: float | None, name: str = "", *, symbol: str | None = None, said: str = ""
+) -> Fact:
+    made = fact(key, value, name, symbol=symbol, said=said)
+    assert made.quantity is not None
+    return Fact(made.name, value, made.quantity, (in_tonne_force(made.quantity),))
+
+
+def _angle(value: float, name: str, symbol: str) -> Fact:
+    made = fact("angle", value, name, symbol=symbol)
+    return Fact(made.name, value, made.quantity, (named("angle_rad", symbol),))
+
+
+def _in_tf(column: Column) -> Column:
+    assert column.quantity is not None
+    tonnes = in_tonne_force(column.quantity)
+    return Column(column.name, column.values, tonnes, only=column.only)

@@ -1,0 +1,213 @@
+"""What the equilibrium of a body on several lines consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Fact,
+    Facts,
+    Graph,
+    Section,
+    Table,
+    Text,
+    Warnings,
+    fact,
+    measured,
+    texts,
+)
+from catopt.words import Measure, Message
+
+if TYPE_CHECKING:
+    from catopt.mooring.case import SystemReport
+    from catopt.mooring.response import Response
+    from catopt.mooring.restoring import RestoringCurve
+
+__all__ = ["system_answer"]
+
+_EVERY = 10
+"""One direction of the watch circle in so many is shown: 30 degrees."""
+_CURVE_EVERY = 2
+
+
+def system_answer(report: SystemReport) -> Answer:
+    """Lay out a moored body.
+
+    Parameters
+    ----------
+    report : SystemReport
+        What came out.
+    """
+    opening = (Text(_solved(report)), _body(report))
+    return Answer(
+        "system",
+        report.case.title or Message("captions.moored_body"),
+        (
+            Section(Message("captions.body"), opening),
+            Section(Message("captions.lines"), (_lines(report),)),
+            *_line_out(report),
+            *_circle(report),
+            *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
+            *_levels(report),
+            Section(Message("captions.residuals"), tuple(_closing(report))),
+        ),
+    )
+
+
+def _solved(report: SystemReport) -> Message:
+    freedom = "mooring.x_y_and_yaw" if report.solution.system.turns else "mooring.x_and_y"
+    count = len(report.solution.lines)
+    return Message("mooring.solved", count=count, freedom=Message(freedom))
+
+
+def _body(report: SystemReport) -> Facts:
+    """List where the body is and how it is held."""
+    solution = report.solution
+    system, stiffness = solution.system, solution.stiffness
+    facts = [
+        Fact(Message("columns.title"), report.case.title, only="files"),
+        fact("horizontal_force", system.force[0], "force_on_the_body_along_x", symbol=""),
+        fact("horizontal_force", system.force[1], "force_on_the_body_along_y", symbol=""),
+        fact("offset", solution.neutral.x, "zero_load_position_x"),
+        fact("offset", solution.neutral.y, "zero_load_position_y"),
+        fact("offset", solution.offset[0], "offset_along_x"),
+        fact("offset", solution.offset[1], "offset_along_y"),
+        fact("stiffness", stiffness[0][0], symbol="kxx"),
+        fact("stiffness", stiffness[0][1], symbol="kxy"),
+        fact("stiffness", stiffness[1][1], symbol="kyy"),
+    ]
+    if system.turns:
+        facts[3:3] = [fact("moment", system.moment)]
+        facts += [fact("angle", solution.position.yaw, "yaw", symbol="")]
+    rule = report.rule
+    if rule.horizontal_force is not None:
+        assert rule.line is not None
+        own = solution.lines[rule.line].horizontal_force
+        for key, force in (("force_of_line", own), ("force_by_rule", rule.horizontal_force)):
+            said = Message(f"columns.{key}", number=rule.line + 1)
+            facts += [fact("horizontal_force", force, symbol="", said=said)]
+    return Facts("body", tuple(facts), Message("captions.body"))
+
+
+def _lines(report: SystemReport) -> Table:
+    """Tabulate what each line carries."""
+    solution = report.solution
+    lines = solution.lines
+    own = [line.solution for line in lines]
+    used = [line.utilisation(solution.safety_factor) for line in lines]
+    columns = [
+        texts("line", range(1, len(lines) + 1)),
+        measured("angle", (line.leg.azimuth for line in lines), "azimuth", symbol=""),
+        measured("span", (each.span for each in own)),
+        measured("horizontal_force", (line.horizontal_force for line in lines)),
+        measured("tension", (line.tension for line in lines), "fairlead_tension"),
+        measured("tension", (each.anchor.tension for each in own), "anchor_tension", symbol="TA"),
+        measured("grounded_length", (each.grounded_length for each in own)),
+    ]
+    if any(value is not None for value in used):
+        columns.append(measured("utilisation", used))
+    return Table("lines", tuple(columns), Message("captions.lines"))
+
+
+def _line_out(report: SystemReport) -> Iterator[Section]:
+    """Tabulate what happens when each line is gone."""
+    if not report.line_out:
+        return
+    columns = (
+        texts("line_out", [each.missing + 1 for each in report.line_out]),
+        *_responses([each.response for each in report.line_out]),
+        texts("refusal", [each.refusal for each in report.line_out], only="files"),
+    )
+    lost = tuple(
+        Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
+        for each in report.line_out
+        if each.response is None
+    )
+    title = Message("captions.one_line_out")
+    yield Section(title, (Table("line_out", columns, title), *lost))
+
+
+def _circle(report: SystemReport) -> Iterator[Section]:
+    """Tabulate where the force takes the body as it goes round."""
+    circle = report.circle
+    if circle is None:
+        return
+    columns = (
+        measured("angle", circle.directions, "direction", symbol=""),
+        *_responses(circle.responses),
+    )
+    force = Measure("horizontal_force", circle.force)
+    shown = tuple(range(0, len(circle.directions), _EVERY))
+    table = Table("watch_circle", columns, Message("captions.circle", force=force), shown)
+    yield Section(Message("captions.watch_circle"), (table,))
+
+
+def _curve(number: int, curve: RestoringCurve) -> Section:
+    """Tabulate force and offset along one direction."""
+    rows = len(curve.offset)
+    name = f"restoring_{number}"
+    table = Table(
+        name,
+        (
+            measured("angle", [curve.direction] * rows, "direction", symbol="", only="files"),
+            measured("offset", curve.offset),
+            measured("horizontal_force", curve.force, "force_along_the_direction", symbol=""),
+            measured("horizontal_force", curve.force_across, "force_across_it", symbol=""),
+            measured(
+                "tension",
+                [each.largest_tension for each in curve.responses],
+                "largest_tension",
+                symbol="",
+            ),
+            texts("in_line", [each.most_loaded + 1 for each in curve.responses]),
+        ),
+        Message("captions.held", angle=Measure("angle", curve.direction)),
+        tuple(range(0, rows, _CURVE_EVERY)),
+    )
+    title = Message("captions.restoring", number=number)
+    return Section(title, (table, Graph(title, name, x=1, y=(2,))))
+
+
+def _levels(report: SystemReport) -> Iterator[Section]:
+    """Tabulate what the water level changes."""
+    levels = report.levels
+    if not levels:
+        return
+    columns = (
+        measured("height", [each.level for each in levels], "water_level", symbol=""),
+        *_responses([each.response for each in levels]),
+        measured("stiffness", [each.stiffness[0][0] for each in levels], symbol="kxx"),
+    )
+    title = Message("captions.water_levels")
+    yield Section(title, (Table("water_levels", columns, title),))
+
+
+def _responses(responses: Iterable[Response | None]) -> tuple[Column, ...]:
+    rows = list(responses)
+
+    def of(name: str) -> list[float | None]:
+        return [None if row is None else getattr(row, name) for row in rows]
+
+    return (
+        measured("offset", of("x"), "position", symbol="x"),
+        measured("offset", of("y"), "position", symbol="y"),
+        measured("offset", of("offset")),
+        measured("tension", of("largest_tension"), "largest_tension", symbol=""),
+        texts("in_line", [None if row is None else row.most_loaded + 1 for row in rows]),
+        measured("grounded_length", of("least_grounded"), "shortest_grounded_length"),
+    )
+
+
+def _closing(report: SystemReport) -> Iterator[Block]:
+    """Say what is left of the balance, and what is to be known."""
+    solution = report.solution
+    if report.rule.horizontal_force is None:
+        yield Text(Message("mooring.no_rule", why=report.rule.why_not))
+    yield Text(Message("mooring.residual_of_forces", value=solution.residual.force))
+    if solution.system.turns:
+        yield Text(Message("mooring.residual_of_moments", value=solution.residual.moment))
+    yield Warnings(tuple(solution.warnings))

@@ -1,0 +1,158 @@
+"""One design out of the directory that a design search left, as a case."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from catopt.casefile.hydrodynamics import segment_in_motion
+from catopt.casefile.reading import read_case
+from catopt.errors import InputError, Problem
+from catopt.model import Anchor, Case, Line, PointLoad, Segment
+from catopt.schemas import read_document
+from catopt.words.saved import with_messages
+
+__all__ = [
+    "DESIGN_CASE",
+    "DESIGN_DOCUMENT",
+    "read_case_or_design",
+    "read_design",
+    "read_design_document",
+]
+
+DESIGN_DOCUMENT = "design.json"
+"""Name of the document in a result directory."""
+DESIGN_CASE = "case.toml"
+"""Name of the case file in a result directory."""
+
+_SCHEMA = "catopt.design/1"
+
+
+def read_case_or_design(path: Path, design: int | None) -> Case:
+    """Read a case file, or a design out of a result directory.
+
+    Parameters
+    ----------
+    path : Path
+        A case file; with a design, the directory that ``catopt design --out`` wrote.
+    design : int or None
+        Number of the design, counted from 1 as in the tables of the front.
+
+    Raises
+    ------
+    InputError
+        As `read_case` and `read_design`; or a directory without a number of a design.
+    """
+    if design is not None:
+        return read_design(path, design)
+    if path.is_dir() and (path / DESIGN_DOCUMENT).exists():
+        allowed = "a result directory; add --design K with the number of a design"
+        raise InputError([Problem("CASE", str(path), allowed)], "options")
+    return read_case(path)
+
+
+def read_design(directory: Path, number: int) -> Case:
+    """Read a design out of a result directory as a case of its own.
+
+    Parameters
+    ----------
+    directory : Path
+        What ``catopt design --out`` wrote.
+    number : int
+        Counted from 1, as in the tables of the front.
+
+    Returns
+    -------
+    Case
+        The case of the search with the line and the anchor of the design; nothing varies any more.
+
+    Raises
+    ------
+    InputError
+        It is no result directory, or has no such design.
+    """
+    front = read_design_document(directory)["front"]
+    if not 1 <= number <= len(front):
+        allowed = f"the front has the designs 1 to {len(front)}"
+        raise InputError([Problem("--design", str(number), allowed)], "options")
+    case = read_case(directory / DESIGN_CASE)
+    design = front[number - 1]
+    title = f"{case.title}, design {number}" if case.title else f"Design {number}"
+    try:
+        line, anchor = _line(design, case), _anchor(design, case)
+    except InputError as error:
+        problems = [replace(p, key=f"front[{number - 1}]: {p.key}") for p in error.problems]
+        raise InputError(problems, str(directory / DESIGN_DOCUMENT)) from error
+    return replace(case, title=title, line=line, anchor=anchor, design=None)
+
+
+def read_design_document(directory: Path) -> dict[str, Any]:
+    """Read the document of a result directory.
+
+    Parameters
+    ----------
+    directory : Path
+        What ``catopt design --out`` wrote.
+
+    Raises
+    ------
+    InputError
+        It is no result directory.
+    """
+    if not (directory / DESIGN_DOCUMENT).is_file():
+        wanted = f"a directory that catopt design --out wrote is wanted (no {DESIGN_DOCUMENT})"
+        raise InputError([Problem("CASE", str(directory), wanted)], "options")
+    document = read_document(directory / DESIGN_DOCUMENT, _SCHEMA)
+    try:
+        found: dict[str, Any] = with_messages(document, document.pop("messages", {}))
+    except ValueError as error:
+        problem = Problem("messages", str(error), "as this edition of catopt design writes them")
+        raise InputError([problem], str(directory / DESIGN_DOCUMENT)) from None
+    return found
+
+
+def _line(design: dict[str, Any], case: Case) -> Line:
+    return Line(
+        [segment_in_motion(_segment(each), case) for each in design["segments"]],
+        [
+            PointLoad(
+                position=each["position_m"],
+                submerged_weight=each["submerged_weight_N"],
+                mass=each["mass_kg"],
+                name=each.get("name", ""),
+            )
+            for each in design["point_loads"]
+        ],
+    )
+
+
+def _segment(each: dict[str, Any]) -> Segment:
+    EA = each["EA_N"]
+    return Segment(
+        length=each["length_m"],
+        submerged_weight=each["submerged_weight_N_per_m"],
+        EA=math.inf if EA is None else EA,
+        mass=each["mass_kg_per_m"],
+        MBL=each["MBL_N"],
+        name=each.get("name", ""),
+        component=each["component"] or "",
+        nominal_diameter=each["nominal_diameter_m"],
+        proof_load=each.get("proof_load_N"),
+        price=each.get("price_USD_per_m"),
+        wear_rate=each.get("wear_rate_m_per_s"),
+    )
+
+
+def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:
+    sinker = design.get("sinker")
+    if sinker is None:
+        return case.anchor
+    return Anchor(
+        kind="sinker",
+        submerged_weight=sinker["submerged_weight_N"],
+        friction=sinker["friction"],
+        safety_factor=sinker["safety_factor"],
+        mass=sinker["mass_kg"],
+    )

@@ -1,0 +1,89 @@
+"""From a case file to a Case."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from catopt.casefile.building import build_case
+from catopt.casefile.components import from_catalogue
+from catopt.casefile.consistency import consistency_findings
+from catopt.casefile.design_consistency import design_findings
+from catopt.casefile.dynamics_consistency import dynamics_findings
+from catopt.casefile.location import Finding, in_order_of
+from catopt.casefile.schema import CaseTable
+from catopt.casefile.structure import structure_findings
+from catopt.documents import parse_toml, read_text
+from catopt.errors import InputError
+from catopt.model import Case
+
+__all__ = ["parse_case", "read_case"]
+
+
+def read_case(path: str | os.PathLike[str]) -> Case:
+    """Read a case file.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, TOML in UTF-8.
+
+    Returns
+    -------
+    Case
+        In SI.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, or with every problem of what it says.
+    """
+    source = os.fspath(path)
+    return parse_case(read_text(Path(path), source), source, folder=str(Path(path).parent))
+
+
+def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
+    """Read the text of a case file.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str
+        Name of the file, for messages.
+    folder : str
+        Where the paths in the file count from; the working directory when left out.
+
+    Returns
+    -------
+    Case
+        In SI.
+
+    Raises
+    ------
+    InputError
+        With every problem of the text, in its order.
+    """
+    document = parse_toml(text, source)
+    findings: list[Finding] = []
+    table: CaseTable | None = None
+    try:
+        table = CaseTable.model_validate(document)
+    except ValidationError as error:
+        findings += structure_findings(error.errors(include_url=False))
+    catalogue = from_catalogue(document, folder)
+    findings += catalogue.findings
+    findings += consistency_findings(document, catalogue.segments)
+    findings += design_findings(document)
+    findings += dynamics_findings(document)
+    if table is None or findings:
+        from catopt.casefile.sizing_file import not_a_case
+
+        other = not_a_case(document)
+        if other is not None:
+            raise InputError([other], source)
+        ordered = in_order_of(document, list(dict.fromkeys(findings)))
+        raise InputError([finding.as_problem() for finding in ordered], source)
+    return build_case(table, catalogue, folder)

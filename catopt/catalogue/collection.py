@@ -1,0 +1,233 @@
+"""A catalogue: families of components, and what can be asked of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from catopt.catalogue.components import Component
+from catopt.catalogue.evaluation import Evaluation
+from catopt.catalogue.family import Family, in_mm
+from catopt.catalogue.figure import RECALLED, SPECS, Figure, within
+from catopt.catalogue.names import ComponentName, find_name, nearest, shared_names
+from catopt.constants import SEA_WATER_DENSITY
+from catopt.errors import InputError, Problem
+from catopt.model.validity import Findings
+from catopt.units import as_written
+from catopt.words import Message
+
+__all__ = ["ALL", "Catalogue"]
+
+ALL = "all"
+"""Key of `variants` that stands for every quantity with a variant of that name."""
+
+NO_VARIANTS: Mapping[str, str] = MappingProxyType({})
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """Families of components.
+
+    Attributes
+    ----------
+    families : tuple of Family
+        In the order of the files; no two share a name.
+    """
+
+    families: tuple[Family, ...]
+
+    def __post_init__(self) -> None:
+        problems = [
+            Problem("family", as_written(name), f'a name of "{owner}" already; give another')
+            for name, owner in shared_names(self.families)
+        ]
+        if problems:
+            raise InputError(problems, "catalogue")
+
+    def with_families(self, other: Catalogue) -> Catalogue:
+        """Add the families of another catalogue.
+
+        Raises
+        ------
+        InputError
+            A name is in both.
+        """
+        return Catalogue((*self.families, *other.families))
+
+    def parse_name(self, name: object) -> ComponentName:
+        """Read the name of a component, such as ``"chain studless R3"``.
+
+        Raises
+        ------
+        InputError
+            There is none of that name; the message gives the nearest.
+        """
+        return find_name(name, self.families)
+
+    def family(self, name: object) -> Family:
+        """Look a family up by any of its names.
+
+        Raises
+        ------
+        InputError
+            There is none of that name; the message gives the nearest.
+        """
+        found = self.parse_name(name).family
+        return next(family for family in self.families if family.name == found)
+
+    def component(
+        self,
+        family: str,
+        diameter: float,
+        *,
+        grade: str | None = None,
+        variants: Mapping[str, str] = NO_VARIANTS,
+        water_density: float = SEA_WATER_DENSITY,
+        allow_recalled: bool = False,
+    ) -> Component:
+        """Look a component up; see `catopt.catalogue.component`."""
+        parsed = self.parse_name(family)
+        found = self.family(parsed.family)
+        check = Findings(f"component {found.name}")
+        grade = _grade(check, found, grade if grade is not None else parsed.grade)
+        _check_diameter(check, found, diameter)
+        check.number("water_density", water_density, "kg/m3", above=0.0)
+        chosen = _choose(check, found, grade, variants, allow_recalled)
+        check.raise_if_any()
+        asked = _asked(variants)
+        evaluation = Evaluation(found, grade, diameter, chosen, asked, allow_recalled)
+        return evaluation.component(water_density)
+
+    def sold(
+        self,
+        family: str,
+        *,
+        grade: str | None = None,
+        variants: Mapping[str, str] = NO_VARIANTS,
+        water_density: float = SEA_WATER_DENSITY,
+        allow_recalled: bool = False,
+    ) -> tuple[Component, ...]:
+        """List a family's components in the sizes that are sold, one grade or all.
+
+        A size at which a needed figure has no value (a grade that is made in fewer sizes, a
+        variant that covers fewer) is left out.
+
+        Raises
+        ------
+        InputError
+            There is no such family, grade or variant.
+        """
+        parsed = self.parse_name(family)
+        found = self.family(parsed.family)
+        check = Findings(f"component {found.name}")
+        wanted = grade if grade is not None else parsed.grade
+        grades = _grades(found) if wanted is None else (_grade(check, found, wanted),)
+        check.number("water_density", water_density, "kg/m3", above=0.0)
+        chosen = {each: _choose(check, found, each, variants, allow_recalled) for each in grades}
+        check.raise_if_any()
+        made = (
+            Evaluation(found, each, diameter, chosen[each], _asked(variants), allow_recalled)
+            for each in grades
+            for diameter in found.sizes.diameters
+        )
+        return tuple(each.component(water_density) for each in made if each.is_made)
+
+
+def _asked(variants: Mapping[str, str]) -> frozenset[str]:
+    return frozenset(variants) - {ALL}
+
+
+def _grades(family: Family) -> tuple[str | None, ...]:
+    return family.grades or (None,)
+
+
+def _grade(check: Findings, family: Family, grade: str | None) -> str | None:
+    """Note a problem unless the grade is one of the family's; return it as the family writes it."""
+    if not family.grades:
+        if grade is not None:
+            check.add("grade", as_written(grade), f"{family.name} has no grades; leave it out")
+        return None
+    allowed = f"one of {', '.join(family.grades)} is wanted"
+    if grade is None:
+        check.add("grade", "", f"missing; {allowed}")
+        return None
+    by_plain = {each.casefold(): each for each in family.grades}
+    if grade.casefold() not in by_plain:
+        near = nearest(grade, family.grades)
+        hint = f"; did you mean {near}?" if near else ""
+        check.add("grade", as_written(grade), allowed + hint)
+        return None
+    return by_plain[grade.casefold()]
+
+
+def _check_diameter(check: Findings, family: Family, diameter: float) -> None:
+    """Note a problem unless the nominal diameter lies within the family's range."""
+    before = len(check.problems)
+    check.number("diameter", diameter, "m", above=0.0)
+    if len(check.problems) > before:
+        return
+    if not within(diameter, family.range):
+        meant_mm = within(diameter / 1e3, family.range)
+        hint = f"; a diameter is in m: did you mean {diameter / 1e3:g}?" if meant_mm else ""
+        allowed = f"{family.name} is known {family.known_range}{hint}"
+        check.add("diameter", in_mm(diameter), allowed)
+
+
+def _choose(
+    check: Findings,
+    family: Family,
+    grade: str | None,
+    variants: Mapping[str, str],
+    allow_recalled: bool,
+) -> dict[str, Figure]:
+    """Pick a figure for each quantity; note a problem for each variant that cannot be had."""
+    chosen = {}
+    for quantity in SPECS:
+        default = family.default(quantity, grade)
+        if default is not None:
+            chosen[quantity] = default
+    everywhere = variants.get(ALL)
+    if everywhere is not None:
+        same = dict(_named(family, grade, everywhere))
+        if not same:
+            names = sorted({f.variant for q in SPECS for f in family.alternatives(q, grade)} - {""})
+            _no_variant(check, ALL, everywhere, names)
+        for figure in same.values():
+            _bar_recalled(check, figure, allow_recalled)
+        chosen |= same
+    for quantity, variant in variants.items():
+        if quantity == ALL:
+            continue
+        if quantity not in SPECS:
+            near = nearest(quantity, SPECS)
+            hint = f"; did you mean {near}?" if near else ""
+            check.add("variants", as_written(quantity), f"one of {', '.join(SPECS)}{hint}")
+            continue
+        found = [f for f in family.alternatives(quantity, grade) if f.variant == variant]
+        if found:
+            chosen[quantity] = found[0]
+            _bar_recalled(check, found[0], allow_recalled)
+        else:
+            names = [f.variant for f in family.alternatives(quantity, grade) if f.variant]
+            _no_variant(check, quantity, variant, names)
+    return chosen
+
+
+def _named(family: Family, grade: str | None, variant: str) -> Iterator[tuple[str, Figure]]:
+    for quantity in SPECS:
+        for figure in family.alternatives(quantity, grade):
+            if figure.variant == variant:
+                yield quantity, figure
+
+
+def _no_variant(check: Findings, quantity: str, variant: str, names: Iterable[str]) -> None:
+    listed = ", ".join(names)
+    allowed = f"one of {listed} is wanted" if listed else "there is only one figure; leave it out"
+    check.add(f"variants.{quantity}", as_written(variant), allowed)
+
+
+def _bar_recalled(check: Findings, figure: Figure, allow_recalled: bool) -> None:
+    if figure.confidence == RECALLED and not allow_recalled:
+        why = Message("catalogue.only_recalled")
+        check.add(f"variants.{figure.quantity}", as_written(figure.variant), why)

@@ -1,0 +1,292 @@
+"""Reads files of families: the catalogue's own and a user's, every error at once."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib.resources import files
+from pathlib import Path
+
+from catopt.catalogue.collection import Catalogue
+from catopt.catalogue.family import Family, Sizes, in_mm
+from catopt.catalogue.figure import CONFIDENCES, SPECS, Figure, Source, within
+from catopt.catalogue.formula import Formula, Rows
+from catopt.catalogue.formula_reading import read_formula
+from catopt.catalogue.table import Table
+from catopt.documents import parse_toml, read_text
+from catopt.model.validity import Findings
+
+__all__ = ["KIND", "SCHEMA", "parse_families", "read_families", "read_standard"]
+
+SCHEMA = "catopt.families/1"
+"""What a file of families has under its key ``schema``."""
+
+KIND = "families file"
+"""What it is called in messages."""
+
+_OWN = ("sources.toml", "chain.toml", "buoy_chain.toml", "wire.toml", "fibre.toml")
+
+
+def read_standard() -> Catalogue:
+    """Read the families that come with catopt."""
+    folder = files("catopt.catalogue").joinpath("data")
+    sources: dict[str, Source] = {}
+    families: list[Family] = []
+    for name in _OWN:
+        text = folder.joinpath(name).read_text(encoding="utf-8")
+        found, sources = _parse(text, f"catopt's {name}", sources)
+        families += found
+    return Catalogue(tuple(families))
+
+
+def read_families(
+    path: str | os.PathLike[str], known: Mapping[str, Source] | None = None
+) -> Catalogue:
+    """Read a file of families; see `catopt.catalogue.read_families`."""
+    source = os.fspath(path)
+    return parse_families(read_text(Path(path), source, kind=KIND), source, known)
+
+
+def parse_families(
+    text: str, source: str = "", known: Mapping[str, Source] | None = None
+) -> Catalogue:
+    """Read the text of a file of families.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str
+        Name of the file, for messages.
+    known : mapping of str to Source, optional
+        Sources that the text may name beside its own.
+
+    Raises
+    ------
+    InputError
+        With every problem of the text.
+    """
+    found, _ = _parse(text, source, known or {})
+    return Catalogue(tuple(found))
+
+
+def _parse(
+    text: str, source: str, known: Mapping[str, Source]
+) -> tuple[list[Family], dict[str, Source]]:
+    """Read families, and the sources known after them."""
+    findings = Findings(source)
+    document = Table(parse_toml(text, source), "", findings)
+    document.only("schema", "sources", "family", "figure")
+    if document.text("schema") not in {SCHEMA, None}:
+        document.problem("schema", f'"{SCHEMA}" is wanted')
+    sources = {**known, **_sources(document)}
+    drafts = [_draft(table, sources) for table in document.tables("family", required=False)]
+    by_name = {draft.name: draft for draft in drafts if draft.name}
+    figures = [_figure(t, sources, by_name) for t in document.tables("figure", required=False)]
+    findings.raise_if_any()
+    families = [draft.family(figure for figure in figures if figure) for draft in drafts]
+    for index, family in enumerate(families):
+        _check_family(findings, f"family[{index}]", family)
+    findings.raise_if_any()
+    return families, sources
+
+
+# ------------------------------------------------------------------ parts of a file
+
+
+@dataclass(frozen=True)
+class _Draft:
+    """A family before its figures are gathered."""
+
+    name: str
+    title: str
+    also: tuple[str, ...]
+    grades: tuple[str, ...]
+    range: tuple[float, float]
+    sizes: Sizes
+    note: str
+
+    def family(self, figures: Iterable[Figure]) -> Family:
+        """Add the figures that hold for it, each ending at the latest where the family ends."""
+        own = tuple(self._ended(figure) for figure in figures if self.name in figure.families)
+        return Family(
+            self.name, self.title, self.also, self.grades, self.range, self.sizes, own, self.note
+        )
+
+    def _ended(self, figure: Figure) -> Figure:
+        low, high = figure.range
+        return replace(figure, range=(max(low, self.range[0]), min(high, self.range[1])))
+
+
+def _sources(document: Table) -> dict[str, Source]:
+    found = {}
+    for key, table in document.named("sources"):
+        table.only("title", "place")
+        found[key] = Source(key, table.cited("title") or "", table.cited("place") or "")
+    return found
+
+
+def _draft(table: Table, sources: Mapping[str, Source]) -> _Draft:
+    table.only("name", "title", "also", "grades", "range_mm", "sizes", "note")
+    span = table.span_mm("range_mm") or (0.0, 0.0)
+    return _Draft(
+        name=table.text("name") or "",
+        title=table.said("title") or "",
+        also=table.texts("also"),
+        grades=table.texts("grades"),
+        range=span,
+        sizes=_sizes(table, sources, span),
+        note=table.said("note", required=False) or "",
+    )
+
+
+def _sizes(family: Table, sources: Mapping[str, Source], span: tuple[float, float]) -> Sizes:
+    table = family.table("sizes")
+    if table is None:
+        return Sizes()
+    table.only("mm", "source", "place", "confidence")
+    diameters = table.rising_mm("mm")
+    outside = [in_mm(diameter) for diameter in diameters if span[1] and not within(diameter, span)]
+    if outside:
+        table.problem("mm", f"{outside[0]} lies outside the family's range_mm")
+    return Sizes(
+        diameters,
+        _cited(table, sources),
+        table.cited("place") or "",
+        table.word("confidence", CONFIDENCES) or CONFIDENCES[-1],
+    )
+
+
+def _cited(table: Table, sources: Mapping[str, Source]) -> tuple[Source, ...]:
+    """Read the sources that a figure names."""
+    keys = table.texts("source", required=True)
+    for key in keys:
+        if key not in sources:
+            listed = ", ".join(sources) or "none yet"
+            table.problem("source", f'no source "{key}"; those of [sources] are: {listed}')
+    return tuple(sources[key] for key in keys if key in sources)
+
+
+def _figure(
+    table: Table, sources: Mapping[str, Source], drafts: Mapping[str, _Draft]
+) -> Figure | None:
+    table.only(
+        "family", "grade", "quantity", "variant", "default", "reason", "formula", "range_mm",
+        "source", "place", "confidence", "note",
+    )  # fmt: skip
+    quantity = table.word("quantity", tuple(SPECS))
+    families = [drafts[n] for n in table.texts("family", required=True) if _knows(table, drafts, n)]
+    grades = _figure_grades(table, families)
+    formula = read_formula(table, quantity) if quantity else None
+    cited = _cited(table, sources)
+    place, confidence = table.cited("place"), table.word("confidence", CONFIDENCES)
+    default = table.flag("default")
+    span = _span(table, formula, families)
+    if not (quantity and families and formula and cited and place and confidence and span):
+        return None
+    return Figure(
+        quantity=quantity,
+        variant=table.text("variant", required=False) or "",
+        families=tuple(draft.name for draft in families),
+        grades=grades,
+        formula=formula,
+        range=span,
+        sources=cited,
+        place=place,
+        confidence=confidence,
+        default=True if default is None else default,
+        reason=table.said("reason", required=False) or "",
+        note=table.said("note", required=False) or "",
+    )
+
+
+def _span(
+    table: Table, formula: Formula | None, families: Sequence[_Draft]
+) -> tuple[float, float] | None:
+    """Read the range of a figure: as far as its rows or its families go, unless it is given."""
+    rows = formula.diameters if isinstance(formula, Rows) else (0.0, math.inf)
+    whole = (rows[0], rows[-1])
+    if not table.has("range_mm"):
+        return whole
+    span = table.span_mm("range_mm")
+    if span is None:
+        return None
+    limits = {"the rows of the formula": whole}
+    # A range of a family that is a problem already is (0, 0).
+    limits |= {f'range_mm of "{d.name}"': d.range for d in families if d.range[1] > 0.0}
+    for what, limit in limits.items():
+        if not (within(span[0], limit) and within(span[1], limit)):
+            table.problem("range_mm", f"must lie within {what}")
+    return span
+
+
+def _knows(table: Table, drafts: Mapping[str, _Draft], name: str) -> bool:
+    if name in drafts:
+        return True
+    listed = ", ".join(f'"{each}"' for each in drafts) or "none yet"
+    table.problem("family", f'no family "{name}" in this file; there are: {listed}')
+    return False
+
+
+def _figure_grades(table: Table, families: Sequence[_Draft]) -> tuple[str, ...]:
+    grades = table.texts("grade")
+    for grade in grades:
+        for draft in families:
+            if grade not in draft.grades:
+                listed = ", ".join(draft.grades) or "none"
+                table.problem("grade", f'"{draft.name}" has no grade {grade}; it has: {listed}')
+    return grades
+
+
+# ------------------------------------------------------------------ what a family must have
+
+
+def _check_family(findings: Findings, path: str, family: Family) -> None:
+    """Note a problem for each quantity without a figure, and for each choice left open."""
+    for quantity, spec in SPECS.items():
+        for grade in family.grades or (None,):
+            what = f"{quantity} of grade {grade}" if grade else quantity
+            found = family.alternatives(quantity, grade)
+            if spec.needed and family.default(quantity, grade) is None:
+                findings.add(path, "", f'"{family.name}" has no default figure for {what}')
+            if len(found) > 1:
+                _check_choice(findings, path, what, found)
+            for figure in found:
+                _check_positive(findings, path, figure, what)
+                _check_rests(findings, path, family, grade, figure, what)
+
+
+def _check_choice(findings: Findings, path: str, what: str, found: Sequence[Figure]) -> None:
+    names = [figure.variant for figure in found]
+    defaults = [figure for figure in found if figure.default]
+    if not all(names) or len(set(names)) < len(names):
+        findings.add(path, "", f"{what} has {len(found)} figures: give each a variant of its own")
+    elif len(defaults) > 1:
+        findings.add(path, "", f"{what} has {len(defaults)} defaults: set default = false")
+    elif defaults and not defaults[0].reason:
+        findings.add(path, "", f"{what} has a choice: give the default {names[0]} a reason")
+
+
+def _check_positive(findings: Findings, path: str, figure: Figure, what: str) -> None:
+    """Note a problem where a figure that stands for itself is not positive in its range."""
+    if figure.formula.rests_on:
+        return
+    for end in figure.range:
+        value = figure.formula.value(end, _nothing)
+        if not value > 0.0:
+            found = f"{value:g} {SPECS[figure.quantity].unit}".rstrip()
+            findings.add(path, found, f"{what} must be positive: it is not at {in_mm(end)}")
+
+
+def _nothing(quantity: str) -> float:
+    raise AssertionError(f"rests on {quantity} after all")
+
+
+def _check_rests(
+    findings: Findings, path: str, family: Family, grade: str | None, figure: Figure, what: str
+) -> None:
+    for other in figure.formula.rests_on:
+        if not family.alternatives(other, grade):
+            findings.add(path, "", f"{what} is taken from {other}, for which there is no figure")

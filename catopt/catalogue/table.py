@@ -1,0 +1,203 @@
+"""Checked access to a TOML table: what is wrong becomes a problem with its key path."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, TypeVar
+
+from catopt.catalogue.names import nearest
+from catopt.model.validity import Findings
+from catopt.units import as_written
+from catopt.words import LANGUAGES, Cited, Told
+
+__all__ = ["Table"]
+
+Word = TypeVar("Word", bound=str)
+
+_MM = 1e3
+
+
+class Table:
+    """A table of a file with the path at which it stands.
+
+    Attributes
+    ----------
+    values : dict
+        As the TOML reader returns it.
+    path : str
+        Such as ``figure[3]``; empty for the file itself.
+    """
+
+    def __init__(self, values: dict[str, Any], path: str, findings: Findings) -> None:
+        self.values = values
+        self.path = path
+        self._findings = findings
+
+    def problem(self, key: str, allowed: str) -> None:
+        """Note what is wrong with the value of a key."""
+        found = as_written(self.values[key]) if key in self.values else ""
+        self._findings.add(self.at(key), found, allowed if found else f"missing; {allowed}")
+
+    def at(self, key: str) -> str:
+        """Path of a key."""
+        return f"{self.path}.{key}" if self.path else key
+
+    def has(self, key: str) -> bool:
+        """Whether a key is there."""
+        return key in self.values
+
+    def only(self, *keys: str) -> None:
+        """Note a problem for each key that does not belong here."""
+        for key in self.values:
+            if key not in keys:
+                near = nearest(key, keys)
+                hint = f"did you mean {near}?" if near else f"allowed here: {', '.join(keys)}"
+                self._findings.add(self.at(key), "an unknown key", hint)
+
+    def text(self, key: str, *, required: bool = True) -> str | None:
+        """Read a text that is not empty."""
+        value = self.values.get(key)
+        if value is None and not required:
+            return None
+        if not isinstance(value, str) or not value.strip():
+            self.problem(key, "text in quotes is wanted")
+            return None
+        return value
+
+    def said(self, key: str, *, required: bool = True) -> str | None:
+        """Read a text in one language, a user's own words, or in all: ``{ en = "", vi = "" }``."""
+        value = self.values.get(key)
+        if not isinstance(value, dict):
+            return self.text(key, required=required)
+        if set(value) != set(LANGUAGES) or not all(isinstance(v, str) for v in value.values()):
+            self.problem(key, f"a text in quotes for each of {', '.join(LANGUAGES)} is wanted")
+            return None
+        return Told(value)
+
+    def cited(self, key: str) -> str | None:
+        """Read what is cited as it is printed; catopt's own words are in all languages."""
+        said = self.said(key)
+        return said if said is None or isinstance(said, Told) else Cited(said)
+
+    def word(self, key: str, words: Sequence[Word]) -> Word | None:
+        """Read one of some words."""
+        value = self.values.get(key)
+        for each in words:
+            if value == each:
+                return each
+        near = nearest(value, words) if isinstance(value, str) else None
+        hint = f"; did you mean {near}?" if near else ""
+        self.problem(key, f"one of {', '.join(words)} is wanted{hint}")
+        return None
+
+    def flag(self, key: str) -> bool | None:
+        """Read true or false; None when it is left out."""
+        value = self.values.get(key)
+        if value is not None and not isinstance(value, bool):
+            self.problem(key, "true or false is wanted, without quotes")
+            return None
+        return value
+
+    def texts(self, key: str, *, required: bool = False) -> tuple[str, ...]:
+        """Read one text or an array of texts."""
+        value = self.values.get(key)
+        if value is None and not required:
+            return ()
+        listed = [value] if isinstance(value, str) else value
+        right = isinstance(listed, list) and all(isinstance(e, str) and e.strip() for e in listed)
+        if not right or not listed or len(set(listed)) < len(listed):
+            self.problem(key, "a text or an array of different texts is wanted")
+            return ()
+        return tuple(listed)
+
+    def number(self, key: str, *, above: float | None = None) -> float | None:
+        """Read a number."""
+        return self._number(self.values.get(key), self.at(key), above=above)
+
+    def numbers(self, key: str, count: int) -> tuple[float, ...] | None:
+        """Read an array of so many numbers."""
+        value = self.values.get(key)
+        if not isinstance(value, list) or len(value) != count:
+            self.problem(key, f"an array of {count} numbers is wanted")
+            return None
+        read = [self._number(each, f"{self.at(key)}[{i}]") for i, each in enumerate(value)]
+        known = tuple(each for each in read if each is not None)
+        return known if len(known) == count else None
+
+    def span_mm(self, key: str) -> tuple[float, float] | None:
+        """Read a range of diameters, ``[19, 185]`` in mm; returned in m."""
+        span = self.numbers(key, 2)
+        if span is None:
+            return None
+        if not 0.0 < span[0] < span[1]:
+            self.problem(key, "the smallest and the largest diameter in mm are wanted")
+            return None
+        return span[0] / _MM, span[1] / _MM
+
+    def rising_mm(self, key: str) -> tuple[float, ...]:
+        """Read an array of rising diameters in mm; returned in m."""
+        value = self.values.get(key)
+        if not isinstance(value, list) or not value:
+            self.problem(key, "an array of diameters in mm is wanted")
+            return ()
+        read = self.numbers(key, len(value)) or ()
+        if any(not low < high for low, high in zip((0.0, *read), read, strict=False)):
+            self.problem(key, "must rise, and be above 0")
+        return tuple(each / _MM for each in read)
+
+    def rows(self, key: str) -> list[tuple[float, float]]:
+        """Read an array of at least two pairs of positive numbers, the first of each rising."""
+        value = self.values.get(key)
+        if not isinstance(value, list) or len(value) < 2:
+            self.problem(key, "at least two rows [diameter in mm, value] are wanted")
+            return []
+        read: list[tuple[float, float]] = []
+        for index, row in enumerate(value):
+            at = f"{self.at(key)}[{index}]"
+            if not isinstance(row, list) or len(row) != 2:
+                self._findings.add(at, as_written(row), "a row [diameter in mm, value] is wanted")
+                continue
+            first, second = (self._number(each, at, above=0.0) for each in row)
+            if first is not None and second is not None:
+                if read and not first > read[-1][0]:
+                    self._findings.add(at, f"{first:g} mm", "the diameters of the rows must rise")
+                read.append((first, second))
+        return read
+
+    def table(self, key: str) -> Table | None:
+        """Go into a table; None when it is left out."""
+        value = self.values.get(key)
+        if value is None:
+            return None
+        if not isinstance(value, dict):
+            self.problem(key, "a table is wanted")
+            return None
+        return Table(value, self.at(key), self._findings)
+
+    def tables(self, key: str, *, required: bool = True) -> list[Table]:
+        """Go into an array of tables."""
+        value = self.values.get(key)
+        if value is None and not required:
+            return []
+        if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
+            self.problem(key, f"tables that each begin with [[{key}]] are wanted")
+            return []
+        return [Table(e, f"{self.at(key)}[{i}]", self._findings) for i, e in enumerate(value)]
+
+    def named(self, key: str) -> Iterator[tuple[str, Table]]:
+        """Go into a table of tables."""
+        within = self.table(key)
+        for name in within.values if within else ():
+            assert within is not None
+            table = within.table(name)
+            if table is not None:
+                yield name, table
+
+    def _number(self, value: object, at: str, *, above: float | None = None) -> float | None:
+        """Read one number, bare: the unit is in the key or in the form of the formula."""
+        before = len(self._findings.problems)
+        self._findings.number(at, value, "", above=above)
+        if len(self._findings.problems) > before:
+            return None
+        assert isinstance(value, (int, float))
+        return float(value)

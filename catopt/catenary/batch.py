@@ -1,0 +1,286 @@
+"""Many lines in one call: arrays in, arrays out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.catenary.closing import BY_FORCE, BY_SPAN, BY_TENSION
+from catopt.catenary.many import COLUMNS, fill
+from catopt.catenary.pieces import Pieces
+from catopt.catenary.runs import ROWS_PER_PIECE, Runs
+from catopt.catenary.state import CONVERGED, REASONS, REGIMES
+from catopt.compiled import compiled, is_compiled
+from catopt.errors import InputError, Problem
+from catopt.model import Line
+
+__all__ = ["Solutions", "room_for_runs", "solve_many"]
+
+_A_PIECE = 2e-4
+"""Time that a piece of one line takes as plain Python, s: 6e-5 under a known force, 2e-4 to 1e-3
+where the span is known."""
+
+Numbers = npt.ArrayLike
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """Answers for many lines; every array has the shape (n,), and nan where there is no answer.
+
+    Attributes
+    ----------
+    status : ndarray of int
+        0 where solved; `reason` puts the others into words.
+    regime_code : ndarray of int
+        Index into state.REGIMES, see `regime`.
+    horizontal_force, vertical_force, tension, angle : ndarray
+        At the fairlead: N, N, N, rad.
+    anchor_horizontal_force, anchor_vertical_force, anchor_tension, anchor_angle : ndarray
+        At the anchor: N, N, N, rad.
+    span, grounded_length : ndarray
+        m.
+    height_error : ndarray
+        Residual: computed less wanted height of the fairlead, m.
+    flexibility : ndarray, shape (n, 2, 2)
+        d(span, height)/d(H, V) at the fairlead, m/N. Its inverse is the end stiffness.
+    force_uncertainty : ndarray
+        By how much the rounding of the input to double precision may move the forces at the
+        fairlead, N.
+    """
+
+    status: npt.NDArray[np.int64]
+    regime_code: npt.NDArray[np.int64]
+    horizontal_force: Array
+    vertical_force: Array
+    span: Array
+    height_error: Array
+    grounded_length: Array
+    anchor_horizontal_force: Array
+    anchor_vertical_force: Array
+    flexibility: Array
+    force_uncertainty: Array
+
+    @property
+    def converged(self) -> npt.NDArray[np.bool_]:
+        """Which lines have an answer."""
+        return np.equal(self.status, CONVERGED)
+
+    @property
+    def tension(self) -> Array:
+        """Effective tension at the fairlead, N."""
+        return np.hypot(self.horizontal_force, self.vertical_force)
+
+    @property
+    def angle(self) -> Array:
+        """Inclination at the fairlead, rad."""
+        return np.arctan2(self.vertical_force, self.horizontal_force)
+
+    @property
+    def anchor_tension(self) -> Array:
+        """Effective tension at the anchor, N."""
+        return np.hypot(self.anchor_horizontal_force, self.anchor_vertical_force)
+
+    @property
+    def anchor_angle(self) -> Array:
+        """Inclination at the anchor, rad."""
+        return np.arctan2(self.anchor_vertical_force, self.anchor_horizontal_force)
+
+    @property
+    def stiffness(self) -> Array:
+        """End stiffness d(H, V)/d(span, height) in N/m, shape (n, 2, 2); nan where slack."""
+        x_H, x_V = self.flexibility[:, 0, 0], self.flexibility[:, 0, 1]
+        z_H, z_V = self.flexibility[:, 1, 0], self.flexibility[:, 1, 1]
+        with np.errstate(invalid="ignore"):
+            inverse = np.array([[z_V, -x_V], [-z_H, x_H]]) / (x_H * z_V - x_V * z_H)
+        return np.moveaxis(inverse, 2, 0)
+
+    def regime(self, index: int) -> str | None:
+        """Name of a line's regime; None when it has no answer."""
+        return REGIMES[self.regime_code[index]] if self.status[index] == CONVERGED else None
+
+    def reason(self, index: int) -> str | None:
+        """Why a line has no answer; None when it has one."""
+        return REASONS[int(self.status[index])]
+
+
+def solve_many(
+    line: Line,
+    *,
+    height: Numbers,
+    horizontal_force: Numbers | None = None,
+    span: Numbers | None = None,
+    fairlead_tension: Numbers | None = None,
+    seabed_friction: Numbers = 0.0,
+    anchor_height: Numbers = 0.0,
+    lengths: Numbers | None = None,
+    submerged_weights: Numbers | None = None,
+    EA: Numbers | None = None,
+    positions: Numbers | None = None,
+    point_weights: Numbers | None = None,
+    workers: int = 1,
+) -> Solutions:
+    """Solve many lines by one loop, compiled where there is enough to do.
+
+    Everything is a number for all lines or an array with one entry a line; the formulas are those
+    of `solve`. A line without an answer is marked with its reason and leaves the others alone.
+
+    Parameters
+    ----------
+    line : Line
+        Gives what the arrays below do not.
+    height, seabed_friction, anchor_height : float or array, shape (n,)
+        As for `solve`.
+    horizontal_force, span, fairlead_tension : float or array, shape (n,)
+        Exactly one of them.
+    lengths, submerged_weights, EA : array, shape (segments,) or (n, segments), optional
+        Instead of the line's: m, N/m, N (infinite: inextensible).
+    positions, point_weights : array, shape (loads,) or (n, loads), optional
+        Instead of the line's: m from the anchor, rising, and N.
+    workers : int
+        Threads.
+
+    Raises
+    ------
+    InputError
+        When shapes do not fit or not exactly one load is given.
+    """
+    known, wanted = _known(horizontal_force, span, fairlead_tension)
+    per_line = [wanted, height, anchor_height, seabed_friction]
+    tables = _tables(line, lengths, submerged_weights, EA, positions, point_weights)
+    count = _count(per_line, tables)
+    columns = [np.ascontiguousarray(np.broadcast_to(_vector(a), (count,))) for a in per_line]
+    status = np.empty(count, dtype=np.int64)
+    regime = np.empty(count, dtype=np.int64)
+    out = np.empty((count, len(COLUMNS)))
+    size = tables[0].shape[1] + tables[3].shape[1]
+    grips = _vector([-1.0 if p.friction is None else p.friction for p in line.point_loads])
+
+    def run(loop: Callable[..., Any], first: int, end: int) -> None:
+        room = Pieces(np.empty(size), np.empty(size), np.empty(size), np.empty(2 * size + 2))
+        owner = np.empty(size, dtype=np.int64)
+        runs = room_for_runs(size)
+        loop(known, *columns, *tables, grips, room, owner, runs, first, end, status, regime, out)
+
+    # Lines differ by a factor of thousands in what they take: the first ones tell.
+    at, a_line = 0, _A_PIECE * size
+    while at < count:
+        loop = compiled(fill, a_line * (count - at))
+        end = count if is_compiled(fill) else min(2 * at + 1, count)
+        began = perf_counter()
+        _share(partial(run, loop), (at, end), workers)
+        a_line = max(a_line, (perf_counter() - began) / (end - at))
+        at = end
+    return Solutions(
+        status,
+        regime,
+        horizontal_force=out[:, 0],
+        vertical_force=out[:, 1],
+        span=out[:, 2],
+        height_error=out[:, 3],
+        grounded_length=out[:, 4],
+        anchor_horizontal_force=out[:, 5],
+        anchor_vertical_force=out[:, 6],
+        flexibility=out[:, 7:11].reshape(count, 2, 2),
+        force_uncertainty=out[:, 11],
+    )
+
+
+def room_for_runs(pieces: int) -> Runs:
+    """Make work space for the runs of a line.
+
+    Parameters
+    ----------
+    pieces : int
+        How many pieces it has.
+    """
+    rows = ROWS_PER_PIECE * pieces
+    whole = [np.zeros(rows, dtype=np.int64) for _ in range(2)]
+    columns = [np.zeros(rows) for _ in range(5)]
+    return Runs(*whole, *columns)
+
+
+def _known(*given: Numbers | None) -> tuple[int, Numbers]:
+    codes = (BY_FORCE, BY_SPAN, BY_TENSION)
+    found = [(code, value) for code, value in zip(codes, given, strict=True) if value is not None]
+    if len(found) != 1:
+        raise InputError(
+            [
+                Problem(
+                    "load",
+                    f"{len(found)} of them",
+                    "exactly one of horizontal_force, span and fairlead_tension is wanted",
+                )
+            ],
+            "solve_many",
+        )
+    return found[0]
+
+
+def _vector(values: Numbers) -> Array:
+    return np.asarray(values, dtype=np.float64)
+
+
+def _tables(
+    line: Line,
+    lengths: Numbers | None,
+    weights: Numbers | None,
+    EA: Numbers | None,
+    positions: Numbers | None,
+    point_weights: Numbers | None,
+) -> list[Array]:
+    """Per-line tables with one row for all lines or a row a line."""
+    segments, loads = line.segments, line.point_loads
+    own = {
+        "lengths": (lengths, [s.length for s in segments]),
+        "submerged_weights": (weights, [s.submerged_weight for s in segments]),
+        "EA": (EA, [s.EA for s in segments]),
+        "positions": (positions, [p.position for p in loads]),
+        "point_weights": (point_weights, [p.submerged_weight for p in loads]),
+    }
+    problems = []
+    tables = []
+    for key, (given, default) in own.items():
+        table = np.atleast_2d(_vector(default if given is None else given))
+        if table.ndim != 2 or table.shape[1] != len(default):
+            wanted = f"shape ({len(default)},) or (n, {len(default)}) is wanted, as the line has it"
+            problems.append(Problem(key, f"shape {np.shape(table)}", wanted))
+        tables.append(np.ascontiguousarray(table))
+    if problems:
+        raise InputError(problems, "solve_many")
+    with np.errstate(divide="ignore"):
+        tables[2] = 1.0 / tables[2]
+    return tables
+
+
+def _count(per_line: list[Numbers], tables: list[Array]) -> int:
+    """Return the number of lines on which all arrays agree."""
+    sizes = {np.shape(values)[0] for values in per_line if np.ndim(values) == 1}
+    sizes |= {table.shape[0] for table in tables if table.shape[0] > 1}
+    sizes.discard(1)
+    if len(sizes) > 1 or any(np.ndim(values) > 1 for values in per_line):
+        found = ", ".join(str(size) for size in sorted(sizes))
+        problem = Problem("arrays", f"lengths {found}", "one entry a line, as many in each")
+        raise InputError([problem], "solve_many")
+    return sizes.pop() if sizes else 1
+
+
+def _share(run: Callable[[int, int], None], lines: tuple[int, int], workers: int) -> None:
+    """Run ranges of lines on several threads; the compiled loop lets go of the interpreter."""
+    first, end = lines
+    if workers <= 1 or end - first < 2 * workers:
+        run(first, end)
+        return
+    step = math.ceil((end - first) / workers)
+    with ThreadPoolExecutor(workers) as pool:
+        ranges = [(a, min(a + step, end)) for a in range(first, end, step)]
+        for done in [pool.submit(run, *each) for each in ranges]:
+            done.result()

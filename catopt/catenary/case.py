@@ -1,0 +1,85 @@
+"""Solve a case: by the method wanted, under its load, or for what it seeks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal
+
+from catopt.catenary.find import find_case
+from catopt.catenary.result import under_case
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.errors import InputError, Problem
+from catopt.model import Case
+from catopt.words import Message
+
+__all__ = ["Method", "solve_case", "under_a_load"]
+
+Method = Literal["closed-form", "pso"]
+
+
+def solve_case(
+    case: Case,
+    method: Method = "closed-form",
+    *,
+    progress: Callable[[int], None] | None = None,
+) -> Solution:
+    """Solve a case; errors as for `solve`, and FloatsUpError for a buoy above the water surface.
+
+    When the case seeks something (`case.find`), the answer is the line with what was found. A case
+    without load is solved under its first load case, with a warning that says so.
+
+    Parameters
+    ----------
+    case : Case
+        As read by `catopt.read_case`.
+    method : {"closed-form", "pso"}
+        The particle swarm takes what docs/theory.md says it carries, and refuses the rest.
+    progress : callable, optional
+        Called after each run of the swarm with the number of runs done.
+    """
+    case, warnings = under_a_load(case)
+    return _solved(case, method, progress).with_warnings(warnings)
+
+
+def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
+    """Return the case under its first load case where it has no load, with the warning to give.
+
+    Parameters
+    ----------
+    case : Case
+        Returned as it is, without warning, where it has a load or seeks something.
+    """
+    if case.load is not None or case.find is not None:
+        return case, ()
+    if case.system is not None:
+        wanted = "this case is a body with several lines: catopt system solves it"
+        raise InputError([Problem("system", "instead of [load]", wanted)])
+    first, *others = case.load_cases
+    if not others:
+        return case.under(first), ()
+    names = ", ".join(f'"{each.name}"' for each in others)
+    warning = Message("catenary.first_load_case", name=first.name, count=len(others), others=names)
+    return case.under(first), (warning,)
+
+
+def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) -> Solution:
+    """Solve a case that has a load or seeks something."""
+    if method == "pso":
+        from catopt.catenary.swarm.case import solve_case_by_swarm
+
+        return under_case(solve_case_by_swarm(case, progress=progress), case)
+    if case.find is not None:
+        found = find_case(case)
+        return under_case(found.solution, case).with_found(found.alone())
+    assert case.load is not None
+    solution = solve(
+        case.line,
+        height=case.fairlead_height,
+        horizontal_force=case.load.horizontal_force,
+        span=case.load.span,
+        fairlead_tension=case.load.fairlead_tension,
+        seabed_friction=case.site.seabed_friction,
+        anchor_height=case.anchor_height,
+    )
+    return under_case(solution, case)

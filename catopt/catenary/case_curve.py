@@ -1,0 +1,279 @@
+"""The load curve of a case: its range when none is given, and the document catopt.curve/1."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+from typing import Any, Literal, get_args
+
+import numpy as np
+
+from catopt.catenary.case import solve_case, under_a_load
+from catopt.catenary.curve import Array, Curve, Over, check_range, load_curve
+from catopt.catenary.find import find_limit_force
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.catenary.surface import check_buoys
+from catopt.errors import FloatsUpError, InputError, NoAnswerError, Problem
+from catopt.model import Case
+from catopt.quantities import QUANTITIES
+from catopt.words import Message
+
+__all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]
+
+Stepped = Literal["force", "span", "offset"]
+STEPPED: tuple[Stepped, ...] = get_args(Stepped)
+
+BEYOND = 1.05
+LEAST = 0.01
+"""A range that is not given runs from this part of a force to that, which shows its mark."""
+
+
+@dataclass(frozen=True)
+class CaseCurve:
+    """The load curve of a case's line.
+
+    Attributes
+    ----------
+    case : Case
+        What was given.
+    over : str
+        What was stepped: ``"force"``, ``"span"`` or ``"offset"``.
+    range_words : str
+        Where the range comes from.
+    reference : Solution
+        The case as `solve_case` answers it. Its line has what the case seeks, if anything, and
+        the offset counts from its span.
+    curve : Curve
+        The points and marks.
+    """
+
+    case: Case
+    over: Stepped
+    range_words: str
+    reference: Solution
+    curve: Curve
+
+    @property
+    def offset(self) -> Array:
+        """Span less the span of the reference, m; negative towards the anchor."""
+        return self.curve.span - self.reference.span
+
+    def outline(self, points: int = 200) -> tuple[list[float], list[float], list[float]]:
+        """Sample the curve for drawing: its own points and some evenly over the force.
+
+        Near the taut line a step of the span may be a multiple of the force.
+
+        Parameters
+        ----------
+        points : int
+            How many are added.
+
+        Returns
+        -------
+        tuple of list
+            Span (m), horizontal force and fairlead tension (N), by rising span.
+        """
+        own = self.curve
+        most = float(own.horizontal_force[-1])
+        between = _load_curve(
+            self.case,
+            self.reference,
+            "horizontal_force",
+            max(float(own.horizontal_force[0]), 1e-3 * most),
+            most,
+            points,
+        )
+        both = [
+            np.concatenate([getattr(curve, key) for curve in (own, between)])
+            for key in ("span", "horizontal_force", "fairlead_tension")
+        ]
+        order = np.lexsort((both[1], both[0]))
+        span, force, tension = (values[order].tolist() for values in both)
+        return span, force, tension
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt curve --json`` prints (schema catopt.curve/1)."""
+        curve, reference = self.curve, self.reference
+        document = {
+            "schema": "catopt.curve/1",
+            "title": self.case.title,
+            "over": self.over,
+            "range": self.range_words,
+            "fairlead_height_m": reference.fairlead_height,
+            "anchor_height_m": reference.anchor_height,
+            "seabed_friction": reference.seabed_friction,
+            "safety_factor": reference.safety_factor,
+            "reference": {
+                "horizontal_force_N": reference.horizontal_force,
+                "span_m": reference.span,
+                "fairlead_tension_N": reference.fairlead.tension,
+            },
+            "span_m": curve.span.tolist(),
+            "offset_m": self.offset.tolist(),
+            "horizontal_force_N": curve.horizontal_force.tolist(),
+            "fairlead_tension_N": curve.fairlead_tension.tolist(),
+            "anchor_tension_N": curve.anchor_tension.tolist(),
+            "anchor_angle_rad": curve.anchor_angle.tolist(),
+            "grounded_length_m": curve.grounded_length.tolist(),
+            "stiffness_N_per_m": [None if math.isnan(k) else k for k in curve.stiffness.tolist()],
+            "regime": list(curve.regime),
+            "marks": [
+                {
+                    "kind": mark.kind,
+                    "event": mark.event,
+                    "horizontal_force_N": mark.horizontal_force,
+                    "span_m": mark.span,
+                    "fairlead_tension_N": mark.fairlead_tension,
+                }
+                for mark in curve.marks
+            ],
+        }
+        if reference.found is not None:
+            document["found"] = asdict(reference.found) | {"unit": reference.found.unit}
+        return document
+
+
+def curve_case(
+    case: Case,
+    *,
+    over: Stepped = "force",
+    start: float | None = None,
+    stop: float | None = None,
+    points: int = 50,
+) -> CaseCurve:
+    """Compute the load curve of a case.
+
+    Parameters
+    ----------
+    case : Case
+        As read by `catopt.read_case`. Its load, or what it seeks, is the reference.
+    over : {"force", "span", "offset"}
+        What is stepped evenly: the horizontal force, the span, or the offset, which is the span
+        less that of the reference.
+    start, stop : float, optional
+        Its range: m or N. What is left out is taken from a horizontal force: 1 % and 105 % of the
+        larger of the reference's and the one at which a segment reaches MBL over the safety factor.
+    points : int
+        From 2 to 10 000.
+
+    Raises
+    ------
+    InputError, NoAnswerError, NotConvergedError
+        As for `solve_case` and `load_curve`; the range's problems have the keys ``start``,
+        ``stop`` and ``points``.
+    """
+    if over not in STEPPED:
+        raise InputError([Problem("over", repr(over), "one of " + ", ".join(STEPPED))], "curve")
+    case, warnings = under_a_load(case)
+    reference = solve_case(case).with_warnings(warnings)
+    zero = reference.span if over == "offset" else 0.0
+    first = None if start is None else start + zero
+    last = None if stop is None else stop + zero
+    words: str = Message("catenary.range_given")
+    if first is None or last is None:
+        force, what = _size(case, reference)
+        least, why = _least_force(case, reference, LEAST * force)
+        words = _words(first, last, {"force": _kN(force), "what": what}, why)
+        first = _stepped(case, reference, over, least) if first is None else first
+        last = _stepped(case, reference, over, BEYOND * force) if last is None else last
+        if first == last and start is None and stop is None:
+            told = "the span of this line does not change with the force; step the force"
+            raise InputError([Problem("over", over, told)], "curve")
+    check_range(first, last, points, "N" if over == "force" else "m", zero)
+    kernel_over: Over = "horizontal_force" if over == "force" else "span"
+    curve = _load_curve(case, reference, kernel_over, first, last, points)
+    if any(load.submerged_weight < 0.0 for load in reference.line.point_loads):
+        for force in curve.horizontal_force:
+            _at(case, reference, float(force))
+    return CaseCurve(case, over, words, reference, curve)
+
+
+def _load_curve(
+    case: Case, reference: Solution, over: Over, start: float, stop: float, points: int
+) -> Curve:
+    return load_curve(
+        reference.line,
+        height=case.fairlead_height,
+        over=over,
+        start=start,
+        stop=stop,
+        points=points,
+        seabed_friction=case.site.seabed_friction,
+        anchor_height=case.anchor_height,
+        safety_factor=case.checks.safety_factor,
+        max_anchor_angle=case.checks.max_anchor_uplift_angle,
+    )
+
+
+def _size(case: Case, reference: Solution) -> tuple[float, str]:
+    """Return the horizontal force that sets the range, N, and what it is."""
+    sizes = [(reference.horizontal_force, Message("catenary.case_force"))]
+    strong = any(segment.MBL is not None for segment in reference.line.segments)
+    if strong and (case.find is None or case.find.quantity != "limit_force"):
+        with suppress(NoAnswerError):
+            limit = find_limit_force(
+                reference.line,
+                height=case.fairlead_height,
+                safety_factor=case.checks.safety_factor,
+                seabed_friction=case.site.seabed_friction,
+                anchor_height=case.anchor_height,
+            )
+            sizes.append((limit.value, Message("catenary.limit_force", condition=limit.condition)))
+    if max(sizes)[0] > 0.0:
+        return max(sizes)
+    weight = math.fsum(abs(s.submerged_weight) * s.length for s in reference.line.segments)
+    return weight, Message("catenary.line_weight")
+
+
+def _least_force(case: Case, reference: Solution, least: float) -> tuple[float, str]:
+    """Return a force from `least` up at which no buoy floats up, N, and why if it is above."""
+    low, high = least, max(reference.horizontal_force, least)
+    try:
+        _at(case, reference, low)
+        return low, ""
+    except FloatsUpError:
+        pass
+    while high > 1.001 * low:
+        middle = math.sqrt(low * high)
+        try:
+            _at(case, reference, middle)
+            high = middle
+        except FloatsUpError:
+            low = middle
+    return high, Message("catenary.range_afloat", low=_kN(high))
+
+
+def _at(case: Case, reference: Solution, force: float) -> Solution:
+    found = solve(
+        reference.line,
+        height=case.fairlead_height,
+        horizontal_force=force,
+        seabed_friction=case.site.seabed_friction,
+        anchor_height=case.anchor_height,
+    )
+    check_buoys(found.line, (load.z for load in found.point_loads), case.site.water_depth)
+    return found
+
+
+def _stepped(case: Case, reference: Solution, over: Stepped, force: float) -> float:
+    """Return what is stepped at a force: the force itself, or the span."""
+    return force if over == "force" else _at(case, reference, force).span
+
+
+def _words(first: float | None, last: float | None, size: Mapping[str, str], why: str) -> str:
+    """Say where a range comes from, of which one end may be given."""
+    low, high = 100 * LEAST, 100 * BEYOND
+    if first is not None:
+        return Message("catenary.range_up_to", high=high, **size)
+    if last is not None:
+        return why or Message("catenary.range_from", low=low, **size)
+    if why:
+        return Message("catenary.range_afloat_to", afloat=why, high=high, **size)
+    return Message("catenary.range", low=low, high=high, **size)
+
+
+def _kN(force: float) -> str:
+    return QUANTITIES["horizontal_force"].format(force, unit=True)

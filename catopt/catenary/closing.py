@@ -1,0 +1,149 @@
+"""Two ways to close in on the horizontal force when the span or the tension is known.
+
+Newton's method on H and V serves the plain line and settles in a few steps. What it does not
+settle goes to a bracketed search over H, which every line has.
+"""
+
+from __future__ import annotations
+
+import math
+
+from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
+from catopt.catenary.equilibrium import given_force, hung_state, is_certain
+from catopt.catenary.lift import SETTLED
+from catopt.catenary.pieces import total_length
+from catopt.catenary.setting import Setting
+from catopt.catenary.state import BELOW_ANCHOR, CONVERGED, NOT_CONVERGED, SUSPENDED, State, failed
+from catopt.catenary.upper_part import MOST_TRIALS
+from catopt.catenary.walk import FIRST_TOUCHDOWN
+
+__all__ = ["BY_FORCE", "BY_SPAN", "BY_TENSION", "close_in", "newton", "tension_of"]
+
+BY_SPAN = 0
+BY_TENSION = 1
+BY_FORCE = 2
+
+
+def newton(known: int, wanted: float, setting: Setting, H: float, V: float) -> State:
+    """Newton's method on (span or tension, height); a failed state when it does not settle."""
+    pieces, height, friction = setting.pieces, setting.fairlead_height, setting.friction
+    length = total_length(pieces)
+    size = wanted if known == BY_TENSION else length
+    for _ in range(25):
+        state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
+        z_error = state.height_error
+        if known == BY_TENSION:
+            T = tension_of(state)
+            error, by_H, by_V = T - wanted, H / T, V / T
+        else:
+            error, by_H, by_V = state.span - wanted, state.x_H, state.x_V
+        determinant = by_H * state.z_V - by_V * state.z_H
+        if determinant == 0.0 or math.isnan(determinant):
+            break
+        dH = (by_V * z_error - state.z_V * error) / determinant
+        dV = (state.z_H * error - by_H * z_error) / determinant
+        steps = max(abs(dH) / H, abs(dV) / max(V, H))
+        if steps <= 1e-15:
+            return state if is_certain(state, pieces, length) else failed(NOT_CONVERGED)
+        H = min(max(H + dH, 0.1 * H), 10.0 * H)
+        V = max(V + dV, 0.1 * V)
+        if steps <= SETTLED:
+            state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
+            reached = tension_of(state) if known == BY_TENSION else state.span
+            if abs(reached - wanted) <= 1e-14 * size and abs(state.height_error) <= 1e-14 * size:
+                return state if is_certain(state, pieces, length) else failed(NOT_CONVERGED)
+    return failed(NOT_CONVERGED)
+
+
+def close_in(known: int, wanted: float, setting: Setting, below: float, above: float) -> State:
+    """Close in on H between two forces, on a logarithmic scale.
+
+    Parameters
+    ----------
+    known, wanted
+        Which quantity is known, and its value: m or N.
+    setting : Setting
+        The line and where it is moored.
+    below, above : float
+        Forces at which it is too small and too large, N; either may be the larger force.
+
+    Returns
+    -------
+    State
+        NOT_CONVERGED when the quantity jumps over the wanted value, or the search stopped short.
+    """
+    size = wanted if known == BY_TENSION else max(wanted, total_length(setting.pieces))
+    sense = 1.0 if below < above else -1.0
+    around = bracket(sense * math.log(below), sense * math.log(above), -math.inf, math.inf)
+    best = failed(NOT_CONVERGED)
+    best_error = math.inf
+    guess = math.nan
+    for _ in range(MOST_TRIALS):
+        if is_closed(around):
+            break
+        x = trial(around, guess)
+        H = math.exp(sense * x)
+        state = given_force(H, setting)
+        if state.status != CONVERGED:
+            return state
+        error = _reached(known, state) - wanted
+        if abs(error) < best_error:
+            best, best_error = state, abs(error)
+        if abs(error) <= 1e-15 * size:
+            break
+        around = narrowed(around, x, error)
+        slope = sense * state.H * _by_force(known, state)
+        guess = x - error / slope if slope > 0.0 else math.nan
+    if known == BY_TENSION and best_error > 1e-15 * size and best.H < wanted:
+        best, best_error = _with_tension(best, wanted, best_error, total_length(setting.pieces))
+    if best_error <= 1e-9 * size:
+        return best
+    return failed(NOT_CONVERGED)
+
+
+def _with_tension(state: State, wanted: float, error: float, length: float) -> tuple[State, float]:
+    """Give a line the very tension wanted where that moves its fairlead by less than rounding.
+
+    A line that does not stretch and hangs nearly straight: the last digit of its height moves the
+    tension by more than its own last digits.
+    """
+    V = math.copysign(math.sqrt((wanted - state.H) * (wanted + state.H)), state.V)
+    shift = V - state.V
+    if state.regime not in (SUSPENDED, BELOW_ANCHOR) or abs(shift) * state.z_V > 1e-12 * length:
+        return state, error
+    shifted = State(
+        state.status,
+        state.regime,
+        state.H,
+        V,
+        state.span + state.x_V * shift,
+        state.height_error + state.z_V * shift,
+        state.grounded,
+        state.H_anchor,
+        state.V_anchor + shift,
+        state.touchdown,
+        state.x_H,
+        state.x_V,
+        state.z_H,
+        state.z_V,
+    )
+    return shifted, 0.0
+
+
+def _reached(known: int, state: State) -> float:
+    return tension_of(state) if known == BY_TENSION else state.span
+
+
+def _by_force(known: int, state: State) -> float:
+    """Return the derivative of tension or span by H at a fixed height; nan where there is none."""
+    if state.z_V <= 0.0:
+        return math.nan
+    V_H = -state.z_H / state.z_V
+    if known == BY_TENSION:
+        return (state.H + state.V * V_H) / tension_of(state)
+    return state.x_H + state.x_V * V_H
+
+
+def tension_of(state: State) -> float:
+    """Tension at the fairlead, N."""
+    return math.sqrt(state.H * state.H + state.V * state.V)

@@ -1,0 +1,386 @@
+"""The load curve of one line: span, forces and grounded length over a range of force or span.
+
+A curve is some fifty lines and a few closings-in on marks. The plain kernel does that in less time
+than it takes to load the compiled one; `solve_many` is for more.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.catenary.closing import BY_FORCE, BY_SPAN
+from catopt.catenary.equilibrium import given_force
+from catopt.catenary.pieces import cut
+from catopt.catenary.result import solution_of
+from catopt.catenary.setting import Setting
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.catenary.span import given_span
+from catopt.catenary.state import CONVERGED, REGIMES, State
+from catopt.errors import (
+    InputError,
+    NoEquilibriumError,
+    NotConvergedError,
+    Problem,
+)
+from catopt.model import Line
+from catopt.words import Message, Several, term
+
+__all__ = ["Curve", "Mark", "check_range", "load_curve"]
+
+Array = npt.NDArray[np.float64]
+Over = Literal["span", "horizontal_force"]
+MarkKind = Literal["regime", "clump_weight", "limit"]
+
+MOST_POINTS = 10_000
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A point of the curve at which something changes.
+
+    Attributes
+    ----------
+    kind : str
+        ``"regime"`` of the line, a ``"clump_weight"`` that lifts, or a ``"limit"`` reached.
+    event : str
+        What happens there as the force grows, in words.
+    horizontal_force, span, fairlead_tension : float
+        Where: N, m, N.
+    """
+
+    kind: MarkKind
+    event: str
+    horizontal_force: float
+    span: float
+    fairlead_tension: float
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A load curve, by rising span; arrays of shape (points,).
+
+    Attributes
+    ----------
+    over : str
+        Which quantity was stepped evenly.
+    span, horizontal_force, fairlead_tension, anchor_tension, grounded_length : ndarray
+        m and N.
+    anchor_angle : ndarray
+        rad.
+    stiffness : ndarray
+        Horizontal end stiffness dH/dS at a fixed height, N/m; 0 where the line is slack, nan where
+        the span does not change with the force.
+    regime : tuple of str
+        At each point.
+    marks : tuple of Mark
+        Changes of regime, clump weights that lift and limits reached, by rising span.
+    """
+
+    over: Over
+    span: Array
+    horizontal_force: Array
+    fairlead_tension: Array
+    anchor_tension: Array
+    anchor_angle: Array
+    grounded_length: Array
+    stiffness: Array
+    regime: tuple[str, ...]
+    marks: tuple[Mark, ...]
+
+
+def load_curve(
+    line: Line,
+    *,
+    height: float,
+    over: Over,
+    start: float,
+    stop: float,
+    points: int = 50,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+    safety_factor: float = 1.0,
+    max_anchor_angle: float | None = None,
+) -> Curve:
+    """Compute a line's load curve.
+
+    Parameters
+    ----------
+    line : Line
+        The line.
+    height, seabed_friction, anchor_height
+        As for `solve`.
+    over : {"span", "horizontal_force"}
+        What is stepped.
+    start, stop : float
+        Its range: m or N.
+    points : int
+        From 2 to 10 000.
+    safety_factor : float
+        For the limit MBL over safety factor of each segment whose MBL is known.
+    max_anchor_angle : float, optional
+        Limit of the inclination at the anchor, rad.
+
+    Raises
+    ------
+    InputError
+        When the range is empty or there are too few or too many points.
+    NoEquilibriumError, NotConvergedError
+        When a point of the range has no answer; as `solve` has it there.
+    """
+    check_range(start, stop, points, "m" if over == "span" else "N")
+    pieces, segment_of = cut(line)
+    setting = Setting(pieces, anchor_height, height, seabed_friction)
+    way = _Way(line, setting, segment_of, over)
+    values = [float(value) for value in np.linspace(start, stop, points)]
+    way.solution(values[-1])  # checks the arguments, and tells a range too long by its end
+    states = [way.state(value) for value in values]
+    marks = [
+        *_regime_changes(way, values),
+        *_clump_weights_lift(way, values),
+        *_strength_limits(way, values, safety_factor),
+        *_anchor_limit(way, values, max_anchor_angle),
+    ]
+    return Curve(
+        over=over,
+        span=np.array([s.span for s in states]),
+        horizontal_force=np.array([s.H for s in states]),
+        fairlead_tension=np.array([math.hypot(s.H, s.V) for s in states]),
+        anchor_tension=np.array([math.hypot(s.H_anchor, s.V_anchor) for s in states]),
+        anchor_angle=np.array([_anchor_angle(s) for s in states]),
+        grounded_length=np.array([s.grounded for s in states]),
+        stiffness=np.array([_stiffness(s) for s in states]),
+        regime=tuple(REGIMES[s.regime] for s in states),
+        marks=tuple(sorted(marks, key=lambda mark: (mark.span, mark.horizontal_force))),
+    )
+
+
+def check_range(start: float, stop: float, points: int, unit: str, zero: float = 0.0) -> None:
+    """Raise InputError unless a range rises above 0 in a sensible number of points.
+
+    Parameters
+    ----------
+    start, stop : float
+        m or N.
+    points : int
+        How many.
+    unit : str
+        Of the range.
+    zero : float
+        Where the user counts from, for the messages.
+    """
+    problems = []
+    for key, value in (("start", start), ("stop", stop)):
+        if not 0.0 < value < math.inf:
+            least = f"{0.0 - zero:.6g} {unit}" + (", where the span is 0" if zero else "")
+            problems.append(Problem(key, f"{value - zero:.6g} {unit}", f"must be above {least}"))
+    if not problems and not start < stop:
+        above = f"must be above the start of the range, {start - zero:.6g} {unit}"
+        problems.append(Problem("stop", f"{stop - zero:.6g} {unit}", above))
+    if not 2 <= points <= MOST_POINTS:
+        problems.append(Problem("points", str(points), f"must be from 2 to {MOST_POINTS}"))
+    if problems:
+        raise InputError(problems, "curve")
+
+
+def _anchor_angle(state: State) -> float:
+    return math.atan2(state.V_anchor, state.H_anchor)
+
+
+def _stiffness(state: State) -> float:
+    """Slope dH/dS at a fixed height, from the derivatives of span and height by H and V; N/m."""
+    if state.H == 0.0:
+        return 0.0
+    # The height stays when V follows H by dV/dH = -z_H / z_V; nothing lifts where z_V is 0.
+    follows = state.z_H / state.z_V if state.z_V != 0.0 else 0.0
+    flexibility = state.x_H - state.x_V * follows
+    return 1.0 / flexibility if flexibility > 0.0 else math.nan
+
+
+# ------------------------------------------------------------------ the line at a value
+
+
+@dataclass(frozen=True)
+class _Way:
+    """The line along its curve: solved at any value of what is stepped, once at each."""
+
+    line: Line
+    setting: Setting
+    segment_of: tuple[int, ...]
+    over: Over
+    known: dict[float, State] = field(default_factory=dict)
+
+    def state(self, value: float) -> State:
+        """Solve at a value; raise what `solve` raises where there is no answer."""
+        if value not in self.known:
+            self.known[value] = self._solved(value)
+        return self.known[value]
+
+    def largest_tension(self, value: float, segment: int) -> float:
+        """Largest tension in a segment at a value, N."""
+        state = self.state(value)
+        known = BY_SPAN if self.over == "span" else BY_FORCE
+        laid = solution_of(
+            state, self.line, self.setting, self.segment_of, method="closed-form", known=known
+        )
+        return laid.segments[segment].max_tension
+
+    def _solved(self, value: float) -> State:
+        if self.over == "span":
+            state = given_span(value, self.setting, math.nan, math.nan)
+        else:
+            state = given_force(value, self.setting)
+        if state.status != CONVERGED:
+            self.solution(value)  # raises, with the reason
+            raise NotConvergedError(self._at(value, Message("catenary.curve_not_converged")))
+        return state
+
+    def solution(self, value: float) -> Solution:
+        """Solve at a value, with the whole line laid out; errors say at which value they arose."""
+        is_span = self.over == "span"
+        try:
+            return solve(
+                self.line,
+                height=self.setting.fairlead_height,
+                horizontal_force=None if is_span else value,
+                span=value if is_span else None,
+                seabed_friction=self.setting.friction,
+                anchor_height=self.setting.anchor_height,
+            )
+        except NoEquilibriumError as stop:
+            told = self._at(value, Several((stop.message, *self._farthest()), " "))
+            raise NoEquilibriumError(told, stop.quantity, stop.missing) from stop
+        except NotConvergedError as stop:
+            raise type(stop)(self._at(value, stop.message)) from stop
+
+    def mark(self, kind: MarkKind, event: str, at: float) -> Mark:
+        """Make a mark at a value."""
+        there = self.state(at)
+        return Mark(kind, event, there.H, there.span, math.hypot(there.H, there.V))
+
+    def _at(self, value: float, what: str) -> Message:
+        key = "catenary.at_span" if self.over == "span" else "catenary.at_force"
+        return Message(key, value=value, what=what)
+
+    def _farthest(self) -> Iterator[Message]:
+        rise = self.setting.fairlead_height - self.setting.anchor_height
+        room = self.line.length**2 - rise**2
+        is_stiff = all(math.isinf(segment.EA) for segment in self.line.segments)
+        if self.over == "span" and room > 0.0 and is_stiff:
+            yield Message("catenary.end_the_range", span=math.sqrt(room))
+
+
+# ------------------------------------------------------------------ where something changes
+
+
+def _regime_changes(way: _Way, values: list[float]) -> Iterator[Mark]:
+    for place, before, after in _changes(way, values, lambda state: state.regime):
+        yield way.mark("regime", _change(before, after), place)
+
+
+def _clump_weights_lift(way: _Way, values: list[float]) -> Iterator[Mark]:
+    """Find where a clump weight begins to lift and where it is off the bed.
+
+    Only with the anchor on the bed, where the grounded length tells the touchdown: while a clump
+    weight lifts, the line leaves the bed at it.
+    """
+    if way.setting.anchor_height > 0.0:
+        return
+    tolerance = 1e-12 * way.line.length
+    for number, load in enumerate(way.line.point_loads, start=1):
+        if load.submerged_weight <= 0.0:
+            continue
+
+        def stage(state: State, position: float = load.position) -> int:
+            hanging = position - state.grounded
+            return (hanging > -tolerance) + (hanging > tolerance)
+
+        for place, _, after in _changes(way, values, stage):
+            event = _named("weight_lifts" if after == 1 else "weight_off", load.name, number=number)
+            yield way.mark("clump_weight", event, place)
+
+
+def _strength_limits(way: _Way, values: list[float], safety_factor: float) -> Iterator[Mark]:
+    """Find where the largest tension of a segment passes its MBL over the safety factor."""
+    for index, segment in enumerate(way.line.segments):
+        if segment.MBL is None:
+            continue
+
+        def is_beyond(value: float, index: int = index, MBL: float = segment.MBL) -> int:
+            return way.largest_tension(value, index) > MBL / safety_factor
+
+        at = {"number": index + 1, "factor": safety_factor}
+        event = _named("reaches_MBL", segment.name, **at)
+        for place, _, after in _crossings(values, is_beyond):
+            if after:
+                yield way.mark("limit", event, place)
+
+
+def _anchor_limit(way: _Way, values: list[float], limit: float | None) -> Iterator[Mark]:
+    """Find where the inclination at the anchor passes its limit."""
+    if limit is None:
+        return
+    for place, _, after in _changes(way, values, lambda state: _anchor_angle(state) > limit):
+        if after:
+            event = Message("catenary.reaches_angle", angle=math.degrees(limit))
+            yield way.mark("limit", event, place)
+
+
+def _change(before: int, after: int) -> Message:
+    return Message(
+        "catenary.regime_change", before=term(REGIMES[before]), after=term(REGIMES[after])
+    )
+
+
+_EVENTS = {
+    "weight_lifts": ("catenary.weight_lifts", "catenary.named_weight_lifts"),
+    "weight_off": ("catenary.weight_off", "catenary.named_weight_off"),
+    "reaches_MBL": ("catenary.reaches_MBL", "catenary.named_reaches_MBL"),
+}
+"""Keys of events, of a part without a name and of one with it."""
+
+
+def _named(event: str, name: str, **values: object) -> Message:
+    plain, named = _EVENTS[event]
+    return Message(named, name=name, **values) if name else Message(plain, **values)
+
+
+def _changes(
+    way: _Way, values: list[float], code: Callable[[State], int]
+) -> Iterator[tuple[float, int, int]]:
+    """Yield where a code of the state changes, as `_crossings` does."""
+    return _crossings(values, lambda value: code(way.state(value)))
+
+
+def _crossings(
+    values: list[float], code: Callable[[float], int]
+) -> Iterator[tuple[float, int, int]]:
+    """Yield every change of a code between neighbours: where, and the code before and after.
+
+    Several changes between the same neighbours are found one after the other.
+    """
+    codes = [code(value) for value in values]
+    for (low, high), (now, last) in zip(pairwise(values), pairwise(codes), strict=True):
+        before = low
+        while now != last:
+            before, after = _last_before(before, high, code, now)
+            new = code(after)
+            yield 0.5 * (before + after), now, new
+            before, now = after, new
+
+
+def _last_before(
+    low: float, high: float, code: Callable[[float], int], now: int
+) -> tuple[float, float]:
+    """Bisect to the last value with the code `now`, to 1e-13 of itself, and the first without."""
+    while high - low > 1e-13 * high:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if code(middle) == now else (low, middle)
+    return low, high

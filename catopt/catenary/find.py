@@ -1,0 +1,452 @@
+"""The questions turned round: which length, force or clump weight gives what is wanted.
+
+Each is one bracketed root (`sought`) over the closed form; each answer carries the line it belongs
+to and what is left of its condition.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import takewhile
+
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.catenary.sought import Condition, Found, Sought, find
+from catopt.errors import CatoptError, InputError, NoAnswerError, Problem
+from catopt.model import Case, Line, Load, PointLoad, Segment
+from catopt.words import Message
+
+__all__ = [
+    "Found",
+    "find_case",
+    "find_clump_weight",
+    "find_length",
+    "find_limit_force",
+    "find_touchdown_force",
+    "with_segment_length",
+]
+
+
+def find_length(
+    line: Line,
+    *,
+    height: float,
+    horizontal_force: float | None = None,
+    fairlead_tension: float | None = None,
+    segment: int = -1,
+    anchor_angle: float | None = None,
+    grounded_length: float | None = None,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+) -> Found:
+    """Find the length of one segment that gives an anchor angle or a grounded length.
+
+    Point loads keep their place on their own segment.
+
+    Parameters
+    ----------
+    line : Line
+        The line; the length of the segment sought is where the search starts.
+    height, horizontal_force, fairlead_tension, seabed_friction, anchor_height
+        As for `solve`; one of the two loads.
+    segment : int
+        Which segment, counted from 0 at the anchor; -1 is the one at the fairlead.
+    anchor_angle : float, optional
+        Inclination at the anchor, rad; 0 brings the touchdown to the anchor.
+    grounded_length : float, optional
+        Unstretched length on the bed, m, above 0.
+
+    Raises
+    ------
+    InputError
+        Unless exactly one of `anchor_angle` and `grounded_length` is given, in range.
+    NoAnswerError
+        When no length gives it.
+    """
+    index = _index("segment", segment, len(line.segments))
+    _one_of(anchor_angle=anchor_angle, grounded_length=grounded_length)
+
+    def at(length: float) -> Solution:
+        return solve(
+            with_segment_length(line, index, length),
+            height=height,
+            horizontal_force=horizontal_force,
+            fairlead_tension=fairlead_tension,
+            seabed_friction=seabed_friction,
+            anchor_height=anchor_height,
+        )
+
+    if anchor_angle is not None:
+        condition = _angle_of(anchor_angle)
+    else:
+        assert grounded_length is not None
+        condition = _grounded_of(grounded_length)
+    shortest = _shortest(line, index, abs(height - anchor_height))
+    start = max(line.segments[index].length, shortest * (1.0 + 1e-6))
+    sought = Sought("length", condition, at, falls=True, number=index + 1)
+    return find(sought, start, shortest)
+
+
+def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 0.0) -> Found:
+    """Find the horizontal force at which the touchdown reaches the anchor.
+
+    Above it the line lifts at the anchor. For a uniform inextensible line it is
+    (w/2)(L2/h - h), S2 and S3.
+
+    Parameters
+    ----------
+    line : Line
+        Anchored on the bed.
+    height, seabed_friction
+        As for `solve`.
+    """
+
+    def at(force: float) -> Solution:
+        return solve(line, height=height, horizontal_force=force, seabed_friction=seabed_friction)
+
+    condition = _angle_of(0.0)._replace(text=Message("catenary.touchdown_at_anchor"))
+    return find(Sought("horizontal_force", condition, at), abs(line.submerged_weight), 0.0)
+
+
+def find_clump_weight(
+    line: Line,
+    *,
+    height: float,
+    horizontal_force: float | None = None,
+    span: float | None = None,
+    fairlead_tension: float | None = None,
+    point_load: int = 0,
+    anchor_angle: float = 0.0,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+) -> Found:
+    """Find the submerged weight of a point load that brings the anchor angle down to a value.
+
+    Parameters
+    ----------
+    line : Line
+        With the clump weight in its place; its weight is ignored.
+    height, horizontal_force, span, fairlead_tension, seabed_friction, anchor_height
+        As for `solve`.
+    point_load : int
+        Which point load, counted from 0 at the anchor.
+    anchor_angle : float
+        rad.
+
+    Raises
+    ------
+    NoAnswerError
+        When the angle is no larger without it, or no weight brings it down.
+    """
+    index = _index("point_load", point_load, len(line.point_loads))
+
+    def at(weight: float) -> Solution:
+        loads = list(line.point_loads)
+        loads[index] = replace(loads[index], submerged_weight=weight, mass=None)
+        return solve(
+            Line(line.segments, loads),
+            height=height,
+            horizontal_force=horizontal_force,
+            span=span,
+            fairlead_tension=fairlead_tension,
+            seabed_friction=seabed_friction,
+            anchor_height=anchor_height,
+        )
+
+    condition = _angle_of(anchor_angle)._replace(reading=_angle_over_clump(index))
+    without = at(0.0)
+    if condition.miss(without)[0] <= 0.0:
+        raise NoAnswerError(
+            Message(
+                "catenary.none_needed",
+                angle=math.degrees(without.anchor.angle),
+                asked=math.degrees(anchor_angle),
+            )
+        )
+    if horizontal_force is not None:
+        _check_heaviest(without, line.point_loads[index].position, condition)
+    size = max(abs(line.submerged_weight), 1e-3 * without.fairlead.tension)
+    return find(Sought("clump_weight", condition, at, falls=True, number=index + 1), size, 0.0)
+
+
+def _check_heaviest(without: Solution, position: float, condition: Condition) -> None:
+    """Refuse where even a clump weight without bound leaves too much angle at the anchor.
+
+    Under a known horizontal force it draws the line above it straight down, and the anchor angle
+    falls with its weight all the way. What does not stretch keeps it off the bed where it is
+    shorter than the fairlead is high: then the part below is a line of its own up to that place.
+
+    Parameters
+    ----------
+    without : Solution
+        The line without the clump weight.
+    position : float
+        Of the clump weight, m from the anchor.
+    condition : Condition
+        That the anchor angle is to meet.
+    """
+    below, above = _parted(without.line, position)
+    over_bed = without.fairlead_height - math.fsum(part.length for part in above)
+    if any(math.isfinite(part.EA) for part in above) or over_bed <= 0.0:
+        return
+    try:
+        left = solve(
+            below,
+            height=over_bed,
+            horizontal_force=without.horizontal_force,
+            seabed_friction=without.seabed_friction,
+            anchor_height=without.anchor_height,
+        )
+    except CatoptError:
+        return  # the part below does not reach up there, or floats: the search itself will tell
+    if condition.miss(left)[0] > 0.0:
+        length = math.fsum(part.length for part in above)
+        raise NoAnswerError(
+            Message(
+                "catenary.none_holds",
+                condition=condition.text,
+                length=length,
+                over_bed=over_bed,
+                angle=math.degrees(left.anchor.angle),
+            )
+        )
+
+
+def _parted(line: Line, position: float) -> tuple[Line, tuple[Segment, ...]]:
+    """Part a line at a place: the line below it, and the segments above."""
+    below: list[Segment] = []
+    above: list[Segment] = []
+    joint = 0.0
+    for segment in line.segments:
+        start, joint = joint, joint + segment.length
+        for part, length in (
+            (below, min(joint, position) - start),
+            (above, joint - max(start, position)),
+        ):
+            if length > 0.0:
+                part.append(replace(segment, length=length))
+    loads = [load for load in line.point_loads if load.position < position]
+    return Line(below, loads), tuple(above)
+
+
+def find_limit_force(
+    line: Line,
+    *,
+    height: float,
+    safety_factor: float = 1.0,
+    segment: int | None = None,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+) -> Found:
+    """Find the horizontal force at which a segment reaches MBL over the safety factor.
+
+    Parameters
+    ----------
+    line : Line
+        With the MBL of the segments in question.
+    height, seabed_friction, anchor_height
+        As for `solve`.
+    safety_factor : float
+        At least 1.
+    segment : int, optional
+        Which segment, counted from 0 at the anchor; whichever reaches its limit first when left
+        out.
+
+    Raises
+    ------
+    NoAnswerError
+        When what hangs from the fairlead takes a segment beyond its limit at any force.
+    """
+    count = len(line.segments)
+    chosen = range(count) if segment is None else [_index("segment", segment, count)]
+    MBL = {k: line.segments[k].MBL for k in chosen}
+    limits = {k: load / safety_factor for k, load in MBL.items() if load is not None}
+    if not limits:
+        which = "at least one segment" if segment is None else f"segment {segment}"
+        raise InputError([Problem("MBL", "none", f"{which} needs its MBL")], "find_limit_force")
+
+    def at(force: float) -> Solution:
+        return solve(
+            line,
+            height=height,
+            horizontal_force=force,
+            seabed_friction=seabed_friction,
+            anchor_height=anchor_height,
+        )
+
+    def used(solution: Solution) -> float:
+        return max(solution.segments[k].max_tension / limit for k, limit in limits.items())
+
+    text = Message("catenary.any_at_MBL", factor=safety_factor)
+    if segment is not None:
+        text = Message("catenary.segment_at_MBL", number=chosen[0] + 1, factor=safety_factor)
+    condition = Condition(
+        text,
+        lambda solution: (used(solution) - 1.0, 1.0),
+        lambda solution: Message("catenary.times_that", used=used(solution)),
+    )
+    return find(Sought("horizontal_force", condition, at), 0.5 * min(limits.values()), 0.0)
+
+
+def with_segment_length(line: Line, segment: int, length: float) -> Line:
+    """Return a line with one segment's length changed; point loads keep their place on theirs.
+
+    Parameters
+    ----------
+    line : Line
+        The line.
+    segment : int
+        Which, counted from 0 at the anchor.
+    length : float
+        m.
+    """
+    segments = list(line.segments)
+    change = length - segments[segment].length
+    joint = math.fsum(part.length for part in segments[: segment + 1])
+    segments[segment] = replace(segments[segment], length=length)
+    return Line(segments, [_moved(load, joint, change) for load in line.point_loads])
+
+
+def _moved(load: PointLoad, joint: float, change: float) -> PointLoad:
+    return replace(load, position=load.position + change) if load.position > joint else load
+
+
+def find_case(case: Case) -> Found:
+    """Answer the question of a case's [find].
+
+    Parameters
+    ----------
+    case : Case
+        With `find`.
+
+    Raises
+    ------
+    InputError
+        When the quantity cannot be sought under the case's load.
+    """
+    assert case.find is not None
+    find = case.find
+    load = case.load or Load(horizontal_force=1.0)
+    ends: dict[str, float] = {"height": case.fairlead_height}
+    bed: dict[str, float] = {"seabed_friction": case.site.seabed_friction}
+    if find.quantity == "touchdown_force":
+        return find_touchdown_force(case.line, **ends, **bed)
+    ends["anchor_height"] = case.anchor_height
+    if find.quantity == "limit_force":
+        factor = case.checks.safety_factor
+        which = None if find.segment is None else find.segment - 1
+        return find_limit_force(case.line, safety_factor=factor, segment=which, **ends, **bed)
+    if find.quantity == "length":
+        return find_length(
+            case.line,
+            horizontal_force=load.horizontal_force,
+            fairlead_tension=load.fairlead_tension,
+            segment=-1 if find.segment is None else find.segment - 1,
+            anchor_angle=find.anchor_angle,
+            grounded_length=find.grounded_length,
+            **ends,
+            **bed,
+        )
+    assert find.anchor_angle is not None
+    return find_clump_weight(
+        case.line,
+        horizontal_force=load.horizontal_force,
+        span=load.span,
+        fairlead_tension=load.fairlead_tension,
+        point_load=(find.point_load or 1) - 1,
+        anchor_angle=find.anchor_angle,
+        **ends,
+        **bed,
+    )
+
+
+def _angle_of(angle: float) -> Condition:
+    """Ask for an inclination at the anchor.
+
+    The vertical force above the one wanted is missing; below 0, what lies on the bed counts.
+    """
+
+    def miss(solution: Solution) -> tuple[float, float]:
+        V = solution.anchor.vertical_force
+        if solution.regime in ("grounded", "on-bed", "slack"):
+            V = solution.fairlead.vertical_force - solution.line.submerged_weight
+        elif solution.stretches[0].on_bed:
+            V = -_weight_at_anchor(solution)
+        wanted = solution.horizontal_force * math.tan(angle)
+        return V - wanted, solution.fairlead.tension
+
+    said = Message("catenary.angle_given", angle=math.degrees(angle))
+    return Condition(said, miss, _angle_text)
+
+
+def _weight_at_anchor(solution: Solution) -> float:
+    """Weight of the line on the bed between the anchor and where it first leaves the bed, N."""
+    lying = list(takewhile(lambda stretch: stretch.on_bed, solution.stretches))
+    return math.fsum(stretch.submerged_weight * stretch.length for stretch in lying)
+
+
+def _angle_text(solution: Solution) -> str:
+    return f"{math.degrees(solution.anchor.angle):.4g} deg"
+
+
+def _angle_over_clump(index: int) -> Callable[[Solution], str]:
+    """Say with the anchor angle where the clump weight is."""
+
+    def reading(solution: Solution) -> str:
+        z = solution.point_loads[index].z
+        angle = math.degrees(solution.anchor.angle)
+        return Message("catenary.angle_over_bed", angle=angle, height=z)
+
+    return reading
+
+
+def _grounded_of(length: float) -> Condition:
+    """Ask for a grounded length; of a lifted line, what would lift it further is missing."""
+
+    def miss(solution: Solution) -> tuple[float, float]:
+        total = solution.line.length
+        if solution.grounded_length > 0.0:
+            return length - solution.grounded_length, total
+        weight = abs(solution.line.submerged_weight) / total
+        return length + abs(solution.anchor.vertical_force) / max(weight, 1e-300), total
+
+    return Condition(
+        Message("catenary.grounded_given", length=length),
+        miss,
+        lambda solution: f"{solution.grounded_length:.6g} m",
+    )
+
+
+def _shortest(line: Line, segment: int, rise: float) -> float:
+    """Length of a segment below which the line surely does not reach up to its fairlead, m."""
+    others = line.length - line.segments[segment].length
+    on_it = [load.position for load in line.point_loads]
+    before = math.fsum(part.length for part in line.segments[:segment])
+    end = before + line.segments[segment].length
+    held = max((p - before for p in on_it if before < p <= end), default=0.0)
+    is_stiff = all(math.isinf(part.EA) for part in line.segments)
+    return max(rise - others, held, 0.0) if is_stiff else held
+
+
+def _index(key: str, index: int, count: int) -> int:
+    if -count <= index < count:
+        return index % count
+    problem = Problem(key, str(index), f"from 0 to {count - 1}" if count else "the line has none")
+    raise InputError([problem], "find")
+
+
+def _one_of(**given: float | None) -> None:
+    chosen = {key: value for key, value in given.items() if value is not None}
+    problems = []
+    if len(chosen) != 1:
+        names = " and ".join(given)
+        problems.append(Problem(names, f"{len(chosen)} of them", "exactly one is wanted"))
+    for key, value in chosen.items():
+        is_angle = key == "anchor_angle"
+        if not (0.0 <= value < math.pi / 2 if is_angle else 0.0 < value < math.inf):
+            allowed = "from 0 to below pi/2 rad" if is_angle else "a length above 0 m"
+            problems.append(Problem(key, repr(value), allowed))
+    if problems:
+        raise InputError(problems, "find")

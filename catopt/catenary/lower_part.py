@@ -1,0 +1,352 @@
+"""The next part that hangs below a touchdown: where the line leaves the bed again, and to where.
+
+Below a touchdown the line lies on the bed as far as it is heavy. A buoyant part further down, or a
+raised anchor, lifts it off. The further up it leaves the bed, the more of its weight hangs and the
+higher is all that follows: it leaves the bed where what follows just clears the bed and just
+reaches the anchor. Where it touches the bed again the next stretch begins.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
+from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, TO_THE_ANCHOR, Part, part_reach
+from catopt.catenary.piece import piece_rise
+from catopt.catenary.pieces import Pieces, beyond_clump, total_length, total_weight
+from catopt.catenary.setting import GREATEST_FORCE, Setting
+from catopt.catenary.upper_part import (
+    CLEARANCE,
+    EXACT,
+    MOST_TRIALS,
+    WELL_HUNG,
+    hung_from_lightest,
+    rounding_of_V,
+    to_touchdown,
+)
+from catopt.catenary.walk import lie
+
+__all__ = ["Touchdown", "just_clear", "lower_part", "on_bed", "touchdown_of"]
+
+
+class Touchdown(NamedTuple):
+    """Where the line comes down on the bed.
+
+    Attributes
+    ----------
+    H : float
+        Horizontal force of what hangs above, N.
+    piece, rest : int, float
+        Piece in which the stretch on the bed begins, and how much of it is below, m.
+    clump : int
+        Joint of the clump weight at which it touches down; -1 when there is none.
+    carried : float
+        What the bed has to carry of that clump weight if nothing lifts it from below, N.
+    """
+
+    H: float
+    piece: int
+    rest: float
+    clump: int
+    carried: float
+
+
+class _Clearance(NamedTuple):
+    """How far the rest of the line clears the bed, or the anchor's height: the least of it, m.
+
+    `touchdown`, `piece` and `length` say where, as `touchdown`, `bottom` and `bottom_length` of
+    Part.
+    """
+
+    least: float
+    touchdown: int
+    piece: int
+    length: float
+
+
+def touchdown_of(part: Part, V_bottom: float, pieces: Pieces) -> Touchdown:
+    """Say where a part touches down, V_bottom being the vertical force at its lower end."""
+    k = part.touchdown // 2
+    if part.touchdown % 2 == 0:
+        return Touchdown(part.H, k, pieces.length[k] - part.bottom_length, -1, 0.0)
+    return Touchdown(part.H, k - 1, pieces.length[k - 1], k, max(pieces.load[k] - V_bottom, 0.0))
+
+
+def _last_heavy(pieces: Pieces, piece: int) -> int:
+    """Lowest piece down to which everything from a given piece on is heavy enough to lie."""
+    k = piece
+    while k > 0 and pieces.load[k] >= 0.0 and pieces.weight[k - 1] >= 0.0:
+        k -= 1
+    return k
+
+
+def lower_part(touchdown: Touchdown, setting: Setting) -> Part:
+    """Find the part that leaves the bed below a touchdown.
+
+    Returns
+    -------
+    Part
+        TO_THE_ANCHOR when the line lies from the touchdown on; NO_PART when the search stopped
+        short.
+    """
+    pieces = setting.pieces
+    first = _last_heavy(pieces, touchdown.piece)
+    if pieces.weight[touchdown.piece] < 0.0:
+        # Nothing lies here: the part leaves the bed at the clump weight or at the fairlead itself.
+        first = touchdown.piece + 1
+    elif first == 0 and setting.anchor_height == 0.0:
+        return TO_THE_ANCHOR
+    for j in range(first, touchdown.piece + 1):
+        if j > 0 and pieces.load[j] > 0.0:
+            part = _lifted(2 * j + 1, pieces.load[j], touchdown, setting)
+            if part.top >= 0:
+                return part
+        length = touchdown.rest if j == touchdown.piece else pieces.length[j]
+        if pieces.weight[j] > 0.0 and length > 0.0:
+            part = _lifted(2 * j, length, touchdown, setting)
+            if part.top >= 0:
+                return part
+    if touchdown.clump >= 0:
+        return _lifted(2 * touchdown.clump + 1, touchdown.carried, touchdown, setting)
+    return NO_PART
+
+
+def _lifted(code: int, most: float, touchdown: Touchdown, setting: Setting) -> Part:
+    """Leave the bed inside a piece, or at a clump weight; NO_PART if that does not lift enough.
+
+    `most` is the length of the piece that may hang (m), or the weight that may be lifted (N).
+    """
+    tolerance = CLEARANCE * total_length(setting.pieces)
+    low, high, f_low, f_high = _ends(code, most, touchdown, setting)
+    if f_high < -tolerance:
+        return NO_PART
+    if f_low >= 0.0:
+        return _part(code, low, touchdown, setting)
+    around = bracket(low, high, f_low, max(f_high, 0.0))
+    x = high
+    for _ in range(MOST_TRIALS):
+        if is_closed(around):
+            break
+        x = trial(around, math.nan)
+        f = _cleared(code, x, touchdown, setting).least
+        if abs(f) <= 1e-4 * tolerance:
+            return _part(code, x, touchdown, setting)
+        around = narrowed(around, x, f)
+    return _at_the_last_digit(code, around.low, around.high, touchdown, setting)
+
+
+def _at_the_last_digit(
+    code: int, low: float, high: float, touchdown: Touchdown, setting: Setting
+) -> Part:
+    """Choose between two neighbouring numbers of which neither clears the bed to the last digit."""
+    for x in (high, low):
+        left = abs(_cleared(code, x, touchdown, setting).least)
+        if left <= WELL_HUNG * total_length(setting.pieces):
+            return _part(code, x, touchdown, setting)
+    loose = _loose(code, low, touchdown, setting)
+    if loose.top >= 0:
+        return loose
+    # V is known to its rounding alone; what is loose leans of itself and has been tried before.
+    for x in (high, low):
+        part = _part(code, x, touchdown, setting)
+        if _is_closed(part, _start(code, x, setting.pieces)[2], setting):
+            return part
+    return NO_PART
+
+
+def _ends(
+    code: int, most: float, touchdown: Touchdown, setting: Setting
+) -> tuple[float, float, float, float]:
+    """Two places between which the line leaves the bed, if it does, and its clearance from them.
+
+    Where friction leaves no force, the line hangs straight; that root is the first to be met.
+    Further on it may hang lower again, for what has left the bed takes less off the force.
+    """
+    f_low = _cleared(code, 0.0, touchdown, setting).least
+    f_high = _cleared(code, most, touchdown, setting).least
+    straight = _straight_up_to(code, most, touchdown, setting)
+    if f_low < 0.0 < straight < most:
+        f = _cleared(code, straight, touchdown, setting).least
+        if f >= 0.0:
+            return 0.0, straight, f_low, f
+        return straight, most, f, f_high
+    return 0.0, most, f_low, f_high
+
+
+def on_bed(touchdown: Touchdown, setting: Setting) -> float:
+    """Tension with which the stretch on the bed begins, N."""
+    if touchdown.clump < 0:
+        return touchdown.H
+    return beyond_clump(
+        touchdown.H, setting.pieces, touchdown.clump, setting.friction, touchdown.carried
+    )
+
+
+def _left(code: int, x: float, touchdown: Touchdown, setting: Setting) -> float:
+    """Horizontal force that friction leaves where the line leaves the bed, N."""
+    pieces, friction = setting.pieces, setting.friction
+    k = code // 2
+    if code % 2 == 1 and k == touchdown.clump:
+        return beyond_clump(touchdown.H, pieces, k, friction, touchdown.carried - x)
+    T = on_bed(touchdown, setting)
+    if code % 2 == 1:
+        T = lie(T, pieces, friction, touchdown.piece, touchdown.rest, k, 0.0).H
+        return beyond_clump(T, pieces, k, friction, pieces.load[k] - x)
+    return float(lie(T, pieces, friction, touchdown.piece, touchdown.rest, k, x).H)
+
+
+def _straight_up_to(code: int, most: float, touchdown: Touchdown, setting: Setting) -> float:
+    """Bound of x below which friction leaves no horizontal force; 0 when it always leaves some."""
+    if _left(code, 0.0, touchdown, setting) > 0.0:
+        return 0.0
+    if _left(code, most, touchdown, setting) == 0.0:
+        return most
+    low, high = 0.0, most
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if _left(code, middle, touchdown, setting) > 0.0:
+            high = middle
+        else:
+            low = middle
+    return low
+
+
+def _start(code: int, x: float, pieces: Pieces) -> tuple[int, float, float]:
+    """Piece, length of it and vertical force at the upper end of a part that leaves the bed."""
+    k = code // 2
+    if code % 2 == 0:
+        return k, x, 0.0
+    return k - 1, pieces.length[k - 1], -x
+
+
+def just_clear(code: int, x: float, setting: Setting) -> Part:
+    """Find the part that leaves the bed at a given place with the force that just clears the bed.
+
+    Parameters
+    ----------
+    code : int
+        2 k inside piece k, 2 k + 1 at the clump weight on the joint below it.
+    x : float
+        Length of the piece that hangs, m; or weight that is lifted, N.
+    setting : Setting
+        The line and where it is moored.
+
+    Returns
+    -------
+    Part
+        NO_PART where it does not clear the bed even without force, or does so with any.
+    """
+    H, f = 0.0, _cleared(code, x, _leaving(0.0, code, x, setting.pieces), setting).least
+    low, f_low = H, f
+    stride = abs(total_weight(setting.pieces)) + 1e-9
+    while f > 0.0:
+        low, f_low = H, f
+        H = H + stride
+        if H > GREATEST_FORCE:
+            return NO_PART
+        f = _cleared(code, x, _leaving(H, code, x, setting.pieces), setting).least
+        stride *= 4.0
+    if f_low < 0.0:
+        return NO_PART
+    around = bracket(low, H, -f_low, -f)
+    while abs(f) > EXACT * total_length(setting.pieces) and not is_closed(around):
+        H = trial(around, math.nan)
+        f = _cleared(code, x, _leaving(H, code, x, setting.pieces), setting).least
+        around = narrowed(around, H, -f)
+    return _part(code, x, _leaving(H, code, x, setting.pieces), setting)
+
+
+def _leaving(H: float, code: int, x: float, pieces: Pieces) -> Touchdown:
+    """Return a touchdown in the very place where the line leaves the bed."""
+    k = code // 2
+    if code % 2 == 0:
+        return Touchdown(H, k, x, -1, 0.0)
+    return Touchdown(H, k - 1, pieces.length[k - 1], k, x)
+
+
+def _cleared(code: int, x: float, touchdown: Touchdown, setting: Setting) -> _Clearance:
+    """Follow the line down from where it leaves the bed to the anchor."""
+    pieces = setting.pieces
+    H = _left(code, x, touchdown, setting)
+    top, top_length, V = _start(code, x, pieces)
+    return _followed(H, top, top_length, V, 0.0, setting)
+
+
+def _followed(
+    H: float, top: int, top_length: float, V: float, slope: float, setting: Setting
+) -> _Clearance:
+    pieces = setting.pieces
+    z = 0.0
+    least, touchdown, piece, end_length = math.inf, NO_TOUCHDOWN, 0, pieces.length[0]
+    for k in range(top, -1, -1):
+        length = top_length if k == top else pieces.length[k]
+        weight, compliance = pieces.weight[k], pieces.compliance[k]
+        V1 = V - weight * length
+        if V1 < 0.0 < V:
+            hanging = V / weight
+            lowest = z - piece_rise(H, 0.0, V, hanging, compliance, 0.0)
+            if lowest < least:
+                least, touchdown, piece, end_length = lowest, 2 * k, k, min(hanging, length)
+        z -= piece_rise(H, V1, V, length, compliance, slope)
+        V = V1 - pieces.load[k]
+        if k > 0 and V1 >= 0.0 >= V and (V1 > 0.0 or pieces.load[k] > 0.0) and z < least:
+            least, touchdown, piece, end_length = z, 2 * k + 1, k, pieces.length[k]
+    if z - setting.anchor_height <= least:
+        return _Clearance(z - setting.anchor_height, NO_TOUCHDOWN, 0, pieces.length[0])
+    return _Clearance(least, touchdown, piece, end_length)
+
+
+def _part(code: int, x: float, touchdown: Touchdown, setting: Setting) -> Part:
+    """Return the part that leaves the bed at a place found."""
+    pieces = setting.pieces
+    H = _left(code, x, touchdown, setting)
+    top, top_length, V = _start(code, x, pieces)
+    end = _followed(H, top, top_length, V, 0.0, setting)
+    V_low = V - pieces.weight[top] * top_length
+    part = Part(H, 0.0, top, top_length, end.piece, end.length, top, V_low, end.touchdown)
+    return _closed(part, _rise(end.touchdown, setting), pieces)
+
+
+def _closed(part: Part, rise: float, pieces: Pieces) -> Part:
+    """Close what rounding leaves open of a part, counted from its touchdown or lightest place."""
+    reach = part_reach(part, pieces)
+    if abs(reach.z - rise) <= CLEARANCE * total_length(pieces):
+        return part
+    if part.touchdown != NO_TOUCHDOWN:
+        closed = to_touchdown(part, 0.0, pieces, part.touchdown)
+    else:
+        closed = hung_from_lightest(part, rise, pieces)
+    if closed.top < 0:
+        return part
+    left = abs(part_reach(closed, pieces).z - rise)
+    return closed if left < abs(reach.z - rise) else part
+
+
+def _is_closed(part: Part, V: float, setting: Setting) -> bool:
+    """Whether a part fits with a force at its upper end that is V but for rounding."""
+    pieces = setting.pieces
+    reach = part_reach(part, pieces)
+    left = abs(reach.z - _rise(part.touchdown, setting))
+    is_near = abs(reach.V_top - V) <= rounding_of_V(part, pieces)
+    return is_near and left <= WELL_HUNG * total_length(pieces)
+
+
+def _rise(touchdown: int, setting: Setting) -> float:
+    """Height of the upper end of a part above its lower end, m."""
+    return -setting.anchor_height if touchdown == NO_TOUCHDOWN else 0.0
+
+
+def _loose(code: int, x: float, touchdown: Touchdown, setting: Setting) -> Part:
+    """Incline pieces without weight or force so that a part that hangs straight fits."""
+    pieces = setting.pieces
+    if _left(code, x, touchdown, setting) > 0.0:
+        return NO_PART
+    top, top_length, V = _start(code, 0.0, pieces)
+    flat = _followed(0.0, top, top_length, V, 0.0, setting)
+    steep = _followed(0.0, top, top_length, V, -1.0, setting)
+    if not flat.least < 0.0 < steep.least:
+        return NO_PART
+    slope = flat.least / (steep.least - flat.least)
+    end = _followed(0.0, top, top_length, V, slope, setting)
+    return Part(0.0, slope, top, top_length, end.piece, end.length, top, V, end.touchdown)

@@ -1,0 +1,213 @@
+"""The loop over many lines; meant to be compiled."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+from catopt.catenary.closing import BY_FORCE, BY_SPAN
+from catopt.catenary.equilibrium import given_force
+from catopt.catenary.pieces import Pieces, split, total_length
+from catopt.catenary.rounding import force_uncertainty
+from catopt.catenary.runs import Runs, runs_misfit, runs_of
+from catopt.catenary.setting import Setting
+from catopt.catenary.span import given_span
+from catopt.catenary.state import (
+    CONVERGED,
+    IN_PARTS,
+    INVALID,
+    LOOSE,
+    NOT_CONVERGED,
+    TURNED,
+    State,
+    failed,
+)
+from catopt.catenary.tension import given_tension
+
+__all__ = ["COLUMNS", "RESIDUAL_LIMIT", "fill"]
+
+RESIDUAL_LIMIT: Final = 1e-9
+"""How far the line, laid out from its anchor, may miss its fairlead, as a part of its length."""
+
+COLUMNS: Final = (
+    "H",
+    "V",
+    "span",
+    "height_error",
+    "grounded",
+    "H_anchor",
+    "V_anchor",
+    "x_H",
+    "x_V",
+    "z_H",
+    "z_V",
+    "force_uncertainty",
+)
+"""Names of the columns that `fill` writes, as in State."""
+
+
+def fill(
+    known: int,
+    wanted: Any,
+    height: Any,
+    anchor_height: Any,
+    friction: Any,
+    length: Any,
+    weight: Any,
+    compliance: Any,
+    position: Any,
+    point_weight: Any,
+    point_friction: Any,
+    pieces: Pieces,
+    owner: Any,
+    runs: Runs,
+    first: int,
+    end: int,
+    status: Any,
+    regime: Any,
+    out: Any,
+) -> None:
+    """Solve lines `first` to `end` (not included).
+
+    Parameters
+    ----------
+    known : int
+        What `wanted` holds: spans, tensions or forces.
+    wanted, height, anchor_height, friction : array, shape (n,)
+        Per line.
+    length, weight, compliance, position, point_weight : array, shape (n or 1, segments or loads)
+        Per line, or one row for all.
+    point_friction : array, shape (loads,)
+        Coulomb coefficients of the point loads of all lines; below 0 for that of the bed.
+    pieces, owner, runs
+        Work space for one line (pieces.split, runs.runs_of).
+    first, end : int
+        Range of lines.
+    status, regime : array of int, shape (n,)
+        Written to.
+    out : array, shape (n, 12)
+        Written to; COLUMNS names its columns.
+    """
+    nan = math.nan
+    is_one_line = (
+        max(len(length), len(weight), len(compliance), len(position), len(point_weight)) == 1
+    )
+    is_line = False
+    for i in range(first, end):
+        if i == first or not is_one_line:
+            is_line = _take(
+                length[i if length.shape[0] > 1 else 0],
+                weight[i if weight.shape[0] > 1 else 0],
+                compliance[i if compliance.shape[0] > 1 else 0],
+                position[i if position.shape[0] > 1 else 0],
+                point_weight[i if point_weight.shape[0] > 1 else 0],
+                point_friction,
+                pieces,
+                owner,
+                known,
+            )
+        is_valid = (
+            is_line
+            and wanted[i] > 0.0
+            and height[i] >= 0.0
+            and anchor_height[i] >= 0.0
+            and friction[i] >= 0.0
+            and not math.isinf(wanted[i] + height[i] + anchor_height[i] + friction[i])
+        )
+        setting = Setting(pieces, anchor_height[i], height[i], friction[i])
+        if not is_valid:
+            state = failed(INVALID)
+        elif known == BY_FORCE:
+            state = given_force(wanted[i], setting)
+        elif known == BY_SPAN:
+            state = given_span(wanted[i], setting, nan, nan)
+        else:
+            state = given_tension(wanted[i], setting)
+        if state.touchdown in (IN_PARTS, TURNED, LOOSE) and not _is_laid_well(
+            state, setting, runs, known, wanted[i]
+        ):
+            state = failed(NOT_CONVERGED)
+        status[i] = state.status
+        regime[i] = state.regime
+        out[i, 0] = state.H
+        out[i, 1] = state.V
+        out[i, 2] = state.span
+        out[i, 3] = state.height_error
+        out[i, 4] = state.grounded
+        out[i, 5] = state.H_anchor
+        out[i, 6] = state.V_anchor
+        out[i, 7] = state.x_H
+        out[i, 8] = state.x_V
+        out[i, 9] = state.z_H
+        out[i, 10] = state.z_V
+        out[i, 11] = math.nan
+        if state.status == CONVERGED:
+            out[i, 11] = force_uncertainty(state, setting, known)
+
+
+def _take(
+    length: Any,
+    weight: Any,
+    compliance: Any,
+    position: Any,
+    point_weight: Any,
+    point_friction: Any,
+    pieces: Pieces,
+    owner: Any,
+    known: int,
+) -> bool:
+    """Cut a line into its pieces; False, with the pieces as they were, when it is no line."""
+    if not _are_segments(length, weight, compliance):
+        return False
+    if not _are_point_loads(position, point_weight, length):
+        return False
+    if known != BY_FORCE and not _weighs(weight, point_weight):
+        return False
+    split(length, weight, compliance, position, point_weight, point_friction, pieces, owner)
+    return True
+
+
+def _is_laid_well(state: State, setting: Setting, runs: Runs, known: int, wanted: float) -> bool:
+    """Whether a line in parts, laid out from its anchor, meets its fairlead.
+
+    One that is not in parts does: that is what equilibrium.is_certain asks of it.
+    """
+    size = total_length(setting.pieces)
+    span = wanted if known == BY_SPAN else state.span
+    height, along = runs_misfit(state, setting, runs, runs_of(state, setting, runs), span)
+    return max(abs(height), abs(along)) <= RESIDUAL_LIMIT * max(size, span)
+
+
+def _are_segments(length: Any, weight: Any, compliance: Any) -> bool:
+    """Whether every segment has a length, a finite weight and a stiffness above 0."""
+    for k in range(len(length)):
+        if not 0.0 < length[k] < math.inf or not abs(weight[k]) < math.inf:
+            return False
+        if not 0.0 <= compliance[k] < math.inf:
+            return False
+    return True
+
+
+def _weighs(weight: Any, point_weight: Any) -> bool:
+    """Whether anything of the line has a weight: otherwise its shape does not tell the force."""
+    if len(point_weight) > 0:
+        return True
+    for k in range(len(weight)):
+        if weight[k] != 0.0:
+            return True
+    return False
+
+
+def _are_point_loads(position: Any, point_weight: Any, length: Any) -> bool:
+    """Whether the point loads have finite weights and rise from the anchor, inside the line."""
+    end = 0.0
+    for k in range(len(length)):
+        end += length[k]
+    below = 0.0
+    for k in range(len(position)):
+        if not 0.0 < position[k] < end or not position[k] >= below:
+            return False
+        if not abs(point_weight[k]) < math.inf:
+            return False
+        below = position[k]
+    return True

@@ -1,0 +1,265 @@
+"""A line whose friction lets it slide: the spans between the two sides of a jump.
+
+With much friction the span of a line that leaves the bed again (towards a raised anchor or under a
+buoy) can jump as the horizontal force grows: at one force it rests with most of it on the bed and
+nothing left of the force, and with most of it lifted and nothing lost. Between the two it has an
+equilibrium at every span; under a constant force it would slide out of it, between ends that are
+held it stays. Followed from the anchor, the tension grows along the bed: so there the span is
+sought over the force at the anchor.
+
+The spans between that of no force at all and that of no force at the anchor are sought over a place
+on the bed. Either the tension begins there and all below lies loose, or the line leaves the bed
+there towards the anchor, with the one force with which it just clears it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
+from catopt.catenary.equilibrium import in_parts
+from catopt.catenary.lower_part import Touchdown, just_clear, lower_part, touchdown_of
+from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, Part, part_reach
+from catopt.catenary.pieces import Pieces, above, below, grip, total_length, turned
+from catopt.catenary.setting import Setting
+from catopt.catenary.state import (
+    CONVERGED,
+    GROUNDED,
+    GROUNDED_BETWEEN,
+    GROUNDED_IN_PARTS,
+    LOOSE,
+    NOT_CONVERGED,
+    ON_BED,
+    TURNED,
+    State,
+    failed,
+)
+from catopt.catenary.upper_part import WELL_HUNG, lying_end, upper_part
+
+__all__ = [
+    "Onset",
+    "from_its_anchor",
+    "loose",
+    "loose_below",
+    "onset_of",
+    "start_below",
+    "tight_above",
+    "turned_back",
+]
+
+
+class Onset(NamedTuple):
+    """Where the tight part of a line begins, on the bed.
+
+    Attributes
+    ----------
+    code : int
+        2 k inside piece k, 2 k + 1 at the clump weight on the joint below piece k; -1 nowhere.
+    x : float
+        How much of the piece lies below the place, m; or the part of the clump weight's friction
+        that does not act.
+    part : Part
+        The part that leaves the bed there, or further down if its horizontal force is 0.
+    """
+
+    code: int
+    x: float
+    part: Part
+
+
+NOWHERE = Onset(-1, 0.0, NO_PART)
+
+
+def from_its_anchor(setting: Setting) -> Setting:
+    """Return the line with its ends exchanged: friction adds to its tension on the way down."""
+    return Setting(
+        turned(setting.pieces),
+        setting.fairlead_height,
+        setting.anchor_height,
+        -setting.friction,
+    )
+
+
+def turned_back(state: State) -> State:
+    """Return the state of a line that was solved with its ends exchanged."""
+    return State(
+        state.status,
+        state.regime,
+        state.H_anchor,
+        -state.V_anchor,
+        state.span,
+        -state.height_error,
+        state.grounded,
+        state.H,
+        -state.V,
+        TURNED,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+
+
+def onset_of(span: float, setting: Setting) -> Onset:
+    """Find where the tight part begins of a line with a known span.
+
+    Without force the line hangs straight and lies in stretches on the bed. From the uppermost place
+    of these downwards the span grows with the length that is tight.
+
+    Parameters
+    ----------
+    span : float
+        Beyond that of the line without force, m.
+    setting : Setting
+        The line and where it is moored, with friction.
+    """
+    pieces = setting.pieces
+    part = upper_part(0.0, setting)
+    while part.top >= 0 and part.touchdown != NO_TOUCHDOWN:
+        down = touchdown_of(part, part_reach(part, pieces).V_bottom, pieces)
+        part = lower_part(down, setting)
+        onset = _where_it_lies(span, setting, down, part)
+        if onset.code < 0 <= part.bottom:
+            onset = _where_it_leaves(span, setting, down, part)
+        if onset.code >= 0:
+            return onset
+    return NOWHERE
+
+
+def _where_it_lies(span: float, setting: Setting, down: Touchdown, part: Part) -> Onset:
+    """Look for the onset in a stretch on the bed, from its upper end down; or NOWHERE."""
+    pieces = setting.pieces
+    for k in range(down.piece, max(part.top, 0) - 1, -1):
+        rest = down.rest if k == down.piece else pieces.length[k]
+        if rest == pieces.length[k] and k + 1 < len(pieces.length):
+            onset = _between(span, setting, 2 * k + 3, 1.0, 0.0, part)
+            if onset.code >= 0:
+                return onset
+        end = part.top_length if k == part.top else 0.0
+        onset = _between(span, setting, 2 * k, rest, end, part)
+        if onset.code >= 0:
+            return onset
+    return NOWHERE
+
+
+def _where_it_leaves(span: float, setting: Setting, down: Touchdown, part: Part) -> Onset:
+    """Look for a place where the line leaves a stretch, from its lower end up; or NOWHERE."""
+    pieces = setting.pieces
+    for k in range(part.top, down.piece + 1):
+        low = part.top_length if k == part.top else 0.0
+        rest = down.rest if k == down.piece else pieces.length[k]
+        onset = _between(span, setting, 2 * k, low, rest, NO_PART)
+        if onset.code < 0 and rest == pieces.length[k] and k + 1 < len(pieces.length):
+            lifted = _lifted_at(k + 1, part, pieces)
+            onset = _between(span, setting, 2 * k + 3, lifted, pieces.load[k + 1], NO_PART)
+        if onset.code >= 0:
+            return onset
+    return NOWHERE
+
+
+def _between(
+    span: float, setting: Setting, code: int, first: float, last: float, part: Part
+) -> Onset:
+    """Find the onset with a span between two places, of which the last has the larger; or NOWHERE.
+
+    `part` is that which leaves the bed further down; NO_PART where it does so at the onset.
+    """
+    onset = _onset(code, last, part, setting)
+    f = _beyond(span, onset, setting)
+    if first == last or f < 0.0:
+        return NOWHERE
+    sense = 1.0 if first < last else -1.0
+    around = bracket(sense * first, sense * last, -math.inf, f)
+    while abs(f) > 1e-15 * span and not is_closed(around):
+        x = trial(around, math.nan)
+        onset = _onset(code, sense * x, part, setting)
+        f = _beyond(span, onset, setting)
+        around = narrowed(around, x, f)
+    return onset if abs(f) <= WELL_HUNG * max(span, total_length(setting.pieces)) else NOWHERE
+
+
+def _beyond(span: float, onset: Onset, setting: Setting) -> float:
+    """By how much an onset's span is larger, m; infinite where the line does not lie there."""
+    reached: float = loose(onset, setting).span
+    return math.inf if math.isnan(reached) else reached - span
+
+
+def _onset(code: int, x: float, part: Part, setting: Setting) -> Onset:
+    if part.top >= 0:
+        return Onset(code, x, part)
+    return Onset(code, x if code % 2 == 0 else 0.0, just_clear(code, x, setting))
+
+
+def loose(onset: Onset, setting: Setting) -> State:
+    """State of a line whose tight part begins at a place on the bed."""
+    if onset.code < 0 or onset.part.top < 0:
+        return failed(NOT_CONVERGED)
+    other_way = tight_above(onset, setting)
+    tight = in_parts(lying_end(onset.part.H, other_way.pieces), other_way)
+    below = loose_below(onset, setting)
+    rest = in_parts(start_below(onset, below), below)
+    if tight.status != CONVERGED or rest.status != CONVERGED:
+        return failed(NOT_CONVERGED)
+    leaves = onset.part.H > 0.0
+    regime = GROUNDED_BETWEEN
+    if GROUNDED_IN_PARTS in (tight.regime, rest.regime):
+        regime = GROUNDED_IN_PARTS
+    elif rest.regime in (GROUNDED, ON_BED, GROUNDED_BETWEEN):
+        lies_to_anchor = rest.regime != GROUNDED_BETWEEN
+        regime = GROUNDED_IN_PARTS if leaves else GROUNDED if lies_to_anchor else GROUNDED_BETWEEN
+    return State(
+        CONVERGED,
+        regime,
+        tight.H_anchor,
+        -tight.V_anchor,
+        tight.span + rest.span,
+        rest.height_error - tight.height_error,
+        tight.grounded + rest.grounded,
+        rest.H_anchor,
+        rest.V_anchor,
+        LOOSE,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )
+
+
+def tight_above(onset: Onset, setting: Setting) -> Setting:
+    """Return what lies and hangs above an onset, counted from there."""
+    k = onset.code // 2
+    if onset.code % 2 == 0:
+        pieces = above(setting.pieces, k, onset.x)
+    else:
+        # On the bed by a piece without length, with what is not lifted from below of its weight.
+        pieces = above(setting.pieces, k - 1, setting.pieces.length[k - 1])
+        pieces.weight[0] = 0.0
+        pieces.load[1] -= _lifted_at(k, onset.part, setting.pieces)
+        own = grip(setting.pieces, k, setting.friction)
+        pieces.load[len(pieces.length) + 2] = (1.0 - onset.x) * own
+    return from_its_anchor(Setting(pieces, 0.0, setting.fairlead_height, setting.friction))
+
+
+def loose_below(onset: Onset, setting: Setting) -> Setting:
+    """Return what lies and hangs below an onset; a clump weight belongs to both parts."""
+    k = onset.code // 2
+    if onset.part.H > 0.0:
+        pieces = below(setting.pieces, onset.part.top, onset.part.top_length)
+    else:
+        pieces = below(setting.pieces, k, onset.x if onset.code % 2 == 0 else 0.0)
+        if onset.code % 2 == 1:
+            pieces.weight[k] = 0.0
+    return Setting(pieces, setting.anchor_height, 0.0, setting.friction)
+
+
+def start_below(onset: Onset, below: Setting) -> Part:
+    """Return the first part of what lies and hangs below an onset."""
+    return onset.part if onset.part.H > 0.0 else lying_end(0.0, below.pieces)
+
+
+def _lifted_at(joint: int, part: Part, pieces: Pieces) -> float:
+    """Weight that a part takes off the clump weight on a joint, N."""
+    if part.bottom < 0 or part.top != joint - 1 or part.top_length < pieces.length[joint - 1]:
+        return 0.0
+    return max(-part_reach(part, pieces).V_top, 0.0)

@@ -1,0 +1,258 @@
+"""The answer for one line, as a value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from catopt.catenary.document import solution_document
+from catopt.catenary.profile import sample
+from catopt.catenary.stretch import Profile, Stretch
+from catopt.model import Line
+
+__all__ = [
+    "EndState",
+    "FoundQuantity",
+    "PointLoadState",
+    "Residual",
+    "SegmentState",
+    "Solution",
+    "SwarmReport",
+]
+
+Regime = Literal[
+    "suspended",
+    "below-anchor",
+    "grounded",
+    "grounded-between",
+    "on-bed",
+    "slack",
+    "grounded-in-parts",
+]
+
+
+@dataclass(frozen=True)
+class EndState:
+    """Effective forces at one end of the line.
+
+    Attributes
+    ----------
+    tension : float
+        Effective tension, N.
+    horizontal_force, vertical_force : float
+        Its parts, N; the vertical one is positive where the line rises towards the fairlead
+        (at the anchor: where the line pulls the anchor up).
+    angle : float
+        Inclination above the horizontal, rad, with the sign of the vertical force.
+    """
+
+    tension: float
+    horizontal_force: float
+    vertical_force: float
+    angle: float
+
+
+@dataclass(frozen=True)
+class SegmentState:
+    """One segment of the line under load: its largest effective tension, N."""
+
+    name: str
+    length: float
+    max_tension: float
+    MBL: float | None
+
+    def utilisation(self, safety_factor: float = 1.0) -> float | None:
+        """Largest tension times the safety factor over MBL; None when MBL is not known."""
+        return None if self.MBL is None else self.max_tension * safety_factor / self.MBL
+
+
+@dataclass(frozen=True)
+class PointLoadState:
+    """One clump weight or buoy under load: where it is (m) and what the bed carries of it (N)."""
+
+    name: str
+    position: float
+    x: float
+    z: float
+    seabed_reaction: float
+
+
+@dataclass(frozen=True)
+class Residual:
+    """How exactly the equilibrium is met.
+
+    Attributes
+    ----------
+    height, span : float
+        By how much the line, laid out piece by piece from the anchor, misses the fairlead, m.
+    force_uncertainty : float
+        By how much the rounding of the input to double precision may move the forces at the
+        fairlead, N; large for a nearly taut line that does not stretch.
+    """
+
+    height: float
+    span: float
+    force_uncertainty: float = 0.0
+
+
+@dataclass(frozen=True)
+class SwarmReport:
+    """How the swarm got to its answer.
+
+    Attributes
+    ----------
+    objective : float
+        Smallest f, m.
+    evaluations, iterations, runs, seed : int
+        Evaluations of f over all runs, iterations that a run may take, runs, seed.
+    converged_runs : int
+        Runs that ended with f < 1e-9 m.
+    best_run : int
+        The run that won, counted from 1.
+    objectives : tuple of float
+        f at the end of each run, m.
+    span_consistency : float
+        S1's check (11): |S - span of equation (5)|, m; must stay below 1e-3.
+    closed_form_difference : dict of str to float
+        Swarm minus closed form: ``angle_rad`` or ``grounded_length_m``, ``span_m``, ``tension_N``.
+    best_objective_history, tension_history : tuple of float
+        Best f (m) and the fairlead tension at that place (N) after each iteration of the best run.
+    iterations_flown : tuple of int
+        Iterations that each run took: fewer than `iterations` where f could not fall any more.
+    """
+
+    objective: float
+    evaluations: int
+    iterations: int
+    runs: int
+    seed: int
+    converged_runs: int
+    best_run: int
+    objectives: tuple[float, ...]
+    span_consistency: float
+    closed_form_difference: dict[str, float]
+    best_objective_history: tuple[float, ...]
+    tension_history: tuple[float, ...]
+    iterations_flown: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class FoundQuantity:
+    """An unknown that meets a condition.
+
+    Attributes
+    ----------
+    quantity : str
+        What was sought: ``"length"``, ``"clump_weight"`` or ``"horizontal_force"``.
+    value : float
+        m or N.
+    condition : str
+        What it has to give, in words.
+    residual : float
+        By how much the condition is missed, as a part of the quantity it is put on.
+    number : int or None
+        Which segment or point load, counted from 1 at the anchor; None for a force.
+    """
+
+    quantity: Literal["length", "clump_weight", "horizontal_force"]
+    value: float
+    condition: str
+    residual: float
+    number: int | None = None
+
+    @property
+    def unit(self) -> str:
+        """Unit of the value."""
+        return "m" if self.quantity == "length" else "N"
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Equilibrium of one line.
+
+    Attributes
+    ----------
+    line : Line
+        What was solved.
+    method : str
+        ``"closed-form"`` or ``"pso"``.
+    regime : str
+        How the line hangs (docs/regimes.md).
+    fairlead_height, anchor_height : float
+        Above the seabed, m.
+    seabed_friction : float
+        Coulomb coefficient.
+    span : float
+        Horizontal distance from the anchor to the fairlead, m.
+    fairlead, anchor : EndState
+        Forces at the ends; the anchor's after seabed friction.
+    grounded_length, suspended_length : float
+        Unstretched, m.
+    stretched_length : float
+        Of the whole line under its tension, m.
+    segments, point_loads : tuple
+        State of each.
+    stretches : tuple of Stretch
+        The line from the anchor up, cut where anything changes.
+    residual : Residual
+        How exactly the equilibrium is met.
+    warnings : tuple of str
+        What an engineer should know before using the answer.
+    safety_factor : float
+        For utilisations; 1 when none was asked for.
+    title : str
+        Of the case.
+    swarm : SwarmReport or None
+        Only for ``method == "pso"``.
+    found : FoundQuantity or None
+        What was sought and found, if anything was.
+    """
+
+    line: Line
+    method: Literal["closed-form", "pso"]
+    regime: Regime
+    fairlead_height: float
+    anchor_height: float
+    seabed_friction: float
+    span: float
+    fairlead: EndState
+    anchor: EndState
+    grounded_length: float
+    suspended_length: float
+    stretched_length: float
+    segments: tuple[SegmentState, ...]
+    point_loads: tuple[PointLoadState, ...]
+    stretches: tuple[Stretch, ...]
+    residual: Residual
+    warnings: tuple[str, ...] = ()
+    safety_factor: float = 1.0
+    title: str = ""
+    swarm: SwarmReport | None = None
+    found: FoundQuantity | None = None
+
+    @property
+    def horizontal_force(self) -> float:
+        """Horizontal force at the fairlead, N; the same along everything that hangs from it."""
+        return self.fairlead.horizontal_force
+
+    def profile(self, points: int = 101) -> Profile:
+        """Sample the shape and the tension.
+
+        Parameters
+        ----------
+        points : int
+            About how many, evenly along the arc; every joint and touchdown is always among them.
+        """
+        return sample(self.stretches, points)
+
+    def to_dict(self, *, profile: bool = False) -> dict[str, Any]:
+        """Build the document that ``catopt solve --json`` prints (schema catopt.solution/1)."""
+        return solution_document(self, with_profile=profile)
+
+    def with_found(self, found: FoundQuantity) -> Solution:
+        """Return the same answer with what was sought."""
+        return replace(self, found=found)
+
+    def with_warnings(self, warnings: tuple[str, ...]) -> Solution:
+        """Return the same answer with warnings added."""
+        return replace(self, warnings=(*self.warnings, *warnings)) if warnings else self

@@ -1,0 +1,135 @@
+"""Solve one line in closed form."""
+
+from __future__ import annotations
+
+import math
+
+from catopt.catenary.closing import BY_FORCE, BY_SPAN, BY_TENSION
+from catopt.catenary.equilibrium import given_force
+from catopt.catenary.many import RESIDUAL_LIMIT
+from catopt.catenary.pieces import cut
+from catopt.catenary.refusal import refusal
+from catopt.catenary.result import solution_of
+from catopt.catenary.setting import GREATEST_FORCE, LEAST_FORCE, Setting, is_plain
+from catopt.catenary.solution import Solution
+from catopt.catenary.span import given_span
+from catopt.catenary.state import CONVERGED, LOOSE, TURNED, State
+from catopt.catenary.tension import given_tension, other_forces
+from catopt.catenary.warnings import other_tensions, slides
+from catopt.errors import NotConvergedError
+from catopt.model import Line, Load
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+__all__ = ["solve"]
+
+
+def solve(
+    line: Line,
+    *,
+    height: float,
+    horizontal_force: float | None = None,
+    span: float | None = None,
+    fairlead_tension: float | None = None,
+    seabed_friction: float = 0.0,
+    anchor_height: float = 0.0,
+) -> Solution:
+    """Solve one line in closed form.
+
+    Exactly one of `horizontal_force`, `span` and `fairlead_tension` is given.
+
+    Parameters
+    ----------
+    line : Line
+        Segments from the anchor to the fairlead, with point loads.
+    height : float
+        Height of the fairlead above the seabed, m.
+    horizontal_force : float, optional
+        N.
+    span : float, optional
+        Horizontal distance from the anchor to the fairlead, m.
+    fairlead_tension : float, optional
+        Effective tension at the fairlead, N.
+    seabed_friction : float
+        Coulomb coefficient.
+    anchor_height : float
+        Height of the anchor above the seabed, m. Above 0 the line may hang below its anchor.
+
+    Returns
+    -------
+    Solution
+        With its residuals.
+
+    Raises
+    ------
+    InputError
+        When arguments are missing, contradictory or out of range; all of them at once.
+    NoEquilibriumError
+        When no line hangs so; it says how much length or force is missing.
+    NotConvergedError
+        When the solver stopped short of its tolerance.
+
+    Examples
+    --------
+    >>> from catopt import Line, Segment, solve
+    >>> buoy = solve(Line([Segment(20.0, 93.163)]), height=9.5, horizontal_force=3363.68)
+    >>> round(buoy.span, 2)
+    17.43
+    """
+    load = Load(horizontal_force, span, fairlead_tension)
+    _check(line, load, height, anchor_height, seabed_friction)
+    pieces, segment_of = cut(line)
+    setting = Setting(pieces, anchor_height, height, seabed_friction)
+    state = _solve(load, setting)
+    if state.status != CONVERGED:
+        raise refusal(state.status, line, load, setting)
+    known = BY_FORCE
+    if load.horizontal_force is None:
+        known = BY_TENSION if load.span is None else BY_SPAN
+    solution = solution_of(state, line, setting, segment_of, method="closed-form", known=known)
+    worst = max(abs(solution.residual.height), abs(solution.residual.span))
+    if not worst <= RESIDUAL_LIMIT * max(line.length, solution.span):
+        raise NotConvergedError(Message("catenary.misses_fairlead", missing=worst))
+    return solution.with_warnings(_other_answers(solution, state, load, setting))
+
+
+def _other_answers(
+    solution: Solution, state: State, load: Load, setting: Setting
+) -> tuple[str, ...]:
+    """Warn of the other equilibria that the line has under the same load."""
+    if state.touchdown in (TURNED, LOOSE):
+        return slides(solution, given_force(state.H, setting).span)
+    if load.fairlead_tension is None or is_plain(setting):
+        return ()
+    return other_tensions(solution, other_forces(load.fairlead_tension, setting, state))
+
+
+def _check(
+    line: Line, load: Load, height: float, anchor_height: float, seabed_friction: float
+) -> None:
+    found = Findings("solve")
+    found.number("height", height, "m", at_least=0.0)
+    found.number("anchor_height", anchor_height, "m", at_least=0.0)
+    found.number("seabed_friction", seabed_friction, "", at_least=0.0)
+    for value in (load.horizontal_force, load.fairlead_tension):
+        if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
+            found.add("load", f"{value:g} N", f"from {LEAST_FORCE:g} to {GREATEST_FORCE:g} N")
+    weightless = all(segment.submerged_weight == 0.0 for segment in line.segments)
+    if weightless and not line.point_loads and load.horizontal_force is None:
+        found.add(
+            "segments",
+            "no submerged weight in any of them",
+            "a line without weight needs load.horizontal_force: its shape does not tell the force",
+        )
+    found.raise_if_any()
+
+
+def _solve(load: Load, setting: Setting) -> State:
+    if load.horizontal_force is not None:
+        return given_force(load.horizontal_force, setting)
+    if load.span is not None:
+        state = given_span(load.span, setting, math.nan, math.nan)
+        # The solver's own span misses the one asked for by rounding: the residual keeps that.
+        return state._replace(span=load.span) if state.status == CONVERGED else state
+    assert load.fairlead_tension is not None
+    return given_tension(load.fairlead_tension, setting)

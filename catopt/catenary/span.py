@@ -1,0 +1,143 @@
+"""Equilibrium of one line whose span is known instead of its horizontal force."""
+
+from __future__ import annotations
+
+import math
+
+from catopt.catenary.closing import BY_SPAN, close_in, newton
+from catopt.catenary.equilibrium import given_force, hang_slack, without_force
+from catopt.catenary.lift import grounded_guess, top_weight
+from catopt.catenary.pieces import Pieces, is_inextensible, total_length, total_weight
+from catopt.catenary.setting import GREATEST_FORCE, LEAST_FORCE, Setting, is_plain
+from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
+from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State, failed
+
+__all__ = ["given_span"]
+
+
+def given_span(
+    span: float,
+    setting: Setting,
+    H_guess: float,
+    V_guess: float,
+) -> State:
+    """Solve a line whose span is known.
+
+    Parameters
+    ----------
+    span : float
+        Horizontal distance from the anchor to the fairlead, m, above 0.
+    setting : Setting
+        The line and where it is moored; for the rest as for `given_force`.
+    H_guess, V_guess : float
+        Where to start, N; nan to have them estimated.
+    """
+    pieces = setting.pieces
+    length = total_length(pieces)
+    rise = setting.fairlead_height - setting.anchor_height
+    if is_inextensible(pieces) and math.sqrt(span * span + rise * rise) >= length:
+        return failed(TOO_SHORT)
+    if span <= (1.0 + 2.0**-50) * length - _least_hanging(setting):
+        slack = hang_slack(setting)
+        if slack.status == CONVERGED and span <= slack.span + 2.0**-50 * length:
+            return without_force(slack, span)
+    if math.isnan(H_guess):
+        H_guess, V_guess = _guess(span, rise, pieces)
+    if rise > 0.0 and is_plain(setting):
+        state = newton(BY_SPAN, span, setting, H_guess, V_guess)
+        if state.status == CONVERGED:
+            return state
+    below, above = _enclosed(span, setting, H_guess)
+    if math.isnan(above):
+        return failed(NOT_CONVERGED)
+    if math.isnan(below):
+        return given_force(above, setting)
+    state = close_in(BY_SPAN, span, setting, below, above)
+    if state.status == NOT_CONVERGED and setting.friction > 0.0:
+        return _while_sliding(span, setting)
+    return state
+
+
+def _while_sliding(span: float, setting: Setting) -> State:
+    """Solve a line for a span that its equilibria under a rising force leave out."""
+    other_way = from_its_anchor(setting)
+    below, above = _enclosed(span, other_way, math.nan)
+    if not math.isnan(below + above):
+        state = close_in(BY_SPAN, span, other_way, below, above)
+        if state.status == CONVERGED:
+            return turned_back(state)
+    return loose(onset_of(span, setting), setting)
+
+
+def _least_hanging(setting: Setting) -> float:
+    """Return a length that surely hangs straight when the line is slack, before its stretch, m."""
+    pieces = setting.pieces
+    weight = 0.0
+    softest = 0.0
+    for k in range(len(pieces.length)):
+        weight += abs(pieces.length[k] * pieces.weight[k]) + abs(pieces.load[k])
+        softest = max(softest, pieces.compliance[k])
+        if pieces.weight[k] == 0.0:
+            return 0.0  # what weighs nothing may hang at any slope
+    return (
+        (setting.fairlead_height + setting.anchor_height) / (1.0 + softest * weight) * (1.0 - 1e-12)
+    )
+
+
+def _guess(span: float, rise: float, pieces: Pieces) -> tuple[float, float]:
+    """Estimate H and V: from the length to spare, from the sag, or from the stretch if taut."""
+    length = total_length(pieces)
+    weight = abs(total_weight(pieces))
+    chord = math.sqrt(span * span + rise * rise)
+    stretch = 0.0
+    for k in range(len(pieces.length)):
+        stretch += pieces.compliance[k] * pieces.length[k]
+    # A catenary from the bed up spares L - S = d. For a uniform one d/h depends on a/h alone,
+    # sqrt(1 + 2 a/h) - (a/h) acosh(1 + h/a); this inverts it to a few percent.
+    spare = (length - span) / rise if rise > 0.0 else 0.0
+    if 0.0 < spare < 1.0:
+        ratio = 2.0 / 9.0 * (1.0 - spare * spare) / (spare * spare)
+        hanging = rise * math.sqrt(1.0 + 2.0 * ratio)
+        carried = top_weight(pieces, hanging)
+        if hanging < length and carried > 0.0:
+            lifted = carried / hanging * rise
+            H = ratio * lifted
+            return H, math.sqrt(lifted * (lifted + 2.0 * H))
+    H = 0.0
+    excess = (length * length - rise * rise) / (span * span) - 1.0
+    if excess > 0.0:
+        H = 0.5 * weight / length * span / math.sqrt(3.0 * excess)
+    if stretch > 0.0 and (H == 0.0 or chord > length):
+        sagging = (weight * weight * length / 24.0 / stretch) ** (1.0 / 3.0)
+        H = max(max(chord - length, 0.0) / stretch, sagging) * span / chord
+    elif H == 0.0:
+        H = weight
+    return H, grounded_guess(H, pieces, max(rise, 0.0), length, total_weight(pieces))
+
+
+def _enclosed(span: float, setting: Setting, guess: float) -> tuple[float, float]:
+    """Horizontal forces with a smaller and with a larger span, by growing strides, N.
+
+    The lower one is nan where the span is the largest one without force, but for rounding; the
+    upper one is nan where none is found.
+    """
+    scale = max(abs(total_weight(setting.pieces)), 1e-9)
+    H = guess if LEAST_FORCE < guess < GREATEST_FORCE else scale
+    below, above = math.nan, math.nan
+    factor = 2.0
+    while math.isnan(below) or math.isnan(above):
+        state = given_force(H, setting)
+        if state.status != CONVERGED:
+            return math.nan, math.nan
+        if state.span >= span:
+            above = H
+            if H == LEAST_FORCE:
+                return math.nan, above
+            H = max(H / factor, LEAST_FORCE)
+        else:
+            below = H
+            if H == GREATEST_FORCE:
+                return below, math.nan
+            H = min(H * factor, GREATEST_FORCE)
+        factor = min(factor * factor, 1e8)
+    return below, above

@@ -1,0 +1,117 @@
+"""What the kernel says of one line: plain numbers, so that compiled code can hold them."""
+
+from __future__ import annotations
+
+import math
+from typing import Final, NamedTuple
+
+from catopt.catenary.part import NO_TOUCHDOWN
+
+__all__ = [
+    "BELOW_ANCHOR",
+    "CONVERGED",
+    "GROUNDED",
+    "GROUNDED_BETWEEN",
+    "GROUNDED_IN_PARTS",
+    "INVALID",
+    "IN_PARTS",
+    "LOOSE",
+    "NOT_CONVERGED",
+    "ON_BED",
+    "REASONS",
+    "REGIMES",
+    "SLACK",
+    "SUSPENDED",
+    "TOO_HEAVY",
+    "TOO_SHORT",
+    "TURNED",
+    "State",
+    "failed",
+]
+
+# Status of a solve; only CONVERGED carries an answer.
+CONVERGED: Final = 0
+TOO_SHORT: Final = 1
+TOO_HEAVY: Final = 2
+NOT_CONVERGED: Final = 3
+INVALID: Final = 4
+REASONS: Final = (
+    None,
+    "too short: the line does not reach from the anchor to the fairlead",
+    "too heavy: what hangs from the fairlead weighs more than the tension given",
+    "not converged",
+    "invalid input: a number is missing, not finite or out of range",
+)
+
+# Regime: how the line hangs (docs/regimes.md); an index into REGIMES.
+SUSPENDED: Final = 0
+BELOW_ANCHOR: Final = 1
+GROUNDED: Final = 2
+GROUNDED_BETWEEN: Final = 3
+ON_BED: Final = 4
+SLACK: Final = 5
+GROUNDED_IN_PARTS: Final = 6
+REGIMES: Final = (
+    "suspended",
+    "below-anchor",
+    "grounded",
+    "grounded-between",
+    "on-bed",
+    "slack",
+    "grounded-in-parts",
+)
+
+IN_PARTS: Final = -3
+"""Touchdown of a line that is a chain of parts, which upper_part.py and lower_part.py find."""
+
+TURNED: Final = -4
+"""Touchdown of a line in parts that was solved from its anchor (sliding.py)."""
+
+LOOSE: Final = -5
+"""Touchdown of a line in parts that lies loose up to where its tension begins (sliding.py)."""
+
+
+class State(NamedTuple):
+    """Equilibrium of one line.
+
+    Attributes
+    ----------
+    status, regime : int
+        Codes above.
+    H, V : float
+        Forces at the fairlead, N.
+    span : float
+        m.
+    height_error : float
+        Computed height of the fairlead less the one asked for, m.
+    grounded : float
+        Unstretched length on the bed, m.
+    H_anchor, V_anchor : float
+        Forces on the anchor end, N.
+    touchdown : int
+        Where the walk down from the fairlead ends (walk.py), or IN_PARTS, TURNED or LOOSE.
+    x_H, x_V, z_H, z_V : float
+        Derivatives of span and height by H and V at the fairlead, m/N; 0 where H is 0 and
+        for a line that was solved from its anchor.
+    """
+
+    status: int
+    regime: int
+    H: float
+    V: float
+    span: float
+    height_error: float
+    grounded: float
+    H_anchor: float
+    V_anchor: float
+    touchdown: int
+    x_H: float
+    x_V: float
+    z_H: float
+    z_V: float
+
+
+def failed(status: int) -> State:
+    """Return a state that carries no answer."""
+    nan = math.nan
+    return State(status, 0, nan, nan, nan, nan, nan, nan, nan, NO_TOUCHDOWN, nan, nan, nan, nan)

@@ -1,0 +1,220 @@
+"""Solve one line by particle swarm, as S1 does, and say how well that went."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from catopt.catenary.closing import BY_FORCE
+from catopt.catenary.pieces import cut
+from catopt.catenary.result import solution_of
+from catopt.catenary.setting import Setting
+from catopt.catenary.solution import Solution, SwarmReport
+from catopt.catenary.solve import solve
+from catopt.catenary.swarm.objective import Objective, objective_of
+from catopt.errors import NoAnswerError, NotConvergedError
+from catopt.model import Line, SwarmSettings
+from catopt.model.validity import Findings
+
+if TYPE_CHECKING:
+    from catopt.catenary.swarm.optimiser import Run
+from catopt.words import Message
+
+__all__ = ["CONVERGED", "RESULT", "SPAN_AGREEMENT", "solve_swarm"]
+
+CONVERGED = 1e-9
+"""m: a run that ends with f below this counts as converged."""
+
+RESULT = 1e-6
+"""m: a swarm whose best f is not below this has no result to give."""
+
+SPAN_AGREEMENT = 1e-3
+"""m: by how much the span may differ from S1 (5), S1 (11)."""
+
+FORCES = (1e-50, 1e50)
+"""N: beyond these, products of forces are more or less than a number can hold."""
+
+Progress = Callable[[int], None]
+
+
+def solve_swarm(
+    line: Line,
+    *,
+    height: float,
+    horizontal_force: float,
+    settings: SwarmSettings,
+    seabed_friction: float = 0.0,
+    progress: Progress | None = None,
+) -> Solution:
+    """Solve one line by the particle swarm method of S1, carried to any line anchored on the bed.
+
+    Where part of the line lies on the bed, the grounded length takes the place of the inclination
+    at the anchor among the unknowns, and with it what the bed carries of a clump weight. The
+    closed form says first whether such a line hangs at all, and at the end how far the swarm's
+    answer is from its own; it has no part in the search.
+
+    Parameters
+    ----------
+    line : Line
+        Segments from the anchor to the fairlead, with point loads.
+    height : float
+        Height of the fairlead above the anchor, m.
+    horizontal_force : float
+        N.
+    settings : SwarmSettings
+        Of the swarm. Run k depends only on the seed and k.
+    seabed_friction : float
+        Coulomb coefficient.
+    progress : callable, optional
+        Called after each run with the number of runs done.
+
+    Returns
+    -------
+    Solution
+        Of the best run, with its `swarm` report.
+
+    Raises
+    ------
+    InputError
+        When a number is out of range.
+    NoEquilibriumError
+        When the line does not reach up to the fairlead.
+    NoAnswerError
+        When a buoyant part lifts the line off the bed between its touchdown and the anchor: f
+        holds for one stretch on the bed.
+    NotConvergedError
+        When no run came below f = 1e-6 m, or its span misses S1 (5) by 1e-3 m or more.
+    """
+    _check(line, height, horizontal_force, seabed_friction)
+    closed_form = solve(
+        line,
+        height=height,
+        horizontal_force=horizontal_force,
+        seabed_friction=seabed_friction,
+    )
+    if closed_form.regime in ("grounded-between", "grounded-in-parts"):
+        raise NoAnswerError(Message("catenary.not_for_swarm"))
+    pieces, segment_of = cut(line)
+    objective = objective_of(pieces, height, horizontal_force)
+    runs = _search(objective, settings, progress)
+    place = runs.best.places[-1]
+    excess = objective.excess(place)
+    _verify(runs, excess, settings)
+    state = objective.state(place, seabed_friction)
+    solution = solution_of(
+        state._replace(span=state.span + excess),
+        line,
+        Setting(pieces, 0.0, height, seabed_friction),
+        segment_of,
+        method="pso",
+        known=BY_FORCE,
+    )
+    difference = _less(solution, closed_form)
+    return replace(solution, swarm=_report(objective, runs, settings, excess, difference))
+
+
+def _check(line: Line, height: float, horizontal_force: float, seabed_friction: float) -> None:
+    found = Findings("solve_swarm")
+    found.number("height", height, "m", above=0.0)
+    found.number("horizontal_force", horizontal_force, "N", above=0.0)
+    found.number("seabed_friction", seabed_friction, "", at_least=0.0)
+    found.raise_if_any()
+    weight = sum(abs(part.submerged_weight) * part.length for part in line.segments)
+    weight += sum(abs(load.submerged_weight) for load in line.point_loads)
+    least, most = FORCES
+    if not (least <= horizontal_force and horizontal_force + weight <= most):
+        found.add(
+            "horizontal_force",
+            f"{horizontal_force:g} N on a line that weighs {weight:g} N",
+            f"forces from {least:g} to {most:g} N are carried",
+        )
+    found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class _Runs:
+    """Every run's last f (m) and number of iterations, and the best run in full."""
+
+    objectives: tuple[float, ...]
+    iterations: tuple[int, ...]
+    best: Run
+
+
+def _search(objective: Objective, settings: SwarmSettings, progress: Progress | None) -> _Runs:
+    from catopt.catenary.swarm.optimiser import optimiser
+
+    run = optimiser(objective, settings)
+    best: Run | None = None
+    ends = []
+    for number in range(1, settings.runs + 1):
+        found = run(number)
+        ends.append((found.objective, len(found.objectives)))
+        if best is None or found.objective < best.objective:
+            best = found
+        if progress is not None:
+            progress(number)
+    assert best is not None
+    objectives, iterations = zip(*ends, strict=True)
+    return _Runs(objectives, iterations, best)
+
+
+def _verify(runs: _Runs, excess: float, settings: SwarmSettings) -> None:
+    """Hold the best place against f = 0 and S1 (11)."""
+    effort = Message(
+        "catenary.effort",
+        runs=Message("catenary.runs", count=settings.runs),
+        particles=settings.particles,
+        iterations=Message("catenary.iterations", count=settings.iterations),
+    )
+    told = {"effort": effort, "way_out": Message("catenary.swarm_way_out")}
+    if not runs.best.objective < RESULT:
+        raise NotConvergedError(
+            Message("catenary.swarm_misses", f=runs.best.objective, limit=RESULT, **told)
+        )
+    if not abs(excess) < SPAN_AGREEMENT:
+        raise NotConvergedError(
+            Message("catenary.swarm_span", excess=abs(excess), limit=SPAN_AGREEMENT, **told)
+        )
+
+
+def _less(solution: Solution, closed_form: Solution) -> dict[str, float]:
+    """Swarm less closed form, in what both found."""
+    unknown = (
+        {"grounded_length_m": solution.grounded_length - closed_form.grounded_length}
+        if solution.regime == "grounded"
+        else {"angle_rad": solution.anchor.angle - closed_form.anchor.angle}
+    )
+    return {
+        **unknown,
+        "span_m": solution.span - closed_form.span,
+        "tension_N": solution.fairlead.tension - closed_form.fairlead.tension,
+    }
+
+
+def _report(
+    objective: Objective,
+    runs: _Runs,
+    settings: SwarmSettings,
+    excess: float,
+    difference: dict[str, float],
+) -> SwarmReport:
+    H = objective.horizontal_force
+    return SwarmReport(
+        objective=runs.best.objective,
+        evaluations=settings.particles * sum(runs.iterations),
+        iterations=settings.iterations,
+        runs=settings.runs,
+        seed=settings.seed,
+        converged_runs=sum(f < CONVERGED for f in runs.objectives),
+        best_run=runs.best.number,
+        objectives=runs.objectives,
+        span_consistency=abs(excess),
+        closed_form_difference=difference,
+        best_objective_history=runs.best.objectives,
+        tension_history=tuple(
+            math.hypot(H, V) for V in objective.vertical_force(runs.best.places).tolist()
+        ),
+        iterations_flown=runs.iterations,
+    )

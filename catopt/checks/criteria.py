@@ -1,0 +1,280 @@
+"""All criteria of a case: those of the codes it names, and its own numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from catopt.checks.criterion import CheckKind, Criterion, StrengthKind
+from catopt.checks.profiles import profiles_of
+from catopt.checks.result import CheckSource
+from catopt.checks.strength import Strength, strength_of
+from catopt.errors import InputError, Problem
+from catopt.model import Anchor, Case, CatalogueChoice, Segment, Service
+from catopt.model.checks import Checks
+from catopt.model.load_case import LoadCaseKind
+from catopt.words import Message
+
+__all__ = ["AllowedTension", "Criteria", "Limits", "criteria_of"]
+
+USER = CheckSource("user")
+"""A number of the case file."""
+
+HORIZONTAL_PULL = CheckSource(
+    "drag anchor", "UFC 4-159-03 Design: Moorings (3 October 2005)", "Table 3-18", "A"
+)
+"""A drag anchor holds against a horizontal pull, unless the case says how much uplift it takes."""
+
+
+class AllowedTension(NamedTuple):
+    """The largest tension that a segment is allowed.
+
+    Attributes
+    ----------
+    tension : float
+        Strength at the end of life over the factor, N; infinite when no criterion covers it.
+    criterion : Criterion or None
+        Which one it is; None when no criterion covers it.
+    """
+
+    tension: float
+    criterion: Criterion | None
+
+
+class Limits(NamedTuple):
+    """The strictest limit of each kind, as plain numbers for compiled code.
+
+    What is not asked for has the number at which the functions of `catopt.checks.excess` are below
+    0 for any line.
+
+    Attributes
+    ----------
+    uplift_angle : float
+        Largest inclination at the anchor, rad; infinite when not asked for.
+    uplift_force : float
+        Largest vertical pull at the anchor, N; infinite when not asked for.
+    grounded_length : float
+        Least length on the bed, m; 0 when not asked for.
+    offset : float
+        Largest span, m; infinite when not asked for.
+    reserve_buoyancy : float
+        Largest vertical pull at the fairlead, N; infinite when not asked for.
+    sliding_factor : float
+        Of a sinker; 0 when there is none.
+    holding_factor : float
+        Of a drag anchor; 0 when there is none.
+    """
+
+    uplift_angle: float = math.inf
+    uplift_force: float = math.inf
+    grounded_length: float = 0.0
+    offset: float = math.inf
+    reserve_buoyancy: float = math.inf
+    sliding_factor: float = 0.0
+    holding_factor: float = 0.0
+
+
+@dataclass(frozen=True)
+class Criteria:
+    """What a line has to keep.
+
+    Attributes
+    ----------
+    all : tuple of Criterion
+        The case's own numbers first, then those of its codes in the order it names them.
+    service : Service or None
+        Life and wear of the line.
+    catalogue : CatalogueChoice
+        Where components come from.
+    warnings : tuple of str
+        What an engineer should know of the codes.
+    """
+
+    all: tuple[Criterion, ...]
+    service: Service | None
+    catalogue: CatalogueChoice
+    warnings: tuple[str, ...] = ()
+
+    def of(self, check: CheckKind, kind: LoadCaseKind) -> Iterator[Criterion]:
+        """Yield the criteria of one check for one kind of load case."""
+        return (each for each in self.all if each.check == check and kind in each.states)
+
+    def strength(self, segment: Segment, key: str = "segment") -> Strength:
+        """Find the strength of a segment at the end of the service life; see `strength_of`."""
+        return strength_of(segment, self.service, self.catalogue, key=key)
+
+    def allowed_tension(
+        self, segment: Segment | Strength, kind: LoadCaseKind, *, key: str = "segment"
+    ) -> AllowedTension:
+        """Find the largest tension that a segment is allowed: the least of strength over factor.
+
+        Its length does not matter. A catalogue option is asked as
+        ``allowed_tension(component.segment(1.0), "extreme")``; looking it up once by `strength`
+        and passing that on saves the look-up for the other kind of load case.
+
+        Parameters
+        ----------
+        segment : Segment or Strength
+            Or what `strength` gave for it.
+        kind : {"extreme", "reference"}
+            Of the load case.
+        key : str
+            Of the segment, for messages.
+
+        Raises
+        ------
+        InputError
+            A criterion needs an MBL or a proof load that is not known, or there is wear but no
+            diameter.
+        """
+        strength = segment if isinstance(segment, Strength) else self.strength(segment, key)
+        least = AllowedTension(math.inf, None)
+        for criterion in self.of("tension", kind):
+            if criterion.is_for(strength.kind):
+                allowed = allowed_by(criterion, strength, key)
+                if allowed < least.tension:
+                    least = AllowedTension(allowed, criterion)
+        return least
+
+    def lacking(
+        self, strength: Strength, kinds: Collection[LoadCaseKind], key: str
+    ) -> Iterator[Problem]:
+        """Yield a problem for every strength of a segment that is wanted and not known.
+
+        Parameters
+        ----------
+        strength : Strength
+            Of the segment.
+        kinds : collection of {"extreme", "reference"}
+            Kinds of load case that there are.
+        key : str
+            Of the segment: ``line.segments[0]``.
+        """
+        told = set()
+        for criterion in self.all:
+            wanted = criterion.is_for(strength.kind) and not set(kinds).isdisjoint(criterion.states)
+            if criterion.of and wanted and criterion.of not in told:
+                told.add(criterion.of)
+                try:
+                    allowed_by(criterion, strength, key)
+                except InputError as error:
+                    yield from error.problems
+
+    def limits(self, kind: LoadCaseKind) -> Limits:
+        """Find the strictest limit of each kind, for one kind of load case."""
+
+        def values(check: CheckKind) -> list[float]:
+            return [criterion.value for criterion in self.of(check, kind)]
+
+        return Limits(
+            uplift_angle=min(values("uplift_angle"), default=math.inf),
+            uplift_force=min(values("uplift_force"), default=math.inf),
+            grounded_length=max(values("grounded_length"), default=0.0),
+            offset=min(values("offset"), default=math.inf),
+            reserve_buoyancy=min(values("buoyancy"), default=math.inf),
+            sliding_factor=max(values("sliding"), default=0.0),
+            holding_factor=max(values("holding"), default=0.0),
+        )
+
+
+def allowed_by(criterion: Criterion, strength: Strength, key: str) -> float:
+    """Tension that one criterion allows: strength at the end of life over its factor; N.
+
+    Raises
+    ------
+    InputError
+        The strength is not known.
+    """
+    assert criterion.of != ""
+    wanted_by = "safety_factor" if criterion.of == "MBL" else "proof_load_factor"
+    if criterion.source.confidence is not None:
+        wanted_by = criterion.source.code
+    return strength.need(criterion.of, key, wanted_by) / criterion.value
+
+
+def criteria_of(case: Case, *, anchor_key: str = "anchor") -> Criteria:
+    """Gather all that a case asks a line to keep.
+
+    The factors on sliding and holding are there when the case has such an anchor. A search that
+    chooses sinkers passes the case with one of them as its anchor.
+
+    Parameters
+    ----------
+    case : Case
+        With its anchor, service and checks.
+    anchor_key : str
+        Where its anchor stands, for messages.
+
+    Raises
+    ------
+    InputError
+        A code is not known, or was read in no document and the case does not allow that; an anchor
+        has no factor.
+    """
+    profiles = profiles_of(case.checks)
+    coded = [criterion for each in profiles for criterion in each.criteria]
+    found = (
+        *_own(case.checks),
+        *_buoyancy(case),
+        *_of_anchor(case.anchor, coded, anchor_key),
+        *(each for each in coded if each.check not in ("sliding", "holding")),
+    )
+    return Criteria(
+        all=(*found, *_no_uplift(case.anchor, found)),
+        service=case.service,
+        catalogue=case.catalogue,
+        warnings=tuple(_note(each.name, each.note) for each in profiles if each.note),
+    )
+
+
+def _note(code: str, note: str) -> Message:
+    return Message("checks.code_note", code=code, note=note)
+
+
+def _own(checks: Checks) -> Iterator[Criterion]:
+    """List the numbers of the case itself."""
+    factors: tuple[tuple[float | None, StrengthKind], ...] = (
+        (checks.safety_factor if checks.safety_factor > 1.0 else None, "MBL"),
+        (checks.proof_load_factor, "proof_load"),
+    )
+    for factor, strength in factors:
+        if factor is not None:
+            yield Criterion("tension", factor, USER, of=strength)
+    limits: tuple[tuple[CheckKind, float | None], ...] = (
+        ("uplift_angle", checks.max_anchor_uplift_angle),
+        ("uplift_force", checks.max_anchor_uplift_force),
+        ("grounded_length", checks.min_grounded_length or None),
+        ("offset", checks.max_offset),
+    )
+    for check, limit in limits:
+        if limit is not None:
+            yield Criterion(check, limit, USER)
+
+
+def _buoyancy(case: Case) -> Iterator[Criterion]:
+    if case.buoy is not None:
+        yield Criterion("buoyancy", case.buoy.reserve_buoyancy, USER)
+
+
+def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Iterator[Criterion]:
+    """List the factors on what holds the line: its own, or else those of the codes."""
+    if anchor is None:
+        return
+    check: CheckKind = "sliding" if anchor.kind == "sinker" else "holding"
+    if anchor.safety_factor is not None:
+        yield Criterion(check, anchor.safety_factor, USER)
+        return
+    factors = [criterion for criterion in coded if criterion.check == check]
+    if not factors:
+        allowed = f"missing; give the factor on {check}, or name a code that has one"
+        raise InputError([Problem(f"{key}.safety_factor", "", allowed)], "checks")
+    yield from factors
+
+
+def _no_uplift(anchor: Anchor | None, found: tuple[Criterion, ...]) -> Iterator[Criterion]:
+    """Keep the pull on a drag anchor horizontal where nothing else limits its uplift."""
+    is_limited = any(each.check in ("uplift_angle", "uplift_force") for each in found)
+    if anchor is not None and anchor.kind == "drag" and not is_limited:
+        yield Criterion("uplift_angle", 0.0, HORIZONTAL_PULL)

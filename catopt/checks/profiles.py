@@ -1,0 +1,183 @@
+"""Profiles: named sets of criteria, each with its document, place and confidence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Literal, TypeVar
+
+from catopt.catalogue.figure import CONFIDENCES, RECALLED
+from catopt.catalogue.names import nearest
+from catopt.catalogue.table import Table
+from catopt.checks.criterion import (
+    CHECK_KINDS,
+    STATES,
+    STRENGTHS,
+    CheckKind,
+    Criterion,
+    StrengthKind,
+)
+from catopt.checks.line_kind import LINE_KINDS
+from catopt.checks.result import CheckSource
+from catopt.documents import parse_toml
+from catopt.model.checks import Checks
+from catopt.model.validity import Findings
+from catopt.units import as_written
+from catopt.words import Cited
+
+__all__ = ["SCHEMA", "Profile", "parse_profiles", "profiles", "profiles_of"]
+
+Word = TypeVar("Word", bound=str)
+
+SCHEMA = "catopt.profiles/1"
+"""What the file of profiles has under its key ``schema``."""
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A named set of criteria.
+
+    Attributes
+    ----------
+    name, title : str
+        By which it is asked for, and in words.
+    document : str
+        Where it comes from, with the edition.
+    criteria : tuple of Criterion
+        What it asks for.
+    note : str
+        What an engineer should know of it.
+    """
+
+    name: str
+    title: str
+    document: str
+    criteria: tuple[Criterion, ...]
+    note: str = ""
+
+    @property
+    def is_recalled(self) -> bool:
+        """Whether any of it was read in no document."""
+        return any(each.source.confidence == RECALLED for each in self.criteria)
+
+
+@cache
+def profiles() -> tuple[Profile, ...]:
+    """List the profiles that come with catopt, those that were read in their documents first."""
+    text = files("catopt.checks").joinpath("data", "profiles.toml").read_text(encoding="utf-8")
+    return parse_profiles(text, "catopt's profiles.toml")
+
+
+def profiles_of(checks: Checks) -> tuple[Profile, ...]:
+    """Look up the profiles that a case names. Capitals do not matter.
+
+    Raises
+    ------
+    InputError
+        For every name: there is no such profile, with the nearest and all there are; or it was read
+        in no document and the case does not allow that.
+    """
+    known = {each.name.casefold(): each for each in profiles()}
+    findings = Findings("checks")
+    found = []
+    for index, name in enumerate(checks.codes):
+        each = known.get(name.casefold())
+        refused = _refused(name, each, checks.allow_recalled)
+        if refused:
+            findings.add(f"checks.codes[{index}]", as_written(name), refused)
+        elif each is not None and each not in found:
+            found.append(each)
+    findings.raise_if_any()
+    return tuple(found)
+
+
+def _refused(name: str, found: Profile | None, allow_recalled: bool) -> str:
+    """Say why a profile cannot be used; empty when it can."""
+    if found is None:
+        names = [each.name for each in profiles()]
+        begun = (each for each in names if each.casefold().startswith(name.casefold()))
+        near = next(begun, None) or nearest(name, names)
+        hint = f"did you mean {near}? " if near else ""
+        return f"{hint}there are {', '.join(names)}"
+    if found.is_recalled and not allow_recalled:
+        return (
+            "recalled, read in no document: to use it, checks.allow_recalled = true or --recalled"
+        )
+    return ""
+
+
+def parse_profiles(text: str, source: str = "") -> tuple[Profile, ...]:
+    """Read the text of a file of profiles.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    source : str
+        Name of the file, for messages.
+
+    Raises
+    ------
+    InputError
+        With every problem of the text.
+    """
+    findings = Findings(source)
+    document = Table(parse_toml(text, source), "", findings)
+    document.only("schema", "profile")
+    if document.text("schema") not in {SCHEMA, None}:
+        document.problem("schema", f'"{SCHEMA}" is wanted')
+    found = tuple(_profile(table) for table in document.tables("profile"))
+    findings.raise_if_any()
+    return found
+
+
+def _profile(table: Table) -> Profile:
+    table.only("name", "title", "document", "edition", "note", "criterion")
+    name, edition = table.text("name") or "", table.text("edition", required=False)
+    document = table.text("document") or ""
+    document += f" ({edition})" if edition else ""
+    criteria = (_criterion(each, name, document) for each in table.tables("criterion"))
+    return Profile(
+        name,
+        table.text("title") or "",
+        document,
+        tuple(each for each in criteria if each is not None),
+        table.said("note", required=False) or "",
+    )
+
+
+def _criterion(table: Table, code: str, document: str) -> Criterion | None:
+    table.only("check", "of", "value", "lines", "states", "clause", "confidence", "note")
+    check, confidence = table.word("check", CHECK_KINDS), table.word("confidence", CONFIDENCES)
+    value = table.number("value")
+    clause, of = table.text("clause"), _strength(table, check)
+    if check is None or confidence is None or value is None or of is None or clause is None:
+        return None
+    return Criterion(
+        check=check,
+        value=value,
+        source=CheckSource(code, Cited(document), clause, confidence),
+        of=of,
+        lines=_words(table, "lines", LINE_KINDS),
+        states=_words(table, "states", STATES),
+        note=table.said("note", required=False) or "",
+    )
+
+
+def _strength(table: Table, check: CheckKind | None) -> StrengthKind | Literal[""] | None:
+    """Read the strength that a tension check is on; no other check has one."""
+    if check == "tension":
+        return table.word("of", STRENGTHS)
+    for key in ("of", "lines"):
+        if table.has(key):
+            table.problem(key, "goes with a tension check; leave it out")
+    return ""
+
+
+def _words(table: Table, key: str, words: tuple[Word, ...]) -> tuple[Word, ...]:
+    """Read some of a few words, in their own order; all of them when the key is left out."""
+    given = table.texts(key)
+    if not set(given) <= set(words):
+        table.problem(key, f"some of {', '.join(words)} are wanted")
+    return tuple(each for each in words if not given or each in given)

@@ -1,0 +1,159 @@
+"""What a check says: demand, capacity, utilisation and where the criterion comes from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from catopt.catalogue.figure import Confidence
+from catopt.catenary.solution import Solution
+from catopt.checks.document import check_document, result_document
+from catopt.checks.excess import ROUNDING
+from catopt.model import LoadCase
+from catopt.ties import largest
+from catopt.words import Message
+
+__all__ = ["CheckReport", "CheckResult", "CheckSource"]
+
+
+@dataclass(frozen=True)
+class CheckSource:
+    """Where a criterion comes from.
+
+    Attributes
+    ----------
+    code : str
+        Name of the profile; ``"user"`` for the case's own numbers.
+    document, clause : str
+        What to open, and where in it; empty for the case's own numbers, which are then those of
+        the case file.
+    confidence : {"A", "B", "C", "R"} or None
+        How well it was read; None for the case's own numbers.
+    """
+
+    code: str
+    document: str = ""
+    clause: str = ""
+    confidence: Confidence | None = None
+
+    @property
+    def text(self) -> str:
+        """One line for tables: ``"UFC 4-159-03 (2005), Table 3-7 [A]"``."""
+        if self.confidence is None:
+            return self.document or Message("checks.case_file")
+        where = ", ".join(part for part in (self.document, self.clause) if part)
+        return f"{where} [{self.confidence}]"
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """One criterion in one load case.
+
+    Attributes
+    ----------
+    name : str
+        What is checked, with the place: ``"tension, segment 2 (chain studless R3 76 mm)"``.
+    kind : str
+        Key of the criterion: ``tension``, ``uplift_angle``, ``uplift_force``,
+        ``grounded_length``, ``offset``, ``buoyancy``, ``sliding`` or ``holding``.
+    load_case : str
+        Name of the load case.
+    demand, capacity : float
+        SI. For a least grounded length the demand is what is wanted, the capacity what lies there.
+    unit : str
+        SI unit of both.
+    excess : float
+        By how much the limit is overrun (`catopt.checks.excess`); the check is passed when it is
+        at most ROUNDING.
+    source : CheckSource
+        Of the criterion.
+    note : str
+        What went into the capacity: factor, strength, diameter at the end of life.
+    """
+
+    name: str
+    kind: str
+    load_case: str
+    demand: float
+    capacity: float
+    unit: str
+    excess: float
+    source: CheckSource
+    note: str = ""
+
+    @property
+    def utilisation(self) -> float | None:
+        """Demand over capacity; None where the capacity is 0 or less."""
+        return self.demand / self.capacity if self.capacity > 0.0 else None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents of ``catopt check`` and ``catopt design`` have it."""
+        return result_document(self)
+
+    @property
+    def in_case(self) -> Message:
+        """Its name with that of the load case: ``"tension, segment 1 (storm)"``."""
+        return Message("checks.in_case", check=self.name, load_case=self.load_case)
+
+    @property
+    def passes(self) -> bool:
+        """Whether the limit is kept."""
+        return self.excess <= ROUNDING
+
+
+@dataclass(frozen=True)
+class CheckReport:
+    """All checks of a line under all its load cases.
+
+    Attributes
+    ----------
+    title : str
+        Of the case.
+    results : tuple of CheckResult
+        By load case, then by check.
+    solutions : mapping as a tuple of (str, Solution)
+        The equilibrium in each load case, by its name.
+    warnings : tuple of str
+        What an engineer should know: notes of the codes, recalled criteria, no check at all.
+    load_cases : tuple of LoadCase
+        Those of the case, in the order of `solutions`; empty when its load alone was checked.
+    """
+
+    title: str
+    results: tuple[CheckResult, ...]
+    solutions: tuple[tuple[str, Solution], ...]
+    warnings: tuple[str, ...] = ()
+    load_cases: tuple[LoadCase, ...] = ()
+
+    @property
+    def passes(self) -> bool:
+        """Whether every check is passed."""
+        return all(result.passes for result in self.results)
+
+    @property
+    def governing(self) -> CheckResult | None:
+        """The failed check that is furthest beyond its limit, else the one nearest to it.
+
+        Nearness is the utilisation: of a limit of 0 that is just kept, such as no uplift, nothing
+        can be said, so that it governs only where there is no other check. None without checks.
+        """
+        if self.failed:
+            return self.failed[0]
+        if not self.results:
+            return None
+        return largest(self.results, lambda result: result.utilisation or 0.0, ROUNDING)
+
+    @property
+    def failed(self) -> tuple[CheckResult, ...]:
+        """The checks that are failed, the worst first; those alike as they come."""
+        failed = [result for result in self.results if not result.passes]
+        return tuple(sorted(failed, key=lambda result: -round(result.excess, 9)))
+
+    def tightest(self, kind: str) -> CheckResult | None:
+        """Return the check of a kind nearest to its limit, over segments and load cases."""
+        made = [result for result in self.results if result.kind == kind]
+        return largest(made, lambda result: result.excess, ROUNDING) if made else None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt check --json`` prints (schema catopt.check/1)."""
+        return check_document(self)

@@ -1,0 +1,207 @@
+"""Strength of a segment at the end of its service life."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING
+
+from catopt.checks.criterion import StrengthKind
+from catopt.checks.line_kind import LineKind, line_kind
+from catopt.constants import SEA_WATER_DENSITY
+from catopt.errors import InputError, Problem
+from catopt.model import CatalogueChoice, Segment, Service
+from catopt.words import Measure, Message
+
+if TYPE_CHECKING:
+    from catopt.catalogue import Component
+    from catopt.catalogue.choice import ChosenCatalogue
+
+__all__ = ["Strength", "strength_of"]
+
+_NOT_KNOWN = "missing; give it, or a component of the catalogue with its diameter"
+
+
+@dataclass(frozen=True)
+class Strength:
+    """What a segment withstands when its service life ends.
+
+    Attributes
+    ----------
+    kind : {"chain", "wire", "rope"} or None
+        By its component; None when that is not known.
+    MBL, proof_load : float or None
+        At the end of the service life, as it hangs in water, N; None when not known.
+    diameter, end_diameter : float or None
+        Nominal, new and at the end of the service life, m; None when not known.
+    note : str
+        The wear in words; empty when there is none.
+    missing : tuple of (str, str)
+        Why a strength is not known, by its name, where there is more to say than that.
+    """
+
+    kind: LineKind | None
+    MBL: float | None
+    proof_load: float | None
+    diameter: float | None = None
+    end_diameter: float | None = None
+    note: str = ""
+    missing: tuple[tuple[str, str], ...] = ()
+
+    def of(self, kind: StrengthKind) -> float | None:
+        """Return the MBL or the proof load."""
+        return self.MBL if kind == "MBL" else self.proof_load
+
+    def need(self, kind: StrengthKind, key: str, wanted_by: str) -> float:
+        """Return the MBL or the proof load, which a criterion needs.
+
+        Parameters
+        ----------
+        kind : {"MBL", "proof_load"}
+            Which.
+        key : str
+            Of the segment, for the message: ``line.segments[0]``.
+        wanted_by : str
+            Which criterion, for the message.
+
+        Raises
+        ------
+        InputError
+            It is not known; the message names the way out.
+        """
+        value = self.of(kind)
+        if value is None:
+            why = dict(self.missing).get(kind)
+            allowed = f"{why}; give it" if why else _NOT_KNOWN
+            problem = Problem(f"{key}.{kind}", "", f"{allowed} ({wanted_by} needs it)")
+            raise InputError([problem], "checks")
+        return value
+
+
+def strength_of(
+    segment: Segment,
+    service: Service | None = None,
+    catalogue: CatalogueChoice | None = None,
+    *,
+    key: str = "segment",
+) -> Strength:
+    """Find the strength of a segment at the end of its service life.
+
+    The wear is taken off the nominal diameter. A component's strength is then the catalogue's at
+    that diameter; figures of the segment's own are scaled in the same proportion. Without a
+    component, or where the catalogue ends, strength goes with the square of the diameter; that is
+    on the safe side for chain, whose formula c d^2 (44 - 0.08 d) falls more slowly. A fibre rope
+    does not corrode: it keeps its strength unless the segment has a wear rate of its own. The MBL
+    of a segment is that in water already.
+
+    Parameters
+    ----------
+    segment : Segment
+        With or without a component.
+    service : Service, optional
+        Life and wear; the line stays as new without.
+    catalogue : CatalogueChoice, optional
+        Where components come from; catopt's own families when left out.
+    key : str
+        Of the segment, for messages.
+
+    Raises
+    ------
+    InputError
+        There is wear but no diameter, or the wear takes all of it, or the catalogue has no such
+        component.
+    """
+    kind = line_kind(segment.component)
+    loss = _loss(segment, service, kind)
+    new = segment.nominal_diameter
+    end = _end_diameter(new, loss, key)
+    component = _component(segment, catalogue, loss)
+    MBL, proof_load = segment.MBL, segment.proof_load
+    if component is not None:
+        MBL = component.MBL_in_water if MBL is None else MBL
+        proof_load = component.proof_load if proof_load is None else proof_load
+    lacks = () if component is None else tuple(component.missing.items())
+    return Strength(
+        kind=kind,
+        MBL=_worn(MBL, "MBL", component, new, end),
+        proof_load=_worn(proof_load, "proof_load", component, new, end),
+        diameter=new,
+        end_diameter=end,
+        note=_note(new, end),
+        missing=tuple(each for each in lacks if each[0] in ("MBL", "proof_load")),
+    )
+
+
+def _loss(segment: Segment, service: Service | None, kind: LineKind | None) -> float:
+    """Loss of nominal diameter, m."""
+    if service is None or (kind == "rope" and segment.wear_rate is None):
+        return 0.0
+    return service.diameter_loss(segment.wear_rate)
+
+
+def _end_diameter(new: float | None, loss: float, key: str) -> float | None:
+    if loss == 0.0:
+        return new
+    if new is None:
+        allowed = "missing; wear is taken off it: give the nominal diameter, or leave the wear out"
+        raise InputError([Problem(f"{key}.diameter", "", allowed)], "checks")
+    if not new > loss:
+        problem = Problem(
+            f"{key}.diameter",
+            f"{new * 1e3:g} mm",
+            Message("checks.worn_away", loss=loss * 1e3),
+        )
+        raise InputError([problem], "checks")
+    return new - loss
+
+
+def _component(segment: Segment, choice: CatalogueChoice | None, loss: float) -> Component | None:
+    """Look the component up, if its figures are wanted beside the segment's own."""
+    known = segment.MBL is not None and segment.proof_load is not None and loss == 0.0
+    if known or not segment.component or segment.nominal_diameter is None:
+        return None
+    return _looked_up(segment.component, segment.nominal_diameter, choice or CatalogueChoice())
+
+
+@cache
+def _looked_up(name: str, diameter: float, choice: CatalogueChoice) -> Component:
+    """Look a component up once: a search checks the same few sizes at many lengths."""
+    return _families(choice).component(name, diameter)
+
+
+@cache
+def _families(choice: CatalogueChoice) -> ChosenCatalogue:
+    from catopt.catalogue.choice import chosen
+
+    return chosen(choice, SEA_WATER_DENSITY)  # strength does not depend on the water
+
+
+def _worn(
+    strength: float | None,
+    quantity: StrengthKind,
+    component: Component | None,
+    new: float | None,
+    end: float | None,
+) -> float | None:
+    """Strength at the end diameter; N."""
+    if strength is None or new is None or end is None or end == new:
+        return strength
+    if component is not None and quantity in component.provenance:
+        low, _ = component.provenance[quantity].range
+        if end >= low:
+            at = component.MBL_at if quantity == "MBL" else component.proof_load_at
+            then, now = at(end), at(new)
+            assert then is not None
+            assert now is not None
+            return strength * then / now
+    return strength * (end / new) ** 2
+
+
+def _note(new: float | None, end: float | None) -> str:
+    if new is None or end is None or end == new:
+        return ""
+    return Message(
+        "checks.worn",
+        new=Measure("nominal_diameter", new),
+        worn=Measure("nominal_diameter", end),
+    )

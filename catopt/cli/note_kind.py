@@ -1,0 +1,170 @@
+"""Which kind of calculation note a file asks for: of a line, of a moored body, or of a sizing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from catopt.casefile.sizing_file import Moored
+    from catopt.cli.output import Progress
+    from catopt.errors import Problem
+    from catopt.render.texts import Language
+    from catopt.report.page.note import Note
+    from catopt.report.page.sections import AnyNote
+
+__all__ = ["Wanted", "is_of_a_body", "line_of", "note_of_file", "workbook_of"]
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a note is to be, as the options say.
+
+    Attributes
+    ----------
+    design : int or None
+        Number of a design of a result directory, counted from 1.
+    date : str
+        For the title block.
+    verify : bool
+        Whether the truss model is put beside the closed form.
+    swarm, motion : bool or None
+        Whether the particle swarm and the line in motion are there, too; None: as was asked for in
+        a result directory.
+    once : bool or None
+        Whether the line in motion is run without its proof; None: as in a result directory.
+    """
+
+    design: int | None = None
+    date: str = ""
+    verify: bool = True
+    swarm: bool | None = None
+    motion: bool | None = None
+    once: bool | None = None
+
+
+def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -> AnyNote:
+    """Read a file and compute the note of what it is about.
+
+    Parameters
+    ----------
+    path : Path
+        A case file, a file for ``catopt size``, or a directory that ``--out`` wrote.
+    wanted : Wanted
+        What the options say.
+    progress : callable, optional
+        Told how far a line in motion is and how far it goes.
+
+    Raises
+    ------
+    InputError, NoAnswerError, NotConvergedError
+        As for `read_note`, `read_system_note` and `catopt.cli.size_note.note_of_file`.
+    """
+    from catopt.casefile.sizing_file import moored_in
+
+    moored = moored_in(path)
+    if moored is not None:
+        return _of_a_sizing(path, moored, wanted)
+    if is_of_a_body(path):
+        return _of_a_body(path, wanted, progress)
+    from catopt.report.page.note import read_note
+
+    return read_note(
+        path,
+        wanted.design,
+        date=wanted.date,
+        verify=wanted.verify,
+        swarm=wanted.swarm,
+        motion=wanted.motion,
+        once=wanted.once,
+        progress=progress,
+    )
+
+
+def is_of_a_body(path: Path) -> bool:
+    """Say whether a case file, or the one in a result directory, has a moored body.
+
+    What cannot be read, or is no TOML, has none: reading it as a line says what is wrong.
+    """
+    from catopt.casefile.design_directory import DESIGN_CASE
+    from catopt.documents import parse_toml, read_text
+    from catopt.errors import InputError
+
+    place = path / DESIGN_CASE if path.is_dir() else path
+    try:
+        return "system" in parse_toml(read_text(place, str(place)), str(place))
+    except InputError:
+        return False
+
+
+def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
+    from catopt.cli.size_note import note_of_file as note_of_sizing
+    from catopt.errors import InputError
+    from catopt.report.page.result_directory import Asked
+
+    why = (
+        f"it is of a line that is known; this file is for catopt size {moored}, which writes the "
+        "line that it finds with --save: report on that case"
+    )
+    problems = list(_of_a_line_alone(wanted, why, swarm=False))
+    if problems:
+        raise InputError(problems, "options")
+    asked = Asked(swarm=bool(wanted.swarm))
+    return note_of_sizing(path, moored, date=wanted.date, verify=wanted.verify, asked=asked)
+
+
+def _of_a_body(path: Path, wanted: Wanted, progress: Progress | None) -> AnyNote:
+    from catopt.errors import InputError
+    from catopt.report.page.result_directory import asked_in, case_path
+    from catopt.report.page.system.note import read_system_note
+
+    why = "it is for one line with a load; this file is of a body moored by several"
+    problems = list(_of_a_line_alone(replace(wanted, motion=None), why, swarm=True))
+    if problems:
+        raise InputError(problems, "options")
+    asked = asked_in(path).with_motion(wanted.motion, wanted.once)
+    return read_system_note(
+        case_path(path), date=wanted.date, verify=wanted.verify, asked=asked, progress=progress
+    )
+
+
+def _of_a_line_alone(wanted: Wanted, why: str, *, swarm: bool) -> Iterator[Problem]:
+    """Yield what was asked for and is of one line alone; the swarm where that is, too."""
+    from catopt.errors import Problem
+
+    if wanted.design is not None:
+        yield Problem("--design", str(wanted.design), why)
+    if swarm and wanted.swarm:
+        yield Problem("--method", "pso", why)
+    if wanted.motion:
+        yield Problem("--dynamic", "given", why)
+
+
+def line_of(note: AnyNote) -> Note | None:
+    """Return the note of a line: the note itself, or that of the line that a sizing recommends."""
+    from catopt.report.page.note import Note
+    from catopt.report.page.sizing.note import SizeNote
+
+    if isinstance(note, SizeNote):
+        return note.line
+    return note if isinstance(note, Note) else None
+
+
+def workbook_of(note: AnyNote, language: Language) -> bytes:
+    """Lay the workbook of a note out."""
+    from catopt.report.page.sizing.note import SizeNote
+    from catopt.report.page.system.note import SystemNote
+
+    if isinstance(note, SizeNote):
+        from catopt.report.workbook.note_size import size_note_workbook
+
+        return size_note_workbook(note, language)
+    if isinstance(note, SystemNote):
+        from catopt.report.workbook.note_system import system_note_workbook
+
+        return system_note_workbook(note, language)
+    from catopt.report.workbook.note import note_workbook
+
+    return note_workbook(note, language)

@@ -1,0 +1,201 @@
+"""The one place through which a command speaks.
+
+The answer goes to standard output, everything else to standard error. Colour and progress are for
+terminals only, and a text that the console's encoding lacks is replaced, never fatal.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, TextIO
+
+from catopt.compiled import when_cache_is_damaged, when_compiling
+
+if TYPE_CHECKING:
+    from rich.console import Console, RenderableType
+
+__all__ = ["BROKEN_PIPE_STATUS", "LEAST_WIDTH", "Output", "Progress"]
+
+Progress = Callable[[int, int], None]
+"""Told how many steps are done and how many there are."""
+
+LEAST_WIDTH = 80
+"""Columns that every table is laid out for; a narrower terminal folds the lines itself."""
+
+BROKEN_PIPE_STATUS = 141
+"""128 + SIGPIPE: what a shell reports of a program whose reader went away."""
+
+
+COMPILING = "catopt: compiling for this machine, once; the next run starts at once"
+"""Said when the first use of a part takes its time."""
+DAMAGED = "catopt: compiled code in {} was damaged; it is dropped and compiled anew"
+
+
+class Output:
+    """Where the answer of a command, its notes and its progress go.
+
+    Attributes
+    ----------
+    debug : bool
+        Whether a fault of ours shows its traceback.
+    """
+
+    def __init__(self) -> None:
+        self.debug = False
+        self._consoles: dict[TextIO, Console] = {}
+
+    def json(self, document: dict[str, Any]) -> None:
+        """Print a document, and nothing else, on standard output."""
+        ascii_only = not _encoding(sys.stdout).startswith("utf")
+        text = json.dumps(document, indent=2, ensure_ascii=ascii_only, allow_nan=False)
+        _write(sys.stdout, text + "\n")
+
+    def text(self, text: str, *, bold: bool = False) -> None:
+        """Print a paragraph on standard output, folded to its width."""
+        from rich.text import Text
+
+        self._print(Text(text, style="bold" if bold else ""))
+
+    def file(self, text: str) -> None:
+        """Print what would stand in a file, as it is, on standard output."""
+        _write(sys.stdout, text)
+
+    def line(self) -> None:
+        """Print an empty line on standard output."""
+        _write(sys.stdout, "\n")
+
+    def table(
+        self,
+        columns: Sequence[str],
+        rows: Sequence[Sequence[str]],
+        *,
+        title: str = "",
+        numbers: Sequence[int] = (),
+    ) -> None:
+        """Print a table and an empty line on standard output.
+
+        Parameters
+        ----------
+        columns : sequence of str
+            Headings, with units; all empty for a table without a heading row.
+        rows : sequence of sequence of str
+            Cells.
+        title : str
+            Above the table.
+        numbers : sequence of int
+            Columns set flush right and never folded.
+        """
+        from rich import box
+        from rich.table import Table
+        from rich.text import Text
+
+        table = Table(
+            box=box.SIMPLE_HEAD, show_header=any(columns), show_edge=False, pad_edge=False
+        )
+        for index, heading in enumerate(columns):
+            number = index in numbers
+            table.add_column(
+                Text(heading),
+                justify="right" if number else "left",
+                no_wrap=number,
+                overflow="fold",  # a name without a space is longer than its column
+            )
+        for row in rows:
+            table.add_row(*(Text(cell) for cell in row))
+        if title:
+            self.text(title, bold=True)
+        self._print(table)
+        self.line()
+
+    def note(self, message: str) -> None:
+        """Say something beside the answer, on standard error; folded only on a terminal."""
+        if sys.stderr.isatty() and not self.debug:
+            message = "\n".join(_folded(line) for line in message.splitlines())
+        _write(sys.stderr, message + "\n")
+
+    def tell_when_compiling(self) -> None:
+        """Say it, to a terminal, when the first use of a part has to be compiled."""
+        if sys.stderr.isatty():
+            when_compiling(lambda: self.note(COMPILING))
+        when_cache_is_damaged(lambda folder: self.note(DAMAGED.format(folder)))
+
+    @contextmanager
+    def progress(self, what: str) -> Iterator[Progress | None]:
+        """Show a bar with the time left on standard error while the body runs, on a terminal.
+
+        While nobody says how many steps there are, it shows that and how long something runs.
+
+        Parameters
+        ----------
+        what : str
+            What is counted.
+
+        Yields
+        ------
+        callable or None
+            To be called with steps done and wanted; None when nobody watches.
+        """
+        if not sys.stderr.isatty():
+            yield None
+            return
+        from catopt.cli.progress_bar import progress_bar
+
+        with progress_bar(self._console(sys.stderr)) as bar:
+            task = bar.add_task(what, total=None)
+            yield lambda done, total: bar.update(task, completed=done, total=total)
+
+    def _print(self, part: RenderableType) -> None:
+        console = self._console(sys.stdout)
+        with console.capture() as captured:
+            console.print(part)
+        lines = captured.get().splitlines()
+        _write(sys.stdout, "".join(line.rstrip() + "\n" for line in lines))
+
+    def _console(self, stream: TextIO) -> Console:
+        """Make the console of a stream, once; without any codes where NO_COLOR is set."""
+        if stream in self._consoles:
+            return self._consoles[stream]
+        from rich.console import Console, detect_legacy_windows
+
+        plain = bool(os.environ.get("NO_COLOR")) or detect_legacy_windows()
+        console = Console(
+            file=stream,
+            markup=False,
+            emoji=False,
+            highlight=False,
+            legacy_windows=False,
+            color_system=None if plain else "auto",
+        )
+        console.width = max(console.width, LEAST_WIDTH)
+        self._consoles[stream] = console
+        return console
+
+
+def _folded(line: str) -> str:
+    """Fold a line to the terminal, its later lines set in; paths and numbers stay whole."""
+    from shutil import get_terminal_size
+    from textwrap import fill
+
+    margin = " " * (len(line) - len(line.lstrip()) + 4)
+    width = max(get_terminal_size().columns, LEAST_WIDTH)
+    return fill(
+        line, width, subsequent_indent=margin, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def _encoding(stream: TextIO) -> str:
+    return (getattr(stream, "encoding", None) or "ascii").lower()
+
+
+def _write(stream: TextIO, text: str) -> None:
+    """Write and flush; end quietly when the reader has gone."""
+    encoding = _encoding(stream)
+    try:
+        stream.write(text.encode(encoding, "replace").decode(encoding))
+        stream.flush()
+    except BrokenPipeError:
+        raise SystemExit(BROKEN_PIPE_STATUS) from None

@@ -1,0 +1,106 @@
+"""Writing what ``--out`` asks for: the files of an answer, and the case that they are of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.model import Case
+
+__all__ = ["refuse_own_case", "write_result"]
+
+
+def write_result(
+    output: Output,
+    directory: Path,
+    files: Mapping[str, bytes],
+    case: Case,
+    front: Path | None = None,
+) -> None:
+    """Write the files of an answer with its case, and tell how many there are.
+
+    With the case ``catopt report DIR`` makes the note of it. A case file that catopt did not write
+    is never replaced, nor is that of a design search, without which its front would be lost.
+
+    Parameters
+    ----------
+    output : Output
+        Told of what was written, and of a case file that stays.
+    directory : Path
+        Made when it is missing.
+    files : mapping of str to bytes
+        File names and what they hold.
+    case : Case
+        As it was computed.
+    front : Path, optional
+        Directory of a design search whose front the answer is of; it goes with the case.
+    """
+    from catopt.casefile import write_case
+    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+    from catopt.report.files import write_files
+
+    stays = _stays(directory, with_front=front is not None)
+    whole = dict(files)
+    if not stays:
+        whole[DESIGN_CASE] = write_case(case).encode()
+    if not stays and front is not None:
+        whole[DESIGN_DOCUMENT] = (front / DESIGN_DOCUMENT).read_bytes()
+    written = write_files(directory, whole, case=write_case(case).encode())
+    output.note(f"{len(written)} files written to {directory}")
+    if stays and not _is_of(directory / DESIGN_CASE, case):
+        output.note(
+            f"catopt: {DESIGN_CASE} in {directory} stays as it is, {stays}; "
+            f"catopt report {directory} is of that one"
+        )
+
+
+def refuse_own_case(directory: Path) -> None:
+    """Refuse a directory whose case file catopt did not write, where one must be written.
+
+    Raises
+    ------
+    InputError
+        A front needs the case that it is of, in place of that one.
+    """
+    from catopt.casefile.design_directory import DESIGN_CASE
+    from catopt.errors import InputError, Problem
+
+    if _stays(directory, with_front=True):
+        allowed = (
+            f"has a {DESIGN_CASE} that catopt did not write, in whose place that of the answer "
+            "would go; give another directory"
+        )
+        raise InputError([Problem("--out", str(directory), allowed)], "options")
+
+
+def _stays(directory: Path, *, with_front: bool) -> str:
+    """Say why the case file in a directory must not be replaced; empty where it may."""
+    from catopt.casefile import parse_case, write_case
+    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+    from catopt.errors import InputError
+
+    place = directory / DESIGN_CASE
+    if not place.exists():
+        return ""
+    if (directory / DESIGN_DOCUMENT).exists() and not with_front:
+        return "for the front in design.json goes with it"
+    try:
+        text = place.read_text("utf-8")
+        is_ours = text == write_case(parse_case(text, folder=str(directory)))
+    except (OSError, ValueError, InputError):
+        is_ours = False
+    return "" if is_ours else "for catopt did not write it"
+
+
+def _is_of(place: Path, case: Case) -> bool:
+    """Whether a case file says what a case is."""
+    from catopt.casefile import read_case
+    from catopt.errors import InputError
+
+    try:
+        return read_case(place) == case
+    except InputError:
+        return False

@@ -1,0 +1,123 @@
+"""From what ``catopt size`` is asked to what it prints and writes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.render.texts import Words
+    from catopt.report.page.sizing.note import Given
+    from catopt.sizing import Sizing
+
+__all__ = ["check_places", "give", "sized"]
+
+Request = TypeVar("Request")
+
+
+def check_places(out: Path | None, save: Path | None) -> None:
+    """Make sure, before anything is computed, that files can be written.
+
+    Parameters
+    ----------
+    out, save : Path or None
+        Directory for all files, and place of the case file.
+
+    Raises
+    ------
+    InputError
+        There is a case file already, no such directory, or one with a case of the user's own.
+    """
+    if save is not None:
+        _check_save(save)
+    if out is not None:
+        from catopt.cli.result_files import refuse_own_case
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+        refuse_own_case(out)
+
+
+def _check_save(place: Path) -> None:
+    from catopt.errors import InputError, Problem
+
+    if place.exists():
+        allowed = "is there already and is kept; give another path"
+        raise InputError([Problem("--save", str(place), allowed)], "options")
+    if not place.parent.is_dir():
+        allowed = f"there is no directory {place.parent}"
+        raise InputError([Problem("--save", str(place), allowed)], "options")
+
+
+def sized(maker: Callable[[Request], Sizing], request: Request) -> Sizing:
+    """Size what is requested; what is wrong with it is told by the options' names.
+
+    Parameters
+    ----------
+    maker : callable
+        `catopt.sizing.size_buoy` or `size_tanker`.
+    request : BuoyRequest or TankerRequest
+        For it.
+    """
+    from catopt.cli.gathered import Gathered
+    from catopt.cli.size_parts import NAMES
+
+    gathered = Gathered(NAMES)
+    found = gathered.make(maker, request)
+    gathered.raise_if_any()
+    assert found is not None
+    return found
+
+
+def give(
+    output: Output,
+    of: Sizing,
+    words: Words,
+    *,
+    as_json: bool,
+    out: Path | None,
+    save: Path | None,
+    given: Given | None = None,
+) -> None:
+    """Write the files, then print the document or the view.
+
+    Parameters
+    ----------
+    output : Output
+        Where to.
+    of : Sizing
+        What came out.
+    words : Words
+        Language of view and workbook.
+    as_json : bool
+        Whether to print the document.
+    out, save : Path or None
+        Directory for all files, and place of the case file.
+    given : Given, optional
+        What was asked for, which the calculation note has among the files.
+    """
+    from catopt.answers.size import size_answer
+
+    answer = size_answer(of)
+    if out is not None:
+        from catopt.render.files import files_of
+        from catopt.report.bundle import size_files
+        from catopt.report.files import write_files
+
+        files = files_of(answer, of.to_dict(), words.language)
+        written = write_files(out, files | size_files(of, words.language, given))
+        output.note(f"{len(written)} files written to {out}")
+    if save is not None:
+        from catopt.casefile import write_case
+        from catopt.report.files import write_files
+
+        write_files(save.parent, {save.name: write_case(of.case).encode()})
+        output.note(f"{save} written; refine it with: catopt design {save}")
+    if as_json:
+        output.json(of.to_dict())
+        return
+    from catopt.render.terminal import show
+
+    show(output, answer, words.language)

@@ -1,0 +1,99 @@
+"""``catopt system``: a body moored by several lines."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.units import Dimension
+
+__all__ = ["system"]
+
+
+def system(
+    context: typer.Context,
+    case: Annotated[Path, typer.Argument(metavar="CASE", help="Case file (TOML) with [system].")],
+    line_out: Annotated[
+        bool,
+        typer.Option("--line-out", help="Also take each line away in turn, under the same load."),
+    ] = False,
+    watch_circle: Annotated[
+        bool,
+        typer.Option(
+            "--watch-circle", help="Also let a force of the same size act from all sides."
+        ),
+    ] = False,
+    curve: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="ANGLE",
+            help='Also the restoring curve in this direction, such as "180 deg", '
+            "counter-clockwise from x; several may be given.",
+        ),
+    ] = None,
+    level: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="HEIGHT",
+            help='Also at this water level, such as "-1.5 m" below that of the case; the body '
+            "floats up and down with it. Several may be given.",
+        ),
+    ] = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Find where a moored body comes to rest, and what each of its lines carries.
+
+    Prints the zero-load position, the offset under the load, the stiffness, a table of the lines
+    and what else is asked for, with the residual of the balance.
+    """
+    from catopt.answers.system import system_answer
+    from catopt.casefile import read_case
+    from catopt.mooring.case import report_system
+    from catopt.render.terminal import show
+    from catopt.units import Dimension
+    from catopt.words import Message, say
+
+    output: Output = context.obj
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+    directions = _in_si("--curve", curve or [], Dimension.ANGLE)
+    levels = _in_si("--level", level or [], Dimension.LENGTH)
+    read = read_case(case)
+    report = report_system(
+        read,
+        with_line_out=line_out,
+        with_circle=watch_circle,
+        directions=directions,
+        levels=levels,
+    )
+    answer = system_answer(report)
+    if watch_circle and report.circle is None:
+        output.note(say(Message("mooring.no_circle"), lang.value))
+    if out is not None:
+        from catopt.cli.result_files import write_result
+        from catopt.render.files import files_of
+        from catopt.report.bundle import system_pictures
+
+        with output.progress("Tables and figures"):
+            files = files_of(answer, report.to_dict(), lang.value) | system_pictures(report)
+        write_result(output, out, files, read)
+    if as_json:
+        output.json(report.to_dict())
+        return
+    show(output, answer, lang.value)
+
+
+def _in_si(option: str, texts: list[str], dimension: Dimension) -> list[float]:
+    from catopt.cli.values import in_si
+
+    return [in_si({option: (text, dimension)})[option] for text in texts]

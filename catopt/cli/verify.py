@@ -1,0 +1,312 @@
+"""``catopt verify``: the closed form beside the truss model."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from catopt.cli.options import (
+    CaseArgument,
+    DesignOption,
+    JsonOption,
+    LangOption,
+    OnceOption,
+    OutOption,
+    ReportLanguage,
+)
+from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
+from catopt.words import say
+
+if TYPE_CHECKING:
+    from catopt.cli.output import Output
+    from catopt.model import Case
+    from catopt.verify.dynamic_result import DynamicVerification
+    from catopt.verify.front import Design, FrontVerification
+    from catopt.verify.proof import Proof
+    from catopt.verify.result import Verification
+
+__all__ = ["stop_if_not_converged", "verify"]
+
+DIFFERS = 3
+"""Of --strict: the input is right, but the models do not agree."""
+
+STOPPED = 4
+"""Of --all: for a design a solver did not converge; of --dynamic: a maximum hangs on the step."""
+
+INTERRUPTED = 130
+"""Of --dynamic: Ctrl-C; what was computed until then is printed and written."""
+
+
+def verify(
+    context: typer.Context,
+    case: CaseArgument,
+    load_case: Annotated[
+        str | None,
+        typer.Option(
+            "--load-case",
+            metavar="NAME",
+            help="Verify this load case only; when left out every one, or the [load].",
+        ),
+    ] = None,
+    design: DesignOption = None,
+    every: Annotated[
+        bool,
+        typer.Option(
+            "--all",
+            help="Verify every design of the front in the result directory CASE, each in the load "
+            "case that governs it.",
+        ),
+    ] = False,
+    elements: Annotated[
+        int,
+        typer.Option(
+            metavar="N",
+            help="Bars of a line on the coarsest of the three meshes; the others have 2 N and 4 N.",
+        ),
+    ] = ELEMENTS,
+    tolerance: Annotated[
+        float,
+        typer.Option(
+            metavar="X",
+            help="Largest difference that counts as agreement: of the fairlead tension, of the "
+            "line's length, in rad.",
+        ),
+    ] = TOLERANCE,
+    strict: Annotated[
+        bool,
+        typer.Option(
+            "--strict",
+            help="End with exit status 3 when the models do not agree; the answer is printed.",
+        ),
+    ] = False,
+    with_motion: Annotated[
+        bool,
+        typer.Option(
+            "--dynamic",
+            help="Also run the line in time, in the waves, the current and the motion of the case "
+            "file. Ctrl-C keeps what was computed until then.",
+        ),
+    ] = False,
+    once: OnceOption = False,
+    twice_the_bars: Annotated[
+        bool,
+        typer.Option(
+            "--twice-the-bars",
+            help="Of --dynamic: run again with twice the bars, too, also a line that stays taut.",
+        ),
+    ] = False,
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            help="Of --dynamic: run the seeds ([dynamics] runs) in N processes side by side; "
+            "where it saves time on all cores when left out.",
+        ),
+    ] = None,
+    lang: LangOption = ReportLanguage.ENGLISH,
+    as_json: JsonOption = False,
+    out: OutOption = None,
+) -> None:
+    """Hold the closed form against a truss model that shares nothing with it.
+
+    Prints every quantity by both models, with the order by which the truss model closes up over
+    three meshes and the difference before and after extrapolation. A line on which they differ is
+    an answer: the exit status is 0 unless --strict is given.
+    """
+    output: Output = context.obj
+    if out is not None:
+        from catopt.report.files import check_directory
+
+        check_directory(out)
+    _refuse_without_motion(
+        workers, with_motion=with_motion, once=once, twice_the_bars=twice_the_bars
+    )
+    check_settings(elements, tolerance, source="options", prefix="--")
+    found: Verification | FrontVerification
+    dynamic: DynamicVerification | None = None
+    if every:
+        _refuse(load_case, design, with_motion=with_motion)
+        found = _front(case, output, elements, tolerance)
+        read = _case_of_front(case)
+    else:
+        read = _read(case, design, with_motion=with_motion)
+        found = _case(read, output, load_case, elements, tolerance)
+        proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
+        dynamic = _dynamic(read, output, load_case, proof, workers) if with_motion else None
+    if out is not None:
+        from catopt.cli.result_files import write_result
+        from catopt.report.bundle import verification_bundle
+
+        files = verification_bundle(found, dynamic, lang.value)
+        write_result(output, out, files, read, front=case if every else None)
+    if as_json:
+        document = found.to_dict()
+        output.json(document if dynamic is None else document | {"dynamic": dynamic.to_dict()})
+    else:
+        from catopt.cli.verify_view import show_verification
+        from catopt.render.texts import Words
+
+        words = Words(lang.value)
+        show_verification(output, found, words)
+        if dynamic is not None:
+            from catopt.cli.verify_dynamic_view import show_dynamic
+
+            show_dynamic(output, dynamic, words)
+    _end(output, found, dynamic, lang, strict=strict)
+
+
+def _end(
+    output: Output,
+    found: Verification | FrontVerification,
+    dynamic: DynamicVerification | None,
+    lang: ReportLanguage,
+    *,
+    strict: bool,
+) -> None:
+    """Leave with the exit status that the answer asks for."""
+    from catopt.report.tables.verify import verdict_sentence
+    from catopt.verify.front import FrontVerification
+
+    if dynamic is not None and not dynamic.is_complete:
+        from catopt.report.tables.dynamic import stopped_sentence
+
+        output.note(f"catopt: {say(stopped_sentence(dynamic), lang.value)}")
+        raise typer.Exit(INTERRUPTED)
+    if dynamic is not None:
+        stop_if_not_converged(output, dynamic, lang)
+    if isinstance(found, FrontVerification) and not found.has_converged:
+        output.note("catopt: for a design a solver did not converge")
+        raise typer.Exit(STOPPED)
+    if strict and not found.is_settled:
+        output.note(f"catopt: {verdict_sentence(found)}")
+        raise typer.Exit(DIFFERS)
+
+
+def stop_if_not_converged(output: Output, found: DynamicVerification, lang: ReportLanguage) -> None:
+    """Leave with the status of a solver that did not converge, where a line in motion has not."""
+    if found.verdict == "not converged":
+        from catopt.report.tables.dynamic import not_converged_sentence
+
+        output.note(f"catopt: {say(not_converged_sentence(found), lang.value)}")
+        raise typer.Exit(STOPPED)
+
+
+def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
+    """Read the case; what a line in motion lacks is told before anything is solved."""
+    from catopt.casefile.design_directory import read_case_or_design
+
+    case = read_case_or_design(path, design)
+    if with_motion:
+        from catopt.verify.dynamic_setup import check_for_motion, read_drive
+
+        check_for_motion(case)
+        read_drive(case)
+    return case
+
+
+def _case(
+    case: Case, output: Output, load_case: str | None, elements: int, tolerance: float
+) -> Verification:
+    from catopt.verify.case import verify_case
+
+    with output.progress("Load cases") as tell:
+        return verify_case(
+            case, load_case=load_case, elements=elements, tolerance=tolerance, progress=tell
+        )
+
+
+def _dynamic(
+    case: Case, output: Output, load_case: str | None, proof: Proof, workers: int | None
+) -> DynamicVerification:
+    from catopt.verify.dynamic import verify_dynamic
+
+    with output.progress("Line in motion") as tell:
+        return verify_dynamic(
+            case,
+            load_case=load_case,
+            proof=proof,
+            workers=workers,
+            progress=tell,
+            announce=lambda words: output.note(f"catopt: {words}"),
+        )
+
+
+def _case_of_front(directory: Path) -> Case:
+    from catopt.casefile import read_case
+    from catopt.casefile.design_directory import DESIGN_CASE
+
+    return read_case(directory / DESIGN_CASE)
+
+
+def _front(directory: Path, output: Output, elements: int, tolerance: float) -> FrontVerification:
+    designs = _designs(directory)
+    title = _case_of_front(directory).title
+    from catopt.verify.front import verify_front
+
+    with output.progress("Designs") as tell:
+        return verify_front(title, designs, elements=elements, tolerance=tolerance, progress=tell)
+
+
+def _refuse(load_case: str | None, design: int | None, *, with_motion: bool) -> None:
+    """Refuse what does not go with --all."""
+    from catopt.errors import InputError, Problem
+
+    given = {"--load-case": load_case, "--design": design}
+    problems = [
+        Problem(option, str(value), "does not go with --all, which takes every design in the load "
+        "case that governs it")
+        for option, value in given.items()
+        if value is not None
+    ]  # fmt: skip
+    if with_motion:
+        allowed = "does not go with --all: run one design by --design"
+        problems.append(Problem("--dynamic", "", allowed))
+    if problems:
+        raise InputError(problems, "options")
+
+
+def _refuse_without_motion(
+    workers: int | None, *, with_motion: bool, once: bool, twice_the_bars: bool
+) -> None:
+    """Refuse what says how a line in motion is proven, where none is run or in two ways."""
+    from catopt.errors import InputError, Problem
+
+    given = {
+        "--once": once, "--twice-the-bars": twice_the_bars, "--workers": workers is not None,
+    }  # fmt: skip
+    problems = [
+        Problem(option, "", "goes with --dynamic, which is missing")
+        for option, is_given in given.items()
+        if is_given and not with_motion
+    ]
+    if once and twice_the_bars:
+        problems.append(Problem("--once", "", "does not go with --twice-the-bars"))
+    if workers is not None and workers < 1:
+        problems.append(Problem("--workers", str(workers), "1 or more processes"))
+    if problems:
+        raise InputError(problems, "options")
+
+
+def _designs(directory: Path) -> list[Design]:
+    """Read every design of a front with the load case that governs it."""
+    from catopt.casefile.design_directory import read_design, read_design_document
+
+    front = read_design_document(directory)["front"]
+    cases = [read_design(directory, number) for number in range(1, len(front) + 1)]
+    from catopt.verify.front import Design
+
+    return [
+        Design(number, case, _governing_load_case(entry, case))
+        for number, (case, entry) in enumerate(zip(cases, front, strict=True), start=1)
+    ]
+
+
+def _governing_load_case(entry: dict[str, Any], case: Case) -> str | None:
+    """Find the load case of the check that governs a design; None where none is named."""
+    for check in entry["checks"]:
+        if f"{check['name']} ({check['load_case']})" == entry["governing"]:
+            names = {state.name for state in case.load_cases}
+            return str(check["load_case"]) if check["load_case"] in names else None
+    return None

@@ -1,0 +1,169 @@
+"""Kernel functions as plain Python, or compiled where that is the sooner done.
+
+Every kernel function is plain Python. `compiled(f, work)` gives it as it stands while the work is
+smaller than compiling would cost; beyond that, or when its machine code is kept on disk, it gives
+numba's version of it and of every function of catopt that it names. The digits are the same.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+from collections.abc import Callable
+from contextlib import nullcontext
+from functools import cache
+from time import thread_time
+from typing import Any, Final, TypeVar
+
+from catopt.errors import InputError, Problem
+
+__all__ = [
+    "VARIABLE",
+    "compiled",
+    "inlined",
+    "is_compiled",
+    "when_cache_is_damaged",
+    "when_compiling",
+]
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+VARIABLE: Final = "CATOPT_COMPILE"
+"""Environment variable that chooses the form of all kernel functions."""
+MODES: Final = ("auto", "always", "never")
+"""What it may say; the first when it is not set."""
+
+_LOADING: Final = 1.0
+"""Processor time that importing numba and reading machine code from disk takes, s."""
+
+_done: dict[Callable[..., Any], float] = {}
+"""Processor time that each function has taken so far as plain Python, s."""
+_fast: dict[Callable[..., Any], Callable[..., Any]] = {}
+"""Compiled functions, by the plain ones."""
+_when_compiling: list[Callable[[], None]] = []
+_when_damaged: list[Callable[[str], None]] = []
+
+
+def inlined(function: F) -> F:
+    """Mark a short function to be compiled into its callers; as a plain function it stays itself.
+
+    Worth it for what every line passes through: a quarter off each line's time. Doing so with every
+    function saves a little more and takes four times as long to compile.
+    """
+    function.is_inlined = True  # type: ignore[attr-defined]
+    return function
+
+
+def when_compiling(tell: Callable[[], None]) -> None:
+    """Have something said once when a function must be compiled; not when it is read from disk.
+
+    Compiling takes some ten seconds, and whoever waits should know why.
+
+    Parameters
+    ----------
+    tell : callable
+        Takes the place of an earlier one.
+    """
+    _when_compiling[:] = [tell]
+
+
+def when_cache_is_damaged(tell: Callable[[str], None]) -> None:
+    """Have something said once when kept machine code is of no use and is compiled anew.
+
+    Parameters
+    ----------
+    tell : callable
+        Takes the name of the file, and the place of an earlier callable.
+    """
+    _when_damaged[:] = [tell]
+
+
+def compiled(function: Callable[..., Any], work: float = math.inf) -> Callable[..., Any]:
+    """Return a kernel function in the form that is the sooner done with some work.
+
+    Parameters
+    ----------
+    function : callable
+        Plain Python on numbers, tuples and arrays.
+    work : float
+        Seconds that the work at hand takes as plain Python, about. What the function has taken
+        before is added: many small jobs are one large one.
+
+    Returns
+    -------
+    callable
+        Takes the same arguments and gives the same digits. Ctrl-C waits while it runs compiled.
+
+    Raises
+    ------
+    InputError
+        When CATOPT_COMPILE says something unknown, or "always" where numba is missing.
+    """
+    mode = _mode()
+    if mode != "never":
+        if function in _fast:
+            return _fast[function]
+        total = math.inf if mode == "always" else _done.get(function, 0.0) + work
+        if _is_worth_compiling(function, total):
+            return _compiled(function)
+    return _plain(function)
+
+
+def is_compiled(function: Callable[..., Any]) -> bool:
+    """Whether a kernel function is in use in its compiled form."""
+    return function in _fast
+
+
+def _mode() -> str:
+    mode = os.environ.get(VARIABLE) or MODES[0]
+    if mode not in MODES:
+        raise _refusal(mode, "must be one of " + ", ".join(MODES))
+    if mode == "always" and not _has_numba():
+        raise _refusal(mode, "numba cannot be imported here; install it, or leave this out")
+    return mode
+
+
+def _refusal(mode: str, allowed: str) -> InputError:
+    return InputError([Problem(VARIABLE, repr(mode), allowed)], "environment")
+
+
+@cache
+def _has_numba() -> bool:
+    try:
+        import numba  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+def _is_worth_compiling(function: Callable[..., Any], work: float) -> bool:
+    """Whether it is less work to have the machine code than to do without; see `_LOADING`."""
+    if work < _LOADING or not _has_numba():
+        return False
+    from catopt.machine_code import cost, is_kept
+
+    return work > _LOADING + cost(function) or is_kept(function)
+
+
+def _compiled(function: Callable[..., Any]) -> Callable[..., Any]:
+    from catopt.machine_code import dispatcher, listen
+
+    listen(_when_compiling, _when_damaged)
+    _fast[function] = dispatcher(function)
+    return _fast[function]
+
+
+@cache
+def _plain(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Wrap a function so that numpy divides by zero in it as compiled code does, without a word."""
+
+    def call(*arguments: Any) -> Any:
+        numpy = sys.modules.get("numpy")
+        began = thread_time()
+        with nullcontext() if numpy is None else numpy.errstate(all="ignore"):
+            result = function(*arguments)
+        _done[function] = _done.get(function, 0.0) + thread_time() - began
+        return result
+
+    return call

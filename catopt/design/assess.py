@@ -1,0 +1,324 @@
+"""The loop over many designs: each built, solved and checked in every load case.
+
+Meant to be compiled; nothing is made anew inside it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final, NamedTuple
+
+from catopt.catenary.equilibrium import given_force
+from catopt.catenary.pieces import Pieces, split
+from catopt.catenary.setting import Setting
+from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
+from catopt.checks.criteria import Limits
+from catopt.checks.excess import (
+    ROUNDING,
+    buoyancy_excess,
+    grounded_excess,
+    holding_excess,
+    offset_excess,
+    sliding_excess,
+    tension_excess,
+    uplift_angle_excess,
+    uplift_force_excess,
+)
+from catopt.compiled import inlined
+from catopt.design.space import AT_END
+from catopt.design.tables import Room, Tables
+from catopt.design.tensions import segment_tensions
+from catopt.model.anchor import sinker_needed
+
+__all__ = ["COST", "EXCURSION", "MASS", "NO_DESIGN", "NO_EQUILIBRIUM", "OFFSET", "assess"]
+
+MASS: Final = 0
+OFFSET: Final = 1
+EXCURSION: Final = 2
+COST: Final = 3
+"""Columns of the objectives."""
+
+UPLIFT_ANGLE: Final = Limits._fields.index("uplift_angle")
+UPLIFT_FORCE: Final = Limits._fields.index("uplift_force")
+GROUNDED: Final = Limits._fields.index("grounded_length")
+SPAN: Final = Limits._fields.index("offset")
+RESERVE: Final = Limits._fields.index("reserve_buoyancy")
+SLIDING: Final = Limits._fields.index("sliding_factor")
+HOLDING: Final = Limits._fields.index("holding_factor")
+"""Columns of the limits."""
+
+NO_EQUILIBRIUM: Final = 1e3
+"""Excess of a line that cannot hang as asked, beyond that of any line that merely breaks."""
+NO_DESIGN: Final = 2e3
+"""Excess of a design whose clump weight hangs beyond the line; what it is beyond, by length, is
+added, so that a search finds back."""
+
+
+def assess(
+    genes: Any,
+    tables: Tables,
+    room: Room,
+    stops_early: bool,
+    first: int,
+    end: int,
+    objectives: Any,
+    excess: Any,
+    sinker: Any,
+    unsolved: Any,
+) -> None:
+    """Build, solve and check designs number `first` to `end` (not included).
+
+    Parameters
+    ----------
+    genes : array of int, shape (n, genes)
+        The designs (`catopt.design.space`).
+    tables, room
+        What their value follows from; work space.
+    stops_early : bool
+        Whether a design that has failed one check is left: its objectives are nan then, and its
+        excess is above ROUNDING but not the largest.
+    first, end : int
+        Range of designs.
+    objectives : array, shape (n, 4)
+        Written to: mass, offset, excursion and cost; nan where there is no equilibrium.
+    excess : array, shape (n,)
+        Written to: the largest of all checks; -1 where there is none.
+    sinker : array of int, shape (n,)
+        Written to: the lightest that holds, or the heaviest; -1 where there is none.
+    unsolved : array of int, shape (1,)
+        Raised by the number of lines that did not converge.
+    """
+    for i in range(first, end):
+        for k in range(4):
+            objectives[i, k] = math.nan
+        sinker[i] = -1
+        segments = _take_segments(genes[i], tables, room)
+        weights, beyond = _take_weights(genes[i], tables, room, segments)
+        if beyond > 0.0:
+            excess[i] = NO_DESIGN + beyond
+            continue
+        if stops_early and _is_too_weak(tables, room, segments):
+            excess[i] = 1.0
+            continue
+        found = _in_all_load_cases(tables, room, segments, weights, stops_early)
+        unsolved[0] += found.unsolved
+        sinker[i] = found.sinker
+        excess[i] = found.worst if found.worst > -math.inf else -1.0
+        if not math.isnan(found.largest):
+            _weigh(tables, room, segments, genes[i], i, objectives)
+            objectives[i, OFFSET] = _rounded(found.largest, tables.step[OFFSET])
+            if found.reference < math.inf:
+                excursion = found.largest - found.reference
+                objectives[i, EXCURSION] = _rounded(excursion, tables.step[EXCURSION])
+
+
+class _Found(NamedTuple):
+    """One design in all load cases.
+
+    The largest excess, the largest span (m, nan when a load case was left out), the least span of
+    the reference load cases (m, infinite without), the sinker, and lines that did not converge.
+    """
+
+    worst: float
+    largest: float
+    reference: float
+    sinker: int
+    unsolved: int
+
+
+@inlined
+def _in_all_load_cases(
+    tables: Tables, room: Room, segments: int, weights: int, stops_early: bool
+) -> _Found:
+    """Solve and check the line that lies in the work space."""
+    count = segments + weights
+    pieces = Pieces(
+        room.piece_length[:count],
+        room.piece_weight[:count],
+        room.piece_compliance[:count],
+        room.piece_load[: 2 * count + 2],
+    )
+    split(
+        room.length[:segments],
+        room.weight[:segments],
+        room.compliance[:segments],
+        room.position[:weights],
+        room.point_weight[:weights],
+        room.point_friction[:weights],
+        pieces,
+        room.owner,
+    )
+    worst = -math.inf
+    needed = -math.inf
+    largest = 0.0
+    reference = math.inf
+    unsolved = 0
+    for c in range(len(tables.force)):
+        setting = Setting(pieces, tables.anchor_height, tables.height[c], tables.friction)
+        state = given_force(tables.force[c], setting)
+        if state.status != CONVERGED:
+            unsolved = 1 if state.status == NOT_CONVERGED else 0
+            worst = max(worst, _no_equilibrium(state, tables, room, segments, c))
+            largest = math.nan
+            break
+        segment_tensions(state, setting, room.runs, room.owner, segments, room.tension)
+        worst = max(worst, _largest_excess(state, tables, room, segments, c))
+        if len(tables.sinker_weight) > 0:
+            pull = sinker_needed(
+                state.H_anchor, state.V_anchor, tables.sinker_friction, tables.limit[c, SLIDING]
+            )
+            needed = max(needed, pull)
+        if stops_early and worst > ROUNDING:
+            largest = math.nan
+            break
+        largest = max(largest, state.span)
+        if tables.is_reference[c] == 1:
+            reference = min(reference, state.span)
+    sinker = -1
+    if needed > -math.inf:
+        sinker = _lightest(needed, tables.sinker_weight)
+        worst = max(worst, sliding_excess(needed, tables.sinker_weight[sinker]))
+    return _Found(worst, largest, reference, sinker, unsolved)
+
+
+@inlined
+def _take_segments(genes: Any, tables: Tables, room: Room) -> int:
+    """Put the segments that are there into the work space; return how many there are."""
+    count = 0
+    for s in range(len(tables.segment_optional)):
+        option = genes[2 * s] - tables.segment_optional[s]
+        if option >= 0:
+            room.length[count] = tables.length[s, genes[2 * s + 1]]
+            room.weight[count] = tables.weight[s, option]
+            room.compliance[count] = tables.compliance[s, option]
+            room.place[count] = s
+            room.option[count] = option
+            count += 1
+    return count
+
+
+@inlined
+def _take_weights(genes: Any, tables: Tables, room: Room, segments: int) -> tuple[int, float]:
+    """Put the clump weights that are there into the work space, by rising position.
+
+    Returns
+    -------
+    count : int
+        How many there are.
+    beyond : float
+        By how much one hangs beyond the line, as a part of its length; 0 when none does.
+    """
+    total = 0.0
+    for s in range(segments):
+        total += room.length[s]
+    first = 2 * len(tables.segment_optional)
+    count = 0
+    beyond = 0.0
+    for c in range(len(tables.clump_optional)):
+        mass = genes[first + 2 * c] - tables.clump_optional[c]
+        if mass < 0:
+            continue
+        position = tables.position[c, genes[first + 2 * c + 1]]
+        if tables.joint[c] > 0:
+            position = 0.0
+            for s in range(segments):
+                if room.place[s] < tables.joint[c]:
+                    position += room.length[s]
+        if not AT_END * total < position <= (1.0 - AT_END) * total:
+            beyond = max(beyond, AT_END + max(position / total - 1.0, 0.0))
+        k = count
+        while k > 0 and room.position[k - 1] > position:
+            room.position[k] = room.position[k - 1]
+            room.point_weight[k] = room.point_weight[k - 1]
+            room.point_friction[k] = room.point_friction[k - 1]
+            k -= 1
+        room.position[k] = position
+        room.point_weight[k] = tables.clump_weight[c, mass]
+        room.point_friction[k] = tables.clump_friction[c]
+        count += 1
+    return count, beyond
+
+
+@inlined
+def _is_too_weak(tables: Tables, room: Room, segments: int) -> bool:
+    """Whether the segment at the fairlead does not even bear the horizontal force."""
+    top = segments - 1
+    for c in range(len(tables.force)):
+        allowed = tables.allowed[c, room.place[top], room.option[top]]
+        if tension_excess(tables.force[c], allowed) > ROUNDING:
+            return True
+    return False
+
+
+@inlined
+def _no_equilibrium(state: State, tables: Tables, room: Room, segments: int, c: int) -> float:
+    """Excess of a line without equilibrium: what a line that is too short lacks is added."""
+    if state.status != TOO_SHORT:
+        return NO_EQUILIBRIUM
+    total = 0.0
+    for s in range(segments):
+        total += room.length[s]
+    rise: float = abs(tables.height[c] - tables.anchor_height)
+    return NO_EQUILIBRIUM + max(1.0 - total / rise, 0.0)
+
+
+@inlined
+def _largest_excess(state: State, tables: Tables, room: Room, segments: int, c: int) -> float:
+    """Largest excess of all checks in one load case, save that of a sinker."""
+    worst = -math.inf
+    for s in range(segments):
+        allowed = tables.allowed[c, room.place[s], room.option[s]]
+        if allowed < math.inf:
+            worst = max(worst, tension_excess(room.tension[s], allowed))
+    limit = tables.limit[c]
+    if limit[UPLIFT_ANGLE] < math.inf:
+        lifts = state.V_anchor != 0.0
+        angle = math.atan2(state.V_anchor, state.H_anchor) if lifts else 0.0
+        worst = max(worst, uplift_angle_excess(angle, limit[UPLIFT_ANGLE]))
+    if limit[UPLIFT_FORCE] < math.inf:
+        V, H = state.V_anchor, state.H_anchor
+        worst = max(worst, uplift_force_excess(V, H, limit[UPLIFT_FORCE]))
+    if limit[GROUNDED] > 0.0:
+        worst = max(worst, grounded_excess(state.grounded, limit[GROUNDED]))
+    if limit[SPAN] < math.inf:
+        worst = max(worst, offset_excess(state.span, limit[SPAN]))
+    if limit[RESERVE] < math.inf:
+        worst = max(worst, buoyancy_excess(state.V, limit[RESERVE]))
+    if limit[HOLDING] > 0.0:
+        capacity = tables.holding_capacity
+        worst = max(worst, holding_excess(state.H_anchor, limit[HOLDING], capacity))
+    return worst
+
+
+@inlined
+def _lightest(needed: float, weights: Any) -> int:
+    """Index of the lightest sinker that holds, or of the heaviest."""
+    for k in range(len(weights)):
+        if sliding_excess(needed, weights[k]) <= ROUNDING:
+            return k
+    return len(weights) - 1
+
+
+@inlined
+def _weigh(tables: Tables, room: Room, segments: int, genes: Any, i: int, objectives: Any) -> None:
+    """Write mass and cost."""
+    mass = 0.0
+    cost = 0.0
+    for s in range(segments):
+        mass += room.length[s] * tables.mass[room.place[s], room.option[s]]
+        cost += room.length[s] * tables.price[room.place[s], room.option[s]]
+    first = 2 * len(tables.segment_optional)
+    for c in range(len(tables.clump_optional)):
+        k = genes[first + 2 * c] - tables.clump_optional[c]
+        if k >= 0:
+            mass += tables.clump_mass[c, k]
+    objectives[i, MASS] = _rounded(mass, tables.step[MASS])
+    objectives[i, COST] = _rounded(cost, tables.step[COST])
+
+
+@inlined
+def _rounded(value: float, step: float) -> float:
+    """Round to a multiple of a step; nan stays nan."""
+    if math.isnan(value):
+        return value
+    return float(math.floor(value / step + 0.5)) * step

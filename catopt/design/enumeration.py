@@ -1,0 +1,199 @@
+"""The exact front: every design of the space is evaluated."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from catopt.checks.excess import ROUNDING
+from catopt.design.evaluation import DesignProblem
+from catopt.design.front import empty_front, merge
+from catopt.design.outcome import Outcome, Progress
+
+__all__ = ["Enumerated", "Estimate", "enumerate_designs", "estimate"]
+
+CHUNK = 50_000
+"""Designs evaluated at once: some ten MB, and a fraction of a second between two signs of life."""
+
+SAMPLES = 100, 2000
+"""Designs by which the time is estimated, and those a thread where that took no time to measure."""
+
+MEASURABLE = 0.005
+"""s."""
+
+
+class Estimate(NamedTuple):
+    """How large a design space is.
+
+    Attributes
+    ----------
+    designs : int
+        That there are.
+    seconds : float
+        That their evaluation may take.
+    """
+
+    designs: int
+    seconds: float
+
+    def __str__(self) -> str:
+        return f"{self.designs:,} designs, {_duration(self.seconds)}"
+
+    @property
+    def chunk(self) -> int:
+        """Designs to evaluate at once, between two signs of life: in some tenths of a second."""
+        return max(min(CHUNK, int(0.2 * self.designs / max(self.seconds, 1e-9))), SAMPLES[0])
+
+
+class Enumerated(NamedTuple):
+    """The outcome of an enumeration.
+
+    Attributes
+    ----------
+    outcome : Outcome
+        The front; `closest` and `least_excess` only where no design is feasible.
+    unsolved : int
+        How many lines did not converge.
+    """
+
+    outcome: Outcome
+    unsolved: int
+
+
+def estimate(problem: DesignProblem, *, workers: int = 1) -> Estimate:
+    """Estimate the time from designs that are spread over the whole space.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        The space. The first call in a process waits for the compiled loop, which does not count.
+    workers : int
+        Threads that the evaluation will have.
+    """
+    designs = problem.space.count
+    problem.assess(problem.space.genes_between(0, 1), stops_early=True, of=designs)
+    taken = 0.0
+    for sample in (SAMPLES[0], SAMPLES[1] * workers):
+        sample = min(sample, designs)
+        genes = problem.space.genes_of(np.linspace(0, designs - 1, sample).astype(np.int64))
+        start = time.perf_counter()
+        problem.assess(genes, stops_early=True, workers=workers)
+        taken = time.perf_counter() - start
+        if taken > MEASURABLE:
+            break
+    return Estimate(designs, taken / sample * designs)
+
+
+def enumerate_designs(
+    problem: DesignProblem,
+    *,
+    progress: Progress | None = None,
+    chunk: int = CHUNK,
+    workers: int = 1,
+) -> Enumerated:
+    """Evaluate every design and keep the front.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        The space.
+    progress : callable, optional
+        Called after every chunk with the designs evaluated and those that there are.
+    chunk : int
+        Designs evaluated at once.
+    workers : int
+        Threads; they change nothing in the answer.
+
+    Returns
+    -------
+    Enumerated
+        Ctrl-C ends it early, with the front of the designs evaluated until then.
+    """
+    pass_ = _Pass(problem, progress, workers)
+    try:
+        for first, end in _chunks(problem.space.count, chunk):
+            pass_.take(first, end, stops_early=True)
+        if pass_.feasible == 0:
+            # Only now is it worth knowing by how much each design fails.
+            pass_ = _Pass(problem, progress, workers, evaluated=pass_.evaluations)
+            for first, end in _chunks(problem.space.count, chunk):
+                pass_.take(first, end, stops_early=False)
+    except KeyboardInterrupt:
+        return pass_.enumerated(interrupted=True)
+    return pass_.enumerated(interrupted=False)
+
+
+class _Pass:
+    """One pass over the space, and what it has found so far.
+
+    `evaluated` says how many designs an earlier pass has evaluated, which are no more for it.
+    """
+
+    def __init__(
+        self,
+        problem: DesignProblem,
+        progress: Progress | None,
+        workers: int,
+        *,
+        evaluated: int = 0,
+    ) -> None:
+        self.problem = problem
+        self.front = empty_front(len(problem.sizes), problem.objectives)
+        self.evaluations = 0
+        self.feasible = 0
+        self.unsolved = 0
+        self.closest: tuple[int, ...] | None = None
+        self.least_excess = math.inf
+        self._progress = progress
+        self._workers = workers
+        self._evaluated = evaluated
+
+    def take(self, first: int, end: int, *, stops_early: bool) -> None:
+        """Evaluate the designs number `first` to `end` (not included)."""
+        genes = self.problem.space.genes_between(first, end)
+        assessed = self.problem.assess(genes, stops_early=stops_early, workers=self._workers)
+        is_feasible = assessed.excess <= ROUNDING
+        objectives = assessed.objectives[is_feasible][:, self.problem.columns]
+        front = merge(self.front, genes[is_feasible], objectives)
+        least = int(np.argmax(assessed.excess <= assessed.excess.min() + ROUNDING))
+        if not stops_early and assessed.excess[least] < self.least_excess - ROUNDING:
+            self.closest = tuple(genes[least].tolist())
+            self.least_excess = float(assessed.excess[least])
+        self.front = front
+        self.evaluations += end - first
+        self.feasible += int(is_feasible.sum())
+        self.unsolved += assessed.unsolved
+        if self._progress is not None:
+            self._progress(self.evaluations, self.problem.space.count)
+
+    def enumerated(self, *, interrupted: bool) -> Enumerated:
+        """Sum up."""
+        outcome = Outcome(
+            genes=self.front.genes,
+            objectives=self.front.objectives,
+            evaluations=max(self.evaluations, self._evaluated),
+            feasible=self.feasible,
+            interrupted=interrupted,
+            closest=self.closest,
+            least_excess=self.least_excess,
+        )
+        return Enumerated(outcome, self.unsolved)
+
+
+def _chunks(count: int, size: int) -> Iterator[tuple[int, int]]:
+    for first in range(0, count, size):
+        yield first, min(first + size, count)
+
+
+def _duration(seconds: float) -> str:
+    if seconds < 1.0:
+        return "less than a second"
+    if seconds < 90.0:
+        return f"about {seconds:.0f} s"
+    return (
+        f"about {seconds / 60.0:.0f} min" if seconds < 5400.0 else f"about {seconds / 3600.0:.1f} h"
+    )

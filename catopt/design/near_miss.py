@@ -1,0 +1,123 @@
+"""No design passes: which one fails by the least, by which checks and by how much."""
+
+from __future__ import annotations
+
+import math
+
+from catopt.checks.case import check_line
+from catopt.checks.result import CheckResult
+from catopt.design.evaluation import DesignProblem
+from catopt.design.outcome import Outcome
+from catopt.design.result import NearMiss
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.model import Line
+from catopt.words import Message, Sentence, Several
+
+__all__ = ["NoFeasibleDesignError", "near_miss", "no_feasible_design"]
+
+
+class NoFeasibleDesignError(NoAnswerError):
+    """No design that was evaluated passes every check.
+
+    Attributes
+    ----------
+    near_miss : NearMiss or None
+        The design that fails by the least; None when the search was stopped before it was known.
+    interrupted : bool
+        Whether the search was stopped before its end, so that others may pass.
+    """
+
+    def __init__(
+        self, message: str, near_miss: NearMiss | None, *, interrupted: bool = False
+    ) -> None:
+        self.near_miss = near_miss
+        self.interrupted = interrupted
+        super().__init__(message)
+
+
+def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDesignError:
+    """Put a search that found nothing into words.
+
+    Parameters
+    ----------
+    problem : DesignProblem
+        The space.
+    outcome : Outcome
+        Without any design on its front.
+
+    Raises
+    ------
+    InputError
+        Every design that was evaluated has a clump weight beyond the line.
+    """
+    designs = problem.space.count
+    head = Message("design.none_passes", count=designs)
+    if outcome.evaluations < designs:
+        done = outcome.evaluations
+        head = Message("design.none_evaluated_passes", done=done, count=designs)
+    if outcome.interrupted:
+        head = Message("design.search_interrupted", head=head)
+    said = Sentence(head)
+    if outcome.closest is None:
+        return NoFeasibleDesignError(said, None, interrupted=outcome.interrupted)
+    flaw = problem.space.flaw(outcome.closest)
+    if flaw:
+        allowed = "nearer to the anchor, or longer segments, are wanted"
+        raise InputError([Problem("design.clump_weights", flaw, allowed)], "design")
+    miss = near_miss(problem, outcome.closest)
+    what = [Message("design.indented", said=part) for part in _failing(miss)]
+    key = "design.nearest_so_far" if outcome.interrupted else "design.nearest"
+    nearest = Message(key, line=_line_words(miss.line))
+    message = Several((Several((said, nearest), " "), *what), "\n")
+    return NoFeasibleDesignError(message, miss, interrupted=outcome.interrupted)
+
+
+def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
+    """Check a design that fails."""
+    line = problem.space.line(genes)
+    try:
+        report = check_line(line, problem.case, problem.anchor(genes))
+    except (NoAnswerError, NotConvergedError) as error:
+        return NearMiss(line, (), error.message)
+    return NearMiss(line, report.failed)
+
+
+def _failing(miss: NearMiss) -> list[str]:
+    if not miss.failing:
+        return [miss.reason]
+    return [_check_words(result) for result in miss.failing]
+
+
+def _check_words(result: CheckResult) -> str:
+    demand, capacity = (_shown(value, result.unit) for value in (result.demand, result.capacity))
+    key = "design.beside_wanted" if result.kind == "grounded_length" else "design.beside_allowed"
+    how = Message(key, demand=demand, capacity=capacity)
+    if result.utilisation is not None:
+        how = Message("design.used", beside=how, used=result.utilisation)
+    values = {"check": result.name, "load_case": result.load_case, "how": how}
+    return Message("design.failing_check", source=result.source.text, **values)
+
+
+def _shown(value: float, unit: str) -> str:
+    """Print a number as the field reads it."""
+    if unit == "N":
+        return f"{value / 1e3:.4g} kN"
+    if unit == "rad":
+        return f"{math.degrees(value):.4g} deg"
+    return f"{value:.4g} {unit}"
+
+
+def _line_words(line: Line) -> str:
+    parts = [
+        Message(
+            "design.of_length",
+            length=segment.length,
+            segment=segment.name or Message("checks.segment", number=number),
+        )
+        for number, segment in enumerate(line.segments, start=1)
+    ]
+    parts += [
+        Message("design.weight_of", mass=(load.mass or 0.0) / 1e3, position=load.position)
+        for load in line.point_loads
+    ]
+    return Several(parts, ", ")

@@ -1,0 +1,244 @@
+"""From a case to its design space: what the catalogue sells within the bounds of each choice."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
+
+from catopt.catalogue import Catalogue, Component
+from catopt.catalogue.choice import ChosenCatalogue, chosen
+from catopt.catalogue.figure import RECALLED, within
+from catopt.checks.criteria import Criteria
+from catopt.checks.line_kind import line_kind
+from catopt.design.space import ClumpWeightVariable, DesignSpace, SegmentVariable
+from catopt.errors import InputError, Problem
+from catopt.model import Case, ClumpWeightChoice, Segment, SegmentChoice
+from catopt.model.immersion import weight_in_water
+from catopt.model.load_case import LoadCaseKind
+from catopt.model.validity import Findings
+from catopt.words import Listed, Message
+
+__all__ = ["Options", "resolve"]
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a design may be made of.
+
+    Attributes
+    ----------
+    space : DesignSpace
+        All designs.
+    warnings : tuple of str
+        Figures that were read in no document, and stiffnesses that are not known.
+    """
+
+    space: DesignSpace
+    warnings: tuple[str, ...]
+
+
+def resolve(case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]) -> Options:
+    """Look up what each segment and clump weight of a case's design may be.
+
+    Parameters
+    ----------
+    case : Case
+        With a design.
+    criteria : Criteria
+        What has to be kept.
+    kinds : collection of {"extreme", "reference"}
+        Kinds of load case that there are.
+
+    Returns
+    -------
+    Options
+        Components in the order of the case, each in rising size.
+
+    Raises
+    ------
+    InputError
+        With every problem: no such component, nothing sold within the bounds, a clump weight that
+        floats, a figure that an objective or a check needs and the catalogue does not have.
+    """
+    assert case.design is not None
+    found = Findings("design")
+    catalogue = chosen(case.catalogue, case.site.water_density)
+    warnings: list[str] = []
+    variables = []
+    for index, choice in enumerate(case.design.segments):
+        key = f"design.segments[{index}]"
+        components = list(_components(choice, catalogue, key, found))
+        warnings += _doubts(components, catalogue.families)
+        options = [
+            replace(_segment(each, choice.lengths[0]), wear_rate=_wear_rate(case, index, each))
+            for each in components
+        ]
+        if not choice.components:
+            options = list(_own(case, index, choice, key, found))
+        _check_figures(options, components, case.design.objectives, key, found)
+        _check_strengths(options, criteria, kinds, key, found)
+        variables.append(
+            SegmentVariable(tuple(options), choice.lengths, choice.optional, choice.name)
+        )
+    weights = [
+        _clump_weight(choice, case, f"design.clump_weights[{index}]", found)
+        for index, choice in enumerate(case.design.clump_weights)
+    ]
+    found.raise_if_any()
+    return Options(DesignSpace(tuple(variables), tuple(weights)), tuple(dict.fromkeys(warnings)))
+
+
+def _components(
+    choice: SegmentChoice, catalogue: ChosenCatalogue, key: str, found: Findings
+) -> Iterator[Component]:
+    """Components of a choice, family by family, in rising diameter."""
+    limits = (choice.diameter_min or 0.0, choice.diameter_max or math.inf)
+    for number, name in enumerate(choice.components):
+        place = f"{key}.components[{number}]"
+        try:
+            if choice.diameters:
+                components = [catalogue.component(name, each) for each in choice.diameters]
+            else:
+                sold = catalogue.sold(name)
+                components = [each for each in sold if within(each.nominal_diameter, limits)]
+        except InputError as error:
+            found.problems += [Problem(place, p.found, p.allowed) for p in error.problems]
+            continue
+        if not components:
+            found.add(place, f'"{name}"', f"no size is sold {_bounds(choice)}")
+        yield from components
+
+
+def _bounds(choice: SegmentChoice) -> str:
+    parts = []
+    if choice.diameter_min is not None:
+        parts.append(f"from {choice.diameter_min * 1e3:g} mm")
+    if choice.diameter_max is not None:
+        parts.append(f"up to {choice.diameter_max * 1e3:g} mm")
+    return " ".join(parts) if parts else "as far as is known; give diameters"
+
+
+def _wear_rate(case: Case, index: int, component: Component) -> float | None:
+    """Wear rate that the case's line has at this place; None where it has none of its own, m/s.
+
+    It goes with the place in the water, not with the size; but what steel loses to corrosion says
+    nothing of a fibre rope.
+    """
+    if index >= len(case.line.segments):
+        return None
+    own = case.line.segments[index]
+    is_rope = line_kind(component.family) == "rope"
+    return None if is_rope and line_kind(own.component) != "rope" else own.wear_rate
+
+
+def _segment(component: Component, length: float) -> Segment:
+    """One option, with all that the catalogue has of it."""
+    grade = f" {component.grade}" if component.grade else ""
+    return replace(
+        component.segment(length),
+        component=component.family + grade,
+        nominal_diameter=component.nominal_diameter,
+        proof_load=component.proof_load,
+        price=component.price,
+    )
+
+
+def _own(
+    case: Case, index: int, choice: SegmentChoice, key: str, found: Findings
+) -> Iterator[Segment]:
+    """Yield the segment of the case's line at this place, whose length alone varies."""
+    if index < len(case.line.segments):
+        segment = case.line.segments[index]
+        yield replace(segment, length=choice.lengths[0], name=segment.name or choice.name)
+    else:
+        allowed = f"missing, and line.segments has only {len(case.line.segments)} to go by"
+        found.add(f"{key}.components", "", allowed)
+
+
+def _check_figures(
+    options: list[Segment],
+    components: list[Component],
+    objectives: tuple[str, ...],
+    key: str,
+    found: Findings,
+) -> None:
+    """Note what the objectives need and an option lacks: once for each reason."""
+    lacking: dict[str, list[str]] = {}
+    for objective, quantity in (("mass", "mass"), ("cost", "price")):
+        for index, option in enumerate(options):
+            if objective in objectives and getattr(option, quantity) is None:
+                why = components[index].missing.get(quantity, "") if components else ""
+                allowed = f"no {quantity} is known, which the objective {objective} needs"
+                allowed += f" ({why})" if why else ""
+                lacking.setdefault(allowed, []).append(option.name or "the line's segment")
+    for allowed, names in lacking.items():
+        found.add(key, _listed(names), allowed)
+
+
+def _check_strengths(
+    options: list[Segment],
+    criteria: Criteria,
+    kinds: Collection[LoadCaseKind],
+    key: str,
+    found: Findings,
+) -> None:
+    """Note what the criteria need and an option lacks: once for each reason."""
+    lacking: dict[tuple[str, str], list[str]] = {}
+    for option in options:
+        name = option.name or "the line's segment"
+        try:
+            problems = list(criteria.lacking(criteria.strength(option, key), kinds, key))
+        except InputError as error:
+            problems = list(error.problems)
+        for problem in problems:
+            lacking.setdefault((problem.key, problem.allowed), []).append(name)
+    for (where, allowed), names in lacking.items():
+        found.add(where, _listed(names), allowed)
+
+
+def _listed(names: list[str]) -> str:
+    if len(names) <= 2:
+        return Listed(names, "and")
+    return Message("design.first_to_last", first=names[0], last=names[-1], count=len(names))
+
+
+def _doubts(components: list[Component], catalogue: Catalogue) -> Iterator[str]:
+    """Warn of what was read in no document, and of line that has to be taken as inextensible."""
+    recalled: dict[tuple[str, ...], list[str]] = {}
+    unknown = []
+    for component in components:
+        used = tuple(q for q in component.recalled if q in _USED)
+        if used:
+            recalled.setdefault(used, []).append(component.name)
+        if component.EA is None:
+            unknown.append(component.name)
+        if catalogue.family(component.family).sizes.confidence == RECALLED:
+            yield Message("design.recalled_sizes", family=component.family)
+    for quantities, names in recalled.items():
+        told = ", ".join(quantities)
+        yield Message("design.recalled", components=_listed(names), quantities=told)
+    if unknown:
+        yield Message("design.no_EA", components=_listed(unknown))
+
+
+_USED = ("mass", "volume_diameter", "MBL", "proof_load", "wet_strength_factor", "EA", "price")
+"""Quantities that a design is found by."""
+
+
+def _clump_weight(
+    choice: ClumpWeightChoice, case: Case, key: str, found: Findings
+) -> ClumpWeightVariable:
+    water = case.site.water_density
+    if choice.density <= water:
+        allowed = f"a clump weight sinks: above {water:g} kg/m3, the density of the water"
+        found.add(f"{key}.density", f"{choice.density:g} kg/m3", allowed)
+    return ClumpWeightVariable(
+        choice.masses,
+        tuple(weight_in_water(mass, choice.density, water) for mass in choice.masses),
+        choice.positions,
+        choice.joint or 0,
+        choice.optional,
+        choice.name,
+        choice.friction,
+    )

@@ -1,0 +1,144 @@
+"""The search for the best designs of a case, by whichever method fits."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Final
+
+from catopt.design.answer import Found, answer
+from catopt.design.enumeration import enumerate_designs, estimate
+from catopt.design.evaluation import DesignProblem
+from catopt.design.near_miss import no_feasible_design
+from catopt.design.outcome import Progress
+from catopt.design.result import DesignResult
+from catopt.errors import InputError, Problem
+from catopt.model import Case, Design
+from catopt.model.design import SearchMethod
+
+__all__ = ["LARGE_SPACES", "design_case"]
+
+LARGE_SPACES: Final = "nsga2"
+"""What "auto" takes where a space is too large to enumerate: the better of the two by
+benchmarks/search.py."""
+
+MOST_ENUMERATED: Final = 10**12
+"""Designs that can be enumerated at all: at a million a second they take twelve days."""
+
+Announce = Callable[[str], None]
+
+
+def design_case(
+    case: Case,
+    *,
+    method: SearchMethod | None = None,
+    seed: int | None = None,
+    evaluations: int | None = None,
+    progress: Progress | None = None,
+    announce: Announce | None = None,
+) -> DesignResult:
+    """Find the lines that are best in mass, offset, excursion or cost at once.
+
+    Parameters
+    ----------
+    case : Case
+        With a design, which says what may vary and what is made small.
+    method : {"auto", "enumeration", "nsga2", "swarm"}, optional
+        Instead of the design's own. A search that may evaluate as many designs as there are gives
+        way to enumeration, which is exact and far faster there; the answer says so.
+    seed, evaluations : int, optional
+        Instead of the design's own.
+    progress : callable, optional
+        Called with the designs evaluated and those there are to evaluate.
+    announce : callable, optional
+        Called before the search begins, with how many designs there are and how long it may take,
+        in words; beside a search asked for by name also of enumeration, where that is possible.
+
+    Returns
+    -------
+    DesignResult
+        The front, every design of it checked. Ctrl-C ends the search and keeps the front so far.
+
+    Raises
+    ------
+    InputError
+        With every problem of what was asked: no such component, a figure that is missing; or the
+        space is too large to be enumerated.
+    NoFeasibleDesignError
+        No design passes every check; it names the one that fails by the least.
+    """
+    problem = DesignProblem.of(_with_settings(case, method, seed, evaluations))
+    design = problem.case.design
+    assert design is not None
+    found = _search(problem, design, progress, announce or _say_nothing)
+    if not len(found.outcome.genes):
+        raise no_feasible_design(problem, found.outcome)
+    return answer(problem, found, design.seed)
+
+
+def _with_settings(
+    case: Case, method: SearchMethod | None, seed: int | None, evaluations: int | None
+) -> Case:
+    """Put what was given in place of the design's own settings."""
+    if case.design is None:
+        return case
+    given = {"method": method, "seed": seed, "evaluations": evaluations}
+    own = {key: value for key, value in given.items() if value is not None}
+    return replace(case, design=replace(case.design, **own))  # type: ignore[arg-type]
+
+
+def _search(
+    problem: DesignProblem, design: Design, progress: Progress | None, announce: Announce
+) -> Found:
+    designs = problem.space.count
+    method = _method(design, designs)
+    if method == "enumeration":
+        _check_count(designs)
+        workers = os.cpu_count() or 1
+        size = estimate(problem, workers=workers)
+        announce(f"enumeration of {size}")
+        start = time.perf_counter()
+        enumerated = enumerate_designs(
+            problem, progress=progress, chunk=size.chunk, workers=workers
+        )
+        seconds = time.perf_counter() - start
+        return Found(enumerated.outcome, method, seconds, enumerated.unsolved)
+    budget = design.evaluations
+    announce(f"{method}: {budget:,} evaluations in a space of {designs:,} designs")
+    if designs <= design.max_enumerated:
+        announce(f"enumeration would be exact: {estimate(problem, workers=os.cpu_count() or 1)}")
+    if method == "nsga2":
+        from catopt.design.nsga2 import nsga2 as search
+    else:
+        from catopt.design.swarm import swarm as search
+    start = time.perf_counter()
+    outcome = search(
+        problem,
+        evaluations=budget,
+        population=min(design.population, budget),
+        seed=design.seed,
+        progress=progress,
+    )
+    return Found(outcome, method, time.perf_counter() - start)
+
+
+def _method(design: Design, designs: int) -> SearchMethod:
+    """Return the method to use: a search that may evaluate every design enumerates them."""
+    if design.method == "auto":
+        return "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
+    return "enumeration" if design.evaluations >= designs else design.method
+
+
+def _check_count(designs: int) -> None:
+    if designs > MOST_ENUMERATED:
+        allowed = (
+            f"is for {MOST_ENUMERATED:,} designs at most, of which the space has {designs:,}: "
+            "widen the steps, or take nsga2 or swarm"
+        )
+        raise InputError([Problem("design.method", "enumeration", allowed)], "design")
+
+
+def _say_nothing(_: str) -> None:
+    """Take an announcement that nobody wants to hear."""

@@ -1,0 +1,242 @@
+"""The design space: everything that a line may be made of, numbered by whole numbers.
+
+A design is a row of genes, two for each segment (what it is made of, its length) and two for each
+clump weight (its mass, its place), from the anchor up. Neighbouring values of a gene are alike:
+sizes of a family, lengths, masses and places rise. Where a part may be absent, 0 of its first gene
+says so, and its second gene does not matter: in the canonical form it is 0.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from itertools import accumulate
+
+import numpy as np
+from numpy.typing import NDArray
+
+from catopt.design.problem import Genes
+from catopt.model import Line, PointLoad, Segment
+from catopt.words import Message
+
+__all__ = ["AT_END", "GENES_EACH", "ClumpWeightVariable", "DesignSpace", "SegmentVariable"]
+
+GENES_EACH = 2
+"""Genes of a segment, and of a clump weight."""
+
+AT_END = 1e-9
+"""Part of the line's length next to its ends in which no clump weight can hang."""
+
+
+@dataclass(frozen=True)
+class SegmentVariable:
+    """What one segment may be.
+
+    Attributes
+    ----------
+    options : tuple of Segment
+        What it may be made of, each with the first of the lengths.
+    lengths : tuple of float
+        Unstretched, m, rising.
+    is_optional : bool
+        Whether it may be absent.
+    name : str
+        For tables.
+    """
+
+    options: tuple[Segment, ...]
+    lengths: tuple[float, ...]
+    is_optional: bool = False
+    name: str = ""
+
+    @property
+    def sizes(self) -> tuple[int, int]:
+        """How many values its two genes have."""
+        return len(self.options) + self.is_optional, len(self.lengths)
+
+    @property
+    def count(self) -> int:
+        """How many different segments it may be, absent included."""
+        return len(self.options) * len(self.lengths) + self.is_optional
+
+    def segment(self, kind: int, length: int) -> Segment | None:
+        """Return the segment of two genes; None where it is absent."""
+        option = kind - self.is_optional
+        return None if option < 0 else replace(self.options[option], length=self.lengths[length])
+
+
+@dataclass(frozen=True)
+class ClumpWeightVariable:
+    """What one clump weight may be.
+
+    Attributes
+    ----------
+    masses : tuple of float
+        In air, kg, rising.
+    submerged_weights : tuple of float
+        Of those masses, N.
+    positions : tuple of float
+        Unstretched arc length from the anchor, m, rising; empty when it hangs at a joint.
+    joint : int
+        At the upper end of this segment, counted from 1 at the anchor, or where that would be when
+        it is absent; 0 when the clump weight has positions.
+    is_optional : bool
+        Whether it may be absent.
+    name : str
+        For tables.
+    friction : float or None
+        Coulomb coefficient on the bed; None: that of the bed.
+    """
+
+    masses: tuple[float, ...]
+    submerged_weights: tuple[float, ...]
+    positions: tuple[float, ...] = ()
+    joint: int = 0
+    is_optional: bool = False
+    name: str = ""
+    friction: float | None = None
+
+    @property
+    def sizes(self) -> tuple[int, int]:
+        """How many values its two genes have."""
+        return len(self.masses) + self.is_optional, max(len(self.positions), 1)
+
+    @property
+    def count(self) -> int:
+        """How many different clump weights it may be, absent included."""
+        return len(self.masses) * max(len(self.positions), 1) + self.is_optional
+
+
+@dataclass(frozen=True)
+class DesignSpace:
+    """All designs.
+
+    Attributes
+    ----------
+    segments : tuple of SegmentVariable
+        From the anchor to the fairlead; one at least is always there.
+    clump_weights : tuple of ClumpWeightVariable
+        In the order of the case.
+    """
+
+    segments: tuple[SegmentVariable, ...]
+    clump_weights: tuple[ClumpWeightVariable, ...] = ()
+
+    @property
+    def variables(self) -> tuple[SegmentVariable | ClumpWeightVariable, ...]:
+        """Segments and clump weights, in the order of their genes."""
+        return (*self.segments, *self.clump_weights)
+
+    @property
+    def sizes(self) -> tuple[int, ...]:
+        """How many values each gene has."""
+        return tuple(size for variable in self.variables for size in variable.sizes)
+
+    @property
+    def count(self) -> int:
+        """How many designs there are in canonical form.
+
+        Those with a clump weight beyond the end of the line count too; they are never feasible.
+        """
+        return math.prod(variable.count for variable in self.variables)
+
+    def canonical(self, genes: Genes) -> Genes:
+        """Set the second gene of each absent part to 0.
+
+        Parameters
+        ----------
+        genes : ndarray of int, shape (n, genes)
+            Left as they are.
+        """
+        result = np.array(genes, dtype=np.int64)
+        for index, variable in enumerate(self.variables):
+            if variable.is_optional:
+                first = GENES_EACH * index
+                result[result[:, first] == 0, first + 1] = 0
+        return result
+
+    def genes_between(self, first: int, end: int) -> Genes:
+        """Genes of the designs number `first` to `end` (not included); see `genes_of`."""
+        return self.genes_of(np.arange(first, end, dtype=np.int64))
+
+    def genes_of(self, numbers: NDArray[np.int64]) -> Genes:
+        """Genes of designs by their number, in canonical form.
+
+        Every design of the space has one number from 0 to below `count`; the last variable changes
+        fastest.
+        """
+        left = numbers
+        genes = np.zeros((left.size, len(self.sizes)), dtype=np.int64)
+        for index in reversed(range(len(self.variables))):
+            variable = self.variables[index]
+            left, own = np.divmod(left, variable.count)
+            if variable.is_optional:
+                # 0 is absent; the rest counts through what it is made of, with each of its places.
+                own = own - 1
+            kind, place = np.divmod(own, variable.sizes[1])
+            is_absent = own < 0
+            genes[:, GENES_EACH * index] = np.where(is_absent, 0, kind + variable.is_optional)
+            genes[:, GENES_EACH * index + 1] = np.where(is_absent, 0, place)
+        return genes
+
+    def flaw(self, genes: tuple[int, ...]) -> str:
+        """Say why a design is none: a clump weight hangs at or beyond an end; else empty."""
+        lengths = self._lengths(genes)
+        total = sum(lengths)
+        for number, (variable, position, _) in enumerate(self._hung(genes, lengths), start=1):
+            if not AT_END * total < position <= (1.0 - AT_END) * total:
+                name = variable.name or Message("design.clump_weight", number=number)
+                values = {"part": name, "position": position, "total": total}
+                return Message("design.beyond_the_line", **values)
+        return ""
+
+    def line(self, genes: tuple[int, ...]) -> Line:
+        """Build the line of a design.
+
+        Raises
+        ------
+        InputError
+            The design has a flaw.
+        """
+        segments = [
+            variable.segment(genes[GENES_EACH * index], genes[GENES_EACH * index + 1])
+            for index, variable in enumerate(self.segments)
+        ]
+        loads = [
+            PointLoad(
+                position,
+                variable.submerged_weights[mass],
+                variable.masses[mass],
+                variable.name,
+                variable.friction,
+            )
+            for variable, position, mass in self._hung(genes, self._lengths(genes))
+        ]
+        return Line([segment for segment in segments if segment is not None], loads)
+
+    def _lengths(self, genes: tuple[int, ...]) -> list[float]:
+        """Length of each segment, 0 where it is absent, m."""
+        lengths = []
+        for index, variable in enumerate(self.segments):
+            kind, length = genes[GENES_EACH * index : GENES_EACH * (index + 1)]
+            is_there = kind >= variable.is_optional
+            lengths.append(variable.lengths[length] if is_there else 0.0)
+        return lengths
+
+    def _hung(
+        self, genes: tuple[int, ...], lengths: list[float]
+    ) -> list[tuple[ClumpWeightVariable, float, int]]:
+        """List the clump weights that are there: which, its arc length (m), the index of its mass.
+
+        A joint is where segments have been summed to, one after the other, as the kernel does.
+        """
+        joints = list(accumulate(lengths))
+        hung = []
+        for index, variable in enumerate(self.clump_weights, start=len(self.segments)):
+            kind, place = genes[GENES_EACH * index : GENES_EACH * (index + 1)]
+            mass = kind - variable.is_optional
+            if mass >= 0:
+                at_joint = variable.joint > 0
+                position = joints[variable.joint - 1] if at_joint else variable.positions[place]
+                hung.append((variable, position, mass))
+        return hung

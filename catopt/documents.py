@@ -1,0 +1,319 @@
+"""Reads the files that catopt is given: bytes to text, and text to a TOML or JSON document.
+
+Case files, files for sizings, families of components, codes, buoys, tables of numbers and result
+directories all come through here, so that whatever is wrong with one of them as a file is refused
+in the same words: no regular file, too large, no text, no TOML or JSON, nested too deeply, or with
+characters that no title, name or key may have.
+"""
+
+from __future__ import annotations
+
+import codecs
+import json
+import math
+import re
+import stat
+import tomllib
+import unicodedata
+from collections.abc import Callable, Iterator
+from pathlib import Path as FilePath
+from typing import Any
+
+from catopt.errors import InputError, Problem
+
+__all__ = [
+    "MOST_BYTES",
+    "MOST_BYTES_OF_DATA",
+    "Path",
+    "dotted",
+    "parse_json",
+    "parse_toml",
+    "read_text",
+    "unfit",
+]
+
+Path = tuple[str | int, ...]
+"""Keys and array indices from the top of a document: ``("line", "segments", 0, "length")``."""
+
+MOST_BYTES = 4 * 2**20
+"""Of a TOML file; those of catopt's own are below 0.1 MB."""
+
+MOST_BYTES_OF_DATA = 64 * 2**20
+"""Of a table of numbers or a document of catopt's own: three hours at 50 rows a second."""
+
+_DEEPEST = 20
+"""Tables and arrays within each other; a case file needs 6, a document of catopt's own 8."""
+
+_PLACE = re.compile(r" \(at (line (\d+), column \d+|end of document)\)$")
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+
+_HINTS = (
+    (r"=\s*[“”‘’„]", 'write plain quotes: "'),
+    (r"=\s*[-+]?\d+,\d", "write a decimal point, not a comma"),
+    (r"=\s*[-+]?[\d.]+\s*[A-Za-z°%]", 'put a value with a unit in quotes, such as "9.5 m"'),
+    (r"=\s*[-+]?\d+\s+\d", "write the number in one piece"),
+    (r"=\s*[-+]?(\.\d|\d+\.(\D|$))", "write a digit on both sides of the decimal point"),
+    (r"=\s*\"[^\"]*\\", "write / instead of \\, or put the text in single quotes"),
+    (r"=\s*[A-Za-z]", "put text in quotes"),
+    (r"=\s*(#|$)", "the value is missing"),
+    (r'^<|^\{\s*("|$)', "this is no TOML; give a case file, as catopt new writes one"),
+    (r'^[^="]+:', "write = between a key and its value, not a colon"),
+)
+"""What the line at fault looks like, and what to do; the first that fits is given."""
+
+_REASONS = (
+    ("Cannot overwrite a value", "this key stands twice in its table; keep one"),
+    ("Cannot declare", "this section stands twice; put its keys together in one"),
+    ("Illegal character '\\n'", "the closing quote is missing"),
+)
+"""Reasons of the TOML reader that need plainer words, by how they begin."""
+
+_LONGEST_LINE = 48
+
+_TURNING = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
+"""Marks that turn the direction of writing, and so what a reader takes a text for."""
+
+
+def read_text(
+    path: FilePath, source: str, *, kind: str = "case file", most: int = MOST_BYTES
+) -> str:
+    """Read a text file.
+
+    Parameters
+    ----------
+    path : Path
+        The file; UTF-8, with or without the byte-order mark that Windows editors write.
+    source : str
+        Its name for messages.
+    kind : str
+        What it is, for messages.
+    most : int
+        Bytes that it may have.
+
+    Raises
+    ------
+    InputError
+        When there is no such file, it is no regular file or too large, cannot be read or is not
+        UTF-8.
+    """
+    data = _read_bytes(path, source, kind, most)
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError([_not_utf8(data, error.start, kind)], source) from None
+
+
+def parse_toml(text: str, source: str) -> dict[str, Any]:
+    """Parse TOML text.
+
+    Parameters
+    ----------
+    text : str
+        The document.
+    source : str
+        Its name for messages.
+
+    Raises
+    ------
+    InputError
+        With the line and column at fault, the line itself and what to do about it; or with every
+        key or text that has characters it may not have.
+    """
+    # A newline is added so that a fault in the last line is placed there, not at the end.
+    document = text.removeprefix("\ufeff").replace("\r\n", "\n") + "\n"
+
+    def parse() -> dict[str, Any]:
+        try:
+            return tomllib.loads(document)
+        except tomllib.TOMLDecodeError as error:
+            raise InputError([_syntax_problem(document, str(error))], source) from None
+
+    return _parsed(parse, source)
+
+
+def parse_json(text: str, source: str) -> dict[str, Any]:
+    """Parse JSON text, whose top is an object.
+
+    Parameters
+    ----------
+    text : str
+        The document.
+    source : str
+        Its name for messages.
+
+    Raises
+    ------
+    InputError
+        As for `parse_toml`; and when it is no object, or has NaN or Infinity.
+    """
+
+    def parse() -> dict[str, Any]:
+        try:
+            found = json.loads(
+                text.removeprefix("\ufeff"), parse_constant=_finite, parse_float=_finite
+            )
+        except json.JSONDecodeError as error:
+            place = f"line {error.lineno}, column {error.colno}"
+            line = text.split("\n")[error.lineno - 1].strip()
+            problem = Problem(place, _shown(line), f"it is no JSON: {error.msg}")
+            raise InputError([problem], source) from None
+        if not isinstance(found, dict):
+            raise InputError([Problem("file", "", "an object in braces is wanted")], source)
+        return found
+
+    return _parsed(parse, source)
+
+
+def dotted(path: Path) -> str:
+    """Write a path as ``line.segments[0].length``."""
+    text = ""
+    for part in path:
+        if isinstance(part, int):
+            text += f"[{part}]"
+        else:
+            text += ("." if text else "") + (part if _BARE_KEY.fullmatch(part) else repr(part))
+    return text
+
+
+def unfit(text: str) -> str:
+    """Name the first character that no title, name or key may have; empty where there is none.
+
+    These are control characters (save the line end and the tab), marks that turn the direction of
+    writing, and the code points that are no characters: terminals obey them, and no SVG file may
+    hold them.
+    """
+    for each in text:
+        code = ord(each)
+        is_control = unicodedata.category(each) in ("Cc", "Cs", "Zl", "Zp") and each not in "\n\t"
+        is_none = code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
+        if is_control or is_none or each in _TURNING:
+            name = unicodedata.name(each, "a control character" if is_control else "no character")
+            return f"U+{code:04X}, {name.lower()}"
+    return ""
+
+
+def _parsed(parse: Callable[[], dict[str, Any]], source: str) -> dict[str, Any]:
+    """Parse a document and look through it for what no document may have."""
+    try:
+        document = parse()
+    except RecursionError:
+        raise InputError([_too_deep(())], source) from None
+    except ValueError as error:  # a whole number of thousands of digits
+        raise InputError([Problem("file", "", _few_words(error))], source) from None
+    problems = list(_unfit_parts(document))
+    if problems:
+        raise InputError(problems, source)
+    return document
+
+
+def _unfit_parts(document: dict[str, Any]) -> Iterator[Problem]:
+    """Find keys and texts with characters that they may not have, and what is nested too deeply."""
+    waiting: list[tuple[Path, Any]] = [((), document)]
+    while waiting:
+        path, value = waiting.pop()
+        if len(path) > _DEEPEST:
+            yield _too_deep(path)
+            return
+        if isinstance(value, dict):
+            for key in value:
+                if unfit(key):
+                    yield Problem(dotted((*path, key)), unfit(key), "take it out of the key")
+            waiting += [((*path, key), each) for key, each in reversed(value.items())]
+        elif isinstance(value, list):
+            numbers = (int, float)
+            waiting += [
+                ((*path, index), each)
+                for index, each in reversed(list(enumerate(value)))
+                if not isinstance(each, numbers)
+            ]
+        elif isinstance(value, str) and unfit(value):
+            yield Problem(dotted(path), unfit(value), "take it out of the text")
+
+
+def _too_deep(path: Path) -> Problem:
+    return Problem(dotted(path[:2]) or "file", "", "arrays or tables are nested too deeply")
+
+
+def _few_words(error: ValueError) -> str:
+    """Say what is wrong with a number that Python does not read."""
+    said = str(error)
+    return "a number has too many digits" if "integer string conversion" in said else said
+
+
+def _finite(word: str) -> float:
+    found = float(word)
+    if not math.isfinite(found):
+        raise ValueError(f"{word} is no finite number")
+    return found
+
+
+def _read_bytes(path: FilePath, source: str, kind: str, most: int) -> bytes:
+    def refused(reason: str) -> InputError:
+        return InputError([Problem(kind, "", reason)], source)
+
+    try:
+        found = path.stat()
+        if stat.S_ISDIR(found.st_mode):
+            raise refused("it is a folder" + _case_in(path))
+        if not stat.S_ISREG(found.st_mode):
+            raise refused("it is no regular file; save what it holds to one and give that")
+        if found.st_size > most:
+            size = f"{found.st_size / 2**20:.1f} MB"
+            raise refused(f"it has {size}; {most / 2**20:g} MB are the most")
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise refused("there is no such file" + _similar(path)) from None
+    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
+        reason = getattr(error, "strerror", None) or str(error)
+        raise refused(f"it cannot be read: {reason}") from None
+
+
+def _syntax_problem(document: str, message: str) -> Problem:
+    place = _PLACE.search(message)
+    reason = message[: place.start()] if place else message
+    where, number = (place[1], place[2]) if place else ("file", None)
+    line = document.split("\n")[int(number) - 1].strip() if number else ""
+    return Problem(where, _shown(line), _advice(line, reason))
+
+
+def _advice(line: str, reason: str) -> str:
+    for beginning, plain in _REASONS:
+        if reason.startswith(beginning):
+            return plain
+    for pattern, hint in _HINTS:
+        if re.search(pattern, line):
+            return hint
+    return reason[:1].lower() + reason[1:]
+
+
+def _shown(line: str) -> str:
+    short = line if len(line) <= _LONGEST_LINE else line[: _LONGEST_LINE - 3] + "..."
+    return f"`{repr(short)[1:-1]}`" if short else ""
+
+
+def _not_utf8(data: bytes, start: int, kind: str) -> Problem:
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return Problem("file", "UTF-16 text", "save it as UTF-8")
+    if b"\0" in data:
+        example = ", as catopt new writes one" if kind == "case file" else " in UTF-8"
+        return Problem("file", "no text", f"give a {kind}{example}")
+    line = data.count(b"\n", 0, start) + 1
+    found = f"the byte 0x{data[start]:02X}"
+    return Problem(f"line {line}", found, "save the file as UTF-8")
+
+
+def _case_in(folder: FilePath) -> str:
+    inside = folder / "case.toml"
+    return f"; give the file in it, {inside.as_posix()}" if inside.is_file() else "; give a file"
+
+
+def _similar(path: FilePath) -> str:
+    """Name a file in the same folder that is spelt nearly so."""
+    if not path.parent.is_dir():
+        return f", and no folder {path.parent.as_posix()}"
+    from difflib import get_close_matches
+
+    # Without the ending, which makes all files of a kind alike.
+    stems = {each.stem: each for each in sorted(path.parent.glob(f"*{path.suffix}"))}
+    close = get_close_matches(path.stem, stems, n=1)
+    return f"; did you mean {stems[close[0]].as_posix()}?" if close else ""

@@ -1,0 +1,121 @@
+"""What can go wrong, as one tree of exceptions.
+
+CatoptError                 exit status 1: a fault of ours, when nothing below fits
+├── InputError              2: the input is wrong; every problem at once
+├── NoAnswerError           3: the input is right, but nothing satisfies it
+│   ├── NoEquilibriumError      no line hangs so: says what is missing and by how much
+│   └── FloatsUpError           a buoy would float above the water surface
+└── NotConvergedError       4: a solver stopped short; never a result
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+__all__ = [
+    "CatoptError",
+    "FloatsUpError",
+    "InputError",
+    "NoAnswerError",
+    "NoEquilibriumError",
+    "NotConvergedError",
+    "Problem",
+]
+
+
+class CatoptError(Exception):
+    """Any failure that catopt announces."""
+
+    exit_status = 1
+
+    @property
+    def message(self) -> str:
+        """What is wrong; a message that can be said in other languages where the error has one."""
+        return str(self) if not self.args else self.args[0]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing wrong with an input.
+
+    Attributes
+    ----------
+    key : str
+        Where: a key path such as ``line.segments[0].length`` or an argument's name.
+    found : str
+        What stands there, as the user wrote it; empty when it is missing.
+    allowed : str
+        What would be right, with the way out.
+    """
+
+    key: str
+    found: str
+    allowed: str
+
+    def __str__(self) -> str:
+        found = f"found {self.found}; " if self.found else ""
+        return f"{self.key}: {found}{self.allowed}".replace("\n", "\\n")
+
+
+class InputError(CatoptError):
+    """The input is wrong.
+
+    Attributes
+    ----------
+    problems : tuple of Problem
+        Every problem of the input, in the order of the input.
+    source : str
+        The file or the function that was given the input; may be empty.
+    """
+
+    exit_status = 2
+
+    def __init__(self, problems: Sequence[Problem], source: str = "") -> None:
+        self.problems = tuple(problems)
+        self.source = source
+        count = len(self.problems)
+        head = f"{source}: " if source else ""
+        noun = "error" if count == 1 else "errors"
+        super().__init__("\n".join([f"{head}{count} {noun}", *(f"  {p}" for p in self.problems)]))
+
+    def __reduce__(self) -> tuple[type[InputError], tuple[tuple[Problem, ...], str]]:
+        """Give what builds the same error in another process."""
+        return type(self), (self.problems, self.source)
+
+
+class NoAnswerError(CatoptError):
+    """The input is right, but no answer exists."""
+
+    exit_status = 3
+
+
+class NoEquilibriumError(NoAnswerError):
+    """No line can hang as asked.
+
+    Attributes
+    ----------
+    quantity : str
+        What is missing: ``"length"`` (m), ``"force"`` (N) or ``"span"`` (m).
+    missing : float
+        How much of it, in SI; 0 when it is met exactly but must be exceeded.
+    """
+
+    def __init__(self, message: str, quantity: str, missing: float) -> None:
+        self.quantity = quantity
+        self.missing = missing
+        super().__init__(message)
+
+    def __reduce__(self) -> tuple[type[NoEquilibriumError], tuple[str, str, float]]:
+        """Give what builds the same error in another process."""
+        return type(self), (self.message, self.quantity, self.missing)
+
+
+class FloatsUpError(NoAnswerError):
+    """A buoy would float above the water surface, where nothing lifts it."""
+
+
+class NotConvergedError(CatoptError):
+    """A solver stopped before its residual was small enough."""
+
+    exit_status = 4

@@ -1,0 +1,117 @@
+"""Mass and volume of what has a weight in water: other programs take both, not the weight.
+
+With the mass m and the submerged weight W of a body, its volume is V = (m - W/g)/rho; of a line
+both are per length, and the volume-equivalent diameter is that of a cylinder of the same volume.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from catopt.constants import STANDARD_GRAVITY
+from catopt.errors import InputError, Problem
+from catopt.model import PointLoad, Segment
+
+__all__ = ["STEEL_DENSITY", "BodyInWater", "of_point_load", "of_segment"]
+
+STEEL_DENSITY = 7850.0
+"""kg/m3: stands in for a segment whose mass is not known."""
+
+LEAST_VOLUME = 1e-9
+"""Of the mass over the water's density: less is rounding of a body that displaces nothing."""
+
+
+@dataclass(frozen=True)
+class BodyInWater:
+    """Mass (kg, or kg/m) and volume (m3, or m2) that together have a submerged weight.
+
+    Attributes
+    ----------
+    mass, volume : float
+        Of the whole body, or per unstretched length.
+    is_known : bool
+        Whether the mass is that of the case; otherwise it stands in, which changes nothing at rest.
+    drag_area : float
+        Of a point load, times its drag coefficient, m2.
+    added_mass : float
+        Coefficient of a point load, on the displaced water.
+    """
+
+    mass: float
+    volume: float
+    is_known: bool = True
+    drag_area: float = 0.0
+    added_mass: float = 0.0
+
+    @property
+    def diameter(self) -> float:
+        """Volume-equivalent diameter, m, where both are per length."""
+        return math.sqrt(4.0 * self.volume / math.pi)
+
+
+def of_segment(segment: Segment, water_density: float, key: str) -> BodyInWater:
+    """Mass and volume of a segment, per length.
+
+    Parameters
+    ----------
+    segment : Segment
+        Without a mass it is taken to be of steel.
+    water_density : float
+        kg/m3.
+    key : str
+        Where the segment stands in the case, for messages.
+
+    Raises
+    ------
+    InputError
+        It does not sink and its mass is not known, or its mass is less than its weight in water.
+    """
+    weight = segment.submerged_weight / STANDARD_GRAVITY
+    if segment.mass == 0.0:
+        allowed = "must be above 0 kg/m: a line without mass does not come to rest"
+        raise InputError([Problem(f"{key}.mass", "0 kg/m", allowed)], "export")
+    if segment.mass is not None:
+        return _displacing(segment.mass, weight, water_density, f"{key}.mass", "kg/m")
+    if weight <= 0.0:
+        allowed = "missing; a segment that does not sink has no mass that would stand in for it"
+        raise InputError([Problem(f"{key}.mass", "", allowed)], "export")
+    mass = weight / (1.0 - water_density / STEEL_DENSITY)
+    return BodyInWater(mass, mass / STEEL_DENSITY, is_known=False)
+
+
+def of_point_load(load: PointLoad, water_density: float, key: str) -> BodyInWater:
+    """Mass and volume of a clump weight or a buoy, with its drag and added mass.
+
+    Parameters
+    ----------
+    load : PointLoad
+        Without a mass a weight gets no volume, and a buoy no mass.
+    water_density : float
+        kg/m3.
+    key : str
+        Where the load stands in the case, for messages.
+
+    Raises
+    ------
+    InputError
+        Its mass in air is less than its weight in water.
+    """
+    weight = load.submerged_weight / STANDARD_GRAVITY
+    if load.mass is None:
+        body = BodyInWater(max(weight, 0.0), max(-weight, 0.0) / water_density, is_known=False)
+    elif abs(load.mass - weight) <= LEAST_VOLUME * load.mass:
+        body = BodyInWater(load.mass, 0.0)
+    else:
+        body = _displacing(load.mass, weight, water_density, f"{key}.mass", "kg")
+    return replace(body, drag_area=load.drag_product, added_mass=load.added_mass_coefficient)
+
+
+def _displacing(
+    mass: float, weight: float, water_density: float, key: str, unit: str
+) -> BodyInWater:
+    volume = (mass - weight) / water_density
+    if volume < LEAST_VOLUME * mass / water_density:
+        allowed = f"must be above {weight:.6g} {unit}, what the weight in water alone asks for"
+        raise InputError([Problem(key, f"{mass:.6g} {unit}", allowed)], "export")
+    return BodyInWater(mass, volume)

@@ -1,0 +1,67 @@
+"""The spatial truss model: lines cut into bars, at rest on a bed that only pushes and in motion."""
+
+from catopt.fem.bed import Bed, HeldBed
+from catopt.fem.damping import LineDamping, rayleigh_factors
+from catopt.fem.dynamic_model import Fluid
+from catopt.fem.dynamics import run_dynamics, run_system_dynamics
+from catopt.fem.extremes import Extreme, GumbelFit, TailFit, gumbel, weibull_tail
+from catopt.fem.frequencies import line_frequencies, natural_frequencies
+from catopt.fem.history import History
+from catopt.fem.loads import Current, DragSection
+from catopt.fem.mesh import LineMesh, mesh_line
+from catopt.fem.morison import MorisonSection
+from catopt.fem.newmark import Scheme
+from catopt.fem.problem import Water
+from catopt.fem.result import EndForce, SystemSolution, TrussSolution
+from catopt.fem.run_settings import BodyInertia, LineProperties, TimeStepping
+from catopt.fem.seabed import Seabed
+from catopt.fem.series import Harmonic, Sampled, Together
+from catopt.fem.settle import Controls
+from catopt.fem.simulation import Simulation
+from catopt.fem.solve import Leg, solve_line, solve_system
+from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
+from catopt.fem.step_controls import StepControls
+
+__all__ = [
+    "Bed",
+    "BodyInertia",
+    "Controls",
+    "Current",
+    "DragSection",
+    "EndForce",
+    "Extreme",
+    "Fluid",
+    "GumbelFit",
+    "Harmonic",
+    "HeldBed",
+    "History",
+    "Leg",
+    "LineDamping",
+    "LineMesh",
+    "LineProperties",
+    "MorisonSection",
+    "Sampled",
+    "Scheme",
+    "Seabed",
+    "SeriesStatistics",
+    "Simulation",
+    "StepControls",
+    "SystemSolution",
+    "TailFit",
+    "TimeStepping",
+    "Together",
+    "TrussSolution",
+    "Water",
+    "gumbel",
+    "line_frequencies",
+    "mesh_line",
+    "natural_frequencies",
+    "power_spectrum",
+    "rayleigh_factors",
+    "run_dynamics",
+    "run_system_dynamics",
+    "series_statistics",
+    "solve_line",
+    "solve_system",
+    "weibull_tail",
+]

@@ -1,0 +1,325 @@
+"""The equations of a line's nodes and bars at one shape, linearised.
+
+Tension is an unknown of its own beside the displacements, so that a line which does not stretch
+(1/EA = 0) is no special case and a stiff one costs no digits. Of bar j between nodes j and j + 1:
+
+    strain   l - l*(T) = 0, l*(T) = l0 (1 - e) (1 + T/EA) + l0 e T/K     or T = 0 where it is slack
+    balance  T_j t_j - T_(j-1) t_(j-1) + loads + bed = 0                 at each node
+
+e is 0 in the end. With e = 1 bars are springs without a length of their own, and the balance is
+linear in the coordinates: that is where the solution starts (`settle`).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.fem.banded import DIAGONAL
+from catopt.fem.bar import axis
+from catopt.fem.bed import (
+    ABSENT,
+    FREE,
+    HELD,
+    ON_BED,
+    PULLED,
+    SPRING,
+    Ground,
+    friction_sense,
+    touches,
+)
+from catopt.fem.friction import drag_spring, limit, rub
+from catopt.fem.loads import BarLoads
+from catopt.fem.touchdown import (
+    hanging_node,
+    own_rest,
+    share_slope,
+    share_weight,
+    shift_slope,
+)
+
+__all__ = ["Bars", "Law", "State", "assemble"]
+
+Array = npt.NDArray[np.float64]
+Codes = npt.NDArray[np.int64]
+
+
+_BARRIER: Final = 1e-4
+"""On the way (e between 0 and 1) a bar that is too long by d l0 keeps the tension e K 1e-4 / d, so
+that a bight, too, follows smoothly to where it lies slack."""
+_SLACK: Final = 1e-6
+"""A slack bar is taut again where it is longer than its length; small, so that a bar with tension
+is not taken for slack before its length has followed."""
+_ROUNDING: Final = 1e-11
+_BIGHT: Final = 1e-3
+"""On a bed with friction a bar goes slack only where it lies in a bight, shorter by this part.
+Where friction has used up the tension of a line that was pulled straight, it stays straight."""
+
+
+class Bars(NamedTuple):
+    """All bars, one line after the other.
+
+    Attributes
+    ----------
+    length, compliance : array, shape (bars,)
+        Unstretched length, m, and 1/EA, 1/N.
+    start : array of int, shape (lines + 1,)
+        First bar of each line. Line k has one node more than bars: bar e lies between nodes e + k
+        and e + k + 1.
+    """
+
+    length: Array
+    compliance: Array
+    start: Codes
+
+
+class State(NamedTuple):
+    """Shape and forces.
+
+    Attributes
+    ----------
+    x : array, shape (nodes, 3)
+        Coordinates, m.
+    tension : array, shape (bars,)
+        N.
+    contact : array of int, shape (nodes,)
+        What the bed does to each node (`bed`).
+    reaction : array, shape (nodes,)
+        Upward force of the bed on each node, N.
+    balance : array, shape (nodes, 3)
+        Force on each node from bars, loads and the bed, N: 0 in equilibrium at the inner nodes,
+        the force on the support at the ends.
+    """
+
+    x: Array
+    tension: Array
+    contact: Codes
+    reaction: Array
+    balance: Array
+
+
+class Law(NamedTuple):
+    """How bars behave on the way to the answer.
+
+    Attributes
+    ----------
+    ease : float
+        e: 1 for springs without length, 0 for the bars as they are.
+    soft : float
+        K, N: stiffness of those springs; also the unit of force of the equations.
+    carries_compression : bool
+        Whether a bar pushes when it is shorter than its length.
+    drag_in : float
+        Stiffness, N/m, that holds each node to where it is in one step; it speaks only where
+        nothing else holds a node, and not in the answer.
+    """
+
+    ease: float
+    soft: float
+    carries_compression: bool
+    drag_in: float
+
+
+def assemble(
+    line: int, bars: Bars, state: State, loads: BarLoads, nodal: Any, ground: Ground, law: Law,
+    band: Any, rhs: Any,
+) -> tuple[int, float]:  # fmt: skip
+    """Write the equations of a line into `band` and `rhs`.
+
+    Parameters
+    ----------
+    line : int
+        Which.
+    bars, state, loads, ground, law
+        What the equations are made of; `state.contact`, `reaction` and `balance` are brought up
+        to date.
+    nodal : array, shape (nodes, 3)
+        Forces on the nodes, N.
+    band, rhs : array, shape (4 bars, 19) and (4 bars,)
+        Written to, for all lines; forces are divided by `law.soft`.
+
+    Returns
+    -------
+    changed, strain : int, float
+        Number of nodes and bars whose state changed, and the largest misfit of a bar's length
+        relative to it.
+    """
+    first, end = bars.start[line], bars.start[line + 1]
+    for row in range(4 * first, 4 * end):
+        rhs[row] = 0.0
+        for c in range(band.shape[1]):
+            band[row, c] = 0.0
+    for node in range(first + line, end + line + 1):
+        for i in range(3):
+            state.balance[node, i] = nodal[node, i]
+    strain = 0.0
+    for e in range(first, end):
+        strain = max(strain, _bar(e, line, first, bars, state, loads, ground, law, band, rhs))
+    if law.ease == 0.0:
+        _touch_down(line, first, end, state, loads, ground, law, band)
+    changed = 0
+    for e in range(first + 1, end):
+        changed += _node(e, line, bars, state, loads, ground, law, band, rhs)
+    for e in range(first, end):
+        for i in range(3):
+            rhs[4 * e + 1 + i] -= state.balance[e + line + 1, i] / law.soft
+    return changed, strain
+
+
+def _bar(
+    e: int, line: int, first: int, bars: Bars, state: State, loads: BarLoads, ground: Ground,
+    law: Law, band: Any, rhs: Any,
+) -> float:  # fmt: skip
+    """Add a bar to the balance of its nodes and write its strain equation."""
+    a = e + line
+    size, tx, ty, tz = axis(state.x, a)
+    t = (tx, ty, tz)
+    T = state.tension[e]
+    l0 = bars.length[e]
+    misfit, slope = _misfit(size, l0, T, bars.compliance[e], law)
+    slack = _is_slack(a, T / law.soft, misfit / l0, state.contact, ground, law)
+    across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
+    row = 4 * e
+    has_first = e > first
+    if slack:
+        band[row, DIAGONAL] = 1.0
+        rhs[row] = -T / law.soft
+    else:
+        band[row, DIAGONAL] = -l0 * slope * law.soft
+        rhs[row] = -misfit
+    varies = loads.by_first.shape[0] > 0
+    for i in range(3):
+        # Rows of the first node stand 3 to 1 above the bar's, those of the second 1 to 3 below.
+        up, down = row - 3 + i, row + 1 + i
+        state.balance[a, i] += T * t[i] + loads.force[e, i]
+        state.balance[a + 1, i] += loads.force[e, i] - T * t[i]
+        band[down, DIAGONAL - 1 - i] = -t[i]
+        if not slack:
+            band[row, DIAGONAL + 1 + i] = t[i]
+        if has_first:
+            band[up, DIAGONAL + 3 - i] = t[i]
+            if not slack:
+                band[row, DIAGONAL - 3 + i] = -t[i]
+        for j in range(3):
+            g = across * ((1.0 if i == j else 0.0) - t[i] * t[j])
+            by_first, by_second = 0.0, 0.0
+            if varies:
+                by_first = loads.by_first[e, i, j] / law.soft
+                by_second = loads.by_second[e, i, j] / law.soft
+            band[down, DIAGONAL + j - i] += by_second - g
+            if has_first:
+                band[up, DIAGONAL + j - i] += by_first - g
+                band[up, DIAGONAL + 4 + j - i] += by_second + g
+                band[down, DIAGONAL - 4 + j - i] += by_first + g
+    return 0.0 if slack else abs(misfit) / l0
+
+
+def _touch_down(
+    line: int, first: int, end: int, state: State, loads: BarLoads, ground: Ground, law: Law,
+    band: Any,
+) -> None:  # fmt: skip
+    """Let bars that lie in part on a rigid bed share their weight (`touchdown`)."""
+    for e in range(first, end):
+        a = e + line
+        hangs = hanging_node(a, state.contact)
+        if hangs >= 0 and math.isinf(ground.stiffness[a]):
+            rise = state.tension[e] * axis(state.x, a)[3]
+            share_weight(a, hangs, rise, -2.0 * loads.force[e, 2], state.balance)
+    # Only now is it known what each hanging node is left with.
+    for e in range(first, end):
+        a = e + line
+        hangs = hanging_node(a, state.contact)
+        if hangs >= 0 and math.isinf(ground.stiffness[a]):
+            size, tx, ty, tz = axis(state.x, a)
+            T = state.tension[e]
+            lift = T * tz if hangs > a else -T * tz
+            is_end = hangs in (first + line, end + line)
+            left = 0.0 if is_end else state.balance[hangs, 2]
+            slope = shift_slope(lift, -2.0 * loads.force[e, 2], left)
+            across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
+            share_slope(4 * e, e > first, slope, (tx, ty, tz), across, band)
+
+
+def _misfit(size: float, l0: float, T: float, compliance: float, law: Law) -> tuple[float, float]:
+    """By how much a bar is longer than its tension makes it, m, and how that length grows, 1/N."""
+    slope = (1.0 - law.ease) * compliance + law.ease / law.soft
+    wanted = 1.0 - law.ease + slope * T
+    if 0.0 < law.ease < 1.0 and not law.carries_compression:
+        keep = law.ease * _BARRIER * law.soft / T
+        wanted -= keep
+        slope += keep / T
+    return size - l0 * wanted, slope
+
+
+def _is_slack(
+    a: int, tension: float, misfit: float, contact: Any, ground: Ground, law: Law
+) -> bool:
+    """Whether a bar has no tension; `tension` and `misfit` over K and over its length."""
+    if law.carries_compression or law.ease > 0.0 or tension + _SLACK * misfit > -_ROUNDING:
+        return False
+    if ground.law == PULLED and contact[a] == ON_BED and contact[a + 1] == ON_BED:
+        return misfit < -_BIGHT
+    return True
+
+
+def _node(
+    e: int, line: int, bars: Bars, state: State, loads: BarLoads, ground: Ground, law: Law,
+    band: Any, rhs: Any,
+) -> int:  # fmt: skip
+    """Let the bed act on the first node of bar `e`; returns 1 when its state changed."""
+    node = e + line
+    row = 4 * e - 3
+    for i in range(3):
+        band[row + i, DIAGONAL] -= law.drag_in / law.soft
+    was = state.contact[node]
+    state.reaction[node] = 0.0
+    if was == ABSENT:
+        return 0
+    rigid = math.isinf(ground.stiffness[node])
+    z = state.x[node, 2]
+    pushed = -state.balance[node, 2] if rigid or was == HELD else -ground.stiffness[node] * z
+    rest = 0.0
+    if rigid and law.ease == 0.0:
+        below, above = -2.0 * loads.force[e - 1, 2], -2.0 * loads.force[e, 2]
+        rest = own_rest(node, below, above, state.contact)
+    now = touches(was, z, pushed - rest, 1e-12 * bars.length[e])
+    state.contact[node] = now
+    if now == FREE:
+        return int(was != FREE)
+    if was == FREE:
+        pushed = max(pushed, 0.0)
+    state.reaction[node] = pushed
+    if now == ON_BED and pushed > 0.0:
+        _add_friction(e, node, row, pushed, rigid, state, ground, law, band)
+    if rigid or now == HELD:
+        state.balance[node, 2] = 0.0
+        for c in range(band.shape[1]):
+            band[row + 2, c] = 0.0
+        band[row + 2, DIAGONAL] = 1.0
+        rhs[row + 2] = -z
+    else:
+        state.balance[node, 2] += pushed
+        band[row + 2, DIAGONAL] -= ground.stiffness[node] / law.soft
+    return int(was != now)
+
+
+def _add_friction(
+    e: int, node: int, row: int, pushed: float, rigid: bool, state: State, ground: Ground,
+    law: Law, band: Any,
+) -> None:  # fmt: skip
+    balance = state.balance[node]
+    mu, stiffness = ground.friction[node], ground.stiffness[node]
+    most = limit(node, pushed, ground, state.contact)
+    sense = friction_sense(ground.law)
+    if sense != 0.0:
+        most, mu = sense * most, sense * mu
+        T = state.tension[e]
+        rub(state.x, node, row, T, most, mu, law.soft, rigid, stiffness, balance, band)
+    elif ground.law == SPRING:
+        foot, spring = ground.spring_foot[node], ground.tangential[node]
+        x = state.x[node]
+        if not math.isnan(foot[0]):
+            drag_spring(x, foot, spring, row, most, mu, law.soft, rigid, stiffness, balance, band)

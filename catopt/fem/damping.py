@@ -1,0 +1,104 @@
+"""Damping of the line itself: axial, and Rayleigh's from two frequencies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.model.validity import Findings
+
+__all__ = ["LineDamping", "rayleigh_factors"]
+
+Array = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LineDamping:
+    """What damps a line beside the water.
+
+    Attributes
+    ----------
+    internal : float
+        Axial force per rate of strain, N s, of every bar.
+    critical_ratio : float
+        The same as a part of what is critical for a bar on its own, l0 sqrt(EA m).
+    critical_length : float or None
+        Of that bar, m. None: of each bar itself, so that the damping falls as bars get shorter
+        (MoorDyn's negative BA), and a run with twice the bars is one of another line.
+    stiffness_time : float
+        The same as a multiple of EA, s: c = stiffness_time EA. The three are added up.
+    mass_factor, stiffness_factor : float
+        Rayleigh's C = alpha M + beta K, 1/s and s, S4 [3.17]; K the tangent of the bars' forces,
+        those across the bar included. alpha damps motion as a whole, too.
+    """
+
+    internal: float = 0.0
+    critical_ratio: float = 0.0
+    critical_length: float | None = None
+    stiffness_time: float = 0.0
+    mass_factor: float = 0.0
+    stiffness_factor: float = 0.0
+
+    def __post_init__(self) -> None:
+        found = Findings("LineDamping")
+        for key, unit in (
+            ("internal", "N s"),
+            ("critical_ratio", ""),
+            ("stiffness_time", "s"),
+            ("mass_factor", "1/s"),
+            ("stiffness_factor", "s"),
+        ):
+            found.number(key, getattr(self, key), unit, at_least=0.0)
+        if self.critical_length is not None:
+            found.number("critical_length", self.critical_length, "m", above=0.0)
+        found.raise_if_any()
+
+    def per_bar(self, length: Array, EA: Array, mass: Array) -> Array:
+        """Axial force per rate of strain of each bar, N s, Rayleigh's share included.
+
+        Parameters
+        ----------
+        length, EA, mass : ndarray, shape (bars,)
+            Unstretched length, m, axial stiffness, N, and mass, kg/m.
+        """
+        of = length if self.critical_length is None else self.critical_length
+        critical = self.critical_ratio * of * np.sqrt(EA * mass)
+        total: Array = self.internal + critical + (self.stiffness_time + self.stiffness_factor) * EA
+        return total
+
+
+def rayleigh_factors(
+    first: float, second: float, ratio: float, ratio_second: float | None = None
+) -> tuple[float, float]:
+    """Alpha (1/s) and beta (s) that damp two angular frequencies by given ratios, S4 [3.17].
+
+    From ratio = alpha/(2 omega) + beta omega/2 at both; for one ratio
+    alpha = 2 ratio w1 w2/(w1 + w2), beta = 2 ratio/(w1 + w2).
+
+    Parameters
+    ----------
+    first, second : float
+        Angular frequencies, rad/s, such as the two lowest of `natural_frequencies`.
+    ratio, ratio_second : float
+        Of critical damping; the same at both unless given.
+
+    Raises
+    ------
+    InputError
+        When a frequency is not above 0 or both are the same.
+    """
+    found = Findings("rayleigh_factors")
+    found.number("first", first, "rad/s", above=0.0)
+    found.number("second", second, "rad/s", above=0.0)
+    found.number("ratio", ratio, "", at_least=0.0)
+    if not found.problems and math.isclose(first, second, rel_tol=1e-9):
+        found.add("second", f"{second:g} rad/s", "must differ from the first")
+    found.raise_if_any()
+    other = ratio if ratio_second is None else ratio_second
+    over = 2.0 / (second**2 - first**2)
+    alpha = over * first * second * (ratio * second - other * first)
+    beta = over * (other * second - ratio * first)
+    return alpha, beta

@@ -1,0 +1,309 @@
+"""Lines laid out for the kernels of their motion."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.fem.bed import HeldBed
+from catopt.fem.damping import LineDamping
+from catopt.fem.mesh import LineMesh
+from catopt.fem.morison import MorisonSection
+from catopt.fem.moving import MovingLines
+from catopt.fem.problem import node_friction
+from catopt.fem.seabed import Seabed
+from catopt.model import PointLoad
+from catopt.model.validity import Findings
+
+__all__ = ["Fluid", "MassMatrix", "lay_out_moving"]
+
+Array = npt.NDArray[np.float64]
+
+MassMatrix = Literal["consistent", "lumped"]
+
+_SHARES = {"consistent": (1.0 / 3.0, 1.0 / 6.0), "lumped": (0.5, 0.0)}
+_OWN_DEPTH = 0.01
+"""Depth to which a line's own weight presses a bed of no given stiffness, m."""
+_SAME_PLACE = 1e-9
+_HOLDING = 1e4
+_LEAST_RADIUS = 1e-6
+"""Of a point load without volume, m."""
+_FRICTION_REACH = 0.001
+"""Displacement along a bed of no given stiffness after which friction is mobilised, m."""
+
+
+@dataclass(frozen=True)
+class Fluid:
+    """Water and gravity.
+
+    Attributes
+    ----------
+    density : float
+        kg/m3.
+    gravity : float
+        m/s2.
+    """
+
+    density: float = SEA_WATER_DENSITY
+    gravity: float = STANDARD_GRAVITY
+
+
+def lay_out_moving(
+    meshes: Sequence[LineMesh],
+    sections: Sequence[MorisonSection] | None,
+    fluid: Fluid,
+    seabed: Seabed | HeldBed | None,
+    damping: LineDamping,
+    mass_matrix: MassMatrix,
+    *,
+    carries_compression: bool = False,
+) -> MovingLines:
+    """Arrays of all lines, one after the other.
+
+    Parameters
+    ----------
+    meshes : sequence of LineMesh
+        The lines; every segment has a finite EA and a mass, every point load a mass. The water
+        acts on point loads by their own figures.
+    sections : sequence of MorisonSection or None
+        One for each segment of every line; None for no load of the water but the weight.
+    fluid : Fluid
+        Water and gravity. A segment displaces what its mass times g exceeds its weight in water
+        by.
+    seabed : Seabed, HeldBed or None
+        None for no bed. A `HeldBed` holds by springs 10,000 times as stiff as a bed of no given
+        stiffness.
+    damping : LineDamping
+        Of the bars.
+    mass_matrix : {"consistent", "lumped"}
+        How a bar's mass acts on its nodes.
+    carries_compression : bool
+        Whether bars push.
+
+    Raises
+    ------
+    InputError
+        For what is missing.
+    """
+    _check(meshes, sections, fluid)
+    start = np.concatenate([[0], np.cumsum([mesh.elements for mesh in meshes])]).astype(np.int64)
+    length = np.concatenate([mesh.length for mesh in meshes])
+    EA, mass, weight = (_by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
+    in_air = mass * fluid.gravity
+    displaced = (in_air - weight) / fluid.gravity
+    water = np.zeros((6, length.size))
+    if sections is not None:
+        rows = np.array([_section_row(s, fluid.density) for s in sections]).T
+        water = np.concatenate([rows[:, mesh.segment] for mesh in meshes], axis=1)
+        water[:2] *= np.maximum(displaced, 0.0)
+    carried, pressing, heavy = _per_node(meshes, length, weight, mass + water[0])
+    force = np.zeros((carried.size, 3))
+    node_mass = np.zeros(carried.size)
+    loads = _point_loads(meshes, start)
+    for load, n in loads:
+        force[n, 2] -= load.submerged_weight
+        node_mass[n] += load.mass or 0.0
+    bodies = np.array([_body_row(load, fluid) for load, _ in loads]).reshape(-1, 4).T
+    held = np.zeros(carried.size, dtype=bool)
+    if isinstance(seabed, HeldBed):
+        EA = EA * seabed.EA_multiplier
+        reach = seabed.grounded_length
+        held = np.concatenate([m.arc <= reach * (1.0 + _SAME_PLACE) for m in meshes])
+    bed = _bed_rows(seabed, carried, pressing, heavy, held)
+    near, far = _SHARES[mass_matrix]
+    return MovingLines(
+        start=start,
+        length=length,
+        EA=EA,
+        damping=damping.per_bar(length, EA, mass),
+        mass=mass,
+        displaced=displaced if sections is not None else np.zeros(length.size),
+        added_normal=water[0].copy(),
+        added_tangential=water[1].copy(),
+        drag_normal=water[2].copy(),
+        drag_tangential=water[3].copy(),
+        drag_by_speed=water[4].copy(),
+        drag_by_across=water[5].copy(),
+        weight=weight,
+        weight_in_air=in_air,
+        node_force=force,
+        node_mass=node_mass,
+        load_node=np.array([n for _, n in loads], dtype=np.int64),
+        load_displaced=bodies[0].copy(),
+        load_added=bodies[1].copy(),
+        load_drag=bodies[2].copy(),
+        load_radius=bodies[3].copy(),
+        load_gravity=float(fluid.gravity),
+        bed_stiffness=bed[0].copy(),
+        bed_damping=bed[1].copy(),
+        bed_depth=bed[2].copy(),
+        held=held,
+        drag_spring=bed[3].copy(),
+        drag_dashpot=bed[4].copy(),
+        friction=_friction(meshes, seabed, pressing),
+        mass_factor=float(damping.mass_factor),
+        stiffness_factor=float(damping.stiffness_factor),
+        near=near,
+        far=far,
+        pushes=carries_compression,
+        lower_free=np.zeros(len(meshes), dtype=bool),
+        force_scale=_force_scale(start, length, weight, force, EA),
+    )
+
+
+def _by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
+    """Figure of the segment to which each bar belongs."""
+    figures = [
+        np.array([getattr(segment, name) for segment in mesh.line.segments], dtype=float)
+        for mesh in meshes
+    ]
+    return np.concatenate([f[mesh.segment] for f, mesh in zip(figures, meshes, strict=True)])
+
+
+def _section_row(section: MorisonSection, density: float) -> tuple[float, ...]:
+    half = 0.5 * density * section.diameter
+    return (
+        section.added_mass_normal,
+        section.added_mass_tangential,
+        half * section.drag_normal,
+        half * section.drag_tangential,
+        *(half * section.drag_normal * part for part in section.oblique),
+    )
+
+
+def _point_loads(
+    meshes: Sequence[LineMesh], start: npt.NDArray[np.int64]
+) -> list[tuple[PointLoad, int]]:
+    """All point loads with their nodes."""
+    return [
+        (load, int(start[k]) + k + int(node))
+        for k, mesh in enumerate(meshes)
+        for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True)
+    ]
+
+
+def _body_row(load: PointLoad, fluid: Fluid) -> tuple[float, float, float, float]:
+    """Displaced and added mass, drag, and the radius of a sphere of the volume, of a point load."""
+    displaced = max((load.mass or 0.0) - load.submerged_weight / fluid.gravity, 0.0)
+    volume = displaced / fluid.density if fluid.density > 0.0 else 0.0
+    return (
+        displaced,
+        load.added_mass_coefficient * displaced,
+        0.5 * fluid.density * load.drag_product,
+        max((0.75 * volume / math.pi) ** (1.0 / 3.0), _LEAST_RADIUS),
+    )
+
+
+def _per_node(
+    meshes: Sequence[LineMesh], length: Array, weight: Array, mass: Array
+) -> tuple[Array, Array, Array]:
+    """Length, submerged weight and mass (with what is added) that each node carries of its bars."""
+    first = np.concatenate([np.full(mesh.elements, k) for k, mesh in enumerate(meshes)])
+    first = first + np.arange(length.size)
+    nodes = length.size + len(meshes)
+    sums = []
+    for figure in (np.ones(length.size), np.maximum(weight, 0.0), mass):
+        half = np.zeros(nodes)
+        np.add.at(half, first, 0.5 * length * figure)
+        np.add.at(half, first + 1, 0.5 * length * figure)
+        sums.append(half)
+    return sums[0], sums[1], sums[2]
+
+
+def _bed_rows(
+    seabed: Seabed | HeldBed | None,
+    carried: Array,
+    pressing: Array,
+    heavy: Array,
+    held: npt.NDArray[np.bool_],
+) -> Array:
+    """Stiffness, damping, depth of full damping, friction spring and dashpot under each node."""
+    rows = np.zeros((5, carried.size))
+    rows[2] = 1.0
+    if seabed is None:
+        return rows
+    usual = max(float((pressing / carried).mean()), 1e-12)
+    if isinstance(seabed, HeldBed):
+        rows[0] = np.where(held, _HOLDING * usual / _OWN_DEPTH * carried, 0.0)
+        rows[1] = 2.0 * np.sqrt(rows[0] * heavy)
+        return rows
+    per_length = seabed.normal_stiffness
+    k = (per_length if per_length is not None else usual / _OWN_DEPTH) * carried
+    critical = 2.0 * np.sqrt(k * heavy)
+    c = critical if seabed.normal_damping is None else seabed.normal_damping * carried
+    along = seabed.tangential_stiffness
+    if along is None:
+        along = max(seabed.friction, 1e-3) * usual / _FRICTION_REACH
+    spring = along * carried
+    depth = np.maximum(pressing, 1e-3 * usual * carried) / k
+    rows[:] = np.stack([k, c, depth, spring, 2.0 * np.sqrt(spring * heavy)])
+    return rows
+
+
+def _friction(
+    meshes: Sequence[LineMesh], seabed: Seabed | HeldBed | None, pressing: Array
+) -> Array:
+    """Coulomb coefficient of each node, by what the line and its point load weigh there."""
+    if not isinstance(seabed, Seabed):
+        return np.zeros(pressing.size)
+    bed = float(seabed.friction)
+    rough = np.concatenate([node_friction(mesh, bed) for mesh in meshes])
+    loads = np.concatenate([_pressing_loads(mesh) for mesh in meshes])
+    weight = np.maximum(pressing + loads, 1e-300)
+    mixed: Array = (pressing * bed + loads * rough) / weight
+    return np.where(loads > 0.0, mixed, bed)
+
+
+def _pressing_loads(mesh: LineMesh) -> Array:
+    """Submerged weight of the clump weights on each node, N."""
+    weight = np.zeros(mesh.elements + 1)
+    for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True):
+        weight[node] += max(load.submerged_weight, 0.0)
+    return weight
+
+
+def _force_scale(
+    start: npt.NDArray[np.int64], length: Array, weight: Array, force: Array, EA: Array
+) -> float:
+    """Return what the heaviest line weighs, N."""
+    heaviest = 0.0
+    for k, (first, end) in enumerate(pairwise(start)):
+        loads = np.abs(force[first + k : end + k + 1]).sum()
+        heaviest = max(heaviest, float(np.abs(weight * length)[first:end].sum() + loads))
+    return max(heaviest, 1e-9 * float(EA.max()))
+
+
+def _check(
+    meshes: Sequence[LineMesh], sections: Sequence[MorisonSection] | None, fluid: Fluid
+) -> None:
+    found = Findings("dynamics")
+    found.number("fluid.density", fluid.density, "kg/m3", at_least=0.0)
+    found.number("fluid.gravity", fluid.gravity, "m/s2", above=0.0)
+    for i, mesh in enumerate(meshes):
+        for j, segment in enumerate(mesh.line.segments):
+            key = f"lines[{i}].segments[{j}]"
+            if segment.mass is None or segment.mass == 0.0:
+                found.add(f"{key}.mass", "", "is needed for the line's inertia")
+            elif segment.mass * fluid.gravity < segment.submerged_weight * (1.0 - 1e-6):
+                words = f"{segment.mass:g} kg/m in air, {segment.submerged_weight:g} N/m in water"
+                found.add(f"{key}.mass", words, "a line weighs more in air than in water")
+            if math.isinf(segment.EA):
+                found.add(f"{key}.EA", "inf", "a line in motion needs its axial stiffness")
+        for j, load in enumerate(mesh.line.point_loads):
+            key = f"lines[{i}].point_loads[{j}].mass"
+            if load.mass is None:
+                found.add(key, "", "is needed for its inertia")
+            elif load.mass * fluid.gravity < load.submerged_weight * (1.0 - 1e-6):
+                words = f"{load.mass:g} kg in air, {load.submerged_weight:g} N in water"
+                found.add(key, words, "a body weighs more in air than in water")
+        if sections is not None and len(sections) != len(mesh.line.segments):
+            wanted = f"one for each of the {len(mesh.line.segments)} segments of line {i + 1}"
+            found.add("sections", str(len(sections)), wanted)
+    found.raise_if_any()

@@ -1,0 +1,403 @@
+"""Lines in the time domain: a fairlead that is led, or a body under a force, in waves and current.
+
+Static equilibrium comes first, in the current; then motion, force and waves grow smoothly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.fem.bed import Bed, HeldBed
+from catopt.fem.dynamic_model import lay_out_moving
+from catopt.fem.history import STOPPED, History
+from catopt.fem.mesh import LineMesh, mesh_line
+from catopt.fem.moving import BodyNode, MovingLines
+from catopt.fem.plausible_step import record_warnings, step_warnings
+from catopt.fem.run_settings import BodyInertia, LineProperties, TimeStepping
+from catopt.fem.sampling import Record
+from catopt.fem.seabed import Seabed
+from catopt.fem.series import (
+    Harmonic,
+    Sampled,
+    Series,
+    Together,
+    fill_series,
+    series_rows,
+)
+from catopt.fem.simulation import Break, Simulation
+from catopt.fem.solve import Leg, solve_line, solve_system
+from catopt.model import Line
+from catopt.model.validity import Findings
+from catopt.waves import Sea
+from catopt.words import Message
+
+__all__ = [
+    "BodyInertia",
+    "LineProperties",
+    "TimeStepping",
+    "line_at_rest",
+    "run_dynamics",
+    "run_system_dynamics",
+]
+
+Array = npt.NDArray[np.float64]
+
+_SERIES = (Harmonic, Sampled, Together)
+_SAME_PLACE = 1e-9
+_JERK = 0.01
+"""Jump of the tension as a motion sets off, over the largest at rest, that is passed over."""
+_SHALLOW = 0.001
+"""Least depth to which a line's weight presses the bed on which it first comes to rest, m."""
+
+
+def run_dynamics(
+    line: Line,
+    stepping: TimeStepping,
+    *,
+    height: float,
+    span: float | None = None,
+    horizontal_force: float | None = None,
+    anchor_height: float = 0.0,
+    motion: Series | None = None,
+    anchor_motion: Series | None = None,
+    anchor_lost: float | None = None,
+    properties: LineProperties | None = None,
+    sea: Sea | None = None,
+    elements: int | Sequence[int] = 100,
+    mesh: LineMesh | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> History:
+    """Run one line whose fairlead is led.
+
+    Parameters
+    ----------
+    line : Line
+        From its anchor at x = y = 0; every segment with mass and EA.
+    stepping : TimeStepping
+        How long and in which steps.
+    height, span, horizontal_force, anchor_height
+        Rest, as for `solve_line`; the motion goes on about the fairlead's place there.
+    motion : Harmonic or Sampled, optional
+        Of the fairlead, m, from its place at rest; it stays by default.
+    anchor_motion : Harmonic or Sampled, optional
+        Of the lower end likewise.
+    anchor_lost : float, optional
+        When the lower end becomes free, s, to the nearest sample but not at the start.
+    properties : LineProperties, optional
+        Water, damping, bed.
+    sea : Sea, optional
+        Waves and current; its depth is that of the bed at z = 0. Without, all is submerged in
+        still water. A sea whose waves have no ramp of their own takes that of `stepping`.
+    elements, mesh
+        Bars, as for `solve_line`.
+    progress : callable, optional
+        Called with the time reached, s.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError
+        As `solve_line`, and for what dynamics lacks.
+    NotConvergedError
+        With time, node and force left over; or when what is computed is the scheme's own ringing.
+    """
+    warnings = _check_run(stepping, motion, anchor_motion, sea=sea)
+    cut = mesh if mesh is not None else mesh_line(line, elements)
+    simulation = line_at_rest(
+        cut, height=height, span=span, horizontal_force=horizontal_force,
+        anchor_height=anchor_height, properties=properties, sea=_ramped(sea, stepping),
+    )  # fmt: skip
+    ends, led = simulation.state.x[-1:], [motion]
+    if anchor_motion is not None:
+        ends, led = simulation.state.x[[-1, 0]], [motion, anchor_motion]
+    simulation.led = series_rows(ends, led, stepping.ramp_time)
+    breaks = None if anchor_lost is None else _break(stepping, 0, anchor_lost, at_anchor=True)
+    return _run(simulation, stepping, [cut], warnings, progress, breaks)
+
+
+def line_at_rest(
+    mesh: LineMesh,
+    *,
+    height: float,
+    span: float | None = None,
+    horizontal_force: float | None = None,
+    anchor_height: float = 0.0,
+    properties: LineProperties | None = None,
+    sea: Sea | None = None,
+) -> Simulation:
+    """Bring one line to rest in the current, ready to be set in motion.
+
+    Parameters
+    ----------
+    mesh : LineMesh
+        The line, cut.
+    height, span, horizontal_force, anchor_height, properties, sea
+        As for `run_dynamics`.
+    """
+    with_what = properties or LineProperties()
+    lines = lay_out_moving(
+        [mesh], with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,
+        with_what.mass_matrix,
+    )  # fmt: skip
+    bed, friction = _static_bed(with_what.seabed, lines)
+    rest = solve_line(
+        mesh.line, height=height, span=span, horizontal_force=horizontal_force, mesh=mesh, bed=bed,
+        anchor_height=anchor_height, seabed_friction=friction,
+    )  # fmt: skip
+    simulation = Simulation(lines, rest.nodes, sea=sea)
+    simulation.settle(rubbed=_begins_rubbed(with_what.seabed))
+    return simulation
+
+
+def run_system_dynamics(
+    legs: Sequence[Leg],
+    stepping: TimeStepping,
+    *,
+    height: float,
+    mean_force: tuple[float, float] = (0.0, 0.0),
+    force: Series | None = None,
+    body: BodyInertia | None = None,
+    position: tuple[float, float] | None = None,
+    motion: Series | Sequence[Series] | None = None,
+    properties: LineProperties | None = None,
+    sea: Sea | None = None,
+    elements: int | Sequence[int] = 100,
+    meshes: Sequence[LineMesh] | None = None,
+    broken: tuple[int, float] | None = None,
+    at_anchor: bool = False,
+    progress: Callable[[float], None] | None = None,
+) -> History:
+    """Run several lines that meet in a body, which moves under a force or is led.
+
+    Parameters
+    ----------
+    legs : sequence of Leg
+        Lines with their anchors and fairleads.
+    stepping : TimeStepping
+        How long and in which steps.
+    height : float
+        Of the body's origin above the bed, m; held unless `motion` moves it.
+    mean_force : tuple of float
+        On the body along x and y, N: under it the lines are at rest.
+    force : Harmonic or Sampled, optional
+        What comes on top of it, N; its part along z is not used.
+    body : BodyInertia, optional
+        Of the body that moves freely; no mass by default.
+    position, motion : tuple of float and Harmonic, Sampled or a sequence of them, optional
+        Instead of forces: where the body's origin rests, m, and its motion about that; that of
+        each leg's fairlead where the body turns.
+    properties, sea, elements, meshes, progress
+        As for `run_dynamics`; sections are shared by all lines.
+    broken : tuple of int and float, optional
+        A line, from 0, that breaks at its fairlead, and when, s, to the nearest sample: its last
+        bar is then gone.
+    at_anchor : bool
+        It breaks at its anchor instead: its lower end is then free.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError, NotConvergedError
+        As `run_dynamics`.
+    """
+    with_what = properties or LineProperties()
+    is_led = position is not None
+    _check_system(is_led, motion, force, mean_force)
+    cuts = [mesh_line(leg.line, elements) for leg in legs] if meshes is None else list(meshes)
+    lines = lay_out_moving(
+        cuts, with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,
+        with_what.mass_matrix,
+    )  # fmt: skip
+    led = [motion] * len(cuts) if motion is None or isinstance(motion, _SERIES) else list(motion)
+    warnings = _check_run(stepping, *(led if is_led else [force]), sea=sea)
+    bed, friction = _static_bed(with_what.seabed, lines)
+    rest = solve_system(
+        legs, height=height, force=None if is_led else mean_force, position=position, meshes=cuts,
+        bed=bed, seabed_friction=friction,
+    )  # fmt: skip
+    x = np.concatenate([each.nodes for each in rest.lines])
+    ends = np.array([each.nodes[-1] for each in rest.lines])
+    inertia = body or BodyInertia()
+    free = np.array([0.0, 0.0, 0.0] if is_led else [1.0, 1.0, 0.0])
+    simulation = Simulation(
+        lines,
+        x,
+        body=BodyNode(free, np.full(3, inertia.mass), np.full(3, inertia.damping)),
+        led=series_rows(ends, led, stepping.ramp_time),
+        load=series_rows(np.array([[*mean_force, 0.0]]), [force], stepping.ramp_time),
+        sea=_ramped(sea, stepping),
+    )
+    simulation.settle(rubbed=_begins_rubbed(with_what.seabed))
+    breaks = None if broken is None else _break(stepping, *broken, at_anchor=at_anchor)
+    return _run(simulation, stepping, cuts, warnings, progress, breaks)
+
+
+def _break(stepping: TimeStepping, line: int, time: float, *, at_anchor: bool) -> Break:
+    return Break(line, max(1, round(time / (stepping.every * stepping.step))), at_anchor)
+
+
+def _check_beginning(simulation: Simulation) -> list[str]:
+    """Refuse a motion that begins away from rest; return what is to be said of one at speed."""
+    lines, led, jerks = simulation.lines, simulation.led, []
+    out = np.zeros((3, 3))
+    for end in range(led.base.shape[0]):
+        fill_series(0.0, led, end, out)
+        away = float(np.linalg.norm(out[0] - led.base[end]))
+        if away > _SAME_PLACE * max(1.0, float(np.abs(led.base[end]).max())):
+            found = Findings("TimeStepping")
+            wanted = f"the motion begins {away:.3g} m away from rest: it needs a ramp to grow over"
+            found.add("ramp_time", f"{led.ramp_time:g} s", wanted)
+            found.raise_if_any()
+        count = lines.start.size - 1
+        bar = lines.start[end + 1] - 1 if end < count else lines.start[end - count]
+        speed = float(np.linalg.norm(out[1]))
+        jerks.append((speed * float(np.sqrt(lines.EA[bar] * lines.mass[bar])), speed))
+    jump, speed = max(jerks)
+    if jump <= _JERK * float(simulation.state.tension.max()):
+        return []
+    return [Message("motion.sets_off", speed=speed, jump=jump / 1e3)]
+
+
+def _run(
+    simulation: Simulation,
+    stepping: TimeStepping,
+    cuts: Sequence[LineMesh],
+    warnings: list[str],
+    progress: Callable[[float], None] | None,
+    breaks: Break | None = None,
+) -> History:
+    warnings = warnings + _check_beginning(simulation)
+    simulation.start()
+    since = stepping.ramp_time if stepping.since is None else stepping.since
+    record, complete = simulation.run(
+        stepping.samples,
+        stepping.every,
+        stepping.step,
+        scheme=stepping.scheme,
+        controls=stepping.controls,
+        since=since,
+        nodes=stepping.nodes,
+        energy=stepping.energy,
+        breaks=breaks,
+        progress=progress,
+    )
+    return _history(simulation, record, stepping, since, cuts, complete, warnings)
+
+
+def _history(
+    simulation: Simulation,
+    record: Record,
+    stepping: TimeStepping,
+    since: float,
+    cuts: Sequence[LineMesh],
+    complete: bool,
+    warnings: list[str],
+) -> History:
+    counts = simulation.counts
+    if counts.halvings > 0:
+        warnings.append(
+            Message(
+                "motion.halvings",
+                count=counts.halvings,
+                shortest=counts.shortest,
+                step=stepping.step,
+            )
+        )
+    if counts.unresolved > 0:
+        warnings.append(
+            Message(
+                "motion.unresolved",
+                count=counts.unresolved,
+                steps=counts.steps,
+                shortest=counts.shortest,
+            )
+        )
+    if not complete:
+        warnings.append(
+            Message(STOPPED, reached=float(record.time[-1]), duration=stepping.duration)
+        )
+    seen = np.isfinite(record.highest)
+    return History(
+        time=record.time,
+        fairlead_force=record.end_force[:, :, 1],
+        anchor_force=record.end_force[:, :, 0],
+        bar_tension=record.end_tension,
+        fairlead=record.fairlead,
+        grounded_length=record.grounded,
+        nodes=record.place,
+        energy=record.energy,
+        first_bar=simulation.lines.start,
+        arc=np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
+        max_tension=np.where(seen, record.highest, np.nan),
+        min_tension=np.where(seen, record.lowest, np.nan),
+        slack_time=record.slack_time,
+        longest_slack=record.longest_slack,
+        max_end_force=record.end_highest,
+        time_of_max_end_force=record.end_time,
+        balance=simulation.balance(record),
+        since=since,
+        step=stepping.step,
+        shortest_step=min(counts.shortest, stepping.step),
+        steps=counts.steps,
+        iterations=counts.iterations,
+        halvings=counts.halvings,
+        refinements=counts.refinements,
+        unresolved=counts.unresolved,
+        is_complete=complete,
+        warnings=tuple(warnings),
+    )
+
+
+def _check_run(stepping: TimeStepping, *series: Series | None, sea: Sea | None) -> list[str]:
+    """Refuse a step that cannot follow; return what is to be warned of."""
+    periods = {}
+    given = [each for each in series if each is not None]
+    if given:
+        periods["the motion or force"] = min(each.shortest_period for each in given)
+    warnings = step_warnings(stepping.step, stepping.duration, periods, sea)
+    for each in given:
+        if isinstance(each, Sampled):
+            warnings += record_warnings(each.shortest_period, each.usual_step)
+    return warnings
+
+
+def _static_bed(seabed: Seabed | HeldBed | None, lines: MovingLines) -> tuple[Bed | HeldBed, float]:
+    """Bed for the equilibrium from which `Simulation.settle` goes on, and its friction."""
+    if seabed is None:
+        return HeldBed(0.0), 0.0
+    if isinstance(seabed, HeldBed):
+        return seabed, 0.0
+    length = float(lines.length.sum())
+    stiffness = float(lines.bed_stiffness.sum()) / length
+    softest = float((np.abs(lines.weight) * lines.length).sum()) / length / _SHALLOW
+    if seabed.initial_friction == "none":
+        return Bed(normal_stiffness=min(stiffness, softest)), 0.0
+    bed = Bed(min(stiffness, softest), friction_law=seabed.initial_friction)
+    return bed, seabed.friction
+
+
+def _begins_rubbed(seabed: Seabed | HeldBed | None) -> bool:
+    """Whether friction that the equilibrium has is taken over into the motion."""
+    return not isinstance(seabed, Seabed) or seabed.initial_friction != "none"
+
+
+def _ramped(sea: Sea | None, stepping: TimeStepping) -> Sea | None:
+    if sea is None or sea.waves is None or sea.ramp_time > 0.0:
+        return sea
+    return replace(sea, ramp_time=stepping.ramp_time)
+
+
+def _check_system(
+    is_led: bool,
+    motion: Series | Sequence[Series] | None,
+    force: Series | None,
+    mean_force: tuple[float, float],
+) -> None:
+    found = Findings("run_system_dynamics")
+    if is_led and (force is not None or mean_force != (0.0, 0.0)):
+        found.add("force", "with a position", "a body is led or moves under a force, not both")
+    if not is_led and motion is not None:
+        found.add("motion", "without a position", "give the place about which the body is led")
+    found.raise_if_any()

@@ -1,0 +1,318 @@
+"""Energy of a run: what the ends and the water put in, where it goes, and what the steps lose.
+
+In every step the mean of a force at its start and at its end, times the way of its node. Under
+Newmark's average acceleration these works add up to the kinetic energy gained, exactly; whatever is
+left over in the sum of all is numerical: a scheme's damping, and forces that change too fast for
+the step. Added mass works as a force of the water, since its direction turns with the bar.
+
+Drag is what all forces on the nodes do beyond those that are booked by themselves. What is stored
+is a difference of two states, taken once.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from catopt.compiled import inlined
+from catopt.fem.moving import Moving, MovingLines, WaterAt
+from catopt.fem.moving_load import book_loads, load_works
+
+__all__ = ["EnergyBalance", "add_works", "begin_works", "fill_forces", "own_kinetic_energy"]
+
+
+@dataclass(frozen=True)
+class EnergyBalance:
+    """Energy of one run from its first moment to its last, J.
+
+    Attributes
+    ----------
+    ends : float
+        Work put in by what holds and leads the ends.
+    water : float
+        Work put in by the pressure of waves, with the added mass, and by weight out of the water.
+    kinetic, elastic, potential : float
+        Stored more at the end than at the beginning: in the line's own mass, in its strain and the
+        bed's, in its weight.
+    drag, bed, friction, damping : float
+        Taken by the water's drag (negative where a current drives the line), the bed's damping and
+        friction, and the damping of the line itself.
+    put_in : float
+        Work of ends, water and drag in the steps in which they put it in.
+    """
+
+    ends: float
+    water: float
+    kinetic: float
+    elastic: float
+    potential: float
+    drag: float
+    bed: float
+    friction: float
+    damping: float
+    put_in: float
+
+    @property
+    def numerical(self) -> float:
+        """What the steps in time lost, or gained where negative, J."""
+        stored = self.kinetic + self.elastic + self.potential
+        return self.ends + self.water - stored - self.drag - self.bed - self.friction - self.damping
+
+    @property
+    def numerical_part(self) -> float:
+        """The same without its sign, as a part of the work put in."""
+        return abs(self.numerical) / self.put_in if self.put_in > 0.0 else 0.0
+
+
+def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, to: Any) -> None:
+    """Write the forces on the nodes whose work is booked beside that of the bars, N.
+
+    Parameters
+    ----------
+    lines, at, water
+        What moves, how, and in what.
+    has_sea : bool
+        Without a sea all is in still water, and the first two are none.
+    to : array, shape (4, nodes, 3)
+        Weight out of the water; pressure of the waves with the added mass; Rayleigh's damping of
+        the mass, and of turning bars. Left alone where none of them is.
+    """
+    alpha, beta = lines.mass_factor, lines.stiffness_factor
+    if not (has_sea or alpha > 0.0 or beta > 0.0):
+        return
+    to[:] = 0.0
+    v, axis, latest, wetness = at.v, at.axis, water.latest, water.wet
+    masses, displaced, length = lines.mass, lines.displaced, lines.length
+    light, heavy = lines.weight, lines.weight_in_air
+    added_n, added_t = lines.added_normal, lines.added_tangential
+    out, pressed, damped, turned = to[0], to[1], to[2], to[3]
+    book_loads(lines, at, water, out, pressed, damped)
+    for k in range(lines.start.shape[0] - 1):
+        for e in range(lines.start[k], lines.start[k + 1]):
+            a, b = e + k, e + k + 1
+            l0 = length[e]
+            tx, ty, tz = axis[e, 0], axis[e, 1], axis[e, 2]
+            wet_a, wet_b = wetness[e, 0], wetness[e, 1]
+            wet = 0.5 * (wet_a + wet_b)
+            near, far = l0 * lines.near, l0 * lines.far
+            added = added_n[e] * wet
+            more = added_t[e] * wet - added
+            if has_sea:
+                lost = 0.5 * l0 * (heavy[e] - light[e])
+                out[a, 2] -= (1.0 - wet_a) * lost
+                out[b, 2] -= (1.0 - wet_b) * lost
+                push = displaced[e] * wet + added
+                _add_inertia(pressed, latest, a, b, tx, ty, tz, near, far, push, more)
+            if alpha > 0.0:
+                own = -alpha * (masses[e] + added)
+                _add_inertia(damped, v, a, b, tx, ty, tz, near, far, own, -alpha * more)
+            if beta > 0.0:
+                elastic = at.tension[e] - _viscous_force(e, a, lines, at)
+                if elastic > 0.0:
+                    _add_turning(e, a, beta * elastic, at, turned)
+        for n in range(lines.start[k] + k, lines.start[k + 1] + k + 1 if alpha > 0.0 else 0):
+            for i in range(3):
+                damped[n, i] -= alpha * lines.node_mass[n] * v[n, i]
+
+
+@inlined
+def _viscous_force(e: int, a: int, lines: MovingLines, at: Moving) -> float:
+    """Part of a bar's force that its damping makes, N; `a` is its first node."""
+    x, axis, b = at.x, at.axis, a + 1
+    size = (x[b, 0] - x[a, 0]) * axis[e, 0] + (x[b, 1] - x[a, 1]) * axis[e, 1]
+    size += (x[b, 2] - x[a, 2]) * axis[e, 2]
+    elastic = lines.EA[e] * (size / lines.length[e] - 1.0)
+    if not lines.pushes and elastic < 0.0:
+        elastic = 0.0
+    return float(at.tension[e] - elastic)
+
+
+@inlined
+def _add_inertia(
+    to: Any, u: Any, a: int, b: int, tx: float, ty: float, tz: float, near: float, far: float,
+    own: float, more: float,
+) -> None:  # fmt: skip
+    """Add a bar's mass matrix (own in all directions, more along it) times a row of `u` a node."""
+    ux, wx = near * u[a, 0] + far * u[b, 0], near * u[b, 0] + far * u[a, 0]
+    uy, wy = near * u[a, 1] + far * u[b, 1], near * u[b, 1] + far * u[a, 1]
+    uz, wz = near * u[a, 2] + far * u[b, 2], near * u[b, 2] + far * u[a, 2]
+    s_a = more * (tx * ux + ty * uy + tz * uz)
+    s_b = more * (tx * wx + ty * wy + tz * wz)
+    to[a, 0] += own * ux + s_a * tx
+    to[a, 1] += own * uy + s_a * ty
+    to[a, 2] += own * uz + s_a * tz
+    to[b, 0] += own * wx + s_b * tx
+    to[b, 1] += own * wy + s_b * ty
+    to[b, 2] += own * wz + s_b * tz
+
+
+def _add_turning(e: int, a: int, force: float, at: Moving, to: Any) -> None:
+    """Add Rayleigh's damping of the turning bar; `force` is beta times its elastic force."""
+    b = a + 1
+    square = along = 0.0
+    for i in range(3):
+        square += (at.x[b, i] - at.x[a, i]) ** 2
+        along += at.axis[e, i] * (at.v[b, i] - at.v[a, i])
+    size = math.sqrt(square)
+    for i in range(3):
+        across = at.v[b, i] - at.v[a, i] - along * at.axis[e, i]
+        to[a, i] += force / size * across
+        to[b, i] -= force / size * across
+
+
+def begin_works(
+    lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, booked: Any, viscous: Any,
+    works: Any,
+) -> None:  # fmt: skip
+    """Write what `add_works` needs of the first moment.
+
+    Parameters
+    ----------
+    lines, at, water, has_sea
+        As for `fill_forces`.
+    booked : array, shape (4, nodes, 3)
+        Its forces.
+    viscous : array, shape (bars,)
+        Part of each bar's force that its damping makes, N.
+    works : array, shape (8,)
+        Kinetic energy counts from here.
+    """
+    fill_forces(lines, at, water, has_sea, booked)
+    for k in range(lines.start.shape[0] - 1):
+        for e in range(lines.start[k], lines.start[k + 1]):
+            viscous[e] = _viscous_force(e, e + k, lines, at)
+    works[6] = -own_kinetic_energy(lines, at)
+
+
+def own_kinetic_energy(lines: MovingLines, at: Moving) -> float:
+    """Kinetic energy of the lines and of what is fixed to them, without added mass, J."""
+    total, v = 0.0, at.v
+    for k in range(lines.start.shape[0] - 1):
+        for e in range(lines.start[k], lines.start[k + 1]):
+            a, b = e + k, e + k + 1
+            same = cross = 0.0
+            for i in range(3):
+                same += v[a, i] * v[a, i] + v[b, i] * v[b, i]
+                cross += v[a, i] * v[b, i]
+            each = 0.5 * lines.near * same + lines.far * cross
+            total += lines.mass[e] * lines.length[e] * each
+        for n in range(lines.start[k] + k, lines.start[k + 1] + k + 1):
+            for i in range(3):
+                total += 0.5 * lines.node_mass[n] * v[n, i] * v[n, i]
+    return total
+
+
+def add_works(
+    lines: MovingLines, before: Moving, now: Moving, water: WaterAt, is_booked: bool, room: Any,
+    works: Any,
+) -> None:  # fmt: skip
+    """Add what the forces did in a step.
+
+    Parameters
+    ----------
+    lines, before, now
+        What moves, at the step's start and at its end.
+    water : WaterAt
+        At the end.
+    is_booked : bool
+        Whether there are forces of `fill_forces`.
+    room : Room
+        These and the forces at the ends, at the start and at the end; damping of the bars and what
+        was in the water, at the start. The damping is brought to the end.
+    works : array, shape (8,)
+        Of the ends, the water, drag, bed, friction and line damping on the line; kinetic energy
+        (not written to); what ends, water and drag put in, J.
+    """
+    x, x_0, R, R_0, rub, rub_0 = now.x, before.x, now.reaction, before.reaction, now.rub, before.rub
+    force, force_0, steady = now.force, before.force, lines.node_force
+    booked, booked_0 = room.booked, room.booked_before
+    by_ends = by_drag = by_water = by_damping = by_bed = by_friction = 0.0
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k, lines.start[k + 1] + k
+        for i in range(3):
+            upper = room.ends_before[k, 1, i] + room.ends[k, 1, i]
+            lower = room.ends_before[k, 0, i] + room.ends[k, 0, i]
+            by_ends -= 0.5 * upper * (x[last, i] - x_0[last, i])
+            by_ends -= 0.5 * lower * (x[first, i] - x_0[first, i])
+        for n in range(first, last + 1):
+            for i in range(3):
+                way = x[n, i] - x_0[n, i]
+                by_drag += (force_0[n, i] + force[n, i] - 2.0 * steady[n, i]) * way
+                if is_booked:
+                    seen = booked_0[0, n, i] + booked[0, n, i]
+                    turned = booked_0[3, n, i] + booked[3, n, i]
+                    by_drag -= (seen + turned) * way
+                    by_water += (seen + booked_0[1, n, i] + booked[1, n, i]) * way
+                    by_damping += (turned + booked_0[2, n, i] + booked[2, n, i]) * way
+            by_bed += (R_0[n] + R[n]) * (x[n, 2] - x_0[n, 2])
+            by_friction += (rub_0[n, 0] + rub[n, 0]) * (x[n, 0] - x_0[n, 0])
+            by_friction += (rub_0[n, 1] + rub[n, 1]) * (x[n, 1] - x_0[n, 1])
+        taken, viscous = _bar_works(k, lines, before, now, room.viscous)
+        by_drag += taken
+        by_damping -= viscous
+        by_water -= 2.0 * _added_mass_works(k, lines, before, now, water.wet, room.wet_before)
+    by_drag -= by_bed + by_friction
+    by_water -= 2.0 * load_works(lines, before, now, water.surface)
+    works[0] += by_ends
+    works[1] += 0.5 * by_water
+    works[2] += 0.5 * by_drag
+    works[3] += 0.5 * by_bed
+    works[4] += 0.5 * by_friction
+    works[5] += 0.5 * by_damping
+    works[7] += max(by_ends, 0.0) + 0.5 * (max(by_water, 0.0) + max(by_drag, 0.0))
+
+
+def _bar_works(
+    line: int, lines: MovingLines, before: Moving, now: Moving, viscous: Any
+) -> tuple[float, float]:
+    """Twice the work in a step on the bars of a line: with their weight, and by their damping, J.
+
+    `viscous` is their damping at the step's start, and then at its end.
+    """
+    x, x_0, axis, axis_0 = now.x, before.x, now.axis, before.axis
+    tension, tension_0, weight, length = now.tension, before.tension, lines.weight, lines.length
+    taken = damping = 0.0
+    for e in range(lines.start[line], lines.start[line + 1]):
+        a, b = e + line, e + line + 1
+        apart_0 = apart = 0.0
+        for i in range(3):
+            by = (x[b, i] - x_0[b, i]) - (x[a, i] - x_0[a, i])
+            apart_0 += axis_0[e, i] * by
+            apart += axis[e, i] * by
+        rise = (x[b, 2] - x_0[b, 2]) + (x[a, 2] - x_0[a, 2])
+        taken += tension_0[e] * apart_0 + tension[e] * apart + weight[e] * length[e] * rise
+        late = _viscous_force(e, a, lines, now)
+        damping += viscous[e] * apart_0 + late * apart
+        viscous[e] = late
+    return taken, damping
+
+
+def _added_mass_works(
+    line: int, lines: MovingLines, before: Moving, now: Moving, wet: Any, old_wet: Any
+) -> float:
+    """Work that a line does on its added mass in a step, J."""
+    work = 0.0
+    v, v_0, axis, old_axis = now.v, before.v, now.axis, before.axis
+    length, added_n, added_t = lines.length, lines.added_normal, lines.added_tangential
+    share_near, share_far = 0.5 * lines.near, 0.5 * lines.far
+    for e in range(lines.start[line], lines.start[line + 1]):
+        if added_n[e] == 0.0 and added_t[e] == 0.0:
+            continue
+        a, b = e + line, e + line + 1
+        near, far = share_near * length[e], share_far * length[e]
+        same = cross = mean_a = mean_b = gain_a = gain_b = 0.0
+        for i in range(3):
+            m_a, m_b = v[a, i] + v_0[a, i], v[b, i] + v_0[b, i]
+            g_a, g_b = v[a, i] - v_0[a, i], v[b, i] - v_0[b, i]
+            same += m_a * g_a + m_b * g_b
+            cross += m_a * g_b + m_b * g_a
+            t = 0.5 * (axis[e, i] + old_axis[e, i])
+            mean_a, mean_b = mean_a + t * m_a, mean_b + t * m_b
+            gain_a, gain_b = gain_a + t * g_a, gain_b + t * g_b
+        axial = near * (mean_a * gain_a + mean_b * gain_b)
+        axial += far * (mean_a * gain_b + mean_b * gain_a)
+        normal = added_n[e]
+        part = 0.25 * (wet[e, 0] + wet[e, 1] + old_wet[e, 0] + old_wet[e, 1])
+        work += part * (normal * (near * same + far * cross) + (added_t[e] - normal) * axial)
+    return work

@@ -1,0 +1,290 @@
+"""Extremes of random series: the largest value in a storm of given length, and its interval."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.fem.statistics import peaks_above_mean
+
+__all__ = ["CONFIDENCE", "LEAST_RUNS", "Extreme", "GumbelFit", "TailFit", "gumbel", "weibull_tail"]
+
+Array = npt.NDArray[np.float64]
+
+CONFIDENCE: Final = 0.9
+"""Part of repeated draws in which an interval is to hold the true most probable maximum."""
+
+LEAST_RUNS: Final = 5
+"""Maxima of runs from which Gumbel's distribution is fitted."""
+
+_LEAST_PEAKS = 20
+_LEAST_CLUSTERS = 5
+_UPPER = 0.3
+"""Part of the peaks above the threshold: `benchmarks/results/extremes.md` compares others."""
+_FEW = 30
+"""Peaks above the threshold where that part is fewer, or half of them all."""
+_STEP = 0.05
+_SHAPES = np.arange(0.4, 6.0, _STEP)
+"""Between which the shape is sought: snaps have less than 1, saturating responses more than 3."""
+_DRAWS = 1000
+_SEED = 20250
+_EULER = 0.5772156649015329
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """Largest value in a time.
+
+    Attributes
+    ----------
+    duration : float
+        s.
+    most_probable, expected : float
+        Mode and mean of its distribution, in the series' unit.
+    low, high : float
+        Interval of the mode.
+    confidence : float
+        Part of repeated draws in which the interval is to hold the true mode.
+    """
+
+    duration: float
+    most_probable: float
+    expected: float
+    low: float
+    high: float
+    confidence: float = CONFIDENCE
+
+
+@dataclass(frozen=True)
+class TailFit:
+    """Weibull's distribution of what lies above a threshold.
+
+    P(X > x) / P(X > threshold) = exp(((threshold - mean)/scale)^shape - ((x - mean)/scale)^shape)
+
+    Attributes
+    ----------
+    extreme : Extreme
+        That follows.
+    mean, threshold, scale : float
+        In the series' unit.
+    shape : float
+        2 for Rayleigh's peaks, 1 for exponential ones.
+    clusters : tuple of float
+        Largest peak of each group that stays above the threshold, falling: what is fitted.
+    peaks : int
+        Of the series, in all.
+    time : float
+        Of the series, in all, s.
+    """
+
+    extreme: Extreme
+    mean: float
+    threshold: float
+    scale: float
+    shape: float
+    clusters: tuple[float, ...]
+    peaks: int
+    time: float
+
+    def expected_above(self, value: float) -> float:
+        """Give the clusters expected above a value in the duration; it is the threshold or more."""
+        a = ((self.threshold - self.mean) / self.scale) ** self.shape
+        b = ((value - self.mean) / self.scale) ** self.shape
+        return len(self.clusters) * self.extreme.duration / self.time * math.exp(a - b)
+
+
+@dataclass(frozen=True)
+class GumbelFit:
+    """Gumbel's distribution of the maxima of runs.
+
+    Attributes
+    ----------
+    extreme : Extreme
+        That follows: the mode moves by scale ln(duration/run).
+    mode, scale : float
+        Of the maximum of one run.
+    runs : int
+        How many.
+    run : float
+        What of each run counts, s.
+    """
+
+    extreme: Extreme
+    mode: float
+    scale: float
+    runs: int
+    run: float
+
+
+def weibull_tail(series: Sequence[Array], time: float, duration: float) -> TailFit | None:
+    """Fit Weibull's distribution to the highest peaks of a random series.
+
+    Peaks are taken between upward crossings of the mean; the threshold leaves the upper 30 % of
+    them, or 30 where that is fewer. Of peaks that follow each other above it the largest counts
+    (declustering: Coles, An Introduction to Statistical Modeling of Extreme Values, 2001, 5.3.2).
+    Scale and shape are the most likely ones. The most probable maximum is the value that one
+    cluster is expected above in the duration, and the expected maximum Euler's constant times the
+    tail's local scale more. The interval is a parametric bootstrap of the studentised logarithm.
+
+    Parameters
+    ----------
+    series : sequence of ndarray
+        Evenly spaced, without transients; several runs of the same process are taken together.
+    time : float
+        Of all of them, s.
+    duration : float
+        Of interest, s.
+
+    Returns
+    -------
+    TailFit or None
+        None for fewer than 20 peaks or 5 clusters, where they are all alike, or where less than
+        one cluster is expected in the duration.
+    """
+    mean = float(np.concatenate(series).mean())
+    runs = [peaks_above_mean(values, mean) - mean for values in series]
+    heights = np.sort(np.concatenate(runs))[::-1]
+    if heights.size < _LEAST_PEAKS:
+        return None
+    above = max(int(_UPPER * heights.size), min(_FEW, heights.size // 2))
+    threshold = float(heights[above])
+    clusters = np.sort(np.concatenate([_clusters(each, threshold) for each in runs]))[::-1]
+    often = clusters.size * duration / time
+    if clusters.size < _LEAST_CLUSTERS or often <= 1.0:
+        return None
+    if clusters[0] - threshold <= 1e-9 * clusters[0]:
+        return None
+    fitted = _fit(np.log(clusters / threshold)[None, :], np.array([clusters.size]))
+    shape, steep = float(fitted[0][0]), float(fitted[1][0])
+    ratio, spread = (float(each[0]) for each in _largest(*fitted, np.array([often])))
+    low, high = _bootstrap(clusters.size, shape, steep, ratio, spread, duration / time)
+    return TailFit(
+        Extreme(
+            duration,
+            most_probable=mean + threshold * ratio,
+            expected=mean + threshold * (ratio + _EULER * spread),
+            low=mean + threshold * low,
+            high=mean + threshold * high,
+        ),
+        mean,
+        mean + threshold,
+        scale=threshold / steep ** (1.0 / shape),
+        shape=shape,
+        clusters=tuple(float(each) + mean for each in clusters),
+        peaks=heights.size,
+        time=time,
+    )
+
+
+def gumbel(maxima: Sequence[float], run: float, duration: float) -> GumbelFit | None:
+    """Fit Gumbel's distribution to the maxima of runs, by moments, and carry it to a duration.
+
+    scale = s sqrt(6)/pi and mode = mean - 0.5772 scale; the maximum of D/t runs is most probably
+    scale ln(D/t) higher. The interval is a parametric bootstrap of (estimate - truth)/scale, whose
+    distribution does not hang on what the truth is.
+
+    Parameters
+    ----------
+    maxima : sequence of float
+        Of runs of the same length that differ in their seed.
+    run : float
+        What of each run counts, s.
+    duration : float
+        Of interest, s.
+
+    Returns
+    -------
+    GumbelFit or None
+        None for fewer than five maxima, or where all are alike.
+    """
+    values = np.asarray(maxima, dtype=float)
+    if values.size < LEAST_RUNS or values.std() <= 1e-12 * abs(values.mean()):
+        return None
+    mode, scale = (float(each[0]) for each in _moments(values[None, :]))
+    shift = math.log(duration / run)
+    drawn = np.random.default_rng(_SEED).gumbel(size=(4 * _DRAWS, values.size))
+    modes, scales = _moments(drawn)
+    low, high = _between((modes + scales * shift - shift) / scales)
+    probable = mode + scale * shift
+    return GumbelFit(
+        Extreme(
+            duration, probable, probable + _EULER * scale, probable - high * scale,
+            probable - low * scale,
+        ),
+        mode, scale, values.size, run,
+    )  # fmt: skip
+
+
+def _clusters(heights: Array, threshold: float) -> Array:
+    """Largest of each group of peaks that follow each other above a threshold."""
+    above = np.concatenate([[False], heights > threshold, [False]])
+    starts = np.flatnonzero(above[1:] & ~above[:-1])
+    ends = np.flatnonzero(~above[1:] & above[:-1])
+    return np.array([heights[a:b].max() for a, b in zip(starts, ends, strict=True)], dtype=float)
+
+
+def _fit(logs: Array, counts: npt.NDArray[np.int64]) -> tuple[Array, Array]:
+    """Find the most likely tails, one a row: shape b and steepness A.
+
+    P(X > x) = exp(-A ((x/threshold)^b - 1)): for a shape given, 1/A is the mean of the brackets;
+    the shape is where the likelihood is highest, by a parabola between three of `_SHAPES`.
+
+    Parameters
+    ----------
+    logs : ndarray, shape (rows, most)
+        ln(x/threshold), padded by zeros, which add nothing.
+    counts : ndarray of int, shape (rows,)
+        How many of a row are there.
+    """
+    mean_log = logs.sum(axis=1) / counts
+    power, factor = np.exp(_SHAPES[0] * logs), np.exp(_STEP * logs)
+    sums = []
+    for _ in _SHAPES:
+        sums.append((power.sum(axis=1) - logs.shape[1]) / counts)
+        power *= factor
+    inverse = np.log(np.stack(sums, axis=1))
+    likelihood = np.log(_SHAPES) - inverse + (_SHAPES - 1.0) * mean_log[:, None]
+    at = np.clip(likelihood.argmax(axis=1), 1, _SHAPES.size - 2)
+    rows = np.arange(at.size)
+    first, second, third = (likelihood[rows, at + k] for k in (-1, 0, 1))
+    off = np.clip(0.5 * (first - third) / (first - 2.0 * second + third), -1.0, 1.0)
+    shape = _SHAPES[at] + _STEP * off
+    first, second, third = (inverse[rows, at + k] for k in (-1, 0, 1))
+    bent = second + 0.5 * off * (third - first) + 0.5 * off**2 * (third + first - 2.0 * second)
+    return shape, np.exp(-bent)
+
+
+def _largest(shape: Array, steep: Array, often: Array) -> tuple[Array, Array]:
+    """Most probable largest of so many, and its Gumbel scale, over the threshold."""
+    rise = 1.0 + np.maximum(np.log(often), 0.0) / steep
+    ratio = rise ** (1.0 / shape)
+    return ratio, ratio / (shape * steep * rise)
+
+
+def _bootstrap(
+    count: int, shape: float, steep: float, ratio: float, spread: float, over: float
+) -> tuple[float, float]:
+    """Interval of the most probable largest over the threshold, by samples drawn from the fit."""
+    draw = np.random.default_rng(_SEED)
+    counts = np.maximum(draw.poisson(count, _DRAWS), 3)
+    there = np.arange(counts.max()) < counts[:, None]
+    logs = np.log1p(draw.exponential(size=there.shape) / steep) / shape * there
+    ratios, spreads = _largest(*_fit(logs, counts), counts * over)
+    low, high = _between(np.log(ratios / ratio) * ratios / spreads)
+    return ratio * math.exp(-high * spread / ratio), ratio * math.exp(-low * spread / ratio)
+
+
+def _moments(values: Array) -> tuple[Array, Array]:
+    """Mode and scale of Gumbel's distribution by moments, one a row."""
+    scale = values.std(axis=1, ddof=1) * math.sqrt(6.0) / math.pi
+    return values.mean(axis=1) - _EULER * scale, scale
+
+
+def _between(drawn: Array) -> tuple[float, float]:
+    low, high = np.quantile(drawn, [0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE])
+    return float(low), float(high)

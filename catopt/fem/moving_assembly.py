@@ -1,0 +1,113 @@
+"""The balance of all nodes of lines in motion at one time, linearised."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
+from catopt.fem.moving_bar import add_bars
+from catopt.fem.moving_load import add_loads
+from catopt.fem.seabed import push_and_rub
+
+__all__ = ["assemble_moving"]
+
+
+def assemble_moving(
+    lines: MovingLines, body: BodyNode, water: WaterAt, force: Any, now: Moving, before: Moving,
+    blend: Blend, to: Equations,
+) -> tuple[float, int]:  # fmt: skip
+    """Write what is left over at every node, and its derivatives.
+
+    Parameters
+    ----------
+    lines, body, water
+        What moves, and in what.
+    force : array, shape (3,)
+        On the body, N.
+    now, before : Moving
+        At the step's end, whose forces are written, and at its start.
+    blend : Blend
+        How the two are weighed.
+    to : Equations
+        Written to: `rest` is what forces exceed inertia by.
+
+    Returns
+    -------
+    worst, node : float, int
+        Largest force left over at a node that moves, over the largest tension or
+        what a line weighs; its node, -1 for the body.
+    """
+    _clear(lines, now, before, blend, to)
+    add_loads(lines, now, before, water, blend, to)
+    x, v, a, old_x, old_a = now.x, now.v, now.a, before.x, before.a
+    bed, held, start, ahead = lines.bed_stiffness, lines.held, lines.start, 0.5 * blend.step
+    late, early = 1.0 - blend.before_force, blend.before_force
+    at = start[1]
+    left0 = left1 = left2 = 0.0
+    largest, square, place = 0.0, 0.0, 0
+    for k in range(start.shape[0] - 1):
+        first, last = start[k] + k, start[k + 1] + k
+        largest = max(largest, add_bars(k, lines, now, before, water, blend, to))
+        for n in range(first, last + 1):
+            low = min(x[n, 2] + ahead * min(v[n, 2], 0.0), old_x[n, 2])
+            if (low < 0.0 and bed[n] > 0.0) or held[n]:
+                push_and_rub(n, lines, now, before, blend, to)
+        held_end = first if not lines.lower_free[k] else -1
+        worst, node = _leave_over(first, last, held_end, late, now.force, before.force, to.rest)
+        if not worst <= square:
+            square, place = worst, node
+        left0 += to.rest[last, 0]
+        left1 += to.rest[last, 1]
+        left2 += to.rest[last, 2]
+    total = 0.0
+    for i in range(3):
+        now.body_force[i] = force[i] - body.damping[i] * v[at, i]
+        left = left0 if i == 0 else left1 if i == 1 else left2
+        left += late * now.body_force[i] + early * before.body_force[i]
+        acc = (1.0 - blend.before_inertia) * a[at, i] + blend.before_inertia * old_a[at, i]
+        total += body.free[i] * (left - body.mass[i] * acc) ** 2
+    if not total <= square:
+        square, place = total, -1
+    return math.sqrt(square) / max(largest, lines.force_scale), place
+
+
+def _clear(lines: MovingLines, now: Moving, before: Moving, blend: Blend, to: Equations) -> None:
+    """Start with constant forces and point masses; find what inertia acts by."""
+    v, a, old_v, old_a, force, reaction = now.v, now.a, before.v, before.a, now.force, now.reaction
+    rub = now.rub
+    diagonal, rest, acc = to.diagonal, to.rest, to.acceleration
+    node_force, node_mass, alpha = lines.node_force, lines.node_mass, lines.mass_factor
+    late, early = 1.0 - blend.before_force, blend.before_force
+    late_a, early_a = 1.0 - blend.before_inertia, blend.before_inertia
+    by_inertia = blend.by_a + alpha * blend.by_v
+    for n in range(v.shape[0]):
+        reaction[n] = rub[n, 0] = rub[n, 1] = 0.0
+        for i in range(3):
+            force[n, i] = node_force[n, i]
+            acc[n, i] = late_a * a[n, i] + early_a * old_a[n, i]
+            if alpha > 0.0:
+                acc[n, i] += alpha * (late * v[n, i] + early * old_v[n, i])
+            rest[n, i] = node_mass[n] * acc[n, i]
+            for j in range(3):
+                diagonal[n, i, j] = 0.0
+            diagonal[n, i, i] = node_mass[n] * by_inertia
+
+
+def _leave_over(
+    first: int, last: int, held: int, late: float, force: Any, old_force: Any, rest: Any
+) -> tuple[float, int]:
+    """Turn the inertia in `rest` into what forces exceed it by; largest square, and its node.
+
+    Node `held` and the last one are left out of that.
+    """
+    largest, place = 0.0, first
+    for n in range(first, last + 1):
+        square = 0.0
+        for i in range(3):
+            left = late * force[n, i] + (1.0 - late) * old_force[n, i] - rest[n, i]
+            rest[n, i] = left
+            square += left * left
+        if n != held and n != last and not square <= largest:
+            largest, place = square, n
+    return largest, place

@@ -1,0 +1,275 @@
+"""One step in time: Newmark's method, or the generalised-alpha method, with full Newton inside.
+
+Newmark, with the acceleration a1 at the step's end:
+
+    x1 = x0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1)
+    v1 = v0 + h ((1 - gamma) a0 + gamma a1)
+
+The forces balance inertia within the step (Chung and Hulbert 1993),
+
+    M(axis_f) ((1 - alpha_m) a1 + alpha_m a0) = (1 - alpha_f) F1 + alpha_f F0
+
+alpha_m = alpha_f = 0, gamma = 1/2, beta = 1/4 is Newmark's average acceleration, S4's choice. F1 is
+taken at the step's end and not at a shape in between, where a stiff bar that turns would be too
+short; the direction of the added mass is the one in between. a1 belongs to the time
+(alpha_m - alpha_f) h after the step's end, and so the led ends' acceleration is taken there.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final
+
+from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, invert_3
+from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
+from catopt.fem.moving_assembly import assemble_moving
+from catopt.fem.series import SeriesRows, fill_series
+from catopt.model.validity import Findings
+
+__all__ = ["Scheme", "close_step", "predict", "solve_moving"]
+
+_LEAST: Final = 1.0 / 32.0
+"""Least part of a Newton step that is taken where the forces left over do not get smaller."""
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """How time is stepped.
+
+    Attributes
+    ----------
+    alpha_m, alpha_f, beta, gamma : float
+        Of the formulas above.
+    """
+
+    alpha_m: float = 0.0
+    alpha_f: float = 0.0
+    beta: float = 0.25
+    gamma: float = 0.5
+
+    @classmethod
+    def average_acceleration(cls) -> Scheme:
+        """Newmark's method that neither damps nor feeds a linear vibration: S4's."""
+        return cls()
+
+    @classmethod
+    def newmark(cls, delta: float) -> Scheme:
+        """Newmark's method with S4's parameters: gamma = delta, beta = (delta + 0.5)^2/4.
+
+        Parameters
+        ----------
+        delta : float
+            0.5 for average acceleration; above it high frequencies are damped, and the order falls
+            to one.
+        """
+        found = Findings("Scheme.newmark")
+        found.number("delta", delta, "", at_least=0.5)
+        found.raise_if_any()
+        return cls(beta=0.25 * (delta + 0.5) ** 2, gamma=delta)
+
+    @classmethod
+    def generalised_alpha(cls, spectral_radius: float = 0.5) -> Scheme:
+        """Chung and Hulbert's method: second order, with the damping of high frequencies given.
+
+        Parameters
+        ----------
+        spectral_radius : float
+            What is left of a vibration much faster than the step after one step, from 0 to 1.
+        """
+        found = Findings("Scheme.generalised_alpha")
+        found.number("spectral_radius", spectral_radius, "", at_least=0.0, at_most=1.0)
+        found.raise_if_any()
+        r = spectral_radius
+        m, f = (2.0 * r - 1.0) / (r + 1.0), r / (r + 1.0)
+        return cls(m, f, 0.25 * (1.0 - m + f) ** 2, 0.5 - m + f)
+
+
+def predict(
+    t: float, h: float, scheme: Any, lines: MovingLines, body: BodyNode, led: SeriesRows,
+    before: Moving, now: Moving, change: Any, room: Any,
+) -> None:  # fmt: skip
+    """Set the state at the step's end as if accelerations went on; led ends to where they are led.
+
+    Parameters
+    ----------
+    t, h : float
+        Start and length of the step, s.
+    scheme : tuple of float
+        alpha_m, alpha_f, beta, gamma.
+    lines, body, led
+        What moves, and where to.
+    before, now : Moving
+        At the step's start; written to.
+    change : array, shape (nodes, 3)
+        Of the accelerations over the step, as it is expected, m/s2.
+    room : array, shape (2, 3, 3)
+        Work space.
+    """
+    shift = (scheme[0] - scheme[1]) * h
+    beta, gamma = scheme[2], scheme[3]
+    x, v, a, free = now.x, now.v, now.a, body.free
+    x_0, v_0, a_0 = before.x, before.v, before.a
+    for n in range(x.shape[0]):
+        for i in range(3):
+            same, more = a_0[n, i], change[n, i]
+            a[n, i] = same + more
+            v[n, i] = v_0[n, i] + h * (same + gamma * more)
+            x[n, i] = x_0[n, i] + h * (v_0[n, i] + h * (0.5 * same + beta * more))
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k, lines.start[k + 1] + k
+        if not lines.lower_free[k]:
+            _lead_first(k, first, t + h, shift, lines, led, before, now, room)
+        if free[0] * free[1] * free[2] == 0.0:
+            fill_series(t + h, led, k, room[0])
+            if shift != 0.0:
+                fill_series(t + h + shift, led, k, room[1])
+            else:
+                room[1] = room[0]
+            for i in range(3):
+                if free[i] == 0.0:
+                    x[last, i] = room[0, 0, i]
+                    v[last, i] = room[0, 1, i]
+                    a[last, i] = room[1, 2, i]
+
+
+def _lead_first(
+    k: int, first: int, t: float, shift: float, lines: MovingLines, led: SeriesRows,
+    before: Moving, now: Moving, room: Any,
+) -> None:  # fmt: skip
+    """Put the first node of line k where it is led, or leave it where it is held."""
+    row = lines.start.shape[0] - 1 + k
+    if row < led.base.shape[0]:
+        fill_series(t, led, row, room[0])
+        fill_series(t + shift, led, row, room[1])
+        for i in range(3):
+            now.x[first, i], now.v[first, i] = room[0, 0, i], room[0, 1, i]
+            now.a[first, i] = room[1, 2, i]
+    else:
+        for i in range(3):
+            now.x[first, i] = before.x[first, i]
+            now.v[first, i] = now.a[first, i] = 0.0
+
+
+def solve_moving(
+    lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, to: Equations,
+    room: Any,
+) -> bool:  # fmt: skip
+    """Turn the equations into displacements, in `to.rest`; False when they have no solution.
+
+    Parameters
+    ----------
+    lines, body, now, before, blend
+        As for `assemble_moving`.
+    to : Equations
+        As it left them.
+    room : array, shape (2, 3, 3)
+        Work space: the body's matrix, and its right hand side in the first row of the second.
+    """
+    moves = body.free[0] + body.free[1] + body.free[2] > 0.0
+    matrix, pull = room[0], room[1, 0]
+    _start_body(lines, body, now, before, blend, matrix, pull)
+    regular = True
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
+        regular = eliminate_blocks(to, first, last) and regular
+        for i in range(3):
+            pull[i] += to.rest[last, i]
+            for j in range(3):
+                matrix[i, j] += to.diagonal[last, i, j]
+    if moves:
+        _hold_body(body, matrix, pull)
+        regular = invert_3(room, 0) and regular
+    for k in range(lines.start.shape[0] - 1):
+        first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
+        for i in range(3):
+            move = 0.0
+            if moves and body.free[i] == 1.0:
+                move = matrix[i, 0] * pull[0] + matrix[i, 1] * pull[1] + matrix[i, 2] * pull[2]
+            to.rest[last, i] = move
+        back_substitute_blocks(to, first, last)
+    return regular
+
+
+def _start_body(
+    lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, matrix: Any,
+    pull: Any,
+) -> None:  # fmt: skip
+    """Write the body's own equations, before what the lines hand over."""
+    at, early_f, early_m = lines.start[1], blend.before_force, blend.before_inertia
+    for i in range(3):
+        acc = (1.0 - early_m) * now.a[at, i] + early_m * before.a[at, i]
+        pull[i] = (1.0 - early_f) * now.body_force[i] + early_f * before.body_force[i]
+        pull[i] -= body.mass[i] * acc
+        for j in range(3):
+            matrix[i, j] = 0.0
+        matrix[i, i] = blend.by_a * body.mass[i] + blend.by_v * body.damping[i]
+
+
+def _hold_body(body: BodyNode, matrix: Any, pull: Any) -> None:
+    """Take the directions in which the body is led out of its equations."""
+    for i in range(3):
+        if body.free[i] == 0.0:
+            pull[i] = 0.0
+            for j in range(3):
+                matrix[i, j] = matrix[j, i] = 0.0
+            matrix[i, i] = 1.0
+
+
+def close_step(
+    h: float, scheme: Any, limit: int, tolerance: float, lines: MovingLines, body: BodyNode,
+    water: WaterAt, force: Any, before: Moving, now: Moving, to: Equations, room: Any,
+) -> tuple[bool, int, float, int]:  # fmt: skip
+    """Iterate until the forces balance at every node.
+
+    Parameters
+    ----------
+    h : float
+        Length of the step, s.
+    scheme : tuple of float
+        alpha_m, alpha_f, beta, gamma.
+    limit : int
+        Iterations, at most.
+    tolerance : float
+        Largest force left over at a node, over the largest tension.
+    lines, body, water
+        What moves, and in what.
+    force : array, shape (3,)
+        On the body at the step's end, N.
+    before, now : Moving
+        At the step's start; as `predict` left it, and then at the step's end.
+    to, room
+        Work space, as for `solve_moving`.
+
+    Returns
+    -------
+    closed, iterations, worst, node : bool, int, float, int
+        Whether they balance, how many equations were solved, and the largest force left over,
+        over the largest tension, with its node (-1: the body).
+    """
+    alpha_m, alpha_f, beta, gamma = scheme
+    by_v, by_a = gamma / (beta * h), 1.0 / (beta * h * h)
+    late = 1.0 - alpha_f
+    blend = Blend(alpha_f, alpha_m, late, late * by_v, (1.0 - alpha_m) * by_a, h)
+    x, v, a, rest, start = now.x, now.v, now.a, to.rest, lines.start
+    worst, node, part = math.inf, 0, 1.0
+    for iteration in range(limit + 1):
+        last = worst
+        worst, node = assemble_moving(lines, body, water, force, now, before, blend, to)
+        # One solution at least: a guess that is good enough once feeds on itself over many steps.
+        if worst <= tolerance and iteration > 0:
+            return True, iteration, worst, node
+        if iteration == limit or not worst < 1e3 * max(last, 1.0):
+            break
+        if not solve_moving(lines, body, now, before, blend, to, room):
+            break
+        # Bars that go taut and slack by turns, or nodes on and off the bed, settle in between.
+        part = min(2.0 * part, 1.0) if worst < last else max(0.5 * part, _LEAST)
+        for k in range(start.shape[0] - 1):
+            for n in range(start[k] + k + (not lines.lower_free[k]), start[k + 1] + k + 1):
+                for i in range(3):
+                    move = part * rest[n, i]
+                    x[n, i] += move
+                    v[n, i] += by_v * move
+                    a[n, i] += by_a * move
+    return False, limit, worst, node

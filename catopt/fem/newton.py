@@ -1,0 +1,150 @@
+"""Newton's method on one state, under one law of the bars."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.compiled import compiled
+from catopt.fem.assembly import Law, State
+from catopt.fem.banded import WIDTH
+from catopt.fem.bed import Ground
+from catopt.fem.loads import BarLoads, bar_loads
+from catopt.fem.problem import Problem
+from catopt.fem.step import StepReport, Workspace, newton_step, take_step
+
+__all__ = ["Newton"]
+
+Array = npt.NDArray[np.float64]
+
+_DRAG_IN = 1e-9
+"""Stiffness that holds a loose node during one step, over what line and loads weigh per length."""
+_MOVING, _LOADING, _SOLVING = 2e-6, 1e-6, 2e-4
+"""Time that a bar takes in each iteration as plain Python, s."""
+_USUAL = 25
+"""Iterations on the way to rest."""
+
+
+class Newton:
+    """Iterations on one state, which they move; counts them.
+
+    Attributes
+    ----------
+    state : State
+        Where the lines are.
+    iterations : int
+        Taken so far.
+    last : StepReport or None
+        What was left over when last looked at.
+    """
+
+    def __init__(self, problem: Problem, state: State, most: int) -> None:
+        self.problem = problem
+        self.state = state
+        self.iterations = 0
+        self.last: StepReport | None = None
+        self._most = most
+        self._first_node = problem.first_node
+        count = problem.bars.length.size
+        self._visits = _USUAL * count
+        self._room = Workspace(np.zeros((4 * count, WIDTH)), np.zeros(4 * count))
+        varies = problem.current is not None or math.isfinite(problem.weights.surface)
+        blocks = (count if varies else 0, 3, 3)
+        self._loads = BarLoads(np.zeros((count, 3)), np.zeros(blocks), np.zeros(blocks))
+        self._drag_in = _DRAG_IN * problem.soft / float(problem.bars.length.sum())
+
+    @property
+    def loads(self) -> BarLoads:
+        """What the bars hand to their ends at the state last looked at."""
+        return self._loads
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether all iterations are used up."""
+        return self.iterations >= self._most
+
+    def run(self, ease: float, ground: Ground, limit: int, tolerance: float) -> bool:
+        """Iterate until the forces balance.
+
+        Parameters
+        ----------
+        ease : float
+            e of `assembly.Law`.
+        ground : Ground
+            The bed.
+        limit : int
+            Iterations, at most.
+        tolerance : float
+            Largest force left over at a node over the largest tension.
+
+        Returns
+        -------
+        bool
+            Whether they do.
+        """
+        law = Law(ease, self.problem.soft, self.problem.carries_compression, self._drag_in)
+        if ease == 1.0:
+            self._pull_springs()
+        for _ in range(limit):
+            report = self._look(law, ground)
+            if _is_settled(report, tolerance):
+                if ease > 0.0:
+                    return True
+                report = self._polish(law, ground)
+                # Where a node touches down or lifts off within the tolerance, there is more to do.
+                if _is_settled(report, tolerance):
+                    return True
+            if report.singular or self.is_spent:
+                return False
+            # A step that turns a bar by more than a radian is not to be followed all the way.
+            part = 1.0 if ease == 1.0 or report.turn <= 1.0 else 1.0 / math.sqrt(report.turn)
+            self._step(law, part)
+            if ease == 1.0:
+                self._pull_springs()
+        return False
+
+    def _polish(self, law: Law, ground: Ground) -> StepReport:
+        """Take the step that is at hand: near the answer it leaves rounding errors only."""
+        self._step(law, 1.0)
+        return self._look(law, ground)
+
+    def _step(self, law: Law, part: float) -> None:
+        """Take a part of the step that is at hand."""
+        take = compiled(take_step, _MOVING * self._visits)
+        take(self.problem.bars, self.state, law, self._room.rhs, part)
+
+    def _look(self, law: Law, ground: Ground) -> StepReport:
+        """Measure what is left over at the present shape, and find the step that balances it."""
+        problem, x = self.problem, self.state.x
+        velocity = np.zeros((0, 3))
+        if problem.current is not None:
+            middles = 0.5 * (x[self._first_node] + x[self._first_node + 1])
+            velocity = np.ascontiguousarray(problem.current.velocity(middles), dtype=np.float64)
+        compiled(bar_loads, _LOADING * self._visits)(
+            x, self._first_node, problem.weights, problem.bars.length,
+            problem.across, problem.along, velocity, self._loads,
+        )  # fmt: skip
+        report: StepReport = compiled(newton_step, _SOLVING * self._visits)(
+            problem.bars, self.state, self._loads, problem.nodal, ground, problem.body, law,
+            self._room,
+        )  # fmt: skip
+        self.iterations += 1
+        self.last = report
+        return report
+
+    def _pull_springs(self) -> None:
+        """Tension of springs without a length of their own at the present shape."""
+        a = self._first_node
+        size = np.linalg.norm(self.state.x[a + 1] - self.state.x[a], axis=1)
+        self.state.tension[:] = self.problem.soft * size / self.problem.bars.length
+
+
+def _is_settled(report: StepReport, tolerance: float) -> bool:
+    return (
+        report.changed == 0
+        and report.away <= tolerance
+        and report.imbalance <= tolerance * report.tension
+        and report.strain <= tolerance
+    )

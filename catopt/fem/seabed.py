@@ -1,0 +1,146 @@
+"""The seabed under a line that moves: it gives way a little, damps, rubs, and only pushes.
+
+On a node that carries the length L and lies at the depth p below the bed, sinking at the speed s,
+
+    R = L max(0, k p + c' s),      c' = max(c min(1, p_n/p_0), k h/2),
+
+with the depth p_n at the start of the step, p_0 = w/k, the depth to which the line's own weight
+presses it, and the step h. So damping comes in as the node touches down, and within a step R is a
+convex function of the node's place, on which Newton's method does not go round in circles. k h/2 is
+what brings a node to rest on a bed much stiffer than the step resolves; without it the node would
+bounce off it for ever. It begins to act half a step before the node is down. Along the bed a spring
+and a dashpot, likewise, hold the node to where it lies until they pull with mu R; then it slips
+and drags the spring's foot along (Coulomb).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from catopt.fem.moving import Blend, Equations, Moving, MovingLines
+from catopt.model.dynamics import INITIAL_FRICTION, InitialFriction
+from catopt.model.validity import Findings
+
+__all__ = ["Seabed", "drag_feet", "push_and_rub"]
+
+
+@dataclass(frozen=True)
+class Seabed:
+    """A flat bed at height 0.
+
+    Attributes
+    ----------
+    normal_stiffness : float or None
+        k, force per length of line and depth, N/m2; None: the line's own weight presses it 1 cm
+        deep. A figure per area (Pa/m) is to be multiplied by the line's diameter.
+    normal_damping : float or None
+        c, force per length of line and speed, N s/m2; None: critical for the line's mass on k.
+    friction : float
+        Coulomb coefficient mu.
+    tangential_stiffness : float or None
+        Of the spring along the bed, per length, N/m2; None: friction is mobilised after 1 mm.
+    initial_friction : {"pulled", "none", "laid"}
+        At rest: as in a line that was last ``"pulled"`` towards the fairlead, whose tension falls
+        towards the anchor; ``"none"``; or as in one that was ``"laid"`` under a greater tension
+        and slackened, in which it grows. The last are the bounds, with friction mobilised fully.
+    """
+
+    normal_stiffness: float | None = None
+    normal_damping: float | None = None
+    friction: float = 0.0
+    tangential_stiffness: float | None = None
+    initial_friction: InitialFriction = "pulled"
+
+    def __post_init__(self) -> None:
+        found = Findings("Seabed")
+        if self.normal_stiffness is not None:
+            found.number("normal_stiffness", self.normal_stiffness, "N/m2", above=0.0)
+        if self.normal_damping is not None:
+            found.number("normal_damping", self.normal_damping, "N s/m2", at_least=0.0)
+        found.number("friction", self.friction, "", at_least=0.0)
+        if self.tangential_stiffness is not None:
+            found.number("tangential_stiffness", self.tangential_stiffness, "N/m2", above=0.0)
+        if self.initial_friction not in INITIAL_FRICTION:
+            wanted = "one of " + ", ".join(INITIAL_FRICTION)
+            found.add("initial_friction", repr(self.initial_friction), wanted)
+        found.raise_if_any()
+
+
+def push_and_rub(
+    n: int, lines: MovingLines, now: Moving, before: Moving, blend: Blend, to: Equations
+) -> None:
+    """Add the bed's force on node n, which is at the bed or about to be, and its derivatives."""
+    depth, sinking = -now.x[n, 2], -now.v[n, 2]
+    k = lines.bed_stiffness[n]
+    c = lines.bed_damping[n] * min(max(-before.x[n, 2], 0.0) / lines.bed_depth[n], 1.0)
+    c = max(c, 0.5 * blend.step * k)
+    R = k * depth + c * sinking
+    if R <= 0.0 and not lines.held[n]:
+        return
+    slope = blend.by_x * k + blend.by_v * c
+    now.reaction[n] = R
+    now.force[n, 2] += R
+    to.diagonal[n, 2, 2] += slope
+    foot = now.foot[n]
+    if lines.friction[n] == 0.0 or math.isnan(foot[0]):
+        return
+    stiffness = lines.drag_spring[n]
+    dashpot = max(lines.drag_dashpot[n], 0.5 * blend.step * stiffness)
+    px = stiffness * (now.x[n, 0] - foot[0]) + dashpot * now.v[n, 0]
+    py = stiffness * (now.x[n, 1] - foot[1]) + dashpot * now.v[n, 1]
+    held = blend.by_x * stiffness + blend.by_v * dashpot
+    pull, most = math.sqrt(px * px + py * py), lines.friction[n] * R
+    if pull <= most:
+        now.rub[n, 0], now.rub[n, 1] = -px, -py
+        now.force[n, 0] -= px
+        now.force[n, 1] -= py
+        to.diagonal[n, 0, 0] += held
+        to.diagonal[n, 1, 1] += held
+        return
+    nx, ny = px / pull, py / pull
+    now.rub[n, 0], now.rub[n, 1] = -most * nx, -most * ny
+    now.force[n, 0] -= most * nx
+    now.force[n, 1] -= most * ny
+    turn = most / pull * held
+    to.diagonal[n, 0, 0] += turn * ny * ny
+    to.diagonal[n, 0, 1] -= turn * nx * ny
+    to.diagonal[n, 1, 0] -= turn * nx * ny
+    to.diagonal[n, 1, 1] += turn * nx * nx
+    to.diagonal[n, 0, 2] -= lines.friction[n] * slope * nx
+    to.diagonal[n, 1, 2] -= lines.friction[n] * slope * ny
+
+
+def drag_feet(lines: MovingLines, now: Moving, h: float) -> None:
+    """Bring the feet of the friction springs up to date after a step.
+
+    The foot of a slipping node follows so that spring and dashpot together pull with mu R; a node
+    that has come down sets its foot where it lies, and one that hangs has none.
+
+    Parameters
+    ----------
+    lines : MovingLines
+        What moves.
+    now : Moving
+        At the step's end; the feet are written to.
+    h : float
+        Length of the step, s.
+    """
+    foot: Any = now.foot
+    for n in range(foot.shape[0]):
+        if now.reaction[n] <= 0.0:
+            foot[n, 0] = foot[n, 1] = math.nan
+            continue
+        if math.isnan(foot[n, 0]):
+            foot[n, 0], foot[n, 1] = now.x[n, 0], now.x[n, 1]
+            continue
+        stiffness = lines.drag_spring[n]
+        dashpot = max(lines.drag_dashpot[n], 0.5 * h * stiffness)
+        px = stiffness * (now.x[n, 0] - foot[n, 0]) + dashpot * now.v[n, 0]
+        py = stiffness * (now.x[n, 1] - foot[n, 1]) + dashpot * now.v[n, 1]
+        pull, most = math.sqrt(px * px + py * py), lines.friction[n] * now.reaction[n]
+        if pull > most:
+            part = most / pull
+            foot[n, 0] = now.x[n, 0] - (part * px - dashpot * now.v[n, 0]) / stiffness
+            foot[n, 1] = now.x[n, 1] - (part * py - dashpot * now.v[n, 1]) / stiffness

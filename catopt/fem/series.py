@@ -1,0 +1,319 @@
+"""What leads the ends of lines: motions and forces over time, with their first two derivatives.
+
+A series is a sum of harmonics, or values at given times joined by a cubic spline, whose velocity
+and acceleration are its derivatives and thus go with it. It grows smoothly from nothing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.compiled import compiled
+from catopt.model.validity import Findings
+
+__all__ = [
+    "Harmonic",
+    "Sampled",
+    "Series",
+    "SeriesRows",
+    "Together",
+    "fill_series",
+    "series_rows",
+    "series_values",
+]
+
+Array = npt.NDArray[np.float64]
+
+_GAP = 5.0
+"""A step of time longer than this many of the usual ones is taken for a gap in the record."""
+_FASTEST_PART = 0.01
+"""Part of the variance of a record's acceleration that may be faster than its shortest period."""
+_ROUNDING = 64.0 * float(np.finfo(float).eps)
+"""Of an acceleration by differences, over the largest value and the square of the step."""
+
+
+@dataclass(frozen=True)
+class Harmonic:
+    """a cos(2 pi t/T + phase) along each axis, summed over any number of periods.
+
+    Attributes
+    ----------
+    period : float or sequence of float, shape (n,)
+        T, s.
+    amplitude : array_like, shape (3,) or (n, 3)
+        a along x, y and z: m of a motion, N of a force.
+    phase : array_like, shape (3,) or (n, 3)
+        rad; -pi/2 makes a sine.
+    """
+
+    period: float | Sequence[float]
+    amplitude: Any
+    phase: Any = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        found = Findings("Harmonic")
+        for number, period in enumerate(np.atleast_1d(np.asarray(self.period, dtype=float))):
+            found.number(f"period[{number}]", float(period), "s", above=0.0)
+        count = np.size(self.period)
+        for name in ("amplitude", "phase"):
+            shape = np.shape(getattr(self, name))
+            if shape not in ((3,), (count, 3)):
+                found.add(name, f"shape {shape}", f"(3,) or ({count}, 3) is wanted")
+            elif not np.isfinite(np.asarray(getattr(self, name), dtype=float)).all():
+                found.add(name, "nan or infinity", "finite numbers are wanted")
+        found.raise_if_any()
+
+    @cached_property
+    def rows(self) -> Array:
+        """Rows of omega, three amplitudes, three phases; shape (n, 7)."""
+        omega = 2.0 * math.pi / np.atleast_1d(np.asarray(self.period, dtype=float))
+        size = (omega.size, 3)
+        return np.column_stack(
+            [omega, np.broadcast_to(self.amplitude, size), np.broadcast_to(self.phase, size)]
+        )
+
+    @property
+    def shortest_period(self) -> float:
+        """Of the fastest harmonic, s."""
+        return float(np.min(self.period))
+
+
+@dataclass(frozen=True, eq=False)
+class Sampled:
+    """Values at given times, joined by a cubic spline (not-a-knot); constant before and after.
+
+    Attributes
+    ----------
+    times : array_like, shape (n,)
+        Rising, s; at least four, and without gaps.
+    values : array_like, shape (n, 3)
+        Along x, y and z: m of a motion, N of a force.
+    """
+
+    times: Any
+    values: Any
+
+    def __post_init__(self) -> None:
+        times, values = np.asarray(self.times, float), np.asarray(self.values, float)
+        found = Findings("Sampled")
+        if times.ndim != 1 or times.size < 4:
+            found.add("times", f"shape {times.shape}", "four times or more are wanted")
+        elif values.shape != (times.size, 3):
+            found.add("values", f"shape {values.shape}", f"({times.size}, 3) is wanted")
+        elif not (np.isfinite(times).all() and np.isfinite(values).all()):
+            bad = ~(np.isfinite(times) & np.isfinite(values).all(axis=1))
+            found.add("values", f"nan or infinity in row {np.flatnonzero(bad)[0]}", "no gap")
+        else:
+            _check_times(times, found)
+        found.raise_if_any()
+        object.__setattr__(self, "times", times)
+        object.__setattr__(self, "values", values)
+
+    @cached_property
+    def spline(self) -> Any:
+        """Of all three axes over time."""
+        from scipy.interpolate import CubicSpline
+
+        return CubicSpline(self.times, self.values)
+
+    @property
+    def coefficients(self) -> Array:
+        """Of (t - t_i)^3 down to 1, shape (n - 1, 3, 4)."""
+        return np.ascontiguousarray(np.moveaxis(self.spline.c, 0, 2))
+
+    @property
+    def usual_step(self) -> float:
+        """Median of the times from one sample to the next, s."""
+        return float(np.median(np.diff(self.times)))
+
+    @cached_property
+    def shortest_period(self) -> float:
+        """Return the period that 99 % of the variance of the acceleration exceeds, s.
+
+        By its spectrum under Hann's window, in which a wave is up to two lines of 1/length wide:
+        of a record of few waves it comes out shorter. The record's length where nothing is
+        accelerated.
+        """
+        length = float(self.times[-1] - self.times[0])
+        count = max(round(length / self.usual_step), 4)
+        middle = (np.arange(count) + 0.5) / count
+        rate = self.spline(self.times[0] + length * middle, 2)
+        rate -= rate.mean(axis=0)
+        if np.abs(rate).max() <= _ROUNDING * np.abs(self.values).max() / self.usual_step**2:
+            return length
+        window = np.sin(math.pi * middle) ** 2
+        power = (np.abs(np.fft.rfft(rate * window[:, np.newaxis], axis=0)) ** 2).sum(axis=1)[1:]
+        faster = np.cumsum(power[::-1])[::-1]
+        lines = 1 + np.flatnonzero(faster > _FASTEST_PART * faster[0])
+        return length / float(lines[-1])
+
+
+@dataclass(frozen=True, eq=False)
+class Together:
+    """Harmonics and values at given times, added up: such as waves and a slow drift."""
+
+    harmonic: Harmonic
+    sampled: Sampled
+
+    @property
+    def shortest_period(self) -> float:
+        """The shorter one of both, s."""
+        return min(self.harmonic.shortest_period, self.sampled.shortest_period)
+
+
+Series = Harmonic | Sampled | Together
+
+
+class SeriesRows(NamedTuple):
+    """Series of one or more ends as the kernels read them.
+
+    Attributes
+    ----------
+    base : array, shape (ends, 3)
+        Value at rest, before the series has begun.
+    harmonics : array, shape (ends, n, 7)
+        omega, amplitudes, phases.
+    times : array, shape (m,)
+        Of the spline; empty without one.
+    spline : array, shape (ends, m - 1, 3, 4)
+        Its coefficients.
+    ramp_time : float
+        s over which it grows as (1 - cos(pi t/T))/2.
+    """
+
+    base: Array
+    harmonics: Array
+    times: Array
+    spline: Array
+    ramp_time: float
+
+
+def series_rows(base: Array, series: Sequence[Series | None], ramp_time: float) -> SeriesRows:
+    """Lay out the series of all ends; those sampled must share their times.
+
+    Parameters
+    ----------
+    base : ndarray, shape (ends, 3)
+        Values at rest.
+    series : sequence of Harmonic, Sampled, Together or None
+        One an end.
+    ramp_time : float
+        s.
+    """
+    ends = len(series)
+    regular = [s.harmonic if isinstance(s, Together) else s for s in series]
+    measured = [s.sampled if isinstance(s, Together) else s for s in series]
+    most = max([s.rows.shape[0] for s in regular if isinstance(s, Harmonic)], default=0)
+    harmonics = np.zeros((ends, most, 7))
+    sampled = [s for s in measured if isinstance(s, Sampled)]
+    times = sampled[0].times if sampled else np.zeros(0)
+    if any(not np.array_equal(s.times, times) for s in sampled):
+        found = Findings("motion")
+        found.add("times", "different ones", "sampled motions of several ends share their times")
+        found.raise_if_any()
+    spline = np.zeros((ends, max(times.size - 1, 0), 3, 4))
+    for k, (waves, record) in enumerate(zip(regular, measured, strict=True)):
+        if isinstance(waves, Harmonic):
+            harmonics[k, : waves.rows.shape[0]] = waves.rows
+        if isinstance(record, Sampled):
+            spline[k] = record.coefficients
+    first = np.array(base, dtype=float, order="C")
+    return SeriesRows(first, harmonics, times, spline, float(ramp_time))
+
+
+_A_VALUE = 1e-4
+"""Time that a value of a series takes as plain Python, s."""
+
+
+def series_values(rows: SeriesRows, times: Array) -> Array:
+    """Value of the first end's series at each time, shape (times, 3)."""
+    values = np.zeros((times.size, 3))
+    compiled(_fill_values, _A_VALUE * times.size)(times, rows, np.zeros((3, 3)), values)
+    return values
+
+
+def _fill_values(times: Any, rows: SeriesRows, room: Any, to: Any) -> None:
+    for k in range(times.shape[0]):
+        fill_series(times[k], rows, 0, room)
+        for i in range(3):
+            to[k, i] = room[0, i]
+
+
+def fill_series(t: float, rows: SeriesRows, end: int, out: Any) -> None:
+    """Write value, rate and second derivative at a time.
+
+    Parameters
+    ----------
+    t : float
+        s.
+    rows : SeriesRows
+        The series.
+    end : int
+        Which.
+    out : array, shape (3, 3)
+        Written to: rows of value, first and second derivative along x, y and z.
+    """
+    for i in range(3):
+        out[0, i] = out[1, i] = out[2, i] = 0.0
+    for n in range(rows.harmonics.shape[1]):
+        row = rows.harmonics[end, n]
+        omega = row[0]
+        for i in range(3):
+            if row[1 + i] != 0.0:
+                angle = omega * t + row[4 + i]
+                cos, sin = row[1 + i] * math.cos(angle), row[1 + i] * math.sin(angle)
+                out[0, i] += cos
+                out[1, i] -= omega * sin
+                out[2, i] -= omega * omega * cos
+    if rows.times.shape[0] > 0:
+        _add_spline(t, rows.times, rows.spline[end], out)
+    r, r_1, r_2 = _ramp(t, rows.ramp_time)
+    for i in range(3):
+        d, d_1, d_2 = out[0, i], out[1, i], out[2, i]
+        out[0, i] = rows.base[end, i] + r * d
+        out[1, i] = r_1 * d + r * d_1
+        out[2, i] = r_2 * d + 2.0 * r_1 * d_1 + r * d_2
+
+
+def _add_spline(t: float, times: Any, pieces: Any, out: Any) -> None:
+    last = times.shape[0] - 1
+    inside = min(max(t, times[0]), times[last])
+    row = min(max(np.searchsorted(times, inside, side="right") - 1, 0), last - 1)
+    s = inside - times[row]
+    moves = 1.0 if inside == t else 0.0
+    for i in range(3):
+        a, b, c, d = pieces[row, i, 0], pieces[row, i, 1], pieces[row, i, 2], pieces[row, i, 3]
+        out[0, i] += ((a * s + b) * s + c) * s + d
+        out[1, i] += moves * ((3.0 * a * s + 2.0 * b) * s + c)
+        out[2, i] += moves * (6.0 * a * s + 2.0 * b)
+
+
+def _ramp(t: float, ramp_time: float) -> tuple[float, float, float]:
+    """(1 - cos(pi t/T))/2 with its rate and second derivative."""
+    if t >= ramp_time:
+        return 1.0, 0.0, 0.0
+    if t <= 0.0:
+        return 0.0, 0.0, 0.0
+    rate = math.pi / ramp_time
+    cos, sin = math.cos(rate * t), math.sin(rate * t)
+    return 0.5 * (1.0 - cos), 0.5 * rate * sin, 0.5 * rate * rate * cos
+
+
+def _check_times(times: Array, found: Findings) -> None:
+    steps = np.diff(times)
+    if not (steps > 0.0).all():
+        row = int(np.flatnonzero(steps <= 0.0)[0])
+        found.add("times", f"{times[row]:g} s, then {times[row + 1]:g} s", "must rise")
+        return
+    usual = float(np.median(steps))
+    if steps.max() > _GAP * usual:
+        row = int(steps.argmax())
+        gap = f"nothing between {times[row]:g} s and {times[row + 1]:g} s"
+        found.add("times", gap, f"a gap; the usual step is {usual:g} s. Fill it, or cut the record")

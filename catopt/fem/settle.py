@@ -1,0 +1,283 @@
+"""From straight lines to their equilibrium: springs are stiffened into the bars as they are.
+
+Where the lines start is straight, and a straight line without tension has no stiffness across
+itself. So the bars are first springs of stiffness K without a length of their own (`assembly.Law`,
+e = 1) over a soft bed: the energy of such a net is quadratic on either side of the bed, and its
+equilibrium is found in a few linear steps from anywhere. Then e is lowered to 0, and the bed
+hardens with it. For every e the energy of bars that do not push, over a bed that only pushes, is
+convex, so that there is one equilibrium to follow; on the way a bar that is too long keeps a little
+tension, for a bight to keep its shape. A step of e that Newton's method does not close
+in a few iterations is taken again, half as far. Friction comes in with the last one.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.errors import NotConvergedError
+from catopt.fem.assembly import State
+from catopt.fem.bed import NO_FRICTION, SPRING, Ground, friction_sense
+from catopt.fem.friction import limit, slipped_foot
+from catopt.fem.newton import Newton
+from catopt.fem.problem import Problem
+from catopt.fem.step import Body
+from catopt.words import Message
+
+__all__ = ["Controls", "Rest", "follow", "settle"]
+
+
+@dataclass(frozen=True)
+class Controls:
+    """When to stop, and when to give up.
+
+    Attributes
+    ----------
+    tolerance : float
+        Largest force left over at a node, over the largest tension, and largest misfit of a bar's
+        length, over the length.
+    max_iterations : int
+        Newton iterations in all.
+    """
+
+    tolerance: float = 1e-10
+    max_iterations: int = 500
+
+
+@dataclass(frozen=True)
+class Rest:
+    """Lines at rest.
+
+    Attributes
+    ----------
+    state : State
+        Shape and forces.
+    half_loads : ndarray, shape (bars, 3)
+        What each bar hands to each of its ends, N.
+    ground : Ground
+        The bed, with the feet of its friction springs.
+    residual : float
+        Largest force left over at a node, over the largest tension.
+    node : int
+        Where; -1 for the body.
+    iterations : int
+        Newton iterations in all.
+    body : Body
+        Under what.
+    """
+
+    state: State
+    half_loads: npt.NDArray[np.float64]
+    ground: Ground
+    residual: float
+    node: int
+    iterations: int
+    body: Body
+
+
+_SOFTNESS = 0.05
+"""Depth, over the line's length, to which the whole weight presses the soft bed at e = 1."""
+
+_STAGE_TOLERANCE = 1e-4
+_STAGE_LIMIT = 25
+_LAST_LIMIT = 40
+_LEAST_PART = 1e-3
+_VAIN_PART = 0.2
+_LAST_EASE = 1e-6
+"""Below this e the next one is 0."""
+
+
+def settle(problem: Problem, start: State, controls: Controls) -> Rest:
+    """Bring lines to rest from any shape.
+
+    Parameters
+    ----------
+    problem : Problem
+        What is to come to rest.
+    start : State
+        Where it starts, such as `problem.straight`; not changed.
+    controls : Controls
+        When to stop.
+
+    Raises
+    ------
+    NotConvergedError
+        With the node and the force left over there.
+    """
+    newton = Newton(problem, _copied(start), controls.max_iterations)
+    if not newton.run(1.0, _soft_bed(problem, 1.0), controls.max_iterations, _STAGE_TOLERANCE):
+        raise _stuck(newton, 1.0)
+    smooth = problem.ground._replace(law=NO_FRICTION)
+    ease, ratio = 1.0, 0.1
+    kept = _copied(newton.state)
+    while ease > 0.0:
+        target = ease * ratio if ease * ratio >= _LAST_EASE else 0.0
+        if _stage(newton, target, smooth, controls):
+            ease = target
+            ratio = max(ratio * ratio, 0.1)
+            kept = _copied(newton.state)
+            continue
+        _restore(newton.state, kept)
+        ratio = math.sqrt(ratio)
+        if newton.is_spent or ratio > 0.97:
+            raise _stuck(newton, target)
+    if friction_sense(problem.ground.law) != 0.0:
+        _rub_in(newton, problem.ground, controls)
+    return _rest(newton, problem)
+
+
+def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
+    """Bring lines to rest again after the force on the body or its place has changed a little.
+
+    The change is cut in two where it is too large for Newton's method. Friction springs keep their
+    feet, and drag them along where they slip. Without such a history there is no need to go
+    through every change between: after a few vain cuts the way is that of `settle`.
+
+    Parameters
+    ----------
+    problem, controls
+        As for `settle`.
+    start : Rest
+        Of the same lines; not changed.
+
+    Raises
+    ------
+    NotConvergedError
+        With the node and the force left over there.
+    """
+    ground = problem.ground._replace(spring_foot=start.ground.spring_foot)
+    newton = Newton(problem, _copied(start.state), controls.max_iterations)
+    first, last = start.body, problem.body
+    done, part = 0.0, 1.0
+    while done < 1.0:
+        to = min(1.0, done + part)
+        kept = _copied(newton.state)
+        newton.problem = problem.with_body(_between(first, last, to))
+        if newton.run(0.0, ground, _LAST_LIMIT, controls.tolerance):
+            done = to
+            ground = _dragged_feet(newton.state, ground)
+            continue
+        _restore(newton.state, kept)
+        part *= 0.5
+        if part < _VAIN_PART and ground.law != SPRING:
+            return settle(problem, start.state, controls)
+        if newton.is_spent or part < _LEAST_PART:
+            raise _stuck(newton, 0.0)
+    return _rest(newton, problem.with_ground(ground))
+
+
+def _rub_in(newton: Newton, ground: Ground, controls: Controls) -> None:
+    """Let friction grow to its full coefficient: at once, or in steps where that is too much."""
+    done, part = 0.0, 1.0
+    while done < 1.0:
+        to = min(1.0, done + part)
+        kept = _copied(newton.state)
+        rough = ground._replace(friction=to * ground.friction, beside=to * ground.beside)
+        if newton.run(0.0, rough, _LAST_LIMIT, controls.tolerance):
+            done = to
+            continue
+        _restore(newton.state, kept)
+        part *= 0.5
+        if newton.is_spent or part < _LEAST_PART:
+            raise _stuck(newton, 0.0)
+
+
+def _stage(newton: Newton, ease: float, at_rest: Ground, controls: Controls) -> bool:
+    if ease == 0.0:
+        return newton.run(0.0, at_rest, _LAST_LIMIT, controls.tolerance)
+    return newton.run(ease, _soft_bed(newton.problem, ease), _STAGE_LIMIT, _STAGE_TOLERANCE)
+
+
+def _soft_bed(problem: Problem, ease: float) -> Ground:
+    """Bed that hardens as e falls, without friction."""
+    carried = problem.carried
+    length = float(np.diff(problem.bars.start).max() * problem.bars.length.mean())
+    stiffness = problem.soft / (length * _SOFTNESS * ease * length) * carried
+    softer = np.minimum(stiffness, problem.ground.stiffness)
+    return problem.ground._replace(law=NO_FRICTION, stiffness=softer)
+
+
+def _between(first: Body, last: Body, part: float) -> Body:
+    """Force on the body and its place, part of the way from one to the other."""
+    if part == 1.0 or not np.array_equal(first.free, last.free):
+        return last
+    return Body(
+        free=last.free,
+        force=(1.0 - part) * first.force + part * last.force,
+        place=(1.0 - part) * first.place + part * last.place,
+    )
+
+
+def _dragged_feet(state: State, ground: Ground) -> Ground:
+    """Bed whose friction springs have slipped as far as they must; those of hanging nodes are gone.
+
+    A node that has come down sets its foot where it lies.
+    """
+    if ground.law != SPRING:
+        return ground
+    foot = np.full_like(ground.spring_foot, np.nan)
+    for node in np.flatnonzero(state.reaction > 0.0):
+        x, y = state.x[node, :2]
+        old = ground.spring_foot[node]
+        if np.isnan(old[0]):
+            foot[node] = x, y
+        else:
+            most = limit(int(node), state.reaction[node], ground, state.contact)
+            reach = most / ground.tangential[node]
+            foot[node] = slipped_foot(x, y, old[0], old[1], reach)
+    return ground._replace(spring_foot=foot)
+
+
+def _rest(newton: Newton, problem: Problem) -> Rest:
+    report = newton.last
+    assert report is not None
+    tension = max(report.tension, 1e-300)
+    return Rest(
+        state=newton.state,
+        half_loads=newton.loads.force,
+        ground=_dragged_feet(newton.state, problem.ground),
+        residual=report.imbalance / tension,
+        node=report.node,
+        iterations=newton.iterations,
+        body=problem.body,
+    )
+
+
+def _copied(state: State) -> State:
+    return State(
+        state.x.copy(),
+        state.tension.copy(),
+        state.contact.copy(),
+        state.reaction.copy(),
+        state.balance.copy(),
+    )
+
+
+def _restore(state: State, kept: State) -> None:
+    for array, old in zip(state, kept, strict=True):
+        array[...] = old
+
+
+def _stuck(newton: Newton, ease: float) -> NotConvergedError:
+    """Say where the forces do not balance."""
+    report = newton.last
+    assert report is not None
+    where = Message("truss.the_body")
+    if report.node >= 0:
+        lines = newton.problem.bars.start + np.arange(newton.problem.bars.start.size)
+        line = int(np.searchsorted(lines, report.node, side="right")) - 1
+        x, y, z = newton.state.x[report.node]
+        place = {"node": report.node - int(lines[line]), "line": line + 1}
+        where = Message("truss.at_node", x=float(x), y=float(y), z=float(z), **place)
+    values = {
+        "count": newton.iterations,
+        "left": report.imbalance,
+        "where": where,
+        "part": report.imbalance / max(report.tension, 1e-300),
+    }
+    if ease == 0.0:
+        return NotConvergedError(Message("truss.not_at_rest", **values))
+    return NotConvergedError(Message("truss.not_at_rest_softened", ease=ease, **values))

@@ -1,0 +1,238 @@
+"""The description of a drawing: values in SI, roles and words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
+from typing import NamedTuple
+
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.words import Message, quantity_name
+
+__all__ = [
+    "IN_TONNES",
+    "Area",
+    "Arrow",
+    "Axis",
+    "Chart",
+    "Dimension",
+    "Entry",
+    "Level",
+    "Mark",
+    "Place",
+    "Point",
+    "Scale",
+    "Series",
+    "axis",
+    "legend",
+    "span_of",
+]
+
+Place = tuple[float, float]
+"""x and y, SI."""
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Another reading of an axis, in its own unit, from where it is 0 (SI)."""
+
+    label: str
+    quantity: Quantity
+    zero: float = 0.0
+
+
+IN_TONNES = Scale("", replace(QUANTITIES["tension"], field_unit="tf", factor=9806.65, digits=4))
+"""A force in tf, beside kN."""
+
+
+@dataclass(frozen=True)
+class Axis:
+    """What is drawn along a direction.
+
+    Attributes
+    ----------
+    label : str
+        What it is, without unit.
+    quantity : Quantity
+        Its unit and digits.
+    low, high : float
+        Ends, SI.
+    foot : float or None
+        Makes the axis logarithmic; the value at which an exact 0 is drawn, 0 where there is none.
+    ticks : tuple of float
+        Values that are written, SI; round ones when empty.
+    within : tuple of float or None
+        Where round values are written when not from end to end.
+    second : Scale or None
+        Another reading of it, at the other side.
+    """
+
+    label: str
+    quantity: Quantity
+    low: float
+    high: float
+    foot: float | None = None
+    ticks: tuple[float, ...] = ()
+    within: tuple[float, float] | None = None
+    second: Scale | None = None
+
+    def place(self, value: float) -> float:
+        """Return how far along the axis a value is: 0 at its low end, 1 at its high end."""
+        if self.foot is None:
+            return (value - self.low) / (self.high - self.low)
+        low, high = math.log10(self.low), math.log10(self.high)
+        return (math.log10(value if value > 0.0 else self.foot) - low) / (high - low)
+
+
+class Series(NamedTuple):
+    """A line through places, or signs at them; where y is nan there is a gap."""
+
+    role: str
+    x: Sequence[float]
+    y: Sequence[float]
+    label: str = ""
+
+
+class Mark(NamedTuple):
+    """A sign, or words, at a place."""
+
+    role: str
+    x: float
+    y: float
+    label: str = ""
+    words: str = ""
+
+
+class Level(NamedTuple):
+    """A straight line at a value of the axis ``"x"`` or ``"y"``.
+
+    It goes from `start` to `end` along the other axis, and has words at its middle; where `share`
+    is given, in a circle at that part of the way.
+    """
+
+    role: str
+    axis: str
+    at: float
+    label: str = ""
+    start: float = -math.inf
+    end: float = math.inf
+    words: str = ""
+    share: float | None = None
+
+
+class Area(NamedTuple):
+    """What is between two lines, or between two levels from end to end where x is empty."""
+
+    role: str
+    low: Sequence[float]
+    high: Sequence[float]
+    x: Sequence[float] = ()
+    label: str = ""
+
+
+class Arrow(NamedTuple):
+    """An arrow."""
+
+    role: str
+    start: Place
+    end: Place
+    label: str = ""
+
+
+class Dimension(NamedTuple):
+    """A distance, across or upright; thin lines lead to the places that it is measured between."""
+
+    start: Place
+    end: Place
+    words: str
+    measured: tuple[Place, ...] = ()
+
+
+class Point(NamedTuple):
+    """A place with what is known there, for readers who point at it."""
+
+    x: float
+    y: float
+    said: str
+
+
+class Entry(NamedTuple):
+    """An entry of a legend: how it looks, and what it is."""
+
+    role: str
+    label: str
+
+
+@dataclass(frozen=True)
+class Chart:
+    """A drawing.
+
+    What is in it has a role, of which a renderer knows the look, and a label for the legend if it
+    is to be there; all values are in SI.
+
+    Attributes
+    ----------
+    name : str
+        Key within a page or of a file.
+    title : str
+        What it shows.
+    x, y : Axis
+        What is along it and up.
+    series, marks, levels, areas, arrows, dimensions
+        What is drawn.
+    points : tuple of Point
+        What is known at places.
+    notes : tuple of str
+        What else is to be said.
+    to_scale : float or None
+        A metre up over a metre along, on paper; None: each axis fills the frame.
+    """
+
+    name: str
+    title: str
+    x: Axis
+    y: Axis
+    series: tuple[Series, ...] = ()
+    marks: tuple[Mark, ...] = ()
+    levels: tuple[Level, ...] = ()
+    areas: tuple[Area, ...] = ()
+    arrows: tuple[Arrow, ...] = ()
+    dimensions: tuple[Dimension, ...] = ()
+    points: tuple[Point, ...] = ()
+    notes: tuple[str, ...] = ()
+    to_scale: float | None = None
+
+
+def legend(chart: Chart) -> Iterator[Entry]:
+    """Yield what is named in a chart, each once."""
+    named: Iterable[Series | Level | Area | Mark | Arrow] = chain(
+        chart.series, chart.levels, chart.areas, chart.marks, chart.arrows
+    )
+    yield from dict.fromkeys(Entry(each.role, each.label) for each in named if each.label)
+
+
+def span_of(values: Iterable[float], below: float = 0.06, above: float = 0.06) -> Place:
+    """Find ends of an axis that hold values with room around them.
+
+    Parameters
+    ----------
+    values : iterable of float
+        Those that are not finite do not count.
+    below, above : float
+        Room, over the range of the values.
+    """
+    known = [each for each in values if math.isfinite(each)]
+    low, high = min(known, default=0.0), max(known, default=0.0)
+    size = high - low or 0.8 * abs(high) or 1.0
+    return low - below * size, high + above * size
+
+
+def axis(key: str, ends: Place, label: str = "", **more: object) -> Axis:
+    """Make an axis of a quantity of the table; its name and symbol when no label is given."""
+    quantity = QUANTITIES[key]
+    if not label and quantity.symbol:
+        label = Message("figures.label", name=quantity_name(key), symbol=quantity.symbol)
+    made = Axis(label or quantity_name(key), quantity, *ends)
+    return replace(made, **more)  # type: ignore[arg-type]

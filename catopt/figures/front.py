@@ -1,0 +1,158 @@
+"""The front of a design search over its first two objectives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from catopt.figures.chart import Chart, Mark, Point, axis, span_of
+from catopt.figures.studies import lines_to_scale
+from catopt.ties import largest
+from catopt.words import Measure, Message, Several, quantity_name
+
+if TYPE_CHECKING:
+    from catopt.design.result import DesignResult
+
+__all__ = ["composition", "ends", "front", "front_lines", "objective_name"]
+
+Document = Mapping[str, Any]
+
+_QUANTITIES = {
+    "mass_kg": "mass",
+    "offset_m": "offset",
+    "excursion_m": "excursion",
+    "cost_USD": "cost",
+}
+"""Quantity of each objective, by its key in the document of a search."""
+_PARTS = ("lowest", "middle", "highest")
+"""Roles of designs by a third objective."""
+
+
+def objective_name(key: str) -> str:
+    """Name an objective by its key in the document of a search."""
+    if key == "mass_kg":
+        return Message("columns.mass_in_air")
+    if key == "offset_m":
+        return Message("columns.largest_span")
+    return quantity_name(_QUANTITIES[key])
+
+
+def front(document: Document, chosen: int | None = None) -> Chart:
+    """Draw the designs of a front.
+
+    Parameters
+    ----------
+    document : mapping
+        What ``catopt design --json`` prints (catopt.design/1).
+    chosen : int, optional
+        Number of a design that is pointed out, beside the one that is recommended.
+    """
+    keys: list[str] = document["objectives"]
+    points: list[Document] = document["front"]
+    first, second = keys[:2]
+    best = document["recommended"]
+    across, up = [p[first] for p in points], [p[second] for p in points]
+    marks = [
+        Mark(role, across[k], up[k], label) for k, (role, label) in enumerate(_parts(document))
+    ]
+    for end in ends(document):
+        label = Message("figures.end_of_front", number=end + 1)
+        marks.append(Mark("end", across[end], up[end], label))
+    recommended = Message("figures.recommended", number=best + 1)
+    marks.append(Mark("recommended", across[best], up[best], recommended))
+    if chosen is not None:
+        label = Message("figures.chosen", number=chosen)
+        marks.append(Mark("chosen", across[chosen - 1], up[chosen - 1], label))
+    return Chart(
+        "front",
+        _title(document),
+        axis(_QUANTITIES[first], span_of(across), objective_name(first)),
+        axis(_QUANTITIES[second], span_of(up), objective_name(second)),
+        marks=tuple(marks),
+        points=tuple(
+            Point(across[k], up[k], _said(k + 1, point, keys)) for k, point in enumerate(points)
+        ),
+    )
+
+
+def ends(document: Document) -> list[int]:
+    """List the ends of a front that are not the recommended design, by index."""
+    found = {0, len(document["front"]) - 1} - {document["recommended"]}
+    return sorted(found)
+
+
+def front_lines(result: DesignResult, document: Document) -> Chart:
+    """Draw the recommended line and those of the ends of the front, to scale.
+
+    In the load case that takes the recommended design farthest from its anchor.
+    """
+    best = result.front[result.recommended]
+    name, _ = largest(best.checks.solutions, lambda state: state[1].span)
+    levels = {state.name: state.water_level for state in result.case.load_cases}
+    lines = [
+        (
+            Message("figures.design_number", number=k + 1, made=composition(document["front"][k])),
+            dict(result.front[k].checks.solutions)[name],
+        )
+        for k in (result.recommended, *ends(document))
+    ]
+    depth = result.case.site.water_depth + levels.get(name, 0.0)
+    return lines_to_scale(lines, depth, Message("figures.under_load_case", name=name))
+
+
+def _title(document: Document) -> str:
+    count = len(document["front"])
+    if document.get("is_exact", False):
+        return Message("figures.exact_front", count=count)
+    return Message("figures.found_front", count=count, method=document["method"])
+
+
+def _parts(document: Document) -> Iterator[tuple[str, str]]:
+    """Say of each design in which third of the range of a third objective it is."""
+    keys: Sequence[str] = document["objectives"]
+    points: Sequence[Document] = document["front"]
+    if len(keys) < 3:
+        yield from [("design", Message("figures.design"))] * len(points)
+        return
+    values = [point[keys[2]] for point in points]
+    low, size = min(values), (max(values) - min(values)) / 3.0
+    quantity = _QUANTITIES[keys[2]]
+    for value in values:
+        part = min(int((value - low) / size), 2) if size > 0.0 else 0
+        yield (
+            _PARTS[part],
+            Message(
+                "figures.from_to_objective",
+                objective=objective_name(keys[2]),
+                low=Measure(quantity, low + part * size),
+                high=Measure(quantity, low + (part + 1) * size),
+            ),
+        )
+
+
+def _said(number: int, point: Document, keys: Sequence[str]) -> str:
+    values = [
+        Message(
+            "figures.value", what=objective_name(key), value=Measure(_QUANTITIES[key], point[key])
+        )
+        for key in keys
+    ]
+    return Message(
+        "figures.design_at", number=number, values=Several(values, ", "), made=composition(point)
+    )
+
+
+def composition(point: Document) -> str:
+    """Say what a design is made of: ``"chain studless R3 76 mm, 45 m; 2 t, s = 7 m"``."""
+    parts = [
+        f"{segment.get('name') or segment['component'] or '?'}, {segment['length_m']:g} m"
+        for segment in point["segments"]
+    ]
+    parts += [f"{_load(load)}, s = {load['position_m']:g} m" for load in point["point_loads"]]
+    return "; ".join(parts)
+
+
+def _load(load: Document) -> str:
+    if load["mass_kg"] is not None:
+        return f"{load['mass_kg'] / 1e3:g} t"
+    return f"{load['submerged_weight_N'] / 1e3:g} kN"

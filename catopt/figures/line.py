@@ -1,0 +1,290 @@
+"""A line at rest: to scale in the water, magnified, and its tension."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import accumulate, pairwise
+from typing import TYPE_CHECKING
+
+from catopt.figures.chart import (
+    IN_TONNES,
+    Area,
+    Chart,
+    Dimension,
+    Level,
+    Mark,
+    Place,
+    Point,
+    Series,
+    axis,
+    span_of,
+)
+from catopt.words import Measure, Message
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.catenary.stretch import Profile
+    from catopt.model import PointLoad
+
+__all__ = [
+    "FAR",
+    "capacities",
+    "grounded_ends",
+    "joints",
+    "line_in_water",
+    "magnified",
+    "room_around",
+    "surface_and_bed",
+    "tension_along",
+    "touchdowns",
+    "water",
+]
+
+FAR = 2.5
+"""A capacity above this multiple of the largest tension would press the curve to the axis."""
+_POINTS = 161
+_FLAT = 0.2
+"""Height over span below which a line to scale shows little of its shape."""
+_WIDE, _TALL = 536.0, 440.0
+"""Size of a drawing to scale in units; room for its dimensions is measured in them."""
+_LEAST = 200.0
+"""Least length of a line on a drawing for which there is room."""
+_SHORTEST = 60.0
+"""Least length of a grounded part that is dimensioned."""
+_BED, _ROW = 16.0, 34.0
+"""Thickness of the bed, and height of a row of dimensions below it."""
+
+
+def grounded_ends(solution: Solution) -> list[Place]:
+    """Find where the line lies on the bed: from and to, m; parts that touch are one."""
+    ends = [stretch.x for stretch in solution.stretches[1:]] + [solution.span]
+    found: list[Place] = []
+    for stretch, end in zip(solution.stretches, ends, strict=True):
+        if stretch.on_bed and end > stretch.x:
+            start = stretch.x
+            if found and math.isclose(found[-1][1], start, abs_tol=1e-9 * max(end, 1.0)):
+                start = found.pop()[0]
+            found.append((start, end))
+    return found
+
+
+def touchdowns(solution: Solution) -> list[Place]:
+    """Find where the line leaves the bed: x and arc length, m."""
+    real = [stretch for stretch in solution.stretches if stretch.length > 0.0]
+    return [
+        (upper.x, upper.start) for lower, upper in pairwise(real) if lower.on_bed != upper.on_bed
+    ]
+
+
+def joints(solution: Solution) -> list[float]:
+    """List the arc lengths at which one segment ends and the next begins, m."""
+    return list(accumulate(segment.length for segment in solution.segments[:-1]))
+
+
+def line_in_water(solution: Solution, depth: float) -> Chart:
+    """Draw a line in water of a depth (m), to scale, with its dimensions."""
+    profile = solution.profile(_POINTS)
+    left, right = min(*profile.x, 0.0), max(*profile.x, solution.span)
+    top = max(depth, solution.fairlead_height, *profile.z)
+    unit = room_around(right - left, top)
+    wide = max(right - left, _LEAST * unit)
+    middle = (left + right) / 2.0
+    dimensions = list(_dimensions(solution, depth, unit))
+    foot = min(end[1] for each in dimensions for end in (each.start, each.end))
+    return Chart(
+        "line",
+        Message("figures.line", span=Measure("span", solution.span)),
+        axis(
+            "x",
+            (middle - wide / 2.0 - 60.0 * unit, middle + wide / 2.0 + 60.0 * unit),
+            within=(left, right),
+        ),
+        axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
+        series=tuple(_line(solution, profile)),
+        marks=tuple(_marks(solution)),
+        levels=tuple(surface_and_bed(depth)),
+        areas=water(depth, _BED * unit),
+        dimensions=tuple(dimensions),
+        points=tuple(_points(profile)),
+        to_scale=1.0,
+    )
+
+
+def room_around(wide: float, tall: float) -> float:
+    """Return how many metres a unit of a drawing to scale is; 536 units are its width."""
+    return max(wide / (_WIDE - 120.0), tall / (_TALL - 130.0))
+
+
+def magnified(solution: Solution, depth: float) -> Chart | None:
+    """Draw a flat line with its heights magnified; None for one that is steep enough."""
+    profile = solution.profile(_POINTS)
+    left, right = min(*profile.x, 0.0), max(*profile.x, solution.span)
+    top = max(depth, *profile.z)
+    if top > _FLAT * (right - left):
+        return None
+    factor = float(f"{0.5 * (right - left) / top:.1g}")
+    at_joints = (_at(profile, s) for s in joints(solution))
+    name = Message("figures.joint")
+    return Chart(
+        "system_magnified",
+        Message("figures.magnified", factor=factor),
+        axis("x", span_of((left, right), 0.02, 0.02)),
+        axis("z", (-0.06 * top, 1.06 * top)),
+        series=tuple(_line(solution, profile)),
+        marks=(*(Mark("joint-spot", x, z, name) for x, z in at_joints), *_marks(solution)),
+        levels=tuple(surface_and_bed(depth)),
+        areas=water(depth, math.inf),
+        points=tuple(_points(profile)),
+        to_scale=factor,
+    )
+
+
+def water(depth: float, thickness: float) -> tuple[Area, ...]:
+    """Fill the water and the bed below it."""
+    return Area("water", (0.0,), (depth,)), Area("bed", (-thickness,), (0.0,))
+
+
+def surface_and_bed(depth: float) -> Iterator[Level]:
+    """Draw the water level and the bed as lines."""
+    yield Level("surface", "y", depth, Message("figures.water_level"))
+    yield Level("bed-edge", "y", 0.0, Message("figures.bed"))
+
+
+def _line(solution: Solution, profile: Profile) -> Iterator[Series]:
+    for start, end in grounded_ends(solution):
+        yield Series("grounded", (start, end), (0.0, 0.0), Message("figures.lies"))
+    yield Series("mooring", profile.x, profile.z, Message("figures.mooring_line"))
+
+
+def _at(profile: Profile, s: float) -> Place:
+    """Find the point of a profile at an arc length that is among its own."""
+    index = min(range(len(profile.s)), key=lambda k: abs(profile.s[k] - s))
+    return profile.x[index], profile.z[index]
+
+
+def _dimensions(solution: Solution, depth: float, unit: float) -> Iterator[Dimension]:
+    """Draw the span, the grounded parts, and the heights of fairlead, water and anchor."""
+    row = -(_BED + _ROW - 8.0) * unit
+    grounded = [each for each in grounded_ends(solution) if each[1] - each[0] > _SHORTEST * unit]
+    for start, end in grounded:
+        yield _across(start, end, row, Measure("span", end - start))
+    if grounded:
+        row -= _ROW * unit
+    span = Message("figures.span", span=Measure("span", solution.span))
+    yield _across(0.0, solution.span, row, span)
+    fairlead, right = solution.fairlead_height, max(solution.span, 0.0)
+    yield _upright(fairlead, right + 34.0 * unit, right)
+    if not math.isclose(depth, fairlead, rel_tol=1e-9):
+        yield _upright(depth, min(0.0, solution.span) - 44.0 * unit)
+    if solution.anchor_height > 0.0:
+        yield _upright(solution.anchor_height, -24.0 * unit, 0.0)
+
+
+def _across(left: float, right: float, z: float, words: object) -> Dimension:
+    return Dimension((left, z), (right, z), f"{words}", ((left, 0.0), (right, 0.0)))
+
+
+def _upright(top: float, x: float, measured: float | None = None) -> Dimension:
+    """Draw a height, with a line from where it is measured."""
+    led = () if measured is None else ((measured, top),)
+    return Dimension((x, 0.0), (x, top), f"{Measure('height', top)}", led)
+
+
+def _marks(solution: Solution) -> Iterator[Mark]:
+    angle = Measure("angle", solution.anchor.angle)
+    yield Mark("anchor", 0.0, solution.anchor_height, Message("figures.anchor_at", angle=angle))
+    for x, _ in touchdowns(solution):
+        yield Mark("touchdown", x, 0.0, Message("figures.touchdown_at", x=Measure("x", x)))
+    for state, load in zip(solution.point_loads, solution.line.point_loads, strict=True):
+        place, sinks = (state.x, state.z), load.submerged_weight >= 0.0
+        said: dict[str, object] = {
+            "name": _called(load),
+            "weight": Measure("point_weight", abs(load.submerged_weight)),
+            "s": Measure("position", load.position),
+        }
+        if sinks:
+            yield Mark("clump", *place, Message("figures.clump_at", **said))
+        else:
+            yield Mark("buoy", *place, Message("figures.buoy_at", **said))
+    yield Mark("fairlead", solution.span, solution.fairlead_height, Message("figures.fairlead"))
+
+
+def _called(load: PointLoad) -> str:
+    """Say what a load is, with its own name where that says more: ``clump weight: A``."""
+    kind = Message("figures.clump" if load.submerged_weight >= 0.0 else "figures.buoy")
+    is_named = load.name and load.name.casefold() != kind
+    return Message("figures.named", what=kind, name=load.name) if is_named else kind
+
+
+def _said(s: float, x: float, z: float, tension: float) -> str:
+    return Message(
+        "figures.along_line",
+        s=Measure("s", s),
+        x=Measure("x", x),
+        z=Measure("z", z),
+        T=Measure("tension", tension),
+    )
+
+
+def _points(profile: Profile) -> Iterator[Point]:
+    for s, x, z, tension in zip(profile.s, profile.x, profile.z, profile.tension, strict=True):
+        yield Point(x, z, _said(s, x, z, tension))
+
+
+def tension_along(solution: Solution, allowed: Sequence[float | None], basis: str = "") -> Chart:
+    """Draw the tension over the arc length beside what each segment may carry.
+
+    Parameters
+    ----------
+    solution : Solution
+        The line.
+    allowed : sequence of float or None
+        Of each segment, N.
+    basis : str
+        What they are called.
+    """
+    profile = solution.profile(_POINTS)
+    largest = max(profile.tension)
+    levels, notes = capacities(solution, allowed, largest, basis)
+    drawn = [each.at for each in levels]
+    for s in joints(solution):
+        levels.append(Level("joint", "x", s, Message("figures.joint")))
+    for _, s in touchdowns(solution):
+        levels.append(Level("touchdown-at", "x", s, Message("figures.touchdown")))
+    for load in solution.point_loads:
+        levels.append(Level("load-at", "x", load.position, Message("figures.point_load")))
+    along = zip(profile.s, profile.x, profile.z, profile.tension, strict=True)
+    return Chart(
+        "tension",
+        Message("figures.tension_along", tension=Measure("tension", largest)),
+        axis("s", (0.0, solution.line.length)),
+        axis("tension", (0.0, 1.08 * max([largest, *drawn]) or 1.0), second=IN_TONNES),
+        series=(Series("first", profile.s, profile.tension, Message("figures.tension")),),
+        levels=tuple(levels),
+        points=tuple(Point(s, tension, _said(s, x, z, tension)) for s, x, z, tension in along),
+        notes=tuple(notes),
+    )
+
+
+def capacities(
+    solution: Solution, allowed: Sequence[float | None], largest: float, basis: str = ""
+) -> tuple[list[Level], list[str]]:
+    """Draw what each segment may carry; say where it is not known or far above the largest."""
+    levels: list[Level] = []
+    notes: list[str] = []
+    starts = [0.0, *joints(solution)]
+    for number, (segment, capacity) in enumerate(zip(solution.segments, allowed, strict=True), 1):
+        start = starts[number - 1]
+        if capacity is None:
+            notes.append(Message("figures.no_capacity", number=number))
+        elif capacity > FAR * largest:
+            shown = Measure("tension", capacity)
+            name = basis or Message("figures.allowed")
+            notes.append(Message("figures.off_scale", number=number, what=name, capacity=shown))
+        else:
+            said = f"{Measure('tension', capacity)}"
+            name = basis or Message("figures.allowed")
+            end = start + segment.length
+            levels.append(Level("capacity", "y", capacity, name, start, end, said))
+    return levels, notes

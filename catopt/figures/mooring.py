@@ -1,0 +1,482 @@
+"""A body that several lines moor: from above, round its place, and what it takes to move it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from catopt.figures.chart import (
+    IN_TONNES,
+    Arrow,
+    Axis,
+    Chart,
+    Level,
+    Mark,
+    Place,
+    Point,
+    Series,
+    axis,
+)
+from catopt.figures.line import FAR, grounded_ends
+from catopt.quantities import QUANTITIES
+from catopt.ties import first_largest, largest
+from catopt.words import Measure, Message
+
+if TYPE_CHECKING:
+    from catopt.mooring.response import Response
+    from catopt.mooring.restoring import RestoringCurve
+    from catopt.mooring.solution import LegState, SystemSolution
+    from catopt.mooring.watch_circle import WatchCircle
+
+__all__ = [
+    "beyond",
+    "from_above",
+    "near",
+    "plan",
+    "restoring",
+    "spread",
+    "watch_round",
+    "watch_track",
+]
+
+_ALONG = 21
+"""Places of a line that answer to the pointer."""
+_ROOM, _BEYOND = 0.06, 0.05
+"""Round a plan, and from an anchor to its number, over the plan's size."""
+_NUMBER = 0.055
+"""Room that a number takes on the circle that it is on, over the same."""
+_CLEAR = 0.11
+"""An offset over the plan's size that is seen well enough without a second drawing."""
+_ARMS = 1.35
+"""Radius of what is drawn round a body, over that of its fairleads."""
+_ROLES = ("first", "second", "third", "fourth")
+
+
+def plan(solution: SystemSolution) -> Chart:
+    """Draw anchors, lines and the body under its load from above, to scale."""
+    places = [*(line.leg.anchor for line in solution.lines),
+              *(line.fairlead for line in solution.lines)]  # fmt: skip
+    size = max(max(each) - min(each) for each in zip(*places, strict=True)) or 1.0
+    arrows = tuple(_push(solution, 0.17 * size, 0.02 * size))
+    numbers = list(_numbers(solution, size))
+    lines = list(_lines(solution))
+    numbers += [_beside(_force(solution), each.start, each.end, size, lines) for each in arrows]
+    drawn = [*places, *((mark.x, mark.y) for mark in numbers), *(each.end for each in arrows)]
+    position = solution.position
+    points = [point for k, line in enumerate(solution.lines) for point in _points(k + 1, line)]
+    points.append(Point(position.x, position.y, _body_said(solution)))
+    return Chart(
+        "system_plan",
+        Message("figures.plan", count=len(solution.lines)),
+        *from_above(drawn, _ROOM * size),
+        series=(*lines, *_arms(solution)),
+        marks=(*_ends(solution), *_body(solution), *numbers),
+        arrows=arrows,
+        points=tuple(points),
+        to_scale=1.0,
+    )
+
+
+def from_above(places: Sequence[Place], room: float) -> tuple[Axis, Axis]:
+    """Make axes of a drawing from above that hold places with room (m) around them."""
+    ends = [(min(each) - room, max(each) + room) for each in zip(*places, strict=True)]
+    least = 0.5 * max(high - low for low, high in ends)
+    spare = [max(0.0, least - (high - low)) / 2.0 for low, high in ends]
+    ends = [(low - more, high + more) for (low, high), more in zip(ends, spare, strict=True)]
+    length = replace(QUANTITIES["offset"], symbol="")
+    return Axis("x", length, *ends[0]), Axis("y", length, *ends[1])
+
+
+def _lines(solution: SystemSolution) -> Iterator[Series]:
+    for line in solution.lines:
+        yield _path("leg", (line.leg.anchor, line.fairlead), Message("figures.mooring_line"))
+        for start, end in grounded_ends(line.solution):
+            yield _path("lying", (line.at(start), line.at(end)), Message("figures.lies"))
+
+
+def _path(role: str, places: Sequence[Place], label: str = "") -> Series:
+    x, y = zip(*places, strict=True)
+    return Series(role, x, y, label)
+
+
+def _arms(solution: SystemSolution) -> Iterator[Series]:
+    here = (solution.position.x, solution.position.y)
+    for line in solution.lines:
+        if line.leg.fairlead_radius > 0.0:
+            yield _path("arm", (here, line.fairlead))
+
+
+def _ends(solution: SystemSolution) -> Iterator[Mark]:
+    for line in solution.lines:
+        if line.touchdown is not None:
+            yield Mark("touchdown-spot", *line.touchdown, Message("figures.touchdown"))
+    for line in solution.lines:
+        yield Mark("anchor-spot", *line.leg.anchor, Message("figures.anchor"))
+
+
+def _body(solution: SystemSolution) -> Iterator[Mark]:
+    neutral, here = solution.neutral, solution.position
+    yield Mark("fairlead", here.x, here.y, Message("figures.body"))
+    yield Mark("neutral", neutral.x, neutral.y, Message("figures.neutral"))
+
+
+def _numbers(solution: SystemSolution, size: float) -> Iterator[Mark]:
+    """Write the number of every line beyond its anchor."""
+    for index, place in enumerate(beyond([line.leg.anchor for line in solution.lines], size)):
+        yield _number(solution, index, place)
+
+
+def beyond(anchors: Sequence[Place], size: float) -> list[Place]:
+    """Find places for numbers beyond anchors, clear of each other; `size` is the drawing's."""
+    radii = [math.hypot(*anchor) + _BEYOND * size for anchor in anchors]
+    azimuths = [math.atan2(y, x) for x, y in anchors]
+    angles = spread(azimuths, _NUMBER * size / min(radii))
+    return [(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)]
+
+
+def _number(solution: SystemSolution, index: int, place: Place) -> Mark:
+    role = "most-loaded" if index == solution.most_loaded else "number"
+    return Mark(role, *place, words=str(index + 1))
+
+
+def _push(solution: SystemSolution, length: float, away: float) -> Iterator[Arrow]:
+    """Draw the force on the body as an arrow that begins somewhat away from it."""
+    force = solution.system.force
+    size = math.hypot(*force)
+    if size > 0.0:
+        ux, uy = force[0] / size, force[1] / size
+        x, y = solution.position.x, solution.position.y
+        start, end = ((x + way * ux, y + way * uy) for way in (away, away + length))
+        yield Arrow("push", start, end, Message("figures.force_on_body"))
+
+
+def _force(solution: SystemSolution) -> str:
+    """Write the size of the force in four digits or so: ``"4281 kN"``."""
+    size = math.hypot(*solution.system.force)
+    digits = 0 if size >= 1e5 else 1
+    return QUANTITIES["horizontal_force"].format(size, unit=True, digits=digits)
+
+
+def _beside(words: str, start: Place, end: Place, size: float, lines: Sequence[Series]) -> Mark:
+    """Write words beside a way, on the side that is farther from lines; `size` is the drawing's."""
+    x, y = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
+    is_steep = abs(end[1] - start[1]) > abs(end[0] - start[0])
+    dx, dy = (0.14 * size, 0.0) if is_steep else (0.0, 0.045 * size)
+    spots = [
+        (line.x[0] + k * (line.x[1] - line.x[0]) / 20, line.y[0] + k * (line.y[1] - line.y[0]) / 20)
+        for line in lines
+        for k in range(21)
+    ]
+    places = [(x + side * dx, y + side * dy) for side in (1.0, -1.0)]
+    place = largest(places, lambda each: min(math.dist(each, spot) for spot in spots))
+    return Mark("beside", *place, words=words)
+
+
+def _points(number: int, line: LegState) -> Iterator[Point]:
+    profile = line.solution.profile(_ALONG)
+    for s, x, z, tension in zip(profile.s, profile.x, profile.z, profile.tension, strict=True):
+        said = Message(
+            "figures.along_numbered",
+            line=number,
+            s=Measure("s", s),
+            z=Measure("z", z),
+            T=Measure("tension", tension),
+        )
+        yield Point(*line.at(x), said)
+
+
+def _body_said(solution: SystemSolution) -> str:
+    return Message(
+        "figures.body_at",
+        x=Measure("offset", solution.position.x),
+        y=Measure("offset", solution.position.y),
+        offset=Measure("offset", math.hypot(*solution.offset)),
+    )
+
+
+# ------------------------------------------------------------------ round the body
+
+
+def near(solution: SystemSolution) -> Chart | None:
+    """Draw the body and its offset larger; None where the plan shows it, or there is none."""
+    places = [line.leg.anchor for line in solution.lines]
+    size = max(max(each) - min(each) for each in zip(*places, strict=True))
+    offset = math.hypot(*solution.offset)
+    if not 0.0 < offset < _CLEAR * size:
+        return None
+    reach = _reach(solution, 1.8 * offset)
+    neutral, here = solution.neutral, solution.position
+    way = _path("offset-mark", ((neutral.x, neutral.y), (here.x, here.y)), Message("figures.way"))
+    lines = list(_round_body(solution, reach))
+    arrows = list(_push(solution, 0.36 * reach, 0.05 * reach))
+    said = [(f"{Measure('offset', offset)}", (neutral.x, neutral.y), (here.x, here.y))]
+    said += [(_force(solution), each.start, each.end) for each in arrows]
+    beside = [_beside(*each, 2.0 * reach, lines) for each in said]
+    return Chart(
+        "system_near",
+        Message("figures.near"),
+        *_square(solution, reach),
+        series=(*lines, way),
+        marks=(*_body(solution), *beside, *_round_numbers(solution, reach)),
+        arrows=tuple(arrows),
+        points=(
+            Point(here.x, here.y, _body_said(solution)),
+            Point(neutral.x, neutral.y, Message("figures.neutral")),
+        ),
+        to_scale=1.0,
+    )
+
+
+def _reach(solution: SystemSolution, reach: float) -> float:
+    """Return the radius of what is drawn round a body, m: beyond all its arms."""
+    arms = max(leg.fairlead_radius for leg in solution.system.legs)
+    return max(reach, _ARMS * (arms + math.hypot(*solution.offset)) if arms > 0.0 else 0.0)
+
+
+def _square(solution: SystemSolution, reach: float) -> tuple[Axis, Axis]:
+    x, y = solution.neutral.x, solution.neutral.y
+    return from_above([(x - reach, y - reach), (x + reach, y + reach)], 0.14 * reach)
+
+
+def _round_body(solution: SystemSolution, reach: float) -> Iterator[Series]:
+    """Draw what of the lines is within reach, and the arms."""
+    for line, end in zip(solution.lines, _rims(solution, reach), strict=True):
+        yield _path("leg", (line.fairlead, end), Message("figures.mooring_line"))
+    yield from _arms(solution)
+
+
+def _rims(solution: SystemSolution, reach: float) -> list[Place]:
+    """Find where each line leaves the circle round the zero-load position."""
+    x, y = solution.neutral.x, solution.neutral.y
+    found = []
+    for line in solution.lines:
+        ux, uy = math.cos(line.direction), math.sin(line.direction)
+        dx, dy = line.fairlead[0] - x, line.fairlead[1] - y
+        along = dx * ux + dy * uy
+        way = math.sqrt(max(along * along - dx * dx - dy * dy + reach * reach, 0.0)) - along
+        found.append((line.fairlead[0] + way * ux, line.fairlead[1] + way * uy))
+    return found
+
+
+def _round_numbers(solution: SystemSolution, reach: float) -> Iterator[Mark]:
+    """Write the numbers of the lines beyond the places where these leave the circle."""
+    x, y = solution.neutral.x, solution.neutral.y
+    angles = [math.atan2(each[1] - y, each[0] - x) for each in _rims(solution, reach)]
+    radius = 1.07 * reach
+    for index, angle in enumerate(spread(angles, 2.4 * _NUMBER)):
+        place = (x + radius * math.cos(angle), y + radius * math.sin(angle))
+        yield _number(solution, index, place)
+
+
+def watch_track(solution: SystemSolution, circle: WatchCircle) -> Chart:
+    """Draw where the body goes as the force goes round, to scale."""
+    largest = circle.responses[circle.farthest].offset
+    reach = _reach(solution, 1.25 * largest)
+    places = [(each.x, each.y) for each in circle.responses]
+    here = solution.position
+    return Chart(
+        "system_watch",
+        Message("figures.watch_track", offset=Measure("offset", largest)),
+        *_square(solution, reach),
+        series=(
+            *_round_body(solution, reach),
+            _path("first", [*places, places[0]], Message("figures.places")),
+        ),
+        marks=(
+            Mark("neutral", *circle.neutral, Message("figures.neutral")),
+            Mark("reference", here.x, here.y, Message("figures.case")),
+            *_round_numbers(solution, reach),
+        ),
+        points=tuple(
+            Point(each.x, each.y, _response_said(direction, each))
+            for direction, each in zip(circle.directions, circle.responses, strict=True)
+        ),
+        to_scale=1.0,
+    )
+
+
+def _response_said(direction: float, response: Response) -> str:
+    return Message(
+        "figures.force_towards",
+        angle=Measure("angle", direction),
+        offset=Measure("offset", response.offset),
+        x=Measure("offset", response.x),
+        y=Measure("offset", response.y),
+        T=Measure("tension", response.largest_tension),
+        line=response.most_loaded + 1,
+    )
+
+
+def watch_round(
+    solution: SystemSolution, circle: WatchCircle, allowed: float | None = None
+) -> Chart:
+    """Draw the largest tension over the direction of the force.
+
+    Parameters
+    ----------
+    solution : SystemSolution
+        Under the load of the case.
+    circle : WatchCircle
+        The same force from all sides.
+    allowed : float or None
+        Tension that the weakest line is allowed at its fairlead, N.
+    """
+    values = [each.largest_tension for each in circle.responses]
+    largest = max(values)
+    is_near = allowed is not None and allowed <= FAR * largest
+    top = 1.08 * max(largest, allowed if allowed is not None and is_near else 0.0)
+    force = solution.system.force
+    turn = 2.0 * math.pi
+    here = math.atan2(force[1], force[0]) % turn
+    levels, notes = [], []
+    if allowed is not None and is_near:
+        levels.append(Level("capacity", "y", allowed, Message("figures.allowed")))
+    elif allowed is not None:
+        notes.append(Message("figures.allowed_off_scale", T=Measure("tension", allowed)))
+    tension = solution.lines[solution.most_loaded].tension
+    return Chart(
+        "system_round",
+        Message("figures.watch_round", tension=Measure("tension", largest)),
+        axis(
+            "angle",
+            (0.0, turn),
+            Message("figures.direction"),
+            ticks=tuple(math.radians(60.0 * k) for k in range(7)),
+        ),
+        axis("tension", (0.0, top or 1.0), Message("figures.largest_tension"), second=IN_TONNES),
+        series=(
+            Series(
+                "first",
+                (*circle.directions, turn),
+                (*values, values[0]),
+                Message("figures.largest_tension_any"),
+            ),
+        ),
+        marks=(Mark("reference", here, tension, Message("figures.case")),),
+        levels=tuple(levels),
+        points=tuple(
+            Point(direction, each.largest_tension, _response_said(direction, each))
+            for direction, each in zip(circle.directions, circle.responses, strict=True)
+        ),
+        notes=tuple(notes),
+    )
+
+
+# ------------------------------------------------------------------ restoring curves
+
+
+def restoring(
+    curves: Sequence[RestoringCurve], solution: SystemSolution, most: float = math.inf
+) -> Chart:
+    """Draw the force that holds the body over its offset along directions.
+
+    Parameters
+    ----------
+    curves : sequence of RestoringCurve
+        One a direction.
+    solution : SystemSolution
+        Under the load of the case.
+    most : float
+        Multiple of the case's force up to which points are drawn.
+    """
+    force = math.hypot(*solution.system.force)
+    limit = most * force if force > 0.0 else math.inf
+    drawn = [[k for k, each in enumerate(curve.force) if abs(each) <= limit] for curve in curves]
+    chosen = [(curve, k) for curve, ks in zip(curves, drawn, strict=True) for k in ks]
+    wide = 1.03 * max(abs(curve.offset[k]) for curve, k in chosen) or 1.0
+    tall = 1.05 * max(abs(curve.force[k]) for curve, k in chosen) or 1.0
+    is_whole = len(chosen) == sum(len(curve.offset) for curve in curves)
+    return Chart(
+        "system_restoring",
+        Message("figures.restoring"),
+        axis("offset", (-wide, wide), Message("figures.offset_along")),
+        axis("horizontal_force", (-tall, tall), Message("figures.force_along")),
+        series=tuple(
+            Series(
+                _ROLES[number % len(_ROLES)],
+                [curve.offset[k] for k in ks],
+                [curve.force[k] for k in ks],
+                _towards(curve),
+            )
+            for number, (curve, ks) in enumerate(zip(curves, drawn, strict=True))
+        ),
+        marks=tuple(_case_on(solution, force)),
+        levels=(Level("zero", "x", 0.0), Level("zero", "y", 0.0)),
+        points=tuple(
+            Point(curve.offset[k], curve.force[k], _restoring_said(curve, k)) for curve, k in chosen
+        ),
+        notes=() if is_whole else (Message("figures.beyond", times=most),),
+    )
+
+
+def _case_on(solution: SystemSolution, force: float) -> Iterator[Mark]:
+    """Mark the load of the case: the offset along the force, and the force."""
+    if force > 0.0:
+        x, y = solution.offset
+        fx, fy = solution.system.force
+        yield Mark("reference", (x * fx + y * fy) / force, force, Message("figures.case"))
+
+
+def _towards(curve: RestoringCurve) -> str:
+    return Message("figures.towards", angle=Measure("angle", curve.direction))
+
+
+def _restoring_said(curve: RestoringCurve, index: int) -> str:
+    response = curve.responses[index]
+    return Message(
+        "figures.held",
+        towards=_towards(curve),
+        offset=Measure("offset", curve.offset[index]),
+        along=Measure("horizontal_force", curve.force[index]),
+        across=Measure("horizontal_force", curve.force_across[index]),
+        T=Measure("tension", response.largest_tension),
+        line=response.most_loaded + 1,
+    )
+
+
+# ------------------------------------------------------------------ numbers on a circle
+
+
+def spread(angles: Sequence[float], room: float) -> list[float]:
+    """Move directions apart until numbers on a circle do not cover each other.
+
+    Parameters
+    ----------
+    angles : sequence of float
+        rad.
+    room : float
+        That each wants, rad.
+
+    Returns
+    -------
+    list of float
+        In the order of `angles`, each as near its own as the others let it.
+    """
+    if not angles:
+        return []
+    whole = 2.0 * math.pi
+    turned = [angle % whole for angle in angles]
+    order = sorted(range(len(angles)), key=turned.__getitem__)
+    gaps = [(turned[k] - turned[order[place - 1]]) % whole for place, k in enumerate(order)]
+    # Counter-clockwise from behind the widest gap.
+    start = first_largest(gaps)
+    order = order[start:] + order[:start]
+    rising = [turned[k] + (whole if turned[k] < turned[order[0]] else 0.0) for k in order]
+    moved = dict(zip(order, _apart(rising, min(room, whole / len(angles))), strict=True))
+    return [moved[k] for k in range(len(angles))]
+
+
+def _apart(values: Sequence[float], room: float) -> list[float]:
+    """Move rising values apart, as little as can be: those that crowd share a mean."""
+    # Less their places in the row they have to rise; what falls is pooled into its mean.
+    pools: list[tuple[float, int]] = []
+    for place, value in enumerate(values):
+        mean, size = value - place * room, 1
+        while pools and pools[-1][0] > mean:
+            other, count = pools.pop()
+            mean, size = (mean * size + other * count) / (size + count), size + count
+        pools.append((mean, size))
+    level = [mean for mean, size in pools for _ in range(size)]
+    return [mean + place * room for place, mean in enumerate(level)]

@@ -1,0 +1,318 @@
+"""A line in motion: its tension in time, its spectrum, envelope and peaks, and the body's way."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from catopt.figures.chart import Area, Axis, Chart, Level, Mark, Point, Series, axis, span_of
+from catopt.figures.line import capacities
+from catopt.figures.mooring import from_above
+from catopt.quantities import Quantity
+from catopt.units import lasting
+from catopt.words import Measure, Message
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
+
+__all__ = [
+    "around_the_largest",
+    "envelope",
+    "envelope_chart",
+    "exceedance",
+    "history",
+    "spectrum",
+    "track",
+    "whole_history",
+]
+
+_TIME = Quantity("time", "Time", "t", "s", "s", 1.0, 2)
+_FREQUENCY = Quantity("frequency", "Frequency", "f", "rad/s", "Hz", 2.0 * math.pi, 4)
+_DENSITY = Quantity(
+    "density", "Spectrum", "S", "N^2 s/rad", "kN²/Hz", 1e6 / (2.0 * math.pi), 3, "scientific"
+)
+_NUMBER = Quantity("number", "Number", "", "-", "-", 1.0, 2)
+_CYCLES = 12.0
+"""Cycles of the tension that are drawn around its largest value."""
+_MOST = 600
+"""Samples of a series that are drawn."""
+_MOST_PEAKS = 300
+"""Peaks that are drawn, from the highest down."""
+_RARE = 0.1
+"""Expected number down to which a tail is drawn."""
+_FEW = 64
+"""Samples below which there is no spectrum."""
+_SHOWN = 0.999
+"""Part of the energy up to which a spectrum is drawn."""
+_TRACK = 2000
+"""Samples of a track that are drawn."""
+
+
+def around_the_largest(run: DynamicRun, most: int = _MOST) -> list[int]:
+    """Choose the samples around the largest fairlead tension: a dozen cycles, the peak among them.
+
+    Parameters
+    ----------
+    run : DynamicRun
+        Cycles are those between upward crossings of its mean; without any all samples are taken.
+    most : int
+        Samples, about.
+
+    Returns
+    -------
+    list of int
+        Indices of samples, rising.
+    """
+    of = run.history
+    found = run.statistics("fairlead_tension")
+    counted = np.flatnonzero(run.counted)
+    first, last = int(counted[0]), int(counted[-1])
+    peak = first + int(of.fairlead_tension[counted, 0].argmax())
+    if found.peaks:
+        half = 0.5 * _CYCLES * found.duration / found.peaks
+        inside = np.flatnonzero(abs(of.time - of.time[peak]) <= half)
+        first, last = max(first, int(inside[0])), min(last, int(inside[-1]))
+    step = max(1, math.ceil((last - first + 1) / most))
+    return sorted({*range(first, last + 1, step), peak, last})
+
+
+def history(part: DynamicPart, at_rest: float) -> Chart:
+    """Draw the fairlead tension of the governing run around its largest value.
+
+    Parameters
+    ----------
+    part : DynamicPart
+        One load case.
+    at_rest : float
+        Tension at the fairlead at rest, N.
+    """
+    run = part.governing
+    chosen = around_the_largest(run)
+    times = run.history.time[chosen].tolist()
+    tensions = run.history.fairlead_tension[chosen, 0].tolist()
+    still = run.quasi_static[chosen].tolist()
+    largest = max(tensions)
+    when = times[tensions.index(largest)]
+    said = Message("figures.largest_at", T=Measure("tension", largest), t=when)
+    rest = Message("figures.at_rest", T=Measure("tension", at_rest))
+    series = [Series("first", times, tensions, Message("figures.in_motion"))]
+    if np.isfinite(still).any():
+        series.insert(0, Series("second", times, still, Message("figures.quasi_static")))
+    return Chart(
+        "motion",
+        Message("figures.history", T=Measure("tension", largest), t=when),
+        Axis(Message("figures.time"), _TIME, times[0], times[-1]),
+        axis(
+            "tension",
+            _from_zero([*tensions, *still, at_rest]),
+            Message("figures.fairlead_tension_axis"),
+        ),
+        series=tuple(series),
+        marks=(Mark("reference", when, largest, said),),
+        levels=(Level("rest", "y", at_rest, rest),),
+        points=tuple(
+            Point(t, T, _said(t, T, q)) for t, T, q in zip(times, tensions, still, strict=True)
+        ),
+        notes=(
+            Message(
+                "figures.window", a=times[0], b=times[-1], run=run.number + 1, runs=len(part.runs)
+            ),
+        ),
+    )
+
+
+def _said(t: float, tension: float, still: float) -> str:
+    if math.isnan(still):
+        return Message("figures.at_time", t=t, T=Measure("tension", tension))
+    measures = {"T": Measure("tension", tension), "still": Measure("tension", still)}
+    return Message("figures.at_time_still", t=t, **measures)
+
+
+def _from_zero(tensions: Sequence[float]) -> tuple[float, float]:
+    """Find ends of an axis that hold tensions and 0."""
+    known = [each for each in tensions if math.isfinite(each)]
+    return min(0.0, 1.08 * min(known)), 1.08 * max(known) or 1.0
+
+
+def whole_history(part: DynamicPart) -> Chart:
+    """Draw the tensions at both ends in the governing run from its start to its end."""
+    run = part.governing
+    of = run.history
+    ends = (
+        ("faint", of.anchor_tension[:, 0], "figures.at_anchor"),
+        ("first", of.fairlead_tension[:, 0], "figures.at_fairlead"),
+        ("second", run.quasi_static, "figures.quasi_static"),
+    )
+    return Chart(
+        "series",
+        Message("figures.whole_history", run=run.number + 1, runs=len(part.runs)),
+        Axis(Message("figures.time"), _TIME, 0.0, float(of.time[-1])),
+        axis("tension", span_of(value for _, values, _ in ends for value in values.tolist())),
+        series=tuple(
+            Series(role, of.time.tolist(), values.tolist(), Message(key))
+            for role, values, key in ends
+        ),
+        levels=(Level("joint", "x", of.since, Message("figures.since")),),
+    )
+
+
+def spectrum(part: DynamicPart) -> Chart:
+    """Draw the spectrum of the fairlead tension of the governing run."""
+    run = part.governing
+    omega, density = np.zeros(2), np.zeros(2)
+    notes: tuple[str, ...] = (Message("figures.too_short"),)
+    if run.counted.sum() >= _FEW:
+        omega, density = run.tension_spectrum()
+        energy = np.cumsum(density)
+        last = int(np.searchsorted(energy, _SHOWN * energy[-1])) + 2
+        omega, density, notes = omega[:last], density[:last], ()
+    return Chart(
+        "spectrum",
+        Message("figures.spectrum"),
+        Axis(Message("figures.frequency"), _FREQUENCY, 0.0, float(omega[-1]) or 1.0),
+        Axis(Message("figures.density"), _DENSITY, 0.0, 1.08 * float(density.max()) or 1.0),
+        series=(Series("first", omega.tolist(), density.tolist()),) if not notes else (),
+        notes=notes,
+    )
+
+
+def envelope(part: DynamicPart) -> tuple[list[float], list[float], list[float]]:
+    """Find arc lengths, and the largest and the smallest tension of each bar over all runs, N."""
+    histories = [run.history for run in part.runs]
+    high = np.fmax.reduce([each.max_tension for each in histories])
+    low = np.fmin.reduce([each.min_tension for each in histories])
+    return histories[0].arc.tolist(), high.tolist(), low.tolist()
+
+
+def envelope_chart(
+    part: DynamicPart, at_rest: Solution | None = None, allowed: Sequence[float | None] = ()
+) -> Chart:
+    """Draw the largest and the smallest tension along the line.
+
+    Parameters
+    ----------
+    part : DynamicPart
+        One load case.
+    at_rest : Solution, optional
+        The line at rest, to be drawn beside them.
+    allowed : sequence of float or None
+        What its segments may carry, N.
+    """
+    arc, high, low = envelope(part)
+    largest = max(high)
+    series: list[Series] = []
+    levels: list[Level] = []
+    notes: list[str] = []
+    rests: Sequence[float | None] = [None] * len(arc)
+    if at_rest is not None:
+        profile = at_rest.profile(161)
+        levels, notes = capacities(at_rest, allowed, largest)
+        series = [Series("third", profile.s, profile.tension, Message("figures.still"))]
+        rests = np.interp(arc, profile.s, profile.tension).tolist()
+    tensions = [*high, *low, *(each.at for each in levels), *(T for one in series for T in one.y)]
+    step = max(1, math.ceil(len(arc) / _MOST))
+    return Chart(
+        "envelope",
+        Message("figures.envelope", T=Measure("tension", largest)),
+        axis("s", (0.0, part.line_length)),
+        axis("tension", _from_zero(tensions)),
+        series=(
+            *series,
+            Series("second", arc, low, Message("figures.smallest")),
+            Series("first", arc, high, Message("figures.largest")),
+        ),
+        levels=tuple(levels),
+        areas=(Area("between", low, high, arc),),
+        points=tuple(
+            Point(arc[k], high[k], _along(arc[k], low[k], high[k], rests[k]))
+            for k in range(0, len(arc), step)
+        ),
+        notes=tuple(notes),
+    )
+
+
+def _along(s: float, low: float, high: float, rest: float | None) -> str:
+    tensions = {"low": Measure("tension", low), "high": Measure("tension", high)}
+    if rest is None:
+        return Message("figures.from_to", s=Measure("s", s), **tensions)
+    still = Measure("tension", rest)
+    return Message("figures.from_to_still", s=Measure("s", s), still=still, **tensions)
+
+
+def exceedance(part: DynamicPart) -> Chart | None:
+    """Draw how many peaks of the fairlead tension are above each value, counted and by the tail.
+
+    None where the tension has no tail.
+    """
+    tail = part.of("fairlead_tension").tail
+    if tail is None:
+        return None
+    extreme, time = tail.extreme, lasting(tail.extreme.duration)
+    counted = [
+        (value, k * extreme.duration / tail.time)
+        for k, value in enumerate(tail.clusters[:_MOST_PEAKS], start=1)
+    ]
+    right = max(extreme.high, extreme.expected, tail.clusters[0])
+    steps = np.linspace(tail.threshold, right, 101).tolist()
+    fitted = [(x, n) for x in steps if (n := tail.expected_above(x)) >= _RARE]
+    interval = Message(
+        "figures.most_probable",
+        T=Measure("tension", extreme.most_probable),
+        low=Measure("tension", extreme.low),
+        high=Measure("tension", extreme.high),
+        confidence=extreme.confidence,
+    )
+    peaks = Message("figures.peaks_counted", count=len(counted))
+    top = max(tail.expected_above(tail.threshold), counted[-1][1])
+    return Chart(
+        "exceedance",
+        Message("figures.exceedance", time=time),
+        axis(
+            "tension",
+            span_of((tail.threshold, right), 0.0, 0.02),
+            Message("figures.fairlead_tension_axis"),
+        ),
+        Axis(Message("figures.peaks_above", time=time), _NUMBER, _RARE, 1.6 * top, foot=0.0),
+        series=(
+            Series(
+                "first",
+                [x for x, _ in fitted],
+                [n for _, n in fitted],
+                Message("figures.tail_fitted", shape=tail.shape),
+            ),
+        ),
+        marks=(
+            *(Mark("peak", T, n, peaks) for T, n in counted),
+            Mark("probable", extreme.most_probable, 1.0),
+        ),
+        levels=(
+            Level("interval", "y", 1.0, interval, max(extreme.low, tail.threshold), extreme.high),
+        ),
+        points=tuple(
+            Point(T, n, Message("figures.peak", T=Measure("tension", T), number=n, time=time))
+            for T, n in counted
+        ),
+    )
+
+
+def track(found: DynamicVerification) -> Chart:
+    """Draw the way of the body's origin from above, to scale, and its place at rest."""
+    way = found.governing.governing.track
+    assert way is not None
+    places = way[:: -(-way.shape[0] // _TRACK), :2].tolist()
+    low, high = way[:, :2].min(axis=0), way[:, :2].max(axis=0)
+    furthest = found.body[-1].maximum
+    x, y = zip(*places, strict=True)
+    return Chart(
+        "system_motion_track",
+        Message("figures.track", way=Measure("offset", furthest)),
+        *from_above([tuple(low.tolist()), tuple(high.tolist())],
+                    0.05 * max(float((high - low).max()), 1e-3)),
+        series=(Series("first", x, y, Message("figures.way_of_body")),),
+        marks=(Mark("reference", x[0], y[0], Message("figures.still")),),
+        to_scale=1.0,
+    )  # fmt: skip

@@ -1,0 +1,123 @@
+"""Several lines, or several models of a moored body, in one drawing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import cycle
+from typing import TYPE_CHECKING
+
+from catopt.figures.chart import Area, Chart, Level, Mark, Place, Series, axis, span_of
+from catopt.figures.line import room_around, surface_and_bed, water
+from catopt.figures.mooring import beyond, from_above
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.reproduce.items import MooredLine, Mooring
+
+__all__ = ["lines_to_scale", "models_from_above", "models_from_the_side", "models_near"]
+
+_LINES = ("mooring", "second", "first", "third", "fourth")
+_MODELS = (("second", "model-a"), ("first", "model-b"))
+"""Role of the lines and of the body of each model."""
+_ZOOM = 1.6
+"""How far the view round the body reaches, over its largest offset."""
+
+
+def lines_to_scale(lines: Sequence[tuple[str, Solution]], depth: float, title: str = "") -> Chart:
+    """Draw lines by their names from one anchor, to scale, in water of a depth (m)."""
+    right = max(solution.span for _, solution in lines)
+    top = max(depth, *(solution.fairlead_height for _, solution in lines))
+    unit = room_around(right, top)
+    series, marks = [], []
+    for (name, solution), role in zip(lines, cycle(_LINES), strict=False):
+        profile = solution.profile(401)
+        series.append(Series(role, profile.x, profile.z, name))
+        marks.append(Mark("fairlead", solution.span, solution.fairlead_height))
+        marks += [Mark("clump", load.x, load.z) for load in solution.point_loads]
+    return Chart(
+        "lines",
+        title or Message("figures.lines"),
+        axis("x", (-30.0 * unit, right + 30.0 * unit), within=(0.0, right)),
+        axis("z", (-24.0 * unit, top + 30.0 * unit), within=(0.0, top)),
+        series=tuple(series),
+        marks=(Mark("anchor", 0.0, 0.0), *marks),
+        levels=tuple(surface_and_bed(depth)),
+        areas=water(depth, math.inf),
+        to_scale=1.0,
+    )
+
+
+def models_from_above(moorings: Sequence[Mooring]) -> Chart:
+    """Draw the lines of a body by several models from above, to scale."""
+    places = [(line.x[k], line.y[k]) for one in moorings for line in one.lines for k in (0, -1)]
+    size = max(max(each) - min(each) for each in zip(*places, strict=True))
+    anchors = [(line.x[0], line.y[0]) for line in moorings[0].lines]
+    numbers = [
+        Mark("number", *place, words=str(number))
+        for number, place in enumerate(beyond(anchors, 1.6 * size), start=1)
+    ]
+    return Chart(
+        "models",
+        Message("figures.models"),
+        *from_above(places, 0.15 * size),
+        series=tuple(_paths(moorings)),
+        marks=(*_bodies(moorings), *numbers),
+        to_scale=1.0,
+    )
+
+
+def models_near(moorings: Sequence[Mooring]) -> Chart:
+    """Draw the surroundings of the body larger."""
+    ends = [(line.x[-1], line.y[-1]) for each in moorings for line in each.lines]
+    reach = _ZOOM * max(math.hypot(*end) for end in ends)
+    corners: list[Place] = [(-reach, -0.75 * reach), (0.5 * reach, 0.75 * reach)]
+    return Chart(
+        "models_near",
+        Message("figures.round_body"),
+        *from_above(corners, 0.0),
+        series=tuple(_paths(moorings)),
+        marks=tuple(_bodies(moorings)),
+        to_scale=1.0,
+    )
+
+
+def _paths(moorings: Sequence[Mooring]) -> Iterator[Series]:
+    for mooring, (role, _) in zip(moorings, cycle(_MODELS), strict=False):
+        for line in mooring.lines:
+            yield Series(role, line.x, line.y, mooring.name)
+
+
+def _bodies(moorings: Sequence[Mooring]) -> Iterator[Mark]:
+    yield Mark("neutral", 0.0, 0.0, Message("figures.neutral"))
+    for mooring, (_, role) in zip(moorings, cycle(_MODELS), strict=False):
+        body = mooring.lines[0]
+        yield Mark(role, body.x[-1], body.y[-1])
+
+
+def models_from_the_side(moorings: Sequence[Mooring], number: int) -> Chart:
+    """Draw one line (counted from 0) from the side by every model, heights magnified."""
+    series, marks = [], []
+    for mooring, (role, body) in zip(moorings, cycle(_MODELS), strict=False):
+        line = mooring.lines[number]
+        x = _away(line)
+        series.append(Series(role, x, line.z, mooring.name))
+        last = max(k for k, lies in enumerate(line.on_bed) if lies)
+        marks.append(Mark(body, x[last], line.z[last], Message("figures.last_at_bed")))
+    top = max(max(one.y) for one in series)
+    return Chart(
+        "elevation",
+        Message("figures.elevation", line=number + 1),
+        axis("x", span_of([x for one in series for x in one.x], 0.02, 0.02)),
+        axis("z", (-0.08 * top, 1.05 * top)),
+        series=tuple(series),
+        marks=tuple(marks),
+        levels=(Level("bed-edge", "y", 0.0, Message("figures.bed")),),
+        areas=(Area("bed", (-math.inf,), (0.0,)),),
+    )
+
+
+def _away(line: MooredLine) -> list[float]:
+    """Horizontal distances of a line's points from its anchor, m."""
+    return [math.hypot(a - line.x[0], b - line.y[0]) for a, b in zip(line.x, line.y, strict=True)]

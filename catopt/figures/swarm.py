@@ -1,0 +1,104 @@
+"""How the best run of a swarm converged."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from catopt.figures.chart import IN_TONNES, Axis, Chart, Level, Point, Series, axis, span_of
+from catopt.quantities import Quantity
+from catopt.words import Measure, Message
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import SwarmReport
+
+__all__ = ["fitness", "swarm_tension"]
+
+_CONVERGED = 1e-9
+_MOST_POINTS = 400
+COUNT = Quantity("count", "Number", "", "-", "-", 1.0, 0)
+"""A whole number along an axis."""
+
+
+def fitness(swarm: SwarmReport) -> Chart:
+    """Draw the best objective over the iterations, logarithmic (figure 3 of S1).
+
+    It ends where the run has converged: what f is further on, rounding decides, and each processor
+    rounds in its own way.
+    """
+    history = [float(f"{f:.4g}") for f in swarm.best_objective_history[: _shown(swarm)]]
+    powers = [math.log10(f) for f in (*history, _CONVERGED)]
+    low, high = math.floor(min(powers) + 1e-9), math.ceil(max(powers) - 1e-9)
+    size = max(high - low, 1)
+    step = max(1, math.ceil((size + 1) / 8))
+    ticks = tuple(10.0**power for power in range(low + size, low - 1, -step))
+    label = Message("figures.run", run=swarm.best_run)
+    return Chart(
+        "swarm",
+        Message("figures.fitness"),
+        _iterations(swarm),
+        axis(
+            "objective",
+            (10.0**low, 10.0 ** (low + size)),
+            Message("figures.best_objective"),
+            foot=0.0,
+            ticks=ticks,
+        ),
+        series=(Series("first", range(1, len(history) + 1), history, label),),
+        levels=(Level("limit", "y", _CONVERGED, Message("figures.converged")),),
+        points=_points(swarm, history),
+        notes=tuple(_stopped(swarm)),
+    )
+
+
+def swarm_tension(swarm: SwarmReport, closed_form: float) -> Chart:
+    """Draw the fairlead tension over the iterations (figure 4 of S1); `closed_form` is in N."""
+    history = [float(f"{T:.6g}") for T in swarm.tension_history[: _shown(swarm)]]
+    exact = Message("figures.closed_form", T=Measure("tension", closed_form))
+    ends = span_of([*history, closed_form], 0.15, 0.15)
+    label = Message("figures.best_particle", run=swarm.best_run)
+    return Chart(
+        "swarm_tension",
+        Message("figures.swarm_tension"),
+        _iterations(swarm),
+        axis("tension", ends, Message("figures.fairlead_tension_axis"), second=IN_TONNES),
+        series=(Series("first", range(1, len(history) + 1), history, label),),
+        levels=(Level("limit", "y", closed_form, exact),),
+        points=_points(swarm, history),
+        notes=tuple(_stopped(swarm)),
+    )
+
+
+def _shown(swarm: SwarmReport) -> int:
+    """Count the iterations before the one at which the run has converged."""
+    return sum(f >= _CONVERGED for f in swarm.best_objective_history)
+
+
+def _points(swarm: SwarmReport, history: Sequence[float]) -> tuple[Point, ...]:
+    return tuple(Point(n, history[n - 1], _said(swarm, n)) for n in _pointed(len(history)))
+
+
+def _iterations(swarm: SwarmReport) -> Axis:
+    return Axis(Message("figures.iteration"), COUNT, 0.0, float(max(_shown(swarm) + 1, 2)))
+
+
+def _stopped(swarm: SwarmReport) -> Iterator[str]:
+    shown = _shown(swarm)
+    if shown < len(swarm.best_objective_history):
+        yield Message("figures.stopped", iteration=shown + 1, iterations=swarm.iterations)
+
+
+def _pointed(count: int) -> list[int]:
+    """Choose iterations that answer to the pointer: all of a few, some of many, and the last."""
+    step = max(1, math.ceil(count / _MOST_POINTS))
+    return sorted({*range(1, count + 1, step), count} - {0})
+
+
+def _said(swarm: SwarmReport, iteration: int) -> str:
+    return Message(
+        "figures.iteration_at",
+        iteration=iteration,
+        f=Measure("objective", swarm.best_objective_history[iteration - 1]),
+        T=Measure("tension", swarm.tension_history[iteration - 1]),
+    )

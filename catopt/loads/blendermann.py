@@ -1,0 +1,143 @@
+"""Wind on merchant ships after Blendermann (1994), whose coefficients are open."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from catopt.loads.component import LoadComponent, Number
+from catopt.loads.drag import drag_component
+from catopt.loads.environment import Wind
+from catopt.loads.ship import Ship
+from catopt.loads.source import BLENDERMANN, LoadSource
+from catopt.model.validity import Findings
+from catopt.words import Message, term
+
+__all__ = ["TYPES", "WindType", "blendermann_loads", "coefficients"]
+
+
+@dataclass(frozen=True)
+class WindType:
+    """Coefficients of a kind of ship.
+
+    Attributes
+    ----------
+    transverse : float
+        CDt, beam wind, referred to the lateral area.
+    bow, stern : float
+        CDlAF, wind from ahead and from astern, referred to the frontal area.
+    delta : float
+        Cross-force parameter.
+    """
+
+    transverse: float
+    bow: float
+    stern: float
+    delta: float
+
+
+TYPES = MappingProxyType(
+    {
+        "car carrier": WindType(0.95, 0.55, 0.60, 0.80),
+        "cargo loaded": WindType(0.85, 0.65, 0.55, 0.40),
+        "cargo containers on deck": WindType(0.85, 0.55, 0.50, 0.40),
+        "container ship loaded": WindType(0.90, 0.55, 0.55, 0.40),
+        "destroyer": WindType(0.85, 0.60, 0.65, 0.65),
+        "diving support vessel": WindType(0.90, 0.60, 0.80, 0.55),
+        "ferry": WindType(0.90, 0.45, 0.50, 0.80),
+        "fishing vessel": WindType(0.95, 0.70, 0.70, 0.40),
+        "LNG tanker": WindType(0.70, 0.60, 0.65, 0.50),
+        "offshore supply vessel": WindType(0.90, 0.55, 0.80, 0.55),
+        "passenger liner": WindType(0.90, 0.40, 0.40, 0.80),
+        "research vessel": WindType(0.85, 0.55, 0.65, 0.60),
+        "tanker loaded": WindType(0.70, 0.90, 0.55, 0.40),
+        "tanker ballast": WindType(0.70, 0.75, 0.55, 0.40),
+        "tender": WindType(0.85, 0.55, 0.55, 0.65),
+    }
+)
+"""Kinds of ship, as the MSS toolbox lists them (C)."""
+
+_SOURCE = LoadSource(BLENDERMANN, "CX and CY", "C")
+
+
+def coefficients(kind: WindType, angle: float, frontal_over_lateral: float) -> tuple[float, float]:
+    """CX on the frontal and CY on the lateral area.
+
+    D = 1 - (delta/2) (1 - CDl/CDt) sin^2(2 gamma) with CDl = CDlAF AF/AL;
+    CX = -CDlAF cos(gamma)/D; CY = CDt sin(gamma)/D.
+
+    Parameters
+    ----------
+    kind : WindType
+        See `TYPES`.
+    angle : float
+        gamma, from the bow to where the wind comes from, rad: 0 from ahead.
+    frontal_over_lateral : float
+        AF/AL.
+
+    Returns
+    -------
+    tuple of float
+        CX, negative from ahead, and CY.
+    """
+    along = kind.bow if math.cos(angle) >= 0.0 else kind.stern
+    ratio = along * frontal_over_lateral / kind.transverse
+    divisor = 1.0 - 0.5 * kind.delta * (1.0 - ratio) * math.sin(2.0 * angle) ** 2
+    return -along * math.cos(angle) / divisor, kind.transverse * math.sin(angle) / divisor
+
+
+def blendermann_loads(
+    ship: Ship, wind: Wind, kind: str, *, angle: float, air_density: float
+) -> tuple[LoadComponent, LoadComponent]:
+    """Wind along and across a ship.
+
+    Parameters
+    ----------
+    ship : Ship
+        Its frontal and lateral areas count.
+    wind : Wind
+        At 10 m.
+    kind : str
+        A key of `TYPES`.
+    angle : float
+        From the bow to where the wind comes from, rad.
+    air_density : float
+        kg/m3.
+
+    Raises
+    ------
+    InputError
+        For an unknown kind.
+    """
+    if kind not in TYPES:
+        found = Findings("wind after Blendermann")
+        found.add("kind", repr(kind), "one of " + ", ".join(TYPES))
+        found.raise_if_any()
+    cx, cy = coefficients(TYPES[kind], angle, ship.frontal_area / ship.lateral_area)
+    note = Message("loads.wind_note", kind=term(kind), angle=math.degrees(angle))
+    air = (air_density, wind.speed)
+    frontal = Number("AF", ship.frontal_area, "m2", Message("loads.frontal_area"))
+    lateral = Number("AL", ship.lateral_area, "m2", Message("loads.lateral_area"))
+    return (
+        drag_component(
+            Message("loads.wind_along"),
+            "wind",
+            air,
+            frontal,
+            Number("CX", cx, "", Message("loads.coefficient_here")),
+            _SOURCE,
+            axis="surge",
+            note=note,
+        ),
+        drag_component(
+            Message("loads.wind_across"),
+            "wind",
+            air,
+            lateral,
+            Number("CY", cy, "", Message("loads.coefficient_here")),
+            _SOURCE,
+            axis="sway",
+            note=note,
+        ),
+    )

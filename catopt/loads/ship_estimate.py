@@ -1,0 +1,104 @@
+"""A tanker of which only the main dimensions are known: what is not given is estimated."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import Final, Literal, get_args
+
+from catopt.loads.ship import Ship
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+__all__ = ["BLOCK", "MIDSHIP", "MOULDED", "WATERLINE", "Condition", "estimated_tanker", "estimates"]
+
+Condition = Literal["loaded", "ballast"]
+
+WATERLINE: Final = 0.97
+"""Of the length over all."""
+
+BLOCK: Final = MappingProxyType({"loaded": 0.80, "ballast": 0.72})
+"""Block coefficient."""
+
+MIDSHIP: Final = 0.98
+"""Midship coefficient."""
+
+MOULDED: Final = 1.3
+"""Moulded depth in draughts of the loaded ship."""
+
+HOUSE_HEIGHT: Final = 15.0
+HOUSE_LENGTH: Final = 25.0
+"""Of the deckhouse, m; it is as wide as the ship."""
+
+
+def estimates() -> tuple[Message, Message]:
+    """Say what is taken of hull and deckhouse where nothing is given; catopt's own figures."""
+    return (
+        Message(
+            "loads.estimated_hull", part=WATERLINE, loaded="0.80", ballast="0.72", midship=MIDSHIP
+        ),
+        Message("loads.estimated_house", height=HOUSE_HEIGHT, length=HOUSE_LENGTH),
+    )
+
+
+def estimated_tanker(
+    name: str,
+    length: float,
+    breadth: float,
+    draught: float,
+    *,
+    moulded_depth: float,
+    condition: Condition = "loaded",
+    frontal_area: float | None = None,
+    lateral_area: float | None = None,
+) -> Ship:
+    """Make a tanker out of its main dimensions.
+
+    Parameters
+    ----------
+    name : str
+        For titles.
+    length, breadth, draught : float
+        Over all, and afloat, m.
+    moulded_depth : float
+        From the deck to the keel, m.
+    condition : {"loaded", "ballast"}
+        For the block coefficient.
+    frontal_area, lateral_area : float, optional
+        Above water, m2; estimated when left out.
+
+    Raises
+    ------
+    InputError
+        A deck below the water, or what no hull can be.
+    """
+    found = Findings(f"ship {name}".rstrip())
+    if condition not in get_args(Condition):
+        found.add("condition", repr(condition), "one of " + ", ".join(get_args(Condition)))
+    found.number("length_overall", length, "m", above=0.0)
+    found.number("breadth", breadth, "m", above=0.0)
+    found.number("draught", draught, "m", above=0.0)
+    found.number("moulded_depth", moulded_depth, "m", above=0.0)
+    if not found.problems and moulded_depth <= draught:
+        found.add(
+            "moulded_depth",
+            f"{moulded_depth:g} m",
+            f"not above the draught of {draught:g} m: the deck would be under water",
+        )
+    found.raise_if_any()
+    freeboard = moulded_depth - draught
+    waterline = WATERLINE * length
+    section = breadth * draught
+    frontal = breadth * (freeboard + HOUSE_HEIGHT)
+    lateral = length * freeboard + HOUSE_HEIGHT * HOUSE_LENGTH
+    return Ship(
+        name,
+        length_overall=length,
+        length_waterline=waterline,
+        breadth=breadth,
+        draught=draught,
+        displacement=BLOCK[condition] * waterline * section,
+        midship_area=MIDSHIP * section,
+        lateral_area=lateral if lateral_area is None else lateral_area,
+        frontal_area=frontal if frontal_area is None else frontal_area,
+        propeller="tanker",
+    )

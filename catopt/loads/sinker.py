@@ -1,0 +1,321 @@
+"""Sinkers (deadweight anchors): held by their weight in water and the friction of the soil."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final, Literal
+
+from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.loads.sizes import SINKER_MASSES, neighbours, next_size
+from catopt.loads.source import CALMAR, NAVFAC, LoadSource, refuse_recalled
+from catopt.model.anchor import sinker_needed
+from catopt.model.validity import Findings
+from catopt.words import Message, term
+
+__all__ = [
+    "DENSITIES",
+    "SAFETY_FACTOR",
+    "SOIL_FRICTION",
+    "Material",
+    "SinkerSize",
+    "SoilFriction",
+    "friction_of",
+    "holding_force",
+    "size_sinker",
+    "submerged_weight",
+]
+
+Material = Literal["concrete", "steel"]
+
+DENSITIES: Final = MappingProxyType({"concrete": 2400.0, "steel": 7850.0})
+"""kg/m3. Steel: IALA CALMAR 7.2 (A). Concrete: recalled (R), for lack of another; weigh yours."""
+
+SAFETY_FACTOR: Final = 1.5
+"""On sliding, recommended by IALA (CALMAR 6.2.6, A)."""
+
+FACTOR_SOURCE: Final = LoadSource(CALMAR, "6.2.6", "A")
+
+
+@dataclass(frozen=True)
+class SoilFriction:
+    """Friction of a sinker on a soil.
+
+    Attributes
+    ----------
+    soil : str
+        Name.
+    low, high : float
+        tan(delta) of mass concrete, from and to; the lower one is used.
+    steel : float or None
+        tan(delta) of steel, recalled (R); None where nothing is recalled.
+    source : LoadSource
+        Of concrete's figures.
+    note : str
+        Key of what else to know.
+    """
+
+    soil: str
+    low: float
+    high: float
+    steel: float | None
+    source: LoadSource
+    note: str = ""
+
+
+_LAND = "a figure for foundations on land: soft mud is not covered"
+_NAVFAC = LoadSource(NAVFAC, f"mass concrete; {_LAND}", "A")
+_STEEL = LoadSource(NAVFAC, f"steel; {_LAND}", "R")
+
+_TABLE: Final = (
+    SoilFriction("clean sound rock", 0.70, 0.70, None, _NAVFAC),
+    SoilFriction("gravel or coarse sand", 0.55, 0.60, 0.40, _NAVFAC),
+    SoilFriction("clean fine to medium sand", 0.45, 0.55, 0.30, _NAVFAC),
+    SoilFriction("fine or silty sand", 0.35, 0.45, 0.25, _NAVFAC),
+    SoilFriction("sandy silt", 0.30, 0.35, 0.20, _NAVFAC),
+    SoilFriction("hard clay", 0.40, 0.50, None, _NAVFAC),
+    SoilFriction("stiff clay", 0.30, 0.35, None, _NAVFAC),
+    SoilFriction(
+        "IALA default",
+        1.0,
+        1.0,
+        None,
+        LoadSource(CALMAR, "7.2, phi = 45 deg", "A"),
+        "loads.optimistic",
+    ),
+)
+
+SOIL_FRICTION: Final = MappingProxyType({each.soil: each for each in _TABLE})
+"""Soils by name."""
+
+
+@dataclass(frozen=True)
+class SinkerSize:
+    """A sinker that does not slide.
+
+    Attributes
+    ----------
+    material : {"concrete", "steel"}
+        Of what.
+    density : float
+        kg/m3.
+    friction : float
+        tan(delta) on the soil.
+    friction_source : LoadSource or None
+        Of it; None for the user's own.
+    needed_mass, mass : float
+        The least, and the next size, in air, kg.
+    submerged_weight : float
+        Of that size, N.
+    horizontal_force, vertical_force : float
+        Of the line on it, N, the vertical one upwards.
+    safety_factor : float
+        That was wanted.
+    smaller, larger : float or None
+        Its neighbours in the series, kg.
+    notes : tuple of str
+        What an engineer should know.
+    """
+
+    material: Material
+    density: float
+    friction: float
+    friction_source: LoadSource | None
+    needed_mass: float
+    mass: float
+    submerged_weight: float
+    horizontal_force: float
+    vertical_force: float
+    safety_factor: float
+    smaller: float | None
+    larger: float | None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def factor(self) -> float | None:
+        """What it holds over the horizontal pull; None without a pull."""
+        if self.horizontal_force == 0.0:
+            return None
+        held = holding_force(self.submerged_weight, self.vertical_force, self.friction)
+        return held / self.horizontal_force
+
+
+def submerged_weight(mass: float, density: float, water_density: float) -> float:
+    """Weight in water g m (1 - rho_w/rho), N.
+
+    Parameters
+    ----------
+    mass : float
+        In air, kg.
+    density, water_density : float
+        kg/m3.
+    """
+    return STANDARD_GRAVITY * mass * (1.0 - water_density / density)
+
+
+def holding_force(weight: float, vertical_force: float, friction: float) -> float:
+    """Horizontal pull at which it slides, mu (W - V); 0 for one that is lifted, N.
+
+    Parameters
+    ----------
+    weight, vertical_force : float
+        In water, and of the line upwards, N.
+    friction : float
+        mu.
+    """
+    return max(0.0, friction * (weight - vertical_force))
+
+
+def friction_of(
+    soil: str, material: Material = "concrete", *, allow_recalled: bool = False
+) -> tuple[float, LoadSource]:
+    """Lower friction coefficient of a soil, with its source.
+
+    Parameters
+    ----------
+    soil : str
+        A key of `SOIL_FRICTION`.
+    material : {"concrete", "steel"}
+        Of the sinker. Steel's figures are recalled (R).
+    allow_recalled : bool
+        Whether they may be used.
+
+    Raises
+    ------
+    InputError
+        For a soil without a figure: soft mud has none. Measure, and give a friction.
+    """
+    found = Findings("sinker")
+    if soil not in SOIL_FRICTION:
+        listed = "; ".join(SOIL_FRICTION)
+        found.add("soil", repr(soil), f"one of {listed}; for others, soft mud too, give friction")
+    if material not in DENSITIES:
+        found.add("material", repr(material), "concrete or steel")
+    found.raise_if_any()
+    row = SOIL_FRICTION[soil]
+    if material == "concrete":
+        return row.low, row.source
+    if row.steel is None:
+        found.add("soil", repr(soil), "no figure for steel on it: give friction")
+        found.raise_if_any()
+    assert row.steel is not None
+    what = f"friction of steel on {soil}"
+    refuse_recalled("sinker", "soil", what, "give friction", allowed=allow_recalled)
+    return row.steel, _STEEL
+
+
+def size_sinker(
+    horizontal_force: float,
+    vertical_force: float = 0.0,
+    *,
+    soil: str | None = None,
+    friction: float | None = None,
+    material: Material = "concrete",
+    density: float | None = None,
+    safety_factor: float = SAFETY_FACTOR,
+    water_density: float = SEA_WATER_DENSITY,
+    series: Sequence[float] = SINKER_MASSES,
+    allow_recalled: bool = False,
+) -> SinkerSize:
+    """Pick the next size that does not slide: mu (W - V) >= SF H, W in water.
+
+    Parameters
+    ----------
+    horizontal_force, vertical_force : float
+        Of the line on the sinker, N, the vertical one upwards.
+    soil : str, optional
+        A key of `SOIL_FRICTION`; it or `friction`.
+    friction : float, optional
+        tan(delta) of one's own.
+    material : {"concrete", "steel"}
+        Of the sinker.
+    density : float, optional
+        kg/m3; that of `DENSITIES` when left out.
+    safety_factor : float
+        On the horizontal force.
+    water_density : float
+        kg/m3.
+    series : sequence of float
+        Masses, rising, kg.
+    allow_recalled : bool
+        Whether recalled figures (R) may be used.
+
+    Raises
+    ------
+    InputError, NoAnswerError
+        For wrong input; when the largest of the series slides.
+    """
+    _check(horizontal_force, vertical_force, soil, friction, safety_factor)
+    source: LoadSource | None = None
+    if soil is not None:
+        mu, source = friction_of(soil, material, allow_recalled=allow_recalled)
+    else:
+        assert friction is not None
+        mu = friction
+    rho = DENSITIES[_material(material)] if density is None else density
+    _check_density(rho, water_density)
+    weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
+    needed = weight / submerged_weight(1.0, rho, water_density)
+    mass = next_size(needed, series, Message(_SINKERS[material]))
+    smaller, larger = neighbours(mass, series)
+    return SinkerSize(
+        material,
+        rho,
+        mu,
+        source,
+        needed,
+        mass,
+        submerged_weight(mass, rho, water_density),
+        horizontal_force,
+        vertical_force,
+        safety_factor,
+        smaller,
+        larger,
+        _notes(soil, material, density),
+    )
+
+
+_SINKERS: Final = {"concrete": "loads.concrete_sinker", "steel": "loads.steel_sinker"}
+
+
+def _material(material: str) -> str:
+    if material not in DENSITIES:
+        found = Findings("sinker")
+        found.add("material", repr(material), "concrete or steel")
+        found.raise_if_any()
+    return material
+
+
+def _notes(soil: str | None, material: str, density: float | None) -> tuple[str, ...]:
+    notes = []
+    if soil is not None:
+        row = SOIL_FRICTION[soil]
+        notes.append(Message(row.note) if row.note else Message("loads.land", soil=term(soil)))
+    if density is None and material == "concrete":
+        notes.append(Message("loads.concrete"))
+    return tuple(notes)
+
+
+def _check(
+    horizontal: float, vertical: float, soil: str | None, friction: float | None, factor: float
+) -> None:
+    found = Findings("sinker")
+    found.number("horizontal_force", horizontal, "N", at_least=0.0)
+    found.number("vertical_force", vertical, "N", at_least=0.0)
+    found.number("safety_factor", factor, "", at_least=1.0)
+    if (soil is None) == (friction is None):
+        given = "neither" if soil is None else "both"
+        found.add("soil", given, "one of soil and friction is wanted")
+    if friction is not None:
+        found.number("friction", friction, "", above=0.0, at_most=1.5)
+    found.raise_if_any()
+
+
+def _check_density(density: float, water_density: float) -> None:
+    found = Findings("sinker")
+    found.number("water_density", water_density, "kg/m3", at_least=900.0, at_most=1100.0)
+    found.number("density", density, "kg/m3", at_most=20e3)
+    if not found.problems and density <= water_density:
+        found.add("density", f"{density:g} kg/m3", "it floats: above that of the water is wanted")
+    found.raise_if_any()

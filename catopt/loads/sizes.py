@@ -1,0 +1,90 @@
+"""The next size sold: series of masses, and the step up to them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from catopt.errors import NoAnswerError
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+__all__ = ["ANCHOR_MASSES", "SINKER_MASSES", "neighbours", "next_size"]
+
+ANCHOR_MASSES: Final = tuple(
+    1e3 * tonnes
+    for tonnes in (
+        *(0.1, 0.15, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0),
+        *(8.0, 9.0, 10.0, 12.0, 15.0, 18.0, 20.0, 22.0, 25.0, 30.0),
+    )
+)
+"""kg: steps in which drag anchors are commonly offered. catopt's own list; ask a maker."""
+
+SINKER_MASSES: Final = tuple(
+    1e3 * tonnes
+    for tonnes in (
+        *(0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0),
+        *(25.0, 30.0, 40.0, 50.0, 60.0),
+    )
+)
+"""kg, in air: steps for sinkers, which are cast to order. catopt's own list."""
+
+_ROUNDING = 1e-9
+
+
+def next_size(needed: float, series: Sequence[float], what: str) -> float:
+    """Pick the smallest of a series that is enough.
+
+    Parameters
+    ----------
+    needed : float
+        kg.
+    series : sequence of float
+        Rising, kg.
+    what : str
+        For the message.
+
+    Raises
+    ------
+    NoAnswerError
+        When the largest is not enough.
+    """
+    _check(series)
+    for size in series:
+        if size >= needed * (1.0 - _ROUNDING):
+            return size
+    raise NoAnswerError(
+        Message(
+            "loads.too_small",
+            what=what,
+            needed=needed / 1e3,
+            largest=series[-1] / 1e3,
+            missing=(needed - series[-1]) / 1e3,
+        )
+    )
+
+
+def neighbours(size: float, series: Sequence[float]) -> tuple[float | None, float | None]:
+    """Pick the next smaller and the next larger of a series; None beyond its ends.
+
+    Parameters
+    ----------
+    size : float
+        kg.
+    series : sequence of float
+        Rising, kg.
+    """
+    smaller = [each for each in series if each < size]
+    larger = [each for each in series if each > size]
+    return (smaller[-1] if smaller else None, larger[0] if larger else None)
+
+
+def _check(series: Sequence[float]) -> None:
+    found = Findings("series of sizes")
+    if not series:
+        found.add("series", "none", "one size or more")
+    for index, size in enumerate(series):
+        found.number(f"series[{index}]", size, "kg", above=0.0)
+    if not found.problems and list(series) != sorted(set(series)):
+        found.add("series", "", "must rise")
+    found.raise_if_any()

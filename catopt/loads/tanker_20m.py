@@ -1,0 +1,133 @@
+"""S3's tanker: the force from the weather printed there, beside the 450 kN printed without a way.
+
+Nothing is tuned to the printed sum: the coefficients are those of the sources, the estimates of the
+ship are stated, and the sum falls where it falls.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, Literal
+
+from catopt.loads.component import Loads
+from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
+from catopt.loads.ship import Ship
+from catopt.loads.ship_estimate import estimated_tanker, estimates
+from catopt.loads.ship_loads import ship_loads
+from catopt.loads.wave_drift import DriftWave
+from catopt.words import Message, Sentence
+
+__all__ = [
+    "AGREEMENT",
+    "CURRENT",
+    "PRINTED_FORCE",
+    "SEA",
+    "WATER_DEPTH",
+    "WIND",
+    "TankerComparison",
+    "compare_tanker",
+    "tanker",
+]
+
+PRINTED_FORCE: Final = 450e3
+"""N, from wind, waves and current; S3 prints no way to it."""
+
+WIND: Final = Wind(20.0)
+CURRENT: Final = SurfaceCurrent(1.2)
+SEA: Final = SeaState(8.0, maximum_height=3.5)
+WATER_DEPTH: Final = 20.0
+
+AGREEMENT: Final = 10.0
+"""%, within which two estimates of steady loads are said to agree."""
+
+_LENGTH: Final = 234.0
+_BREADTH: Final = 31.3
+_MOULDED_DEPTH: Final = 16.0
+_DRAUGHTS: Final = {"loaded": 12.4, "ballast": 3.2}
+
+
+_STATEMENTS: Final = {
+    ("agrees", "above"): "loads.agrees_above",
+    ("agrees", "below"): "loads.agrees_below",
+    ("differs", "above"): "loads.differs_above",
+    ("differs", "below"): "loads.differs_below",
+}
+
+
+@dataclass(frozen=True)
+class TankerComparison:
+    """Computed beside printed.
+
+    Attributes
+    ----------
+    loads : Loads
+        The computed forces, component by component.
+    printed : float
+        N.
+    estimates : tuple of str
+        What S3 does not print of the ship, and what was taken.
+    """
+
+    loads: Loads
+    printed: float
+    estimates: tuple[str, ...]
+
+    @property
+    def ratio(self) -> float:
+        """Computed over printed."""
+        return self.loads.horizontal_force / self.printed
+
+    @property
+    def statement(self) -> Sentence:
+        """What comes of it, in one sentence."""
+        computed = self.loads.horizontal_force / 1e3
+        printed = self.printed / 1e3
+        difference = 100.0 * (self.ratio - 1.0)
+        agreement = "agrees" if abs(difference) <= AGREEMENT else "differs"
+        side = "above" if difference > 0.0 else "below"
+        values = {"computed": computed, "printed": printed, "share": abs(difference)}
+        return Sentence(Message(_STATEMENTS[agreement, side], **values))
+
+
+def tanker(condition: Literal["loaded", "ballast"] = "loaded") -> Ship:
+    """S3's ship of 50,000 DWT, with what is not printed estimated.
+
+    Parameters
+    ----------
+    condition : {"loaded", "ballast"}
+        Draught 12.4 or 3.2 m.
+    """
+    return estimated_tanker(
+        f"tanker of 50,000 DWT, {condition}",
+        _LENGTH,
+        _BREADTH,
+        _DRAUGHTS[condition],
+        moulded_depth=_MOULDED_DEPTH,
+        condition=condition,
+    )
+
+
+def compare_tanker(
+    condition: Literal["loaded", "ballast"] = "loaded", drift: DriftWave = "sea state"
+) -> TankerComparison:
+    """Compute the force on S3's tanker, head to everything, beside the printed 450 kN.
+
+    Parameters
+    ----------
+    condition : {"loaded", "ballast"}
+        Draught 12.4 or 3.2 m.
+    drift : {"sea state", "largest wave"}
+        Mean drift of the sea whose Hmax is 3.5 m, or of regular waves of that height.
+    """
+    loads = ship_loads(
+        tanker(condition),
+        WIND,
+        CURRENT,
+        SEA,
+        WATER_DEPTH,
+        wind_on=f"tanker {condition}",
+        drift=drift,
+    )
+    size = {"length": _LENGTH, "breadth": _BREADTH, "depth": _MOULDED_DEPTH}
+    said = (Message("loads.printed_size", **size), *estimates())
+    return TankerComparison(loads, PRINTED_FORCE, said)

@@ -1,0 +1,307 @@
+"""Current on ships after UFC 4-159-03, of 2005: across and along the ship."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from catopt.loads.component import LoadComponent, Number
+from catopt.loads.drag import drag_component
+from catopt.loads.ship import PROPELLER_AREA_RATIOS, Ship
+from catopt.loads.source import UFC, LoadSource
+from catopt.model.validity import Findings
+from catopt.words import Message, term
+
+__all__ = [
+    "FASTEST_SHALLOW",
+    "SHALLOW_COEFFICIENT",
+    "VISCOSITY",
+    "deep_coefficient",
+    "friction_coefficient",
+    "longitudinal_loads",
+    "propeller_area",
+    "ship_parameter",
+    "transverse_coefficient",
+    "transverse_load",
+    "wetted_surface",
+    "yaw_moment",
+]
+
+SHALLOW_COEFFICIENT: Final = 3.2
+"""C1, at T/d = 1, for currents up to 1.5 m/s (page 85, A)."""
+
+FASTEST_SHALLOW: Final = 1.5
+"""m/s: up to which C1 = 3.2 is recommended (page 85, A)."""
+
+EXPONENT: Final = 2.0
+"""K: fits most tests; 3 in a few, on a cargo ship, CVE-55 and SS-212 (page 85, A)."""
+
+VISCOSITY: Final = 1.19e-6
+"""m2/s, of sea water at 15 deg C: between the 1.354e-6 of 10 and the 1.054e-6 of 20 deg C (C)."""
+
+_FORM_COEFFICIENT: Final = 0.1
+_PROPELLER_COEFFICIENT: Final = 1.0
+_LEAST_REYNOLDS: Final = 1.0e5
+
+_ACROSS = LoadSource(
+    UFC, "eq. 11 to 13, page 85, by a form (eq. 9 and 10) that gives table 4-6 again", "B"
+)
+_FORM = LoadSource(UFC, "eq. 16, page 89", "A")
+_FRICTION = LoadSource(UFC, "eq. 17 to 20, page 90", "A")
+_PROPELLER = LoadSource(UFC, "eq. 21 to 23, pages 90 to 92", "A")
+
+
+def ship_parameter(length: float, midship_area: float, breadth: float, volume: float) -> float:
+    """Dimensionless chi = LwL^2 Am/(B V) (eq. 13, page 85, A).
+
+    Parameters
+    ----------
+    length, breadth : float
+        At the waterline, m.
+    midship_area : float
+        m2.
+    volume : float
+        Displaced, m3.
+    """
+    return length * length * midship_area / (breadth * volume)
+
+
+def deep_coefficient(parameter: float) -> float:
+    """C0 = 0.22 sqrt(chi) (eq. 12, page 85, B).
+
+    The root is lost in the copy that was read; without it C0 of the FFG-7 would be 3.3, above C1,
+    and table 4-6 asks for 0.849, which is that of chi = 14.9.
+
+    Parameters
+    ----------
+    parameter : float
+        chi, see `ship_parameter`.
+    """
+    return 0.22 * math.sqrt(parameter)
+
+
+def transverse_coefficient(
+    draught_over_depth: float,
+    deep: float,
+    *,
+    shallow: float = SHALLOW_COEFFICIENT,
+    exponent: float = EXPONENT,
+) -> float:
+    """Cyc = C0 + (C1 - C0) (T/d)^K (B: the form is recalled, and gives table 4-6 again).
+
+    Parameters
+    ----------
+    draught_over_depth : float
+        T/d, 0 to 1.
+    deep, shallow : float
+        C0 and C1.
+    exponent : float
+        K.
+
+    Raises
+    ------
+    InputError
+        For T/d outside 0 to 1, or C0 above C1.
+    """
+    found = Findings("transverse current")
+    found.number("T/d", draught_over_depth, "", at_least=0.0, at_most=1.0)
+    found.number("C0", deep, "", above=0.0, at_most=shallow)
+    found.number("K", exponent, "", above=0.0)
+    found.raise_if_any()
+    return float(deep + (shallow - deep) * draught_over_depth**exponent)
+
+
+def transverse_load(
+    ship: Ship,
+    speed: float,
+    depth: float,
+    *,
+    angle: float,
+    water_density: float,
+    exponent: float = EXPONENT,
+) -> LoadComponent:
+    """Compute the current across a ship: 1/2 rho V^2 LwL T Cyc sin(theta).
+
+    Parameters
+    ----------
+    ship : Ship
+        Afloat.
+    speed : float
+        Of the current, m/s.
+    depth : float
+        Of the water, m.
+    angle : float
+        From the bow to where the current comes from, rad.
+    water_density : float
+        kg/m3.
+    exponent : float
+        K; 2 or 3.
+    """
+    ship.check_afloat(depth)
+    chi = ship_parameter(ship.length_waterline, ship.midship_area, ship.breadth, ship.displacement)
+    deep = deep_coefficient(chi)
+    coefficient = transverse_coefficient(ship.draught / depth, deep, exponent=exponent)
+    return drag_component(
+        Message("loads.current_across"),
+        "current",
+        (water_density, speed),
+        Number(
+            "LwL T",
+            ship.length_waterline * ship.draught,
+            "m2",
+            Message("loads.length_times_draught"),
+        ),
+        Number("Cyc sin", coefficient * math.sin(angle), "", Message("loads.coefficient_here")),
+        _ACROSS,
+        axis="sway",
+        note=Message(
+            "loads.transverse_note",
+            chi=chi,
+            deep=deep,
+            shallow=SHALLOW_COEFFICIENT,
+            exponent=exponent,
+            ratio=ship.draught / depth,
+            coefficient=coefficient,
+        ),
+    )
+
+
+def wetted_surface(draught: float, length: float, volume: float) -> float:
+    """S = 1.7 T LwL + V/T (eq. 18, page 90, A), m2.
+
+    Parameters
+    ----------
+    draught, length : float
+        m.
+    volume : float
+        Displaced: the weight over the weight density of the water, m3.
+    """
+    return 1.7 * draught * length + volume / draught
+
+
+def friction_coefficient(reynolds: float) -> float:
+    """Cxca = 0.075/(log10 Rn - 2)^2 (eq. 19, page 90, A); 0 below Rn = 1e5, where it ends.
+
+    Parameters
+    ----------
+    reynolds : float
+        Rn, 0 or more: nearly 0 for a current on the beam, where the formula has its pole.
+    """
+    if reynolds < _LEAST_REYNOLDS:
+        return 0.0
+    return 0.075 / (math.log10(reynolds) - 2.0) ** 2
+
+
+def propeller_area(length: float, breadth: float, ratio: float, pitch: float = 1.0) -> float:
+    """Give the expanded blade area of a ship's propellers, m2 (eq. 22 and 23, A).
+
+    Ap = ATpp/(1.067 - 0.229 p/d) with ATpp = LwL B/AR.
+
+    Parameters
+    ----------
+    length, breadth : float
+        At the waterline, m.
+    ratio : float
+        AR, see `PROPELLER_AREA_RATIOS`.
+    pitch : float
+        p/d, pitch over diameter.
+    """
+    return length * breadth / ratio / (1.067 - 0.229 * pitch)
+
+
+def longitudinal_loads(
+    ship: Ship,
+    speed: float,
+    *,
+    angle: float,
+    water_density: float,
+    viscosity: float = VISCOSITY,
+) -> tuple[LoadComponent, ...]:
+    """Compute the current along a ship: form, friction and locked propeller (eq. 15 to 23, A).
+
+    Parameters
+    ----------
+    ship : Ship
+        Afloat.
+    speed : float
+        Of the current, m/s.
+    angle : float
+        From the bow to where the current comes from, rad.
+    water_density : float
+        kg/m3.
+    viscosity : float
+        Kinematic, m2/s.
+    """
+    water = (water_density, speed)
+    cosine = math.cos(angle)
+    reynolds = speed * ship.length_waterline * abs(cosine) / viscosity
+    surface = wetted_surface(ship.draught, ship.length_waterline, ship.displacement)
+    parts = [
+        (
+            "loads.current_form",
+            "B T",
+            ship.breadth * ship.draught,
+            "Cxcb",
+            _FORM_COEFFICIENT,
+            _FORM,
+            "",
+        ),
+        (
+            "loads.current_friction",
+            "S",
+            surface,
+            "Cxca",
+            friction_coefficient(reynolds),
+            _FRICTION,
+            Message("loads.reynolds", number=reynolds),
+        ),
+    ]
+    if ship.propeller is not None:
+        ratio = PROPELLER_AREA_RATIOS[ship.propeller]
+        area = propeller_area(ship.length_waterline, ship.breadth, ratio)
+        note = Message("loads.propeller_note", kind=term(ship.propeller), ratio=ratio)
+        parts.append(
+            (
+                "loads.current_propeller",
+                "Ap",
+                area,
+                "Cprop",
+                _PROPELLER_COEFFICIENT,
+                _PROPELLER,
+                note,
+            )
+        )
+    return tuple(
+        drag_component(
+            Message(key),
+            "current",
+            water,
+            Number(symbol, area, "m2", Message("loads.area")),
+            Number(f"{letter} cos", coefficient * cosine, "", Message("loads.coefficient_here")),
+            source,
+            axis="surge",
+            sign=-1.0,
+            note=note,
+        )
+        for key, symbol, area, letter, coefficient, source, note in parts
+    )
+
+
+def yaw_moment(
+    transverse_force: float, length: float, intercept: float, slope: float, angle: float
+) -> float:
+    """Moment of the current about the vertical, N m: Fyc (a + b theta) LwL (eq. 24 and 25, A).
+
+    Parameters
+    ----------
+    transverse_force : float
+        Fyc, N.
+    length : float
+        At the waterline, m.
+    intercept, slope : float
+        a, and b per degree, of table 4-10, which was not read: they are the user's.
+    angle : float
+        theta as UFC counts it, deg, 0 to 360.
+    """
+    theta = angle if angle <= 180.0 else 360.0 - angle
+    return transverse_force * (intercept + slope * theta) * length

@@ -1,0 +1,229 @@
+"""Wind on ships after UFC 4-159-03: the shape functions that were read, and what was recalled."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final, Literal
+
+from catopt.loads.component import LoadComponent, Number
+from catopt.loads.drag import drag_component
+from catopt.loads.environment import Wind
+from catopt.loads.ship import Ship
+from catopt.loads.source import UFC, LoadSource, refuse_recalled
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+__all__ = [
+    "Superstructure",
+    "UfcWind",
+    "longitudinal_shape",
+    "recalled_longitudinal_coefficient",
+    "recalled_transverse_coefficient",
+    "transverse_shape",
+    "ufc_wind_loads",
+]
+
+Superstructure = Literal["single", "distributed"]
+"""Case I, a single distinct superstructure or a ship dominated by its hull; case II."""
+
+_REFERENCE_HEIGHT: Final = 10.0
+_ALONG: Final = 1e-9
+_LONGITUDINAL = LoadSource(UFC, "eq. 6 and 7, page 77; the coefficient is the user's", "A")
+_RECALLED = LoadSource(UFC, "eq. 2, page 65; Cyw and fyw on pages that were not read", "R")
+_GIVE = "give the coefficient of your edition, or take Blendermann's"
+
+
+@dataclass(frozen=True)
+class UfcWind:
+    """Coefficients of a ship.
+
+    Attributes
+    ----------
+    transverse : float
+        Cyw, on the lateral area.
+    from_ahead, from_astern : float
+        Cxw, on the frontal area.
+    zero_angle : float
+        theta_x, wind angle without a longitudinal force, rad, counted as UFC counts: 180 deg is
+        bow-on.
+    superstructure : {"single", "distributed"}
+        Which shape function the longitudinal force has.
+    recalled : bool
+        Whether a coefficient is recalled rather than the user's own.
+    """
+
+    transverse: float
+    from_ahead: float
+    from_astern: float
+    zero_angle: float
+    superstructure: Superstructure
+    recalled: bool = False
+
+    def __post_init__(self) -> None:
+        found = Findings("UfcWind")
+        for key in ("transverse", "from_ahead", "from_astern"):
+            found.number(key, getattr(self, key), "", above=0.0, at_most=3.0)
+        found.number("zero_angle", self.zero_angle, "rad", above=0.0)
+        if not found.problems and not self.zero_angle < math.pi:
+            found.add("zero_angle", f"{self.zero_angle:g} rad", "must be below pi")
+        if self.superstructure not in ("single", "distributed"):
+            found.add("superstructure", repr(self.superstructure), "single or distributed")
+        found.raise_if_any()
+
+
+def longitudinal_shape(angle: float, zero_angle: float, superstructure: Superstructure) -> float:
+    """fxw: 1 at 0, 0 at theta_x, -1 at 180 deg (UFC eq. 6 and 7, page 77, A).
+
+    Case I: cos(phi), phi = 90 deg theta/theta_x below theta_x and 90 deg (theta - theta_x)/
+    (180 deg - theta_x) + 90 deg above. Case II: [sin(gamma) - sin(5 gamma)/10]/0.9 with gamma =
+    phi + 90 deg.
+
+    Parameters
+    ----------
+    angle : float
+        theta, rad, counted as UFC counts; symmetrical about the ship's axis.
+    zero_angle : float
+        theta_x, rad.
+    superstructure : {"single", "distributed"}
+        Case I or II.
+    """
+    theta = math.acos(max(-1.0, min(1.0, math.cos(angle))))
+    quarter = 0.5 * math.pi
+    if theta < zero_angle:
+        phi = quarter * theta / zero_angle
+    else:
+        phi = quarter * (theta - zero_angle) / (math.pi - zero_angle) + quarter
+    if superstructure == "single":
+        return math.cos(phi)
+    gamma = phi + quarter
+    return (math.sin(gamma) - 0.1 * math.sin(5.0 * gamma)) / 0.9
+
+
+def transverse_shape(angle: float, *, allow_recalled: bool = False) -> float:
+    """Shape of the transverse force, [sin(theta) - sin(5 theta)/20]/0.95, recalled (R).
+
+    Parameters
+    ----------
+    angle : float
+        rad; the same counted from the bow or from the stern.
+    allow_recalled : bool
+        Must be set.
+    """
+    refuse_recalled("transverse_shape", "fyw", "the shape function", _GIVE, allowed=allow_recalled)
+    return (math.sin(angle) - 0.05 * math.sin(5.0 * angle)) / 0.95
+
+
+def recalled_transverse_coefficient(
+    hull: tuple[float, float],
+    superstructure: tuple[float, float],
+    *,
+    allow_recalled: bool = False,
+) -> float:
+    """Cyw from the heights and lateral areas of hull and superstructure, recalled (R).
+
+    0.92 [((hS + hH)/(2 hR))^(2/7) AS + (hH/(2 hR))^(2/7) AH]/(AS + AH), hR = 10 m.
+
+    Parameters
+    ----------
+    hull, superstructure : tuple of float
+        Height of its top above the water, m, and its lateral area, m2.
+    allow_recalled : bool
+        Must be set.
+    """
+    where = "recalled_transverse_coefficient"
+    refuse_recalled(where, "Cyw", "its formula", _GIVE, allowed=allow_recalled)
+    found = Findings(where)
+    for name, pair in (("hull", hull), ("superstructure", superstructure)):
+        found.number(f"{name} height", pair[0], "m", above=0.0)
+        found.number(f"{name} area", pair[1], "m2", at_least=0.0)
+    if not found.problems and hull[1] + superstructure[1] <= 0.0:
+        found.add("hull area", "0 m2", "an area is wanted")
+    found.raise_if_any()
+    (h_hull, a_hull), (h_super, a_super) = hull, superstructure
+    of_super = (0.5 * (h_super + h_hull) / _REFERENCE_HEIGHT) ** (2.0 / 7.0)
+    of_hull = (0.5 * h_hull / _REFERENCE_HEIGHT) ** (2.0 / 7.0)
+    return float(0.92 * (of_super * a_super + of_hull * a_hull) / (a_super + a_hull))
+
+
+def recalled_longitudinal_coefficient(
+    hull_dominated: bool, *, allow_recalled: bool = False
+) -> float:
+    """Cxw: 0.40 for a ship dominated by its hull, 0.70 for others, recalled (R).
+
+    Parameters
+    ----------
+    hull_dominated : bool
+        Such as an aircraft carrier.
+    allow_recalled : bool
+        Must be set.
+    """
+    where = "recalled_longitudinal_coefficient"
+    refuse_recalled(where, "Cxw", "its table", _GIVE, allowed=allow_recalled)
+    return 0.40 if hull_dominated else 0.70
+
+
+def ufc_wind_loads(
+    ship: Ship,
+    wind: Wind,
+    of: UfcWind,
+    *,
+    angle: float,
+    air_density: float,
+    allow_recalled: bool = False,
+) -> tuple[LoadComponent, LoadComponent]:
+    """Wind along and across a ship: 1/2 rho V^2 A C f.
+
+    Parameters
+    ----------
+    ship : Ship
+        Its frontal and lateral areas count.
+    wind : Wind
+        Mean of 30 s at 10 m (UFC 3-8.1, page 42).
+    of : UfcWind
+        Coefficients.
+    angle : float
+        From the bow to where the wind comes from, rad: 0 from ahead.
+    air_density : float
+        kg/m3; 1.221 in UFC.
+    allow_recalled : bool
+        Must be set, for the transverse shape function is recalled (R), unless the wind is along
+        the ship.
+
+    Raises
+    ------
+    InputError
+        When recalled figures are not allowed.
+    """
+    along_axis = abs(math.sin(angle)) < _ALONG
+    across = 0.0 if along_axis else transverse_shape(angle, allow_recalled=allow_recalled)
+    if of.recalled:
+        what = "the coefficients"
+        refuse_recalled("ufc_wind_loads", "of", what, _GIVE, allowed=allow_recalled)
+    shape = longitudinal_shape(math.pi - angle, of.zero_angle, of.superstructure)
+    along = of.from_ahead if shape < 0.0 else of.from_astern
+    air = (air_density, wind.speed)
+    values = {"angle": math.degrees(angle), "along": shape, "across": across}
+    note = Message("loads.ufc_wind_note", **values)
+    return (
+        drag_component(
+            Message("loads.wind_along"),
+            "wind",
+            air,
+            Number("Ax", ship.frontal_area, "m2", Message("loads.frontal_area")),
+            Number("Cxw fxw", along * shape, "", Message("loads.coefficient_here")),
+            _RECALLED if of.recalled else _LONGITUDINAL,
+            axis="surge",
+            note=note,
+        ),
+        drag_component(
+            Message("loads.wind_across"),
+            "wind",
+            air,
+            Number("Ay", ship.lateral_area, "m2", Message("loads.lateral_area")),
+            Number("Cyw fyw", of.transverse * across, "", Message("loads.coefficient_here")),
+            _RECALLED,
+            axis="sway",
+            note=note,
+        ),
+    )

@@ -1,0 +1,188 @@
+"""Mean wave drift force, in two simplifications: a side that reflects, and a slender cylinder."""
+
+from __future__ import annotations
+
+import math
+from typing import Final, Literal, get_args
+
+from catopt.constants import STANDARD_GRAVITY
+from catopt.loads.component import LoadComponent, Number
+from catopt.loads.environment import SeaState
+from catopt.loads.source import DTOCEAN, LoadSource
+from catopt.model.validity import Findings
+from catopt.words import Message, term
+
+__all__ = [
+    "SLENDEREST",
+    "DriftWave",
+    "cylinder_drift",
+    "depth_factor",
+    "flat_side_drift",
+    "ship_drift",
+]
+
+SLENDEREST: Final = 0.4
+"""ka below which the long-wave formula of the cylinder is within 10 % (C)."""
+
+DriftWave = Literal["sea state", "largest wave"]
+"""The mean over an irregular sea of height Hs, or that under regular waves of the height Hmax."""
+
+_SOURCE = LoadSource(DTOCEAN, "flat side, after Hermans and Remery 1970; depth, McIver 1987", "C")
+
+
+def depth_factor(wave_number: float, depth: float) -> float:
+    """1 + 2 k h/sinh(2 k h): what shallow water adds; 1 in deep water, 2 in shallow (C).
+
+    DTOcean has it for a fixed cylinder. It is the ratio of twice the group to the phase velocity,
+    which the momentum in any wave is multiplied with.
+
+    Parameters
+    ----------
+    wave_number : float
+        k, rad/m.
+    depth : float
+        h, m.
+    """
+    double = 2.0 * wave_number * depth
+    return 1.0 + (double / math.sinh(double) if double < 700.0 else 0.0)
+
+
+def flat_side_drift(
+    sea: SeaState,
+    depth: float,
+    *,
+    reflection: float = 1.0,
+    of: DriftWave = "sea state",
+    water_density: float,
+) -> float:
+    """Mean force per metre on a side that reflects the waves, N/m.
+
+    1/2 rho g (R a)^2 times `depth_factor`, a the amplitude. Over an irregular sea the mean of
+    a^2/2 is m0 = Hs^2/16; for one regular wave a = Hmax/2 (not above breaking).
+
+    Parameters
+    ----------
+    sea : SeaState
+        Height and period.
+    depth : float
+        Of the water, m.
+    reflection : float
+        R, 0 to 1; 1, all of the wave, is the upper bound.
+    of : {"sea state", "largest wave"}
+        See `DriftWave`.
+    water_density : float
+        kg/m3.
+    """
+    found = Findings("wave drift")
+    found.number("depth", depth, "m", above=0.0)
+    found.number("reflection", reflection, "", at_least=0.0, at_most=1.0)
+    if of not in get_args(DriftWave):
+        found.add("of", repr(of), "one of " + ", ".join(get_args(DriftWave)))
+    found.raise_if_any()
+    factor = depth_factor(sea.wave_number(depth), depth)
+    square = _half_mean_square(sea, depth, of)
+    return water_density * STANDARD_GRAVITY * reflection**2 * square * factor
+
+
+def _half_mean_square(sea: SeaState, depth: float, of: DriftWave) -> float:
+    """Mean of a^2/2, m2."""
+    if of == "sea state":
+        return sea.hs**2 / 16.0
+    return (0.5 * sea.height_in(depth)) ** 2 / 2.0
+
+
+def cylinder_drift(sea: SeaState, radius: float, depth: float, *, water_density: float) -> float:
+    """Mean force on a floating vertical cylinder in long waves, N.
+
+    (5 pi^2/16) rho g a^2 r (k r)^3 (Eatock Taylor and others 1990, as DTOcean has it, C), the mean
+    over the sea state: a^2 = Hs^2/8.
+
+    Parameters
+    ----------
+    sea : SeaState
+        Height and period.
+    radius : float
+        r, m.
+    depth : float
+        Of the water, m.
+    water_density : float
+        kg/m3.
+
+    Raises
+    ------
+    InputError
+        When k r is above 0.4: the waves are too short, or the cylinder too wide.
+    """
+    found = Findings("wave drift")
+    found.number("radius", radius, "m", above=0.0)
+    found.number("depth", depth, "m", above=0.0)
+    found.raise_if_any()
+    slender = sea.wave_number(depth) * radius
+    if slender > SLENDEREST:
+        found.add(
+            "radius", f"k r = {slender:.2f}", f"the long-wave formula holds up to {SLENDEREST:g}"
+        )
+    found.raise_if_any()
+    square = sea.hs**2 / 8.0
+    front = 5.0 * math.pi**2 / 16.0 * water_density * STANDARD_GRAVITY
+    return front * square * radius * slender**3
+
+
+_MEAN_SQUARE: Final = {
+    "sea state": "loads.mean_square_sea",
+    "largest wave": "loads.mean_square_wave",
+}
+
+
+def ship_drift(
+    sea: SeaState,
+    length: float,
+    breadth: float,
+    depth: float,
+    *,
+    angle: float,
+    reflection: float = 1.0,
+    of: DriftWave = "sea state",
+    water_density: float,
+) -> tuple[LoadComponent, LoadComponent]:
+    """Mean drift on a ship, taken for a box that reflects the waves.
+
+    The width across the waves, L |sin| + B |cos|, times `flat_side_drift`, along the waves.
+
+    Parameters
+    ----------
+    sea : SeaState
+        Height and period.
+    length, breadth : float
+        m.
+    depth : float
+        Of the water, m.
+    angle : float
+        From the bow to where the waves come from, rad.
+    reflection, of, water_density
+        As of `flat_side_drift`.
+    """
+    per_metre = flat_side_drift(
+        sea, depth, reflection=reflection, of=of, water_density=water_density
+    )
+    sine, cosine = math.sin(angle), math.cos(angle)
+    width = length * abs(sine) + breadth * abs(cosine)
+    square = _half_mean_square(sea, depth, of)
+    numbers = (
+        Number("rho", water_density, "kg/m3", Message("loads.water_density")),
+        Number("m", square, "m2", Message(_MEAN_SQUARE[of])),
+        Number("R", reflection, "", Message("loads.reflection")),
+        Number("D", depth_factor(sea.wave_number(depth), depth), "", Message("loads.depth_factor")),
+        Number("W", width, "m", Message("loads.width")),
+    )
+    formula = "rho g R^2 m D W"
+    note = Message("loads.waves_note", kind=term(of), angle=math.degrees(angle))
+
+    def component(name: str, axis: Literal["surge", "sway"], share: float) -> LoadComponent:
+        force = per_metre * width * share
+        return LoadComponent(name, "wave drift", axis, formula, numbers, force, _SOURCE, note)
+
+    return (
+        component(Message("loads.drift_along"), "surge", -cosine),
+        component(Message("loads.drift_across"), "sway", sine),
+    )

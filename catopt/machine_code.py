@@ -1,0 +1,253 @@
+"""Machine code of kernel functions: numba's compiler, and what of its work is kept on disk.
+
+The cache is a convenience. An entry that cannot be read, is damaged or belongs to something else
+is dropped and compiled anew; where nothing can be written, nothing is kept.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pickle
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import cache
+from glob import escape
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+import numba
+from numba.core import event
+from numba.core.caching import FunctionCache
+from numba.core.registry import CPUDispatcher
+from numba.core.serialize import dumps
+
+from catopt.interrupt import asked_to_stop, uninterrupted
+
+__all__ = ["cost", "dispatcher", "is_kept", "listen"]
+
+_PACKAGE = __name__.partition(".")[0] + "."
+_A_BYTE = 8e-4
+"""Processor time that a byte of bytecode takes to compile, s: 6e-4 to 1.1e-3 over all of them."""
+_SIZE = hashlib.sha256().digest_size
+
+_dispatchers: dict[Callable[..., Any], Any] = {}
+"""The compiled functions that Python calls."""
+_tell: dict[str, list[Any]] = {"compiling": [], "damaged": []}
+
+
+def cost(function: Any) -> float:
+    """Seconds of processor time that it takes to compile a function and those it calls, about."""
+    return _A_BYTE * sum(len(each.__code__.co_code) for each in _reached(function))
+
+
+def is_kept(function: Callable[..., Any]) -> bool:
+    """Whether machine code of a function lies on disk."""
+    kept = _dispatcher(function)._cache
+    return isinstance(kept, _Cache) and kept.has_entries()
+
+
+def dispatcher(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Compiled form of a kernel function, to be called from Python; Ctrl-C waits meanwhile."""
+    call: Callable[..., Any] = uninterrupted(_dispatcher(function))
+    return call
+
+
+def listen(compiling: list[Callable[[], None]], damaged: list[Callable[[str], None]]) -> None:
+    """Take over what is to be called, once, when something is compiled or found damaged."""
+    _tell["compiling"], _tell["damaged"] = compiling, damaged
+    _listen()
+
+
+@cache
+def _listen() -> None:
+    """Hear of compilations: between two functions is a place where Ctrl-C does no harm."""
+
+    class Listener(event.Listener):
+        def on_start(self, event: object) -> None:  # noqa: ARG002 - as numba calls it
+            if asked_to_stop():
+                raise KeyboardInterrupt
+            while _tell["compiling"]:
+                _tell["compiling"].pop()()
+
+        def on_end(self, event: object) -> None:
+            """Nothing is said at the end."""
+
+    event.register("numba:compile", Listener())  # type: ignore[no-untyped-call]
+
+
+def _dispatcher(function: Callable[..., Any]) -> Any:
+    """Compile on call, and keep the machine code."""
+    if function not in _dispatchers:
+        made = numba.njit(_twin(function), **_options(function))
+        with suppress(RuntimeError, OSError):  # no folder to keep the machine code in
+            made._cache = _Cache(made.py_func)
+        _dispatchers[function] = made
+    return _dispatchers[function]
+
+
+@cache
+def _inner(function: Callable[..., Any]) -> Any:
+    """Compile for compiled callers alone, without what Python would need to call it."""
+    if function in _dispatchers:
+        return _dispatchers[function]
+    options = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    return numba.njit(_twin(function), **_options(function) | options)
+
+
+def _options(function: Callable[..., Any]) -> dict[str, Any]:
+    inline = hasattr(function, "is_inlined")
+    return {"error_model": "numpy", "nogil": True, "forceinline": inline}
+
+
+class _Cache(FunctionCache):
+    """Machine code of one function on disk, of which nothing is needed."""
+
+    def __init__(self, function: FunctionType) -> None:
+        super().__init__(function)  # type: ignore[no-untyped-call]
+        codegen = CPUDispatcher.targetdescr.target_context.codegen()
+        machine = _digest_of((numba.__version__, codegen.magic_tuple()))
+        name = f"{self._impl.filename_base}.{machine}"
+        self._cache_file: Any = _Files(Path(self._cache_path), name)
+
+    def has_entries(self) -> bool:
+        """Whether anything is kept that this machine may run."""
+        return any(self._cache_file.all())
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """Read an entry; None where there is none, or none of any use."""
+        try:
+            return super().load_overload(sig, target_context)  # type: ignore[no-untyped-call]
+        except Exception:  # whatever a damaged file may lead to
+            self._drop()
+            return None
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Keep an entry, if that is possible."""
+        with suppress(OSError):
+            super().save_overload(sig, data)  # type: ignore[no-untyped-call]
+
+    def _drop(self) -> None:
+        """Remove what is kept of the function, and say so once."""
+        for path in self._cache_file.all():
+            with suppress(OSError):
+                path.unlink()
+        while _tell["damaged"]:
+            _tell["damaged"].pop()(str(self._cache_file.folder))
+
+
+class _Files:
+    """Entries of a cache, a file each, with a digest: damaged machine code would crash."""
+
+    def __init__(self, folder: Path, name: str) -> None:
+        self.folder = folder
+        self._name = name
+
+    def all(self) -> Iterator[Path]:
+        """All entries."""
+        return self.folder.glob(f"{escape(self._name)}.*.nbc")
+
+    def load(self, key: Any) -> Any:
+        """Read an entry; None where there is none."""
+        try:
+            content = self._path(key).read_bytes()
+        except FileNotFoundError:
+            return None
+        digest, data = content[:_SIZE], content[_SIZE:]
+        if hashlib.sha256(data).digest() != digest:
+            raise ValueError("damaged")
+        name, of_key, entry = pickle.loads(data)
+        if (name, of_key) != (self._name, key):
+            raise ValueError("of something else")
+        return entry
+
+    def save(self, key: Any, entry: Any) -> None:
+        """Write an entry, whole or not at all."""
+        data = dumps((self._name, key, entry))  # type: ignore[no-untyped-call]
+        path = self._path(key)
+        new = path.with_suffix(f".{os.getpid()}.new")
+        try:
+            new.write_bytes(hashlib.sha256(data).digest() + data)
+            new.replace(path)
+        except OSError:
+            new.unlink(missing_ok=True)
+            raise
+
+    def _path(self, key: Any) -> Path:
+        return self.folder / f"{self._name}.{_digest_of(key)}.nbc"
+
+
+def _digest_of(value: object) -> str:
+    return hashlib.sha256(repr(value).encode()).hexdigest()[:12]
+
+
+def _twin(function: Callable[..., Any]) -> FunctionType:
+    """Copy of a function whose globals hold compiled functions where it names kernel functions."""
+    assert isinstance(function, FunctionType)
+    names = {
+        name: _inner(value) if _is_kernel(value) else value
+        for name, value in _named(function).items()
+    }
+    module = {"__name__": function.__module__, "__builtins__": __builtins__, **names}
+    twin = FunctionType(
+        function.__code__, module, function.__name__, function.__defaults__, function.__closure__
+    )
+    twin.__qualname__ = f"{function.__qualname__}_{_digest(function)}"
+    twin.__module__ = function.__module__
+    return twin
+
+
+def _named(function: FunctionType) -> dict[str, Any]:
+    """Globals of its module that a function names."""
+    names = function.__code__.co_names
+    return {name: function.__globals__[name] for name in names if name in function.__globals__}
+
+
+def _is_kernel(value: object) -> bool:
+    return isinstance(value, FunctionType) and value.__module__.startswith(_PACKAGE)
+
+
+def _digest(function: FunctionType) -> str:
+    """Digest of the source files of a function, of what it reaches and of the tuples it handles."""
+    reached = _reached(function)
+    sources = {each.__code__.co_filename for each in reached}
+    sources |= _tuple_sources({each.__module__ for each in reached})
+    total = hashlib.sha256()
+    for source in sorted(sources):
+        total.update(Path(source).read_bytes())
+    return total.hexdigest()[:12]
+
+
+def _tuple_sources(modules: set[str]) -> set[str]:
+    """Source files of the named tuples that modules know, and of those that these hold in turn.
+
+    Machine code is kept under the layout of its tuples, which is none of the functions' sources.
+    """
+    sources = set()
+    waiting = set(modules)
+    known: set[str] = set()
+    while waiting:
+        module = sys.modules[waiting.pop()]
+        known.add(module.__name__)
+        for value in vars(module).values():
+            if not isinstance(value, type) or not issubclass(value, tuple):
+                continue
+            if value.__module__.startswith(_PACKAGE):
+                sources.add(str(sys.modules[value.__module__].__file__))
+                waiting |= {value.__module__} - known
+    return sources
+
+
+@cache
+def _reached(function: FunctionType) -> list[FunctionType]:
+    """List a function and every kernel function that it calls, over any number of steps."""
+    known: dict[FunctionType, None] = {}
+    waiting = [function]
+    while waiting:
+        each = waiting.pop()
+        if each not in known:
+            known[each] = None
+            waiting += [value for value in _named(each).values() if _is_kernel(value)]
+    return list(known)

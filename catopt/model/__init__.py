@@ -1,0 +1,49 @@
+"""What is moored, as frozen values in SI: no input, no output, no solving."""
+
+from catopt.model.anchor import Anchor
+from catopt.model.body import Body
+from catopt.model.buoy import Buoy
+from catopt.model.case import Case, SwarmSettings
+from catopt.model.catalogue_choice import CatalogueChoice
+from catopt.model.checks import Checks
+from catopt.model.current_profile import CurrentProfile
+from catopt.model.design import ClumpWeightChoice, Design, SegmentChoice, SinkerChoice
+from catopt.model.dynamics import Dynamics
+from catopt.model.find import Find
+from catopt.model.line import Line, PointLoad, Segment
+from catopt.model.load import Load
+from catopt.model.load_case import LoadCase
+from catopt.model.motion import Motion
+from catopt.model.service import Service
+from catopt.model.site import Site
+from catopt.model.system import Leg, System
+from catopt.model.wave_state import WaveState, WaveTrain
+
+__all__ = [
+    "Anchor",
+    "Body",
+    "Buoy",
+    "Case",
+    "CatalogueChoice",
+    "Checks",
+    "ClumpWeightChoice",
+    "CurrentProfile",
+    "Design",
+    "Dynamics",
+    "Find",
+    "Leg",
+    "Line",
+    "Load",
+    "LoadCase",
+    "Motion",
+    "PointLoad",
+    "Segment",
+    "SegmentChoice",
+    "Service",
+    "SinkerChoice",
+    "Site",
+    "SwarmSettings",
+    "System",
+    "WaveState",
+    "WaveTrain",
+]

@@ -1,0 +1,241 @@
+"""A whole case: site, line, load and the settings of its solvers and checks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import Literal, get_args
+
+from catopt.model.anchor import Anchor
+from catopt.model.body import Body
+from catopt.model.buoy import Buoy
+from catopt.model.catalogue_choice import CatalogueChoice
+from catopt.model.checks import Checks
+from catopt.model.current_profile import CurrentProfile
+from catopt.model.design import Design
+from catopt.model.dynamics import Dynamics, dynamics_misfits
+from catopt.model.find import Find, misfits
+from catopt.model.line import Line
+from catopt.model.load import Load
+from catopt.model.load_case import LoadCase
+from catopt.model.motion import Motion
+from catopt.model.service import Service
+from catopt.model.site import Site
+from catopt.model.system import System, system_misfits
+from catopt.model.validity import Findings
+from catopt.model.wave_state import WaveState
+
+__all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "SwarmSettings"]
+
+Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
+BOUNDARY_HANDLINGS: tuple[str, ...] = get_args(Boundary)
+
+_FOR_MOTION = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "system")
+
+
+MOST_EVALUATIONS = 10**10
+"""Of a swarm: hours on one core."""
+
+
+@dataclass(frozen=True)
+class SwarmSettings:
+    """Settings of the particle swarm.
+
+    The defaults are the article's numbers (S1) with the coefficients and the boundary handling
+    under which its problem does not stall (docs/theory.md).
+
+    Attributes
+    ----------
+    particles, iterations, runs : int
+        Size of the swarm, iterations a run, independent runs.
+    seed : int
+        Run k draws from the generator seeded with (seed, k).
+    cognitive, social, inertia : float
+        c1, c2 and w of the velocity rule.
+    boundary : str
+        What happens to a particle beyond a bound; the names are those of pyswarms.
+    """
+
+    particles: int = 200
+    iterations: int = 200
+    runs: int = 1
+    seed: int = 1
+    cognitive: float = 1.5
+    social: float = 1.5
+    inertia: float = 0.4
+    boundary: Boundary = "reflective"
+
+    def __post_init__(self) -> None:
+        found = Findings("SwarmSettings")
+        for key in ("particles", "iterations", "runs"):
+            found.count(key, getattr(self, key))
+        if not found.problems:
+            self._check_evaluations(found)
+        found.count("seed", self.seed)
+        for key in ("cognitive", "social"):
+            found.number(key, getattr(self, key), "", at_least=0.0, at_most=4.0)
+        found.number("inertia", self.inertia, "", at_least=0.0, at_most=1.0)
+        if self.boundary not in BOUNDARY_HANDLINGS:
+            found.add("boundary", repr(self.boundary), "one of " + ", ".join(BOUNDARY_HANDLINGS))
+        found.raise_if_any()
+
+    def _check_evaluations(self, found: Findings) -> None:
+        evaluations = self.particles * self.iterations * self.runs
+        if evaluations > MOST_EVALUATIONS:
+            allowed = (
+                f"with particles and iterations {evaluations:,} evaluations; {MOST_EVALUATIONS:,} "
+                "are the most, which take hours"
+            )
+            found.add("runs", f"{self.runs}", allowed)
+
+
+@dataclass(frozen=True)
+class Case:
+    """Everything a case file says.
+
+    Attributes
+    ----------
+    site : Site
+        Water and seabed.
+    line : Line
+        The mooring line.
+    load : Load or None
+        What is known at the fairlead; None where `find` seeks the force itself, or where there
+        are load cases.
+    fairlead_height, anchor_height : float
+        Above the seabed, m.
+    checks : Checks
+        Limits.
+    swarm : SwarmSettings
+        Settings of ``--method pso``.
+    title, source : str
+        Free text.
+    find : Find or None
+        What is sought instead, if anything.
+    load_cases : tuple of LoadCase
+        The states that checks and designs are made for; empty: the load alone.
+    service : Service or None
+        Life and wear; None: the line stays as new.
+    buoy : Buoy or None
+        What the line pulls down on, when its buoyancy is to be checked.
+    anchor : Anchor or None
+        What holds the line, when that is to be checked.
+    catalogue : CatalogueChoice
+        Where components come from.
+    design : Design or None
+        What may vary.
+    system : System or None
+        A body moored by several lines like `line`, in the place of a load.
+    waves, current : WaveState, CurrentProfile or None
+        Of the sea, for a line in motion.
+    motion : Motion or None
+        Of the fairlead; of a body with several lines, of its origin.
+    anchor_motion : Motion or None
+        Of the lower end of a line, harmonic or recorded; it stays without.
+    body : Body or None
+        That the lines moor, where it moves under forces instead of being led.
+    dynamics : Dynamics or None
+        How the line is run in time; needed by the five before it.
+    """
+
+    site: Site
+    line: Line
+    load: Load | None
+    fairlead_height: float
+    anchor_height: float = 0.0
+    checks: Checks = field(default_factory=Checks)
+    swarm: SwarmSettings = field(default_factory=SwarmSettings)
+    title: str = ""
+    source: str = ""
+    find: Find | None = None
+    load_cases: tuple[LoadCase, ...] = ()
+    service: Service | None = None
+    buoy: Buoy | None = None
+    anchor: Anchor | None = None
+    catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
+    design: Design | None = None
+    system: System | None = None
+    waves: WaveState | None = None
+    current: CurrentProfile | None = None
+    motion: Motion | None = None
+    anchor_motion: Motion | None = None
+    body: Body | None = None
+    dynamics: Dynamics | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("Case")
+        found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
+        found.number("anchor_height", self.anchor_height, "m", at_least=0.0)
+        found.problems += misfits(
+            self.find,
+            load=None if self.load is None else self.load.given,
+            MBL_known=[segment.MBL is not None for segment in self.line.segments],
+            point_loads=len(self.line.point_loads),
+            anchor_height=self.anchor_height,
+            has_load_cases=bool(self.load_cases) or self.system is not None,
+        )
+        if self.system is not None:
+            found.problems += system_misfits(
+                {"load": self.load, "load_cases": self.load_cases, "find": self.find}
+            )
+        found.problems += dynamics_misfits(
+            [k for k in _FOR_MOTION if getattr(self, k) is not None],
+            list(self._given_for_motion()),
+        )
+        number = None if self.dynamics is None else self.dynamics.broken_line
+        lines = 1 if self.system is None else len(self.system.legs)
+        if number is not None and number > lines:
+            allowed = f"there are {lines} lines" if lines > 1 else "there is one line"
+            found.add("dynamics.broken_line", f"{number}", allowed)
+        lower = self.anchor_motion
+        if lower is not None and (lower.rao_file or lower.of_a_body):
+            found.add("anchor_motion", "RAOs or a drift", "give period, or file")
+        self._check_load_cases(found)
+        found.raise_if_any()
+
+    def _given_for_motion(self) -> Iterator[str]:
+        """Yield which keys of motion and body are given, of those that need others."""
+        if self.motion is not None:
+            yield from (f"motion.{key}" for key in self.motion.of_a_body)
+            files = (key for key in ("file", "rao_file") if getattr(self.motion, key))
+            yield from (f"motion.{key}" for key in files)
+        if self.dynamics is not None and self.dynamics.broken_line is not None:
+            yield "dynamics.broken_line"
+            if self.dynamics.broken_end == "anchor":
+                yield "dynamics.broken_end"
+        if self.body is not None:
+            if self.body.force_file:
+                yield "body.force_file"
+            if self.body.wave_force:
+                yield "body.wave_force"
+
+    def _check_load_cases(self, found: Findings) -> None:
+        names = [state.name for state in self.load_cases]
+        lowest = min(self.site.water_depth, self.fairlead_height)
+        for index, state in enumerate(self.load_cases):
+            if state.name in names[:index]:
+                found.add(f"load_cases[{index}].name", state.name, "another has this name")
+            if not state.water_level > -lowest:
+                found.add(
+                    f"load_cases[{index}].water_level",
+                    f"{state.water_level:g} m",
+                    f"must leave the fairlead above the seabed: above {-lowest:g} m",
+                )
+
+    def under(self, state: LoadCase) -> Case:
+        """Return the case in one of its states, with the fairlead at its water level.
+
+        Parameters
+        ----------
+        state : LoadCase
+            Need not be one of the case's own.
+        """
+        depth = self.site.water_depth + state.water_level
+        return replace(
+            self,
+            site=replace(self.site, water_depth=depth),
+            fairlead_height=self.fairlead_height + state.water_level,
+            load=Load(horizontal_force=state.horizontal_force),
+            load_cases=(),
+            find=None,
+        )

@@ -1,0 +1,218 @@
+"""What a design may be made of, and what it is to be best in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from catopt.model.validity import Findings
+
+__all__ = [
+    "OBJECTIVES",
+    "SEARCH_METHODS",
+    "ClumpWeightChoice",
+    "Design",
+    "SegmentChoice",
+    "SinkerChoice",
+]
+
+Objective = Literal["mass", "offset", "excursion", "cost"]
+OBJECTIVES: tuple[str, ...] = get_args(Objective)
+
+SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
+SEARCH_METHODS: tuple[str, ...] = get_args(SearchMethod)
+
+
+@dataclass(frozen=True)
+class SegmentChoice:
+    """What one segment may be.
+
+    Attributes
+    ----------
+    components : tuple of str
+        Families with their grades, as the catalogue names them; empty: the segment of the case's
+        line at this place as it is, whose length alone may vary.
+    diameters : tuple of float
+        Nominal diameters, m; empty: every size that is sold, within the bounds below.
+    diameter_min, diameter_max : float or None
+        Bounds on the sizes that are sold, m; None: no bound.
+    lengths : tuple of float
+        Unstretched, m; rising.
+    optional : bool
+        Whether the segment may be left out.
+    name : str
+        For tables.
+    """
+
+    lengths: tuple[float, ...]
+    components: tuple[str, ...] = ()
+    diameters: tuple[float, ...] = ()
+    diameter_min: float | None = None
+    diameter_max: float | None = None
+    optional: bool = False
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        found = Findings("SegmentChoice")
+        if not self.lengths:
+            found.add("lengths", "none", "at least one length is wanted")
+        for key in ("lengths", "diameters"):
+            for index, value in enumerate(getattr(self, key)):
+                found.number(f"{key}[{index}]", value, "m", above=0.0)
+        for key in ("diameter_min", "diameter_max"):
+            if getattr(self, key) is not None:
+                found.number(key, getattr(self, key), "m", above=0.0)
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class ClumpWeightChoice:
+    """What one clump weight may be, and where it may hang.
+
+    Attributes
+    ----------
+    masses : tuple of float
+        In air, kg; rising.
+    density : float
+        Of its material, kg/m3, for its weight in water.
+    positions : tuple of float
+        Unstretched arc length from the anchor, m; rising; empty when it hangs at a joint.
+    joint : int or None
+        At the upper end of this segment, counted from 1 at the anchor; None when `positions` are
+        given.
+    optional : bool
+        Whether it may be left out.
+    name : str
+        For tables.
+    friction : float or None
+        Coulomb coefficient of the body on the bed where it rests there; None: that of the bed.
+    """
+
+    masses: tuple[float, ...]
+    density: float
+    positions: tuple[float, ...] = ()
+    joint: int | None = None
+    optional: bool = False
+    name: str = ""
+    friction: float | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("ClumpWeightChoice")
+        if not self.masses:
+            found.add("masses", "none", "at least one mass is wanted")
+        for index, value in enumerate(self.masses):
+            found.number(f"masses[{index}]", value, "kg", above=0.0)
+        found.number("density", self.density, "kg/m3", above=0.0)
+        for index, value in enumerate(self.positions):
+            found.number(f"positions[{index}]", value, "m", above=0.0)
+        if self.joint is not None:
+            found.count("joint", self.joint)
+        if self.friction is not None:
+            found.number("friction", self.friction, "", at_least=0.0)
+        if (self.joint is None) == (not self.positions):
+            found.add("positions", "", "either positions or a joint is wanted")
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class SinkerChoice:
+    """Sinkers (deadweight anchors) to choose from; the lightest that holds is taken.
+
+    Attributes
+    ----------
+    masses : tuple of float
+        In air, kg; rising.
+    density : float
+        Of their material, kg/m3.
+    friction : float
+        On the soil, tan(delta).
+    safety_factor : float or None
+        On sliding; None: that of the codes that are checked.
+    """
+
+    masses: tuple[float, ...]
+    density: float
+    friction: float
+    safety_factor: float | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("SinkerChoice")
+        if not self.masses:
+            found.add("masses", "none", "at least one mass is wanted")
+        for index, value in enumerate(self.masses):
+            found.number(f"masses[{index}]", value, "kg", above=0.0)
+        found.number("density", self.density, "kg/m3", above=0.0)
+        found.number("friction", self.friction, "", above=0.0)
+        if self.safety_factor is not None:
+            found.number("safety_factor", self.safety_factor, "", at_least=1.0)
+        found.raise_if_any()
+
+
+@dataclass(frozen=True)
+class Design:
+    """A search for the best lines.
+
+    Attributes
+    ----------
+    segments : tuple of SegmentChoice
+        From the anchor to the fairlead.
+    clump_weights : tuple of ClumpWeightChoice
+        On the line; none is needed.
+    sinker : SinkerChoice or None
+        At the anchor; None: that of the case, if it has one.
+    objectives : tuple of str
+        Two or three of: "mass", in air, of segments and clump weights; "offset", the largest span
+        over the load cases; "excursion", the largest span less that of the reference case;
+        "cost", of the segments' material.
+    method : str
+        "enumeration" of every design, "nsga2", "swarm", or "auto".
+    evaluations : int
+        Designs that a search other than enumeration may evaluate.
+    population : int
+        Designs of one generation, or of the swarm.
+    seed : int
+        Of the random numbers.
+    max_enumerated : int
+        The largest number of designs that "auto" enumerates.
+    """
+
+    segments: tuple[SegmentChoice, ...]
+    clump_weights: tuple[ClumpWeightChoice, ...] = ()
+    sinker: SinkerChoice | None = None
+    objectives: tuple[str, ...] = ("mass", "offset")
+    method: SearchMethod = "auto"
+    evaluations: int = 10_000
+    population: int = 100
+    seed: int = 1
+    max_enumerated: int = 5_000_000
+
+    def __post_init__(self) -> None:
+        found = Findings("Design")
+        if not self.segments:
+            found.add("segments", "none", "at least one segment is wanted")
+        if all(segment.optional for segment in self.segments):
+            found.add("segments", "all optional", "one segment at least has to be there")
+        unknown = [name for name in self.objectives if name not in OBJECTIVES]
+        if unknown:
+            found.add("objectives", ", ".join(unknown), "two or three of " + ", ".join(OBJECTIVES))
+        elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
+            named = ", ".join(self.objectives) or "none"
+            found.add("objectives", named, "two or three different ones are wanted")
+        if self.method not in SEARCH_METHODS:
+            found.add("method", repr(self.method), "one of " + ", ".join(SEARCH_METHODS))
+        found.count("evaluations", self.evaluations)
+        found.count("population", self.population)
+        found.count("seed", self.seed)
+        found.count("max_enumerated", self.max_enumerated)
+        self._check_joints(found)
+        found.raise_if_any()
+
+    def _check_joints(self, found: Findings) -> None:
+        for index, weight in enumerate(self.clump_weights):
+            if weight.joint is not None and not weight.joint < len(self.segments):
+                joints = len(self.segments) - 1
+                found.add(
+                    f"clump_weights[{index}].joint",
+                    str(weight.joint),
+                    f"the design has {joints or 'no'} joint{'' if joints == 1 else 's'}",
+                )

@@ -1,0 +1,162 @@
+"""The question turned round: what is sought instead of how the line hangs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from catopt.errors import Problem
+from catopt.model.load import LOADS
+from catopt.model.validity import Findings
+
+__all__ = ["FIND_QUANTITIES", "Find", "misfits"]
+
+FindQuantity = Literal["length", "clump_weight", "touchdown_force", "limit_force"]
+FIND_QUANTITIES: tuple[str, ...] = get_args(FindQuantity)
+
+FORCES = ("touchdown_force", "limit_force")
+"""Quantities that are a horizontal force, so that neither load nor condition is given."""
+CONDITIONS = ("anchor_angle", "grounded_length")
+
+
+@dataclass(frozen=True)
+class Find:
+    """What is sought, and the condition that it has to meet.
+
+    Attributes
+    ----------
+    quantity : str
+        ``"length"`` of a segment or ``"clump_weight"`` of a point load under the case's load;
+        ``"touchdown_force"``, the horizontal force at which the touchdown reaches the anchor;
+        ``"limit_force"``, the one at which a segment reaches MBL over the safety factor.
+    segment : int or None
+        Which one, counted from 1 at the anchor. None is, for a length, the last one, at the
+        fairlead; for a limit force, whichever reaches its limit first.
+    point_load : int or None
+        For a clump weight: which one, counted from 1 at the anchor; None is the first.
+    anchor_angle : float or None
+        For length and clump weight: inclination at the anchor, rad.
+    grounded_length : float or None
+        For length, instead of the angle: unstretched length on the bed, m.
+    """
+
+    quantity: FindQuantity
+    segment: int | None = None
+    point_load: int | None = None
+    anchor_angle: float | None = None
+    grounded_length: float | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("Find")
+        if self.quantity not in FIND_QUANTITIES:
+            found.add("quantity", repr(self.quantity), "one of " + ", ".join(FIND_QUANTITIES))
+        for key in ("segment", "point_load"):
+            if getattr(self, key) is not None:
+                found.count(key, getattr(self, key))
+        if self.anchor_angle is not None:
+            found.number(
+                "anchor_angle", self.anchor_angle, "rad", at_least=0.0, at_most=math.pi / 2.0
+            )
+        if self.grounded_length is not None:
+            found.number("grounded_length", self.grounded_length, "m", above=0.0)
+        self._check_keys(found)
+        found.raise_if_any()
+
+    def _check_keys(self, found: Findings) -> None:
+        """Note a condition too few or too many, and keys that this quantity does not heed."""
+        given = [key for key in CONDITIONS if getattr(self, key) is not None]
+        what = " and ".join(given) or "no condition"
+        if self.quantity == "length" and len(given) != 1:
+            found.add("find", what, "exactly one of anchor_angle and grounded_length is wanted")
+        elif self.quantity == "clump_weight" and given != ["anchor_angle"]:
+            found.add("find", what, "anchor_angle is wanted, and no other condition")
+        elif self.seeks_force and given:
+            found.add("find", what, f"{self.quantity} takes no condition; leave it out")
+        if self.segment is not None and self.quantity not in ("length", "limit_force"):
+            found.add(
+                "segment", str(self.segment), "goes with length and limit_force; leave it out"
+            )
+        if self.point_load is not None and self.quantity != "clump_weight":
+            found.add("point_load", str(self.point_load), "goes with clump_weight; leave it out")
+
+    @property
+    def seeks_force(self) -> bool:
+        """Whether a horizontal force is sought, so that neither load nor condition is given."""
+        return self.quantity in FORCES
+
+
+def misfits(
+    find: Find | None,
+    *,
+    load: Collection[str] | None,
+    MBL_known: Sequence[bool],
+    point_loads: int,
+    anchor_height: float,
+    has_load_cases: bool = False,
+) -> list[Problem]:
+    """List what does not fit between what is sought and the rest of a case.
+
+    Parameters
+    ----------
+    find : Find or None
+        What is sought, if anything.
+    load : collection of str or None
+        Keys of the load that are given; None when there is no load.
+    MBL_known : sequence of bool
+        For each segment.
+    point_loads : int
+        How many the line has.
+    anchor_height : float
+        Above the seabed, m.
+    has_load_cases : bool
+        Whether there are any; they stand in for a load where nothing is sought.
+
+    Returns
+    -------
+    list of Problem
+        With keys such as ``load`` or ``find.segment``; segments and point loads count from 1.
+    """
+    found = Findings("")
+    seeks_force = find is not None and find.seeks_force
+    seeks_length = find is not None and find.quantity == "length"
+    if load is None and not seeks_force and not (has_load_cases and find is None):
+        keys = "horizontal_force, fairlead_tension" if seeks_length else ", ".join(LOADS)
+        found.add("load", "", f"missing; a table [load] with one of {keys} is wanted")
+    if find is None:
+        return found.problems
+    if load is not None and seeks_force:
+        found.add(
+            "load", " and ".join(load) or "a load", f"leave it out: {find.quantity} seeks the force"
+        )
+    if seeks_length and load is not None and "span" in load:
+        found.add(
+            "load.span", "a span", "a length is sought under horizontal_force or fairlead_tension"
+        )
+    _count(found, "segment", find.segment, len(MBL_known))
+    if find.quantity == "clump_weight" and point_loads == 0:
+        found.add("find.quantity", find.quantity, "the line has no point load to be sought")
+    else:
+        _count(found, "point_load", find.point_load, point_loads)
+    if find.quantity == "touchdown_force" and anchor_height > 0.0:
+        found.add(
+            "line.anchor_height", f"{anchor_height:g} m", "touchdown_force wants it on the bed: 0"
+        )
+    if find.quantity == "limit_force":
+        _strength(found, find.segment, MBL_known)
+    return found.problems
+
+
+def _count(found: Findings, key: str, number: int | None, count: int) -> None:
+    if number is not None and number > count:
+        noun = key.replace("_", " ") + ("" if count == 1 else "s")
+        found.add(f"find.{key}", str(number), f"the line has {count or 'no'} {noun}")
+
+
+def _strength(found: Findings, segment: int | None, MBL_known: Sequence[bool]) -> None:
+    """Note when no segment in question has a minimum breaking load."""
+    if segment is None and not any(MBL_known):
+        found.add("find.quantity", "limit_force", "at least one segment needs its MBL")
+    elif segment is not None and segment <= len(MBL_known) and not MBL_known[segment - 1]:
+        found.add(f"line.segments[{segment - 1}].MBL", "", "missing; limit_force needs it")

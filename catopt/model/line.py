@@ -1,0 +1,251 @@
+"""The mooring line: segments from the anchor to the fairlead, and what hangs on them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import pairwise
+
+from catopt.errors import InputError
+from catopt.model.drag_method import DRAG_METHODS, DragMethod, drag_misfits
+from catopt.model.validity import Findings
+
+__all__ = ["Line", "PointLoad", "Segment"]
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A uniform stretch of chain, wire or rope.
+
+    Attributes
+    ----------
+    length : float
+        Unstretched length, m.
+    submerged_weight : float
+        Weight in water per unstretched length, N/m; negative when it floats.
+    EA : float
+        Axial stiffness, N; infinite for an inextensible segment.
+    mass : float or None
+        Mass in air per unstretched length, kg/m; None when not known.
+    MBL : float or None
+        Minimum breaking load, N; None when not known.
+    name : str
+        Free text, for tables.
+    component : str
+        Family and grade in the catalogue; empty when the figures are the user's own.
+    nominal_diameter : float or None
+        Of the bar of a chain's links, or of the rope as sold, m; None when not known.
+    proof_load : float or None
+        N; None when not known.
+    price : float or None
+        Material only, USD/m; None when not known.
+    wear_rate : float or None
+        Loss of nominal diameter, m/s; None: that of the case's service.
+    drag_diameter : float or None
+        That both drag coefficients refer to, m; None when not known.
+    drag_normal, drag_axial : float or None
+        Drag coefficients across and along the line; None when not known.
+    added_mass_normal, added_mass_axial : float or None
+        Added-mass coefficients across and along the line, on the displaced water; None when not
+        known.
+    drag_method : {"given", "roughness"}
+        Whether the coefficients are given, or follow from the three that come next: recalled
+        formulas of S4, docs/dynamics.md, for wires and ropes.
+    roughness : float or None
+        Height of what is rough on the surface, m.
+    keulegan_carpenter : float or None
+        KC = v T/D of the flow to and fro, v being the amplitude of its velocity, D the drag
+        diameter.
+    wake_amplification : float or None
+        Factor psi on the drag of a steady flow; None: by the KC, below 12.
+    """
+
+    length: float
+    submerged_weight: float
+    EA: float = math.inf
+    mass: float | None = None
+    MBL: float | None = None
+    name: str = ""
+    component: str = ""
+    nominal_diameter: float | None = None
+    proof_load: float | None = None
+    price: float | None = None
+    wear_rate: float | None = None
+    drag_diameter: float | None = None
+    drag_normal: float | None = None
+    drag_axial: float | None = None
+    added_mass_normal: float | None = None
+    added_mass_axial: float | None = None
+    drag_method: DragMethod = "given"
+    roughness: float | None = None
+    keulegan_carpenter: float | None = None
+    wake_amplification: float | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("Segment")
+        found.number("length", self.length, "m", above=0.0)
+        found.number("submerged_weight", self.submerged_weight, "N/m")
+        found.number("EA", self.EA, "N", above=0.0, infinite=True)
+        if self.mass is not None:
+            found.number("mass", self.mass, "kg/m", at_least=0.0)
+        if self.MBL is not None:
+            found.number("MBL", self.MBL, "N", above=0.0)
+        if self.nominal_diameter is not None:
+            found.number("nominal_diameter", self.nominal_diameter, "m", above=0.0)
+        if self.proof_load is not None:
+            found.number("proof_load", self.proof_load, "N", above=0.0)
+        if self.price is not None:
+            found.number("price", self.price, "USD/m", at_least=0.0)
+        if self.wear_rate is not None:
+            found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
+        self._check_drag(found)
+        found.raise_if_any()
+
+    def _check_drag(self, found: Findings) -> None:
+        if self.drag_diameter is not None:
+            found.number("drag_diameter", self.drag_diameter, "m", above=0.0)
+        for key in ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial"):
+            if getattr(self, key) is not None:
+                found.number(key, getattr(self, key), "", at_least=0.0)
+        if self.drag_method not in DRAG_METHODS:
+            found.add("drag_method", repr(self.drag_method), "one of " + ", ".join(DRAG_METHODS))
+        for key, unit in (("roughness", "m"), ("keulegan_carpenter", "")):
+            if getattr(self, key) is not None:
+                found.number(key, getattr(self, key), unit, at_least=0.0)
+        if self.wake_amplification is not None:
+            found.number("wake_amplification", self.wake_amplification, "", above=0.0)
+        if not found.problems:
+            given = {key: value for key, value in vars(self).items() if value not in (None, "")}
+            found.problems += drag_misfits(given)
+
+
+_DRAG = ("drag_area", "drag_coefficient")
+
+
+@dataclass(frozen=True)
+class PointLoad:
+    """A clump weight (sinker) or a buoy fixed to the line.
+
+    Attributes
+    ----------
+    position : float
+        Unstretched arc length from the anchor, m; strictly between the ends of the line.
+    submerged_weight : float
+        Weight in water, N; negative for a buoy.
+    mass : float or None
+        Mass in air, kg; None when not known.
+    name : str
+        Free text, for tables.
+    friction : float or None
+        Coulomb coefficient of the body on the bed where it rests there; None: that of the bed.
+    drag_area, drag_coefficient : float or None
+        Area A, m2, and the coefficient Cd that goes with it, in all directions: for a line in
+        motion; the two are given together. None: no drag.
+    added_mass_coefficient : float
+        Ca on the displaced water, in all directions.
+    """
+
+    position: float
+    submerged_weight: float
+    mass: float | None = None
+    name: str = ""
+    friction: float | None = None
+    drag_area: float | None = None
+    drag_coefficient: float | None = None
+    added_mass_coefficient: float = 0.0
+
+    def __post_init__(self) -> None:
+        found = Findings("PointLoad")
+        found.number("position", self.position, "m", above=0.0)
+        found.number("submerged_weight", self.submerged_weight, "N")
+        if self.mass is not None:
+            found.number("mass", self.mass, "kg", at_least=0.0)
+        if self.friction is not None:
+            found.number("friction", self.friction, "", at_least=0.0)
+        found.number("drag_area", self.drag_area or 0.0, "m2", at_least=0.0)
+        found.number("drag_coefficient", self.drag_coefficient or 0.0, "", at_least=0.0)
+        found.number("added_mass_coefficient", self.added_mass_coefficient, "", at_least=0.0)
+        for given, other in (_DRAG, _DRAG[::-1]):
+            if getattr(self, given) is not None and getattr(self, other) is None:
+                found.add(other, "", f"missing; goes with {given}")
+        found.raise_if_any()
+
+    @property
+    def drag_product(self) -> float:
+        """Cd A, m2."""
+        return (self.drag_coefficient or 0.0) * (self.drag_area or 0.0)
+
+
+END_ROUNDING = 1e-14
+"""Of a line's length, which is a sum of lengths: nearer to its ends no place is told from them."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A mooring line.
+
+    Attributes
+    ----------
+    segments : tuple of Segment
+        From the anchor to the fairlead; at least one. Any iterable is taken.
+    point_loads : tuple of PointLoad
+        In any order; they are kept sorted by position.
+    """
+
+    segments: tuple[Segment, ...]
+    point_loads: tuple[PointLoad, ...] = ()
+
+    def __init__(self, segments: Iterable[Segment], point_loads: Iterable[PointLoad] = ()) -> None:
+        loads = tuple(sorted(point_loads, key=lambda load: load.position))
+        object.__setattr__(self, "segments", tuple(segments))
+        object.__setattr__(self, "point_loads", loads)
+        self._check()
+
+    def _check(self) -> None:
+        found = Findings("Line")
+        if not self.segments:
+            found.add("segments", "none", "a line has at least one segment")
+        for index, load in enumerate(self.point_loads):
+            nearest = min(load.position, self.length - load.position)
+            if self.segments and not nearest > END_ROUNDING * self.length:
+                found.add(
+                    f"point_loads[{index}].position",
+                    f"{load.position:g} m",
+                    f"must lie between the ends of the line, which is {self.length:g} m long, and "
+                    "farther from them than its rounding",
+                )
+        for lower, upper in pairwise(self.point_loads):
+            if lower.position == upper.position and lower.friction != upper.friction:
+                found.add(
+                    "point_loads.friction",
+                    f"{lower.friction} and {upper.friction} at {lower.position:g} m",
+                    "point loads in one place lie on the bed with one friction: give both the same",
+                )
+        if found.problems:
+            raise InputError(found.problems, "Line")
+
+    @property
+    def length(self) -> float:
+        """Unstretched length, m."""
+        return math.fsum(segment.length for segment in self.segments)
+
+    @property
+    def submerged_weight(self) -> float:
+        """Weight in water of the whole line with its point loads, N."""
+        return math.fsum(
+            [
+                *(segment.length * segment.submerged_weight for segment in self.segments),
+                *(load.submerged_weight for load in self.point_loads),
+            ]
+        )
+
+    @property
+    def mass(self) -> float | None:
+        """Mass in air of all segments and point loads, kg; None when one of them is not known."""
+        masses = [
+            *(None if s.mass is None else s.length * s.mass for s in self.segments),
+            *(load.mass for load in self.point_loads),
+        ]
+        known = [mass for mass in masses if mass is not None]
+        return math.fsum(known) if len(known) == len(masses) else None

@@ -1,0 +1,105 @@
+"""Range checks that collect every problem before they raise."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from catopt.errors import InputError, Problem
+
+__all__ = ["COUNTS", "Findings"]
+
+COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
+    {
+        "particles": (2, 10_000),
+        "iterations": (1, 10_000),
+        "runs": (1, 1_000),
+        "seed": (0, 2**63 - 1),
+        "population": (4, 10_000),
+        "evaluations": (1, 10_000_000),
+        "max_enumerated": (1, 100_000_000),
+        "elements": (4, 5_000),
+        "components": (1, 10_000),
+        "spreading_directions": (1, 360),
+        "segment": (1, 200),
+        "point_load": (1, 200),
+        "joint": (1, 200),
+        "broken_line": (1, 100),
+        "lines": (1, 100),
+    }
+)
+"""Fewest and most of everything that a user may ask a number of. The most is what still answers
+within days; how long it takes is said before it begins."""
+
+
+class Findings:
+    """Gathers the problems of one value or one call, so that all are reported together."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.problems: list[Problem] = []
+
+    def number(
+        self,
+        key: str,
+        value: object,
+        unit: str,
+        *,
+        above: float | None = None,
+        at_least: float | None = None,
+        at_most: float | None = None,
+        infinite: bool = False,
+    ) -> None:
+        """Note a problem unless `value` is a number within the bounds.
+
+        Parameters
+        ----------
+        key : str
+            Name of the argument.
+        value : object
+            What was given.
+        unit : str
+            Unit of the number, for the message; empty for a pure number.
+        above, at_least, at_most : float, optional
+            Bounds: exclusive below, inclusive below, inclusive above.
+        infinite : bool
+            Whether positive infinity is allowed.
+        """
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
+            self.add(key, repr(value), f"a number{_in(unit)} is wanted")
+            return
+        if isinstance(value, int) and abs(value) > sys.float_info.max:
+            self.add(key, "a whole number beyond all floats", f"a number{_in(unit)} is wanted")
+            return
+        if math.isinf(value) and not (infinite and value > 0.0):
+            self.add(key, repr(value), f"a finite number{_in(unit)} is wanted")
+        elif above is not None and not value > above:
+            self.add(key, repr(value), f"must be above {above:g}{_of(unit)}")
+        elif at_least is not None and not value >= at_least:
+            self.add(key, repr(value), f"must be {at_least:g}{_of(unit)} or more")
+        elif at_most is not None and not value <= at_most:
+            self.add(key, repr(value), f"must be {at_most:g}{_of(unit)} or less")
+
+    def count(self, key: str, value: object) -> None:
+        """Note a problem unless `value` is within the bounds of the count that `key` is."""
+        fewest, most = COUNTS[key]
+        self.number(key, value, "", at_least=fewest, at_most=most)
+
+    def add(self, key: str, found: str, allowed: str) -> None:
+        """Note a problem."""
+        self.problems.append(Problem(key, found, allowed))
+
+    def raise_if_any(self) -> None:
+        """Raise InputError when a problem was noted."""
+        if self.problems:
+            raise InputError(self.problems, self.source)
+
+
+def _in(unit: str) -> str:
+    return f" in {unit}" if unit else ""
+
+
+def _of(unit: str) -> str:
+    return f" {unit}" if unit else ""

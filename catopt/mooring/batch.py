@@ -1,0 +1,204 @@
+"""Many loads on one system in one call: arrays in, arrays out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.catenary.state import CONVERGED, REASONS
+from catopt.compiled import compiled
+from catopt.errors import InputError, Problem
+from catopt.model.system import System
+from catopt.mooring.arrangement import room_for
+from catopt.mooring.descent import TURNS_OVER
+from catopt.mooring.many import BODY, PER_LINE, settle_all
+from catopt.mooring.moored import moor
+
+__all__ = ["Batch", "SystemSolutions", "solve_system_many"]
+
+Array = npt.NDArray[np.float64]
+
+_A_LINE = 4e-4
+"""Time that a line of the system takes under one load as plain Python, s."""
+
+
+@dataclass(frozen=True)
+class SystemSolutions:
+    """Answers for many loads; nan where there is none.
+
+    Attributes
+    ----------
+    status, line, steps : ndarray of int, shape (n,)
+        0 where solved, see `reason`; the line that stopped it; Newton steps.
+    position : ndarray, shape (n, 3)
+        x, y, yaw of the body: m, m, rad.
+    offset : ndarray, shape (n, 2)
+        From the zero-load position, m.
+    horizontal_force, vertical_force, span, grounded_length : ndarray, shape (n, lines)
+        At each fairlead, N; m.
+    anchor_horizontal_force, anchor_vertical_force : ndarray, shape (n, lines)
+        N.
+    stiffness : ndarray, shape (n, 3, 3)
+        -d(Fx, Fy, M)/d(x, y, yaw): N/m, N/rad, N m/rad.
+    residual : ndarray, shape (n, 2)
+        Unbalanced force (N) and moment (N m).
+    """
+
+    status: npt.NDArray[np.int64]
+    line: npt.NDArray[np.int64]
+    steps: npt.NDArray[np.int64]
+    position: Array
+    offset: Array
+    horizontal_force: Array
+    vertical_force: Array
+    span: Array
+    grounded_length: Array
+    anchor_horizontal_force: Array
+    anchor_vertical_force: Array
+    stiffness: Array
+    residual: Array
+
+    @property
+    def converged(self) -> npt.NDArray[np.bool_]:
+        """Which loads have an answer."""
+        return np.equal(self.status, CONVERGED)
+
+    @property
+    def tension(self) -> Array:
+        """Effective tension at each fairlead, N, shape (n, lines)."""
+        return np.hypot(self.horizontal_force, self.vertical_force)
+
+    @property
+    def anchor_tension(self) -> Array:
+        """Effective tension at each anchor, N, shape (n, lines)."""
+        return np.hypot(self.anchor_horizontal_force, self.anchor_vertical_force)
+
+    def reason(self, index: int) -> str | None:
+        """Why a load has no answer; None when it has one."""
+        status = int(self.status[index])
+        if status == TURNS_OVER:
+            return "turns over: the lines cannot carry the moment"
+        cause = REASONS[status]
+        number = int(self.line[index])
+        return cause if cause is None or number < 0 else f"line {number + 1}: {cause}"
+
+
+def solve_system_many(
+    system: System, *, force: npt.ArrayLike, moment: npt.ArrayLike = 0.0
+) -> SystemSolutions:
+    """Settle one system under many loads by one loop, each from the zero-load position.
+
+    A load without an answer is marked with its reason and leaves the others alone.
+
+    Parameters
+    ----------
+    system : System
+        Its own load plays no part.
+    force : array, shape (n, 2)
+        Along x and y, N.
+    moment : float or array, shape (n,)
+        N m.
+
+    Raises
+    ------
+    InputError
+        When shapes do not fit, a number is not finite, or there is a moment on a body that does
+        not turn.
+    NoEquilibriumError, NotConvergedError
+        When there is no zero-load position.
+    """
+    return Batch(system).under(force, moment)
+
+
+class Batch:
+    """A system at its zero-load position, ready for loads in compiled code.
+
+    Worth keeping where loads come a few at a time: the zero-load position, some milliseconds, is
+    found once.
+
+    Parameters
+    ----------
+    system : System
+        Its own load plays no part.
+
+    Raises
+    ------
+    NoEquilibriumError, NotConvergedError
+        When there is no zero-load position.
+    """
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self._moored = moor(system)
+        self._arrangement = as_arrays(self._moored.arrangement)
+
+    def under(self, force: npt.ArrayLike, moment: npt.ArrayLike = 0.0) -> SystemSolutions:
+        """Settle the body under many loads; as `solve_system_many`."""
+        forces, moments = _loads(self.system, force, moment)
+        n, count = len(forces), len(self.system.legs)
+        moored = self._moored
+        neutral = moored.neutral
+        status, line, steps = (np.empty(n, dtype=np.int64) for _ in range(3))
+        body = np.empty(n * len(BODY))
+        per_line = np.empty(n * len(PER_LINE) * count)
+        if n > 0:
+            compiled(settle_all, _A_LINE * n * count)(
+                *(np.full(n, value) for value in (neutral.x, neutral.y, neutral.yaw)),
+                np.ascontiguousarray(forces[:, 0]),
+                np.ascontiguousarray(forces[:, 1]),
+                moments,
+                moored.freedom,
+                self._arrangement,
+                as_arrays(moored.lines),
+                as_arrays(room_for(count)),
+                status,
+                line,
+                steps,
+                body,
+                per_line,
+            )
+        solved = status == CONVERGED
+        body = np.where(solved[:, None], body.reshape(n, len(BODY)), np.nan)
+        lines = np.where(solved[:, None, None], per_line.reshape(n, len(PER_LINE), count), np.nan)
+        return SystemSolutions(
+            status,
+            line,
+            steps,
+            position=body[:, :3],
+            offset=body[:, :2] - [neutral.x, neutral.y],
+            horizontal_force=lines[:, 0],
+            vertical_force=lines[:, 1],
+            span=lines[:, 2],
+            grounded_length=lines[:, 3],
+            anchor_horizontal_force=lines[:, 4],
+            anchor_vertical_force=lines[:, 5],
+            stiffness=body[:, [8, 9, 11, 9, 10, 12, 11, 12, 13]].reshape(n, 3, 3),
+            residual=body[:, 3:5],
+        )
+
+
+def as_arrays(columns: Any) -> Any:
+    """Copy a named tuple of lists and numbers, its lists as arrays; for compiled code."""
+    return type(columns)(*(np.array(each) if isinstance(each, list) else each for each in columns))
+
+
+def _loads(system: System, force: npt.ArrayLike, moment: npt.ArrayLike) -> tuple[Array, Array]:
+    forces = np.asarray(force, dtype=np.float64)
+    moments = np.asarray(moment, dtype=np.float64)
+    problems = []
+    if forces.ndim != 2 or forces.shape[1] != 2:
+        problems.append(Problem("force", f"shape {forces.shape}", "shape (n, 2) is wanted"))
+    elif moments.ndim > 1 or moments.size not in (1, len(forces)):
+        problems.append(
+            Problem("moment", f"shape {moments.shape}", f"a number or shape ({len(forces)},)")
+        )
+    if not np.isfinite(forces).all() or not np.isfinite(moments).all():
+        problems.append(Problem("force, moment", "a number that is not finite", "N and N m"))
+    if moments.any() and not system.turns:
+        problems.append(Problem("moment", "not 0", "must be 0 where the body does not yaw"))
+    if problems:
+        raise InputError(problems, "solve_system_many")
+    return forces, np.ascontiguousarray(np.broadcast_to(moments.ravel(), (len(forces),)))

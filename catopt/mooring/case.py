@@ -1,0 +1,128 @@
+"""A case with a moored body: its equilibrium, and what else is asked of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from catopt.catenary.surface import named_line
+from catopt.catenary.warnings import above_water
+from catopt.errors import InputError, Problem
+from catopt.model import Case, System
+from catopt.mooring.line_out import LineOut, one_line_out
+from catopt.mooring.report_document import report_document
+from catopt.mooring.restoring import RestoringCurve, restoring_curve
+from catopt.mooring.sharing_rule import SharingRule, sharing_rule
+from catopt.mooring.solution import SystemSolution
+from catopt.mooring.solve import of_line, solve_system
+from catopt.mooring.watch_circle import WatchCircle, watch_circle
+from catopt.mooring.water_level import AtLevel, at_levels
+
+__all__ = ["SystemReport", "report_system"]
+
+CURVE_POINTS = 41
+
+
+@dataclass(frozen=True)
+class SystemReport:
+    """What was asked of a moored body.
+
+    Attributes
+    ----------
+    case : Case
+        With its system.
+    solution : SystemSolution
+        Under the load of the case.
+    rule : SharingRule
+        What the rule of practice makes of it.
+    line_out : tuple of LineOut
+        Every line gone in turn; empty when not asked for.
+    circle : WatchCircle or None
+        For a force of the size of the case's; None when not asked for or when there is no force.
+    curves : tuple of RestoringCurve
+        One for each direction asked for.
+    levels : tuple of AtLevel
+        One for each water level asked for.
+    """
+
+    case: Case
+    solution: SystemSolution
+    rule: SharingRule
+    line_out: tuple[LineOut, ...] = ()
+    circle: WatchCircle | None = None
+    curves: tuple[RestoringCurve, ...] = ()
+    levels: tuple[AtLevel, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt system --json`` prints (schema catopt.system/1)."""
+        return report_document(self)
+
+
+def report_system(
+    case: Case,
+    *,
+    with_line_out: bool = False,
+    with_circle: bool = False,
+    directions: Sequence[float] = (),
+    levels: Sequence[float] = (),
+) -> SystemReport:
+    """Solve the system of a case, and what else is asked.
+
+    Parameters
+    ----------
+    case : Case
+        With a system.
+    with_line_out, with_circle : bool
+        Whether every line is to go in turn, and whether the force is to go round.
+    directions : sequence of float
+        Of restoring curves, rad.
+    levels : sequence of float
+        Water levels above that of the case, m.
+
+    Raises
+    ------
+    InputError
+        When the case has no system.
+    NoEquilibriumError, NotConvergedError
+        As for `solve_system`.
+    FloatsUpError
+        A buoy of a line would float above the water surface.
+    """
+    system = case.system
+    if system is None:
+        wanted = "missing; a table [system] with anchor_radius and azimuths is wanted"
+        raise InputError([Problem("system", "", wanted)])
+    solution = solve_system(system)
+    above: list[str] = []
+    for number, line in enumerate(solution.lines, start=1):
+        with named_line(number):
+            warnings = above_water(line.solution, case.site.water_depth)
+        above += (of_line(number, warning) for warning in warnings)
+    solution = replace(
+        solution,
+        title=case.title,
+        safety_factor=case.checks.safety_factor,
+        warnings=(*solution.warnings, *above),
+    )
+    size = math.hypot(*system.force)
+    return SystemReport(
+        case,
+        solution,
+        sharing_rule(system),
+        line_out=one_line_out(system) if with_line_out else (),
+        circle=watch_circle(system, force=size) if with_circle and size > 0.0 else None,
+        curves=tuple(_curve(system, solution, direction) for direction in directions),
+        levels=at_levels(system, levels),
+    )
+
+
+def _curve(system: System, solution: SystemSolution, direction: float) -> RestoringCurve:
+    """Hold the body at offsets both ways, half as far again as under the load of the case."""
+    far = 1.5 * math.hypot(*solution.offset)
+    if far < 1e-6:
+        far = 0.01 * max(leg.anchor_radius for leg in system.legs)
+    middle = CURVE_POINTS // 2
+    offsets = [far * (k - middle) / middle for k in range(CURVE_POINTS)]
+    return restoring_curve(system, direction=direction, offsets=offsets)

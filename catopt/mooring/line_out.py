@@ -1,0 +1,71 @@
+"""One line out: what the others carry when any one of them is gone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from catopt.errors import NoAnswerError
+from catopt.model.system import System
+from catopt.mooring.moored import moor
+from catopt.mooring.response import Response, response_of
+from catopt.words import Message
+
+__all__ = ["LineOut", "one_line_out"]
+
+
+@dataclass(frozen=True)
+class LineOut:
+    """The system without one of its lines, under its own load.
+
+    Attributes
+    ----------
+    missing : int
+        The line that is gone, counted from 0.
+    response : Response or None
+        Its offset counts from the intact system's zero-load position, its lines as the intact
+        system's; None where there is no equilibrium.
+    refusal : str
+        Why there is none.
+    """
+
+    missing: int
+    response: Response | None
+    refusal: str = ""
+
+
+def one_line_out(system: System) -> tuple[LineOut, ...]:
+    """Take each line away in turn, the load as it is, and let the body come to rest anew.
+
+    What happens on the way there, when the line parts, is dynamics and not looked at.
+
+    Parameters
+    ----------
+    system : System
+        With its load.
+
+    Raises
+    ------
+    NoEquilibriumError, NotConvergedError
+        When the intact system has no zero-load position, or a solver stopped short.
+    """
+    zero = moor(system).neutral
+    found = []
+    for missing in range(len(system.legs)):
+        if len(system.legs) == 1:
+            found.append(LineOut(missing, None, Message("mooring.no_line_left")))
+            continue
+        try:
+            left = moor(system.without([missing]))
+            rest, lines = left.under(system.force, system.moment)
+        except NoAnswerError as error:
+            found.append(LineOut(missing, None, error.args[0]))
+            continue
+        response = response_of(left, rest, lines, zero)
+        most_loaded = _in_the_intact(response.most_loaded, missing)
+        found.append(LineOut(missing, replace(response, most_loaded=most_loaded)))
+    return tuple(found)
+
+
+def _in_the_intact(number: int, missing: int) -> int:
+    """Turn the number of a line among those left into that of the intact system, from 0."""
+    return number + (number >= missing)

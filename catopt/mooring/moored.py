@@ -1,0 +1,225 @@
+"""A system at rest under no load: the place from which every load is followed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from catopt.catenary.state import CONVERGED
+from catopt.errors import NoEquilibriumError
+from catopt.model.system import System
+from catopt.mooring.arrangement import Arrangement, Lines, arrange, room_for
+from catopt.mooring.balance import Pull, pull_at
+from catopt.mooring.descent import (
+    TURNS_OVER,
+    BodyLoad,
+    Freedom,
+    Rest,
+    within_half_a_turn,
+    yaw_stiffness,
+)
+from catopt.mooring.heading import SAME_YAW, next_heading
+from catopt.mooring.refusal import refusal, turns_over
+from catopt.mooring.settle import settle
+from catopt.words import Message
+
+__all__ = ["Moored", "copied", "is_held", "moor"]
+
+SHORT_OF_TAUT = 0.999
+"""Part of its length over which a line that does not stretch may reach at the start."""
+
+NOTHING = BodyLoad(0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Moored:
+    """A system and its zero-load position.
+
+    Attributes
+    ----------
+    system : System
+        The system; its load plays no part.
+    arrangement : Arrangement
+        Its lines as numbers.
+    freedom : Freedom
+        How its body may move.
+    neutral : Rest
+        The body under no load.
+    lines : Lines
+        The lines there.
+    """
+
+    system: System
+    arrangement: Arrangement
+    freedom: Freedom
+    neutral: Rest
+    lines: Lines
+
+    def under(self, force: Sequence[float], moment: float = 0.0) -> tuple[Rest, Lines]:
+        """Settle the body under a load; N along x and y, N m.
+
+        Raises
+        ------
+        NoEquilibriumError, NotConvergedError
+            As for `solve_system`.
+        """
+        lines = copied(self.lines)
+        start = self.neutral
+        load = BodyLoad(float(force[0]), float(force[1]), float(moment))
+        rest = settle(
+            start.x, start.y, start.yaw, start.pull, load, self.freedom, self.arrangement, lines
+        )
+        if rest.status == TURNS_OVER:
+            raise turns_over(moment, rest)
+        if rest.status != CONVERGED:
+            raise refusal(rest, self.system)
+        return rest, lines
+
+    def other_headings(
+        self, rest: Rest, lines: Lines, force: Sequence[float], moment: float = 0.0
+    ) -> tuple[Rest, ...]:
+        """Find where else the body would rest, at another yaw, under the load it rests under.
+
+        None is looked for where the lines do not hold the body.
+
+        Parameters
+        ----------
+        rest, lines
+            As from `under`.
+        force, moment
+            On the body, N along x and y, N m.
+        """
+        if not self.freedom.in_yaw or not is_held(rest.pull, self.freedom):
+            return ()
+        load = BodyLoad(float(force[0]), float(force[1]), float(moment))
+        lines = copied(lines)
+        found: list[Rest] = []
+        at, end = rest, rest.yaw + 2.0 * math.pi - SAME_YAW
+        while True:
+            at = next_heading(at, end - at.yaw, load, self.freedom, self.arrangement, lines)
+            if at.status != CONVERGED or at.yaw >= end:
+                return tuple(found)
+            if at.yaw > rest.yaw + SAME_YAW and is_held(at.pull, self.freedom):
+                found.append(within_half_a_turn(at))
+
+    def held(self, x: float, y: float) -> tuple[Rest, Lines]:
+        """Hold the body at a place, m; it still turns where it is free to, under no moment.
+
+        Raises
+        ------
+        NoEquilibriumError, NotConvergedError
+            When a line does not reach there, or has no answer.
+        """
+        lines = copied(self.lines)
+        pull = pull_at(x, y, self.neutral.yaw, self.arrangement, lines, True)
+        freedom = self.freedom._replace(in_plane=False)
+        rest = settle(x, y, self.neutral.yaw, pull, NOTHING, freedom, self.arrangement, lines)
+        if rest.status != CONVERGED:
+            raise refusal(rest, self.system)
+        return rest, lines
+
+
+def moor(system: System) -> Moored:
+    """Find the zero-load position, starting from the origin with yaw 0.
+
+    Raises
+    ------
+    NoEquilibriumError
+        When lines that do not stretch are too short to reach the body together.
+    NotConvergedError
+        As for `solve_system`.
+    """
+    arrangement = arrange(system)
+    freedom = _freedom(system)
+    lines = room_for(len(system.legs))
+    x, y = _reachable(system)
+    pull = pull_at(x, y, 0.0, arrangement, lines, True)
+    neutral = settle(x, y, 0.0, pull, NOTHING, freedom, arrangement, lines)
+    if neutral.status != CONVERGED:
+        raise refusal(neutral, system)
+    return Moored(system, arrangement, freedom, neutral, lines)
+
+
+def copied(lines: Lines) -> Lines:
+    """Copy what is known of the lines."""
+    return Lines(*(list(column) for column in lines))
+
+
+def _freedom(system: System) -> Freedom:
+    """Set the lengths and forces by which steps and residuals of this system are judged."""
+    spare, weight, length = math.inf, 0.0, 0.0
+    for leg in system.legs:
+        chord = math.hypot(
+            leg.anchor[0] - leg.fairlead[0],
+            leg.anchor[1] - leg.fairlead[1],
+            leg.fairlead_height - leg.anchor_height,
+        )
+        # Half of what a line can spare: beyond it the line is another one, stiff or slack.
+        spare = min(spare, max(0.5 * abs(leg.line.length - chord), 0.01 * leg.line.length))
+        weight += sum(abs(s.length * s.submerged_weight) for s in leg.line.segments)
+        weight += sum(abs(load.submerged_weight) for load in leg.line.point_loads)
+        length = max(length, leg.line.length)
+    return Freedom(
+        in_plane=True,
+        in_yaw=system.turns,
+        arm=max((leg.fairlead_radius for leg in system.legs), default=0.0) or 1.0,
+        stride=spare,
+        scale=1e-3 * weight,
+        floor=1e-9 * weight / length,
+    )
+
+
+def _reachable(system: System) -> tuple[float, float]:
+    """Find a place that every line which does not stretch can reach, at or near the origin; m.
+
+    The reach of each is a disc round its anchor; projecting on one after the other leads into
+    what they share, if they share anything.
+    """
+    discs = []
+    for index, leg in enumerate(system.legs):
+        if all(math.isinf(segment.EA) for segment in leg.line.segments):
+            rise = leg.fairlead_height - leg.anchor_height
+            left = leg.line.length**2 - rise**2
+            if left <= 0.0:
+                missing = abs(rise) - leg.line.length
+                raise NoEquilibriumError(
+                    Message(
+                        "mooring.too_short_to_hang",
+                        number=index + 1,
+                        length=leg.line.length,
+                        rise=abs(rise),
+                        missing=missing,
+                    ),
+                    "length",
+                    missing,
+                )
+            centre = (leg.anchor[0] - leg.fairlead[0], leg.anchor[1] - leg.fairlead[1])
+            discs.append((index, centre, math.sqrt(left)))
+    x, y = 0.0, 0.0
+    for _ in range(1000):
+        worst, worst_line = 0.0, -1
+        for index, (cx, cy), reach in discs:
+            distance = math.hypot(x - cx, y - cy)
+            if distance >= reach:
+                if distance - reach >= worst:
+                    worst, worst_line = distance - reach, index
+                share = SHORT_OF_TAUT * reach / distance
+                x, y = cx + share * (x - cx), cy + share * (y - cy)
+        if worst_line < 0:
+            return x, y
+    raise NoEquilibriumError(
+        Message("mooring.none_reach", number=worst_line + 1, missing=worst),
+        "length",
+        worst,
+    )
+
+
+def is_held(pull: Pull, freedom: Freedom) -> bool:
+    """Whether the lines hold the body against a push from any side, and a turn if it is free."""
+    least = 1e-9 * max(pull.xx + pull.yy, 1e-300)
+    if pull.xx * pull.yy - pull.xy * pull.xy <= least * (pull.xx + pull.yy):
+        return False
+    if not freedom.in_yaw:
+        return True
+    return yaw_stiffness(pull, freedom.in_plane) > least * freedom.arm * freedom.arm

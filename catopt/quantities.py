@@ -1,0 +1,158 @@
+"""The one table of quantities, with symbol, unit and digits: for every table, plot and workbook."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal
+
+__all__ = ["GREEK", "QUANTITIES", "Quantity"]
+
+GREEK = MappingProxyType({"theta0": "θ₀", "theta1": "θ₁", "theta": "θ", "mu": "μ", "rho": "ρ"})
+"""Symbols of quantities that are Greek letters."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """How one quantity is called and printed.
+
+    Attributes
+    ----------
+    key : str
+        Name in code, the key of `QUANTITIES`.
+    name, symbol : str
+        In headings; the symbol is empty where there is none.
+    si_unit, field_unit : str
+        Unit that catopt computes in and unit that the field reads; ``"-"`` for a pure number.
+    factor : float
+        SI units in one field unit: 1000 for kN.
+    digits : int
+        Digits after the decimal point, in the field unit.
+    notation : {"fixed", "scientific", "shortest"}
+        Scientific for what goes down to rounding error; shortest for what is written in as few
+        digits as it has, such as the diameter of a chain.
+    """
+
+    key: str
+    name: str
+    symbol: str
+    si_unit: str
+    field_unit: str
+    factor: float
+    digits: int
+    notation: Literal["fixed", "scientific", "shortest"] = "fixed"
+
+    @property
+    def label(self) -> str:
+        """Name and symbol: ``Tension T``."""
+        return f"{self.name} {self.symbol}".rstrip()
+
+    @property
+    def heading(self) -> str:
+        """Label with the field unit: ``Tension T (kN)``."""
+        return f"{self.label} ({self.field_unit})"
+
+    @property
+    def si_heading(self) -> str:
+        """Label with the SI unit: ``Tension T (N)``."""
+        return f"{self.label} ({self.si_unit})"
+
+    def to_field(self, si: float) -> float:
+        """Convert a value (or an array) in SI to the field unit."""
+        return si / self.factor
+
+    def to_si(self, field: float) -> float:
+        """Convert a value (or an array) in the field unit to SI."""
+        return field * self.factor
+
+    def format(self, si: float | None, *, unit: bool = False, digits: int | None = None) -> str:
+        """Print a value in the field unit.
+
+        Parameters
+        ----------
+        si : float or None
+            In SI; None, for what is not known, is printed as a dash.
+        unit : bool
+            Whether to add the unit: ``4.377 kN``.
+        digits : int, optional
+            Instead of the quantity's own.
+        """
+        if si is None:
+            return "-"
+        places = self.digits if digits is None else digits
+        value = self.to_field(si)
+        if self.notation == "scientific" and value != 0.0:
+            text = f"{value:.{places}e}"
+        elif self.notation == "shortest":
+            text = f"{round(value, places):.15g}"
+        else:
+            # Rounded first, so that what prints as zero does not print as -0.000.
+            text = (
+                f"{round(value, places) + 0.0:.{places}f}" if math.isfinite(value) else f"{value}"
+            )
+        return f"{text} {self.field_unit}" if unit and self.field_unit != "-" else text
+
+
+def _length(key: str, name: str, symbol: str) -> Quantity:
+    return Quantity(key, name, symbol, "m", "m", 1.0, 3)
+
+
+def _diameter(key: str, name: str, symbol: str) -> Quantity:
+    return Quantity(key, name, symbol, "m", "mm", 1e-3, 1)
+
+
+def _force(key: str, name: str, symbol: str) -> Quantity:
+    return Quantity(key, name, symbol, "N", "kN", 1e3, 3)
+
+
+_TABLE = (
+    _force("horizontal_force", "Horizontal force", "H"),
+    _force("vertical_force", "Vertical force", "V"),
+    _force("tension", "Tension", "T"),
+    _force("point_weight", "Submerged weight", "W"),
+    _force("seabed_reaction", "Seabed reaction", "R"),
+    Quantity("MBL", "Minimum breaking load", "MBL", "N", "kN", 1e3, 1),
+    Quantity("proof_load", "Proof load", "", "N", "kN", 1e3, 1),
+    Quantity("EA", "Axial stiffness", "EA", "N", "MN", 1e6, 2),
+    _diameter("nominal_diameter", "Nominal diameter", "d"),
+    _diameter("volume_diameter", "Volume-equivalent diameter", ""),
+    _diameter("drag_diameter", "Drag diameter", ""),
+    Quantity("coefficient", "Coefficient", "", "-", "-", 1.0, 3),
+    Quantity("price", "Price", "", "USD/m", "USD/m", 1.0, 2),
+    Quantity("cost", "Cost", "", "USD", "USD", 1.0, 0),
+    _length("span", "Span", "S"),
+    _length("offset", "Offset", ""),
+    _length("excursion", "Excursion", ""),
+    _length("height", "Height", "h"),
+    _length("fairlead_height", "Fairlead height", ""),
+    _length("anchor_height", "Anchor height", ""),
+    _length("water_depth", "Water depth", "d"),
+    _length("length", "Length", "L"),
+    _length("grounded_length", "Grounded length", ""),
+    _length("suspended_length", "Suspended length", ""),
+    _length("stretched_length", "Stretched length", ""),
+    _length("position", "Position from the anchor", ""),
+    _length("s", "Arc length", "s"),
+    _length("x", "Distance from the anchor", "x"),
+    _length("z", "Height above the seabed", "z"),
+    Quantity("angle", "Inclination", "theta", "rad", "deg", math.pi / 180.0, 2),
+    Quantity("angle_rad", "Inclination", "theta", "rad", "rad", 1.0, 4),
+    Quantity("submerged_weight", "Submerged weight per length", "w", "N/m", "N/m", 1.0, 2),
+    Quantity("mass", "Mass", "m", "kg", "t", 1e3, 3),
+    Quantity("mass_per_length", "Mass per length", "m", "kg/m", "kg/m", 1.0, 2),
+    Quantity("utilisation", "Utilisation", "", "-", "-", 1.0, 3),
+    Quantity("safety_factor", "Safety factor", "SF", "-", "-", 1.0, 2),
+    Quantity("friction", "Seabed friction", "mu", "-", "-", 1.0, 2),
+    Quantity("density", "Density", "rho", "kg/m^3", "kg/m^3", 1.0, 1),
+    Quantity("moment", "Moment on the body", "M", "N*m", "kN*m", 1e3, 1),
+    Quantity("stiffness", "Stiffness", "k", "N/m", "kN/m", 1e3, 3),
+    Quantity("objective", "Objective", "f", "m", "m", 1.0, 2, "scientific"),
+    Quantity("residual", "Residual", "", "m", "m", 1.0, 2, "scientific"),
+    Quantity("angle_difference", "Difference of angles", "", "rad", "rad", 1.0, 2, "scientific"),
+    Quantity("force_difference", "Difference of forces", "", "N", "N", 1.0, 2, "scientific"),
+)
+
+QUANTITIES: Mapping[str, Quantity] = MappingProxyType({q.key: q for q in _TABLE})
+"""Every quantity by its key."""

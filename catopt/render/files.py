@@ -1,0 +1,40 @@
+"""All files of an answer: its document, its tables and its workbook."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from catopt.answers.blocks import Answer
+from catopt.render.plain import document_bytes
+from catopt.words import Language
+
+__all__ = ["files_of"]
+
+
+def files_of(
+    answer: Answer, document: dict[str, Any], language: Language = "en"
+) -> dict[str, bytes]:
+    """Write an answer as files.
+
+    Parameters
+    ----------
+    answer : Answer
+        What its tables hold.
+    document : dict
+        What ``--json`` prints.
+    language : {"en", "vi"}
+        Of the workbook; the tables (CSV) stay in English.
+
+    Returns
+    -------
+    dict of str to bytes
+        By file name.
+    """
+    from catopt.render.csv import csv_files
+    from catopt.render.workbook import workbook
+
+    return {
+        f"{answer.name}.json": document_bytes(document),
+        f"{answer.name}.xlsx": workbook(answer, language),
+        **csv_files(answer),
+    }

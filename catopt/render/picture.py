@@ -1,0 +1,362 @@
+"""Charts as pictures for print, by matplotlib.
+
+Nothing here touches pyplot, so that no window, backend or global figure list is involved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from io import BytesIO
+from textwrap import fill, wrap
+from typing import TYPE_CHECKING, Any, Literal
+from warnings import catch_warnings, filterwarnings
+
+from matplotlib import rc_context
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from catopt.figures.chart import Arrow, Axis, Chart, Dimension, Level, Mark, Series, legend
+from catopt.render.looks import COLOURS, LOOKS, Look
+from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
+from catopt.words import Language, say
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.figure import SubFigure
+
+__all__ = ["DPI", "WIDTH", "image", "picture", "pictures"]
+
+DPI = 200
+WIDTH = 7.2
+"""Inches: the text width of an A4 page."""
+_POINTS = 0.75
+"""Points of a picture in a unit of a look."""
+_TALL, _TALLEST = 2.9, 4.6
+"""Inches: height of a frame, and the greatest of one that is to scale."""
+_TYPE, _LETTER = 9.0, 0.62
+"""Points: type of legends; mean width of a letter over it, to choose how many stand in a row."""
+
+STYLE: Any = {
+    "font.size": 10,
+    "grid.color": COLOURS["rule"][0],
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "axes.edgecolor": COLOURS["quiet"][0],
+    "axes.linewidth": 0.8,
+    "svg.hashsalt": "catopt",
+}
+_MARKERS = {
+    "circle": "o", "square": "s", "diamond": "D", "triangle": "^", "cross": "+", "tick": "|",
+}  # fmt: skip
+
+
+def pictures(
+    name: str,
+    charts: Chart | Sequence[Chart],
+    heading: str = "",
+    language: Language = "en",
+    columns: int = 1,
+) -> dict[str, bytes]:
+    """Make the files of a picture, PNG and SVG, as `picture` draws it."""
+    with _without_glyphs():
+        figure = picture(charts, heading, language, columns)
+    return {f"{name}.png": image(figure, "png"), f"{name}.svg": image(figure, "svg")}
+
+
+@contextmanager
+def _without_glyphs() -> Iterator[None]:
+    """Say nothing of a letter that the font lacks: the empty box in its place says it all."""
+    with catch_warnings():
+        filterwarnings("ignore", "Glyph .* missing from")
+        yield
+
+
+def image(figure: Figure, kind: Literal["png", "svg"]) -> bytes:
+    """Turn a picture into the bytes of a file, the same for the same picture."""
+    stream = BytesIO()
+    metadata = {"Date": None} if kind == "svg" else {"Software": None}
+    with rc_context(STYLE), _without_glyphs():
+        figure.savefig(stream, format=kind, dpi=DPI, metadata=metadata)
+    return stream.getvalue()
+
+
+def picture(
+    charts: Chart | Sequence[Chart], heading: str = "", language: Language = "en", columns: int = 1
+) -> Figure:
+    """Draw charts in a figure as wide as a page, each with its legend and its notes.
+
+    Parameters
+    ----------
+    charts : Chart or sequence of Chart
+        Row by row.
+    heading : str
+        Above all of them, such as the title of a case.
+    language : {"en", "vi"}
+        Of the words.
+    columns : int
+        Charts in a row.
+    """
+    drawn = [charts] if isinstance(charts, Chart) else list(charts)
+    rows = [drawn[k : k + columns] for k in range(0, len(drawn), columns)]
+    wide = WIDTH / columns
+    heights = [max(_height(chart, wide, language) for chart in row) for row in rows]
+    with rc_context(STYLE):
+        above = fill(heading, 78, max_lines=2, placeholder=" ...")
+        room = 0.1 + 0.22 * (above.count("\n") + 1) if above else 0.0
+        figure = Figure(figsize=(WIDTH, sum(heights) + room), layout="constrained")
+        FigureCanvasAgg(figure)
+        if above:
+            figure.suptitle(above, fontsize=11, parse_math=False)
+        parts = figure.subfigures(len(rows), columns, squeeze=False, height_ratios=heights)
+        for row, places in zip(rows, parts, strict=True):
+            for chart, part in zip(row, places, strict=False):
+                _draw(part, chart, wide, language)
+        _scale(figure, drawn)
+    return figure
+
+
+def _scale(figure: Figure, charts: Sequence[Chart]) -> None:
+    """Draw to scale what is so, once all has its place: the layout takes such frames as full."""
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    frames = (axes for part in figure.subfigs for axes in part.axes)
+    for chart, axes in zip(charts, frames, strict=True):
+        if chart.to_scale is not None:
+            x, y = chart.x.quantity.factor, chart.y.quantity.factor
+            axes.set_aspect(chart.to_scale * y / x, adjustable="box")
+
+
+def _height(chart: Chart, wide: float, language: Language) -> float:
+    """Return the height of a part with its title, titles of axes and legend, inches."""
+    tall = _TALL if wide == WIDTH else 2.2
+    if chart.to_scale is not None:
+        share = chart.to_scale * (chart.y.high - chart.y.low) / (chart.x.high - chart.x.low)
+        tall = min((wide - 1.0) * share, _TALLEST)
+    labels, columns = _labels(chart, wide, language)
+    lines = sum(label.count("\n") + 1 for label in labels)
+    title = _title(chart, wide, language).count("\n") + 1
+    return tall + 0.2 * title + 0.19 * -(-lines // columns) + (1.1 if chart.x.second else 0.7)
+
+
+def _title(chart: Chart, wide: float, language: Language) -> str:
+    return fill(say(chart.title, language), int(12.0 * wide))
+
+
+def _labels(chart: Chart, wide: float, language: Language) -> tuple[list[str], int]:
+    """Fold the words of the legend and the notes; choose how many stand in a row."""
+    letters = int(wide * 72.0 / (_TYPE * _LETTER))
+    said = [say(each.label, language) for each in legend(chart)]
+    notes = [say(note, language) for note in chart.notes]
+    longest = max((len(each) for each in [*said, *notes]), default=0) + 8
+    columns = max(1, min(3, letters // longest, len(said) + len(notes)))
+    return ["\n".join(wrap(each, letters - 8)) for each in [*said, *notes]], columns
+
+
+def _draw(part: SubFigure, chart: Chart, wide: float, language: Language) -> None:
+    axes = part.add_subplot()
+    axes.set_title(_title(chart, wide, language), fontsize=9.5, loc="left", parse_math=False)
+    _axes(axes, chart, wide, language)
+    _areas(axes, chart)
+    for level in chart.levels:
+        _level(axes, level, chart, language)
+    for series in chart.series:
+        _series(axes, series, chart)
+    for arrow in chart.arrows:
+        _arrow(axes, arrow, chart)
+    for mark in chart.marks:
+        _mark(axes, mark, chart, language)
+    for dimension in chart.dimensions:
+        _dimension(axes, dimension, chart)
+    _legend(part, chart, wide, language)
+
+
+def _legend(part: SubFigure, chart: Chart, wide: float, language: Language) -> None:
+    labels, columns = _labels(chart, wide, language)
+    handles = [_handle(LOOKS[each.role]) for each in legend(chart)]
+    empty = Line2D([], [], linestyle="none")
+    handles += [empty] * (len(labels) - len(handles))
+    if labels:
+        entries = part.legend(
+            handles, labels, loc="outside lower center", ncols=columns, frameon=False,
+            handlelength=2.4, fontsize=_TYPE, columnspacing=1.4,
+        )  # fmt: skip
+        for words in entries.get_texts():
+            words.set_parse_math(False)
+
+
+def _colour(name: str) -> str:
+    return COLOURS[name][0] if name else "none"
+
+
+def _handle(look: Look) -> Artist:
+    """Make a sample for the legend."""
+    if not look.sign and not look.stroke:
+        return Patch(facecolor=_colour(look.fill), alpha=look.opacity)
+    return Line2D([], [], **_of_line(look._replace(size=min(look.size, 5.0))))
+
+
+def _of_line(look: Look) -> dict[str, Any]:
+    """Return the looks of a line, or of signs."""
+    width = look.width * _POINTS
+    if look.sign:
+        return {
+            "linestyle": "none",
+            "marker": _MARKERS[look.sign],
+            "markersize": 2.0 * look.size * _POINTS * (0.8 if look.sign == "diamond" else 1.0),
+            "markerfacecolor": _colour(look.fill),
+            "markeredgecolor": _colour(look.stroke),
+            "markeredgewidth": width,
+        }
+    dashes = (0.0, tuple(each / max(look.width, 1.0) for each in look.dash))
+    return {
+        "color": _colour(look.stroke),
+        "linewidth": width,
+        "linestyle": dashes if look.dash else "-",
+    }
+
+
+# ------------------------------------------------------------------ the axes
+
+
+def _axes(axes: Axes, chart: Chart, wide: float, language: Language) -> None:
+    """Set ranges, the values along the edges, and what they are."""
+    x, y = chart.x, chart.y
+    field_x, field_y = x.quantity.to_field, y.quantity.to_field
+    if x.foot is not None:
+        axes.set_xscale("log")
+    if y.foot is not None:
+        axes.set_yscale("log")
+    axes.set_xlim(field_x(x.low), field_x(x.high))
+    axes.set_ylim(field_y(y.low), field_y(y.high))
+    up = 6
+    if chart.to_scale is not None:
+        up = max(2, min(6, int(12.0 * chart.to_scale * (y.high - y.low) / (x.high - x.low))))
+    most = max(2, round(wide))
+    axes.set_xticks(*_ticked(x, tick_marks(x, most)))
+    axes.set_yticks(*_ticked(y, tick_marks(y, up)))
+    axes.minorticks_off()
+    axes.grid(visible=chart.to_scale is None)
+    axes.set_xlabel(axis_title(x, language), parse_math=False)
+    axes.set_ylabel(axis_title(y, language), parse_math=False)
+    if x.second:
+        above = axes.secondary_xaxis("top")
+        above.set_xticks(*_ticked(x, scale_ticks(x, most)))
+        above.set_xlabel(axis_title(x.second, language))
+    if y.second:
+        right = axes.secondary_yaxis("right")
+        right.set_yticks(*_ticked(y, scale_ticks(y, up)))
+        right.set_ylabel(axis_title(y.second, language))
+
+
+def _ticked(axis: Axis, marks: Sequence[Tick]) -> tuple[list[float], list[str]]:
+    return [_drawn(axis, value) for value, _ in marks], [words for _, words in marks]
+
+
+def _drawn(axis: Axis, value: float) -> float:
+    """Return a value in the field's unit; an exact 0 of a logarithmic axis is at its foot."""
+    if axis.foot is not None and value <= 0.0:
+        value = axis.foot
+    return axis.quantity.to_field(value)
+
+
+def _all(axis: Axis, values: Iterable[float]) -> list[float]:
+    return [_drawn(axis, value) for value in values]
+
+
+# ------------------------------------------------------------------ what is drawn
+
+
+def _areas(axes: Axes, chart: Chart) -> None:
+    for area in chart.areas:
+        look = LOOKS[area.role]
+        kind: dict[str, Any] = {
+            "color": _colour(look.fill), "alpha": look.opacity, "linewidth": 0.0, "zorder": 0.4,
+        }  # fmt: skip
+        if area.x:
+            low, high = _all(chart.y, area.low), _all(chart.y, area.high)
+            axes.fill_between(_all(chart.x, area.x), low, high, **kind)
+        else:
+            ends = (max(area.low[0], chart.y.low), min(area.high[0], chart.y.high))
+            axes.axhspan(*_all(chart.y, ends), **kind)
+
+
+def _level(axes: Axes, level: Level, chart: Chart, language: Language) -> None:
+    kind = _of_line(LOOKS[level.role]) | {"label": f"_{level.role}"}
+    words = say(level.words, language)
+    if level.axis == "x":
+        x = _drawn(chart.x, level.at)
+        axes.axvline(x, **kind)
+        if level.share is not None:
+            circle = {"boxstyle": "circle,pad=0.25", "facecolor": "white",
+                      "edgecolor": _colour("quiet"), "linewidth": 0.8}  # fmt: skip
+            axes.text(x, level.share, words, transform=axes.get_xaxis_transform(), fontsize=8,
+                      ha="center", va="center", bbox=circle, zorder=7)  # fmt: skip
+        return
+    y = _drawn(chart.y, level.at)
+    ends = (max(level.start, chart.x.low), min(level.end, chart.x.high))
+    axes.plot(_all(chart.x, ends), [y, y], **kind)
+    if words:
+        middle = sum(_all(chart.x, ends)) / 2.0
+        axes.annotate(words, (middle, y), xytext=(0.0, -3.0), textcoords="offset points",
+                      ha="center", va="top", fontsize=8)  # fmt: skip
+
+
+def _series(axes: Axes, series: Series, chart: Chart) -> None:
+    x, y = _all(chart.x, series.x), _all(chart.y, series.y)
+    zorder = 2.5 if LOOKS[series.role].sign else 2.0
+    axes.plot(x, y, **_of_line(LOOKS[series.role]), label=f"_{series.role}", zorder=zorder)
+
+
+def _mark(axes: Axes, mark: Mark, chart: Chart, language: Language) -> None:
+    x, y = _drawn(chart.x, mark.x), _drawn(chart.y, mark.y)
+    look = LOOKS[mark.role]
+    if look.sign == "words":
+        halo = {"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none",
+                "alpha": 0.7}  # fmt: skip
+        axes.text(x, y, say(mark.words, language), ha="center", va="center", fontsize=9,
+                  color=_colour(look.fill), bbox=halo, zorder=6)  # fmt: skip
+    else:
+        axes.plot([x], [y], **_of_line(look), label=f"_{mark.role}", clip_on=False, zorder=5)
+
+
+def _arrow(axes: Axes, arrow: Arrow, chart: Chart) -> None:
+    (x1, y1), (x2, y2) = (
+        (_drawn(chart.x, x), _drawn(chart.y, y)) for x, y in (arrow.start, arrow.end)
+    )
+    look = LOOKS[arrow.role]
+    axes.annotate(
+        "", (x2, y2), xytext=(x1, y1), zorder=4,
+        arrowprops={"arrowstyle": "-|>", "color": _colour(look.stroke), "shrinkA": 0.0,
+                    "shrinkB": 0.0, "linewidth": look.width * _POINTS},
+    )  # fmt: skip
+
+
+def _dimension(axes: Axes, dimension: Dimension, chart: Chart) -> None:
+    (x1, y1), (x2, y2) = (
+        (_drawn(chart.x, x), _drawn(chart.y, y)) for x, y in (dimension.start, dimension.end)
+    )
+    thin = _of_line(LOOKS["thin"]) | {"label": "_thin", "zorder": 1.5}
+    is_upright = x1 == x2
+    for x, y in dimension.measured:
+        foot = (_drawn(chart.x, x), _drawn(chart.y, y))
+        end = (x1, foot[1]) if is_upright else (foot[0], y1)
+        axes.plot([foot[0], end[0]], [foot[1], end[1]], **thin)
+    axes.annotate(
+        "", (x2, y2), xytext=(x1, y1),
+        arrowprops={"arrowstyle": "<|-|>", "shrinkA": 0.0, "shrinkB": 0.0, "linewidth": 0.8,
+                    "color": _colour("ink"), "mutation_scale": 8.0},
+    )  # fmt: skip
+    tall = abs(y2 - y1) / (chart.x.high - chart.x.low) * (WIDTH - 1.0) * 72.0
+    is_turned = is_upright and tall > _LETTER * 8.0 * len(dimension.words)
+    is_right = x1 > (chart.x.low + chart.x.high) / 2.0
+    middle = (y1 + y2) / 2.0 if is_turned or not is_upright else max(y1, y2)
+    across = ("right" if is_turned or is_right else "left") if is_upright else "center"
+    axes.annotate(
+        dimension.words, ((x1 + x2) / 2.0, middle), textcoords="offset points", fontsize=8,
+        xytext=(-2.0, 0.0) if is_turned else (0.0, 2.0), rotation=90.0 if is_turned else 0.0,
+        ha=across, va="center" if is_turned else "bottom", zorder=6,
+    )  # fmt: skip

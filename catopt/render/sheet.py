@@ -1,0 +1,580 @@
+"""A workbook in memory and its sheets: formats, tables, charts, and how they print on A4."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from io import BytesIO
+from typing import TYPE_CHECKING, Any, Literal
+
+import pandas as pd
+import xlsxwriter
+
+from catopt._version import __version__
+from catopt.quantities import GREEK, QUANTITIES, Quantity
+from catopt.render.texts import Words
+
+if TYPE_CHECKING:
+    from xlsxwriter.workbook import Workbook
+    from xlsxwriter.worksheet import Worksheet
+
+__all__ = ["Book", "Cell", "Chart", "Number", "Series", "Sheet", "Style", "Text", "number_pattern"]
+
+Style = Literal["text", "wrapped", "title", "large", "good", "bad", "grey"]
+
+_SCIENTIFIC = tuple(q.name.lower() for q in QUANTITIES.values() if q.notation == "scientific")
+_DIGITS = {q.field_unit: q.digits for q in sorted(QUANTITIES.values(), key=lambda q: q.digits)}
+_DIGITS["tf"] = _DIGITS["kN"] + 1
+
+_COUNT = "General"
+_WIDEST = 60
+_LINE_HEIGHT = 15.0
+"""Points of a row of one line of text."""
+_ROW_PIXELS = 20
+_PIXELS = 7.0
+"""Of one character of a column's width."""
+_NO_DATE = datetime(2000, 1, 1)
+"""In place of the hour of writing: the same data make the same file."""
+_MOST_FOOTER = 120
+_OF_THE_USER = {
+    "Title",
+    "Source",
+    "Name",
+    "Load case",
+    "Component",
+    "Change to the recommended design",
+    "Code",
+    "Governing check (load case)",
+    "Governing load case",
+    "Reference point (SI units)",
+    "Unit",
+    "Segments, from the anchor",
+}
+"""Headings of columns whose texts are the user's own or cited, and stay as they are."""
+_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#7F7F7F")
+_DASHES = ("solid", "dash", "long_dash", "dash_dot", "square_dot", "solid")
+_RING = 9
+"""Size from which a point is a ring."""
+_MARKERS = ("circle", "diamond", "triangle", "square", "x", "plus")
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number with its format.
+
+    Attributes
+    ----------
+    value : float or None
+        As it is stored, to 16 digits; None leaves the cell empty.
+    pattern : str
+        Number format.
+    formula : str
+        In place of the number where somebody would compute it in the sheet; `value` is what it
+        gives.
+    is_left : bool
+        Set flush left, among texts.
+    """
+
+    value: float | None
+    pattern: str = _COUNT
+    formula: str = ""
+    is_left: bool = False
+
+
+@dataclass(frozen=True)
+class Text:
+    """A text with its look."""
+
+    text: str
+    style: Style = "wrapped"
+
+
+Cell = str | float | Number | Text | None
+
+
+@dataclass(frozen=True)
+class Series:
+    """A curve or a set of points: rows and columns of its cells, the ends among them, from 0.
+
+    Large points are rings: whatever a program draws over them, they stay in sight.
+    """
+
+    name: str
+    rows: tuple[int, int]
+    x: int
+    y: int
+    style: Literal["line", "points"] = "line"
+    colour: int = 0
+    size: int = 7
+
+
+@dataclass(frozen=True)
+class Chart:
+    """What a chart shows.
+
+    Attributes
+    ----------
+    title, x, y : str
+        Above it and at its axes.
+    series : tuple of Series
+        With a legend where there are several.
+    log : tuple of float, optional
+        Ends of a logarithmic y axis.
+    size : tuple of int
+        Width and height in pixels.
+    y_range : tuple of float or None
+        Ends of the y axis; None leaves one to the spreadsheet.
+    hidden : tuple of int
+        Series that the legend leaves out.
+    """
+
+    title: str
+    x: str
+    y: str
+    series: tuple[Series, ...]
+    log: tuple[float, float] | None = None
+    size: tuple[int, int] = (620, 380)
+    y_range: tuple[float | None, float | None] = (None, None)
+    hidden: tuple[int, ...] = ()
+
+
+class Book:
+    """A workbook in memory with its formats.
+
+    Parameters
+    ----------
+    title : str
+        In its properties and at the foot of every page.
+    words : Words, optional
+        Language of sheet names, headings and texts; English when left out.
+    typeset : bool
+        Whether headings have Greek letters as such and leave out the unit of pure numbers.
+    """
+
+    def __init__(self, title: str, words: Words | None = None, *, typeset: bool = False) -> None:
+        self.words = words or Words()
+        self.typeset = typeset
+        self.title = title
+        self.stream = BytesIO()
+        self.workbook: Workbook = xlsxwriter.Workbook(self.stream, {"in_memory": True})
+        self.workbook.set_properties(
+            {"title": title, "comments": f"catopt {__version__}", "created": _NO_DATE}
+        )
+        self.heading = self._format(
+            bold=True, text_wrap=True, bottom=1, valign="bottom", indent=1 if typeset else 0
+        )
+        self.right_heading = self._format(
+            bold=True, text_wrap=True, bottom=1, valign="bottom", align="right", indent=1
+        )
+        self.styles: dict[Style, Any] = {
+            "text": self._format(valign="top", indent=1),
+            "wrapped": self._format(valign="top", indent=1, text_wrap=True),
+            "title": self._format(bold=True, font_size=12),
+            "large": self._format(bold=True, font_size=16),
+            "good": self._format(
+                valign="top", indent=1, font_color="#006100", bold=True, text_wrap=True
+            ),
+            "bad": self._format(
+                valign="top",
+                indent=1,
+                font_color="#9C0006",
+                bg_color="#FFC7CE",
+                bold=True,
+                text_wrap=True,
+            ),
+            "grey": self._format(valign="top", indent=1, font_color="#595959", text_wrap=True),
+        }
+        self.beside_numbers = self._format(valign="top", align="right")
+        self._numbers: dict[str, Any] = {}
+        self._sheets: list[Sheet] = []
+
+    def _format(self, **properties: Any) -> Any:
+        return self.workbook.add_format(properties)
+
+    def number(self, pattern: str, *, is_left: bool = False) -> Any:
+        """Return the cell format of a number format, made once."""
+        key = f"{pattern}|{is_left}"
+        if key not in self._numbers:
+            side = "center" if pattern == _COUNT and not self.typeset else "right"
+            look = {"align": "left" if is_left else side, "indent": 1 if self.typeset else 0}
+            self._numbers[key] = self._format(num_format=pattern, valign="top", **look)
+        return self._numbers[key]
+
+    def said_heading(self, english: str) -> str:
+        """Say a heading in the language of the book."""
+        said = self.words.heading(english)
+        return typeset(said) if self.typeset else said
+
+    def said(self, english: str) -> str:
+        """Say a text that the code made; one that joins several is said part by part."""
+        if not any(map(str.isalpha, english)):
+            return english
+        return self.words.sentence(english).text
+
+    def sheet(self, name: str, said: str = "") -> Sheet:
+        """Add a sheet whose first row stays in sight.
+
+        Parameters
+        ----------
+        name : str
+            In English; it is translated where the table of texts has it.
+        said : str
+            In the book's language, where the table has the name for something else.
+        """
+        worksheet = self.workbook.add_worksheet((said or self.words.sentence(name).text)[:31])
+        worksheet.freeze_panes(1, 0)
+        worksheet.set_landscape()
+        worksheet.set_paper(9)  # A4
+        worksheet.set_margins(left=0.5, right=0.5, top=0.6, bottom=0.7)
+        worksheet.fit_to_pages(1, 0)
+        worksheet.repeat_rows(0)
+        title = self.title[:_MOST_FOOTER].replace("&", "&&")
+        worksheet.set_footer(f"&L{title}&C&A&Rcatopt {__version__}   &P / &N")
+        sheet = Sheet(self, worksheet)
+        self._sheets.append(sheet)
+        return sheet
+
+    def close(self) -> bytes:
+        """Finish the file."""
+        for sheet in self._sheets:
+            sheet.finish()
+        self.workbook.close()
+        return self.stream.getvalue()
+
+
+@dataclass
+class Sheet:
+    """A sheet that is filled from the top down.
+
+    Attributes
+    ----------
+    row : int
+        The next row that is free below the tables on the left.
+    widths : dict
+        Of columns, in characters.
+    """
+
+    book: Book
+    worksheet: Worksheet
+    row: int = 0
+    widths: dict[int, float] = field(default_factory=dict)
+    _heights: dict[int, float] = field(default_factory=dict)
+    _last: tuple[int, int] = (0, 0)
+    _charts: list[tuple[int, int, tuple[int, int]]] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        """As it stands on its tab."""
+        return str(self.worksheet.get_name())
+
+    def list_of(self, frame: pd.DataFrame) -> None:
+        """Write the one row of a table as a list: heading with unit, value."""
+        rows = [
+            (
+                Text(self.book.said_heading(heading), "text"),
+                Text("-", "text") if pd.isna(value) else self._of_frame(heading, value),
+            )
+            for heading, value in zip(frame.columns, frame.iloc[0], strict=True)
+        ]
+        self.grid(["Quantity (unit)", "Value (unit of the row)"], rows, widths=[44, 24])
+
+    def table(
+        self,
+        frame: pd.DataFrame,
+        *,
+        title: str = "",
+        column: int = 0,
+        row: int | None = None,
+        wrap: bool = False,
+        said: Collection[str] | None = None,
+    ) -> int:
+        """Write a table below what is there; beside it, from the top, when a column is given.
+
+        Parameters
+        ----------
+        frame : DataFrame
+            Its headings carry the units, in English.
+        title : str
+            Above it, in English.
+        column, row : int
+            Of its upper left corner, from 0.
+        wrap : bool
+            Whether texts fold.
+        said : collection of str, optional
+            Headings of the columns whose texts the code made; when left out all but those that are
+            known to hold what is the user's or cited.
+
+        Returns
+        -------
+        int
+            Row of the heading.
+        """
+        names: list[str] = list(frame.columns)
+        rows = [
+            [
+                self._of_frame(name, value, wrap=wrap, said=said)
+                for name, value in zip(names, values, strict=True)
+            ]
+            for values in frame.itertuples(index=False, name=None)
+        ]
+        right = frozenset(
+            index
+            for index, name in enumerate(names)
+            if self.book.typeset and pd.api.types.is_float_dtype(frame[name])
+        )
+        return self.grid(names, rows, title=title, column=column, row=row, right=right)
+
+    def grid(
+        self,
+        headings: Sequence[str],
+        rows: Sequence[Sequence[Cell]],
+        *,
+        title: str = "",
+        column: int = 0,
+        row: int | None = None,
+        widths: Sequence[float | None] = (),
+        right: Iterable[int] = (),
+    ) -> int:
+        """Write rows under headings; return the row of the headings.
+
+        Parameters
+        ----------
+        headings : sequence of str
+            In English, with units.
+        rows : sequence of sequence
+            Texts as they are to stand there, and numbers.
+        title : str
+            Above, in English.
+        column, row : int
+            Of the upper left corner; from the top when only the column is given.
+        widths : sequence of float or None
+            Of the columns, in characters; what is None or left out follows from what they hold.
+        right : iterable of int
+            Columns whose heading stands over numbers.
+        """
+        top = row if row is not None else 0 if column else self.row
+        if title:
+            self.write(top, column, Text(self.book.said_heading(title), "title"))
+            top += 1
+        flush = set(right)
+        for index, name in enumerate(headings):
+            said = self.book.said_heading(name)
+            given = widths[index] if index < len(widths) else None
+            width = given or _width([each[index] for each in rows], said)
+            self._heading(column + index, said, width, top, right=index in flush)
+            for place, cells in enumerate(rows, start=top + 1):
+                self.write(place, column + index, cells[index])
+        for place, cells in enumerate(rows, start=top + 1):
+            self._fold(place, column, cells)
+        if not column:
+            self.row = top + len(rows) + 2
+        return top
+
+    def set_widths(self, widths: Sequence[float]) -> None:
+        """Set the widths of the first columns, in characters."""
+        for column, width in enumerate(widths):
+            self.widths[column] = width
+            self.worksheet.set_column(column, column, width)
+
+    def across(self, text: str, style: Style = "wrapped") -> None:
+        """Write a text over all columns whose widths are set, folded to them."""
+        self._merged(text, style, 0)
+        self.row += 1
+
+    def pair(self, label: str, text: str) -> None:
+        """Write a label in the first column and a text over the others."""
+        self.write(self.row, 0, Text(label, "text"))
+        self._merged(text, "wrapped", 1)
+        self.row += 1
+
+    def _merged(self, text: str, style: Style, first: int) -> None:
+        last = max(self.widths)
+        width = sum(self.widths[column] for column in range(first, last + 1))
+        scale = {"large": 1.6, "title": 1.2}.get(style, 1.1)
+        height = _LINE_HEIGHT * scale * _lines(text, width / scale)
+        self.worksheet.set_row(self.row, height)
+        look = self.book.styles[style]
+        if last > first:
+            self.worksheet.merge_range(self.row, first, self.row, last, "", look)
+        self.worksheet.write_string(self.row, first, text, look)
+        self._last = (max(self._last[0], self.row), max(self._last[1], last))
+
+    def write(self, row: int, column: int, cell: Cell) -> None:
+        """Write one cell; text never becomes a formula or a link, whatever it looks like."""
+        self._last = (max(self._last[0], row), max(self._last[1], column))
+        sheet, book = self.worksheet, self.book
+        if isinstance(cell, str):
+            cell = Text(cell)
+        if cell is None:
+            sheet.write_blank(row, column, None, book.styles["text"])
+        elif isinstance(cell, Text):
+            sheet.write_string(row, column, cell.text, book.styles[cell.style])
+        else:
+            number = cell if isinstance(cell, Number) else Number(float(cell))
+            self._number(row, column, number)
+
+    def _fold(self, row: int, column: int, cells: Sequence[Cell]) -> None:
+        """Make a row as high as its longest folded text; not every program does so itself."""
+        lines = 1
+        for index, cell in enumerate(cells, start=column):
+            if isinstance(cell, str) or (isinstance(cell, Text) and cell.style != "text"):
+                text = cell if isinstance(cell, str) else cell.text
+                lines = max(lines, _lines(text, self.widths[index]))
+        height = _LINE_HEIGHT * lines
+        if lines > 1 and height > self._heights.get(row, 0.0):
+            self._heights[row] = height
+            self.worksheet.set_row(row, height)
+
+    def _number(self, row: int, column: int, number: Number) -> None:
+        sheet, value = self.worksheet, number.value
+        if value is None or math.isnan(value):
+            sheet.write_blank(row, column, None, self.book.styles["text"])
+        elif math.isinf(value):
+            said = self.book.words.name("inextensible")
+            sheet.write_string(row, column, said, self.book.beside_numbers)
+        else:
+            look = self.book.number(number.pattern, is_left=number.is_left)
+            if number.formula:
+                sheet.write_formula(row, column, number.formula, look, value)
+            else:
+                sheet.write_number(row, column, value, look)
+
+    def chart(self, chart: Chart, *, row: int, column: int) -> int:
+        """Draw cells of this sheet over others; return the first row below.
+
+        Parameters
+        ----------
+        chart : Chart
+            What it shows; the texts as they are to stand there.
+        row, column : int
+            Of its upper left corner.
+        """
+        drawn = self.book.workbook.add_chart({"type": "scatter", "subtype": "straight"})
+        for series in chart.series:
+            first, last = series.rows
+            drawn.add_series(
+                {
+                    "name": series.name,
+                    "categories": [self.name, first, series.x, last, series.x],
+                    "values": [self.name, first, series.y, last, series.y],
+                    **_look(series),
+                }
+            )
+        axis: dict[str, Any] = {"name": chart.y, "major_gridlines": {"visible": True}}
+        axis |= {
+            end: value
+            for end, value in zip(("min", "max"), chart.y_range, strict=True)
+            if value is not None
+        }
+        if chart.log is not None:
+            low, high = chart.log
+            axis |= {"log_base": 10, "min": low, "max": high, "crossing": low}
+            axis |= {"num_format": "0E+00"}
+        drawn.set_title({"name": chart.title, "name_font": {"size": 12}})
+        drawn.set_x_axis({"name": chart.x, "label_position": "low", "num_format": _COUNT})
+        drawn.set_y_axis({"num_format": _COUNT, "label_position": "low"} | axis)
+        legend = {"position": "bottom", "delete_series": list(chart.hidden)}
+        drawn.set_legend(legend if len(chart.series) > 1 else {"none": True})
+        width, height = chart.size
+        drawn.set_size({"width": width, "height": height})
+        self.worksheet.insert_chart(row, column, drawn)
+        self._charts.append((row, column, chart.size))
+        return row + height // _ROW_PIXELS + 2
+
+    def finish(self) -> None:
+        """Set what is printed: all cells and charts."""
+        rows, columns = self._last
+        for row, column, (width, height) in self._charts:
+            rows = max(rows, row + height // _ROW_PIXELS + 1)
+            end = column
+            while width > 0:
+                width -= round(self.widths.get(end, 8.43) * _PIXELS) + 5
+                end += 1
+            columns = max(columns, end - 1)
+        self.worksheet.print_area(0, 0, rows, columns)
+
+    def _heading(
+        self, column: int, said: str, width: float, row: int, *, right: bool = False
+    ) -> None:
+        self.widths[column] = max(self.widths.get(column, 0.0), width)
+        self.worksheet.set_column(column, column, self.widths[column])
+        lines = max(2, _lines(said, self.widths[column]))
+        self._heights[row] = max(self._heights.get(row, 0.0), _LINE_HEIGHT * lines + 3.0)
+        self.worksheet.set_row(row, self._heights[row])
+        look = self.book.right_heading if right else self.book.heading
+        self.worksheet.write_string(row, column, said, look)
+        self._last = (max(self._last[0], row), max(self._last[1], column))
+
+    def _of_frame(
+        self,
+        heading: str,
+        value: Any,
+        *,
+        wrap: bool = False,
+        said: Collection[str] | None = None,
+    ) -> Cell:
+        """Make the cell of a value of a table."""
+        if isinstance(value, str):
+            is_ours = heading not in _OF_THE_USER if said is None else heading in said
+            return Text(self.book.said(value) if is_ours else value, "wrapped" if wrap else "text")
+        if value is None:
+            return None
+        return Number(value, number_pattern(heading))
+
+
+def number_pattern(of: str | Quantity) -> str:
+    """Choose the number format of a quantity, or the one that goes with a heading's unit."""
+    if isinstance(of, Quantity):
+        if of.notation == "scientific":
+            return "0.00E+00"
+        return f"0.{'0' * of.digits}" if of.digits else "0"
+    if any(name in of.lower() for name in _SCIENTIFIC):
+        return "0.00E+00"
+    unit = of.rpartition("(")[2].rstrip(")")
+    digits = _DIGITS.get(unit) if of.endswith(")") else None
+    if digits is None:
+        return _COUNT
+    return f"0.{'0' * digits}" if digits else "0"
+
+
+def typeset(heading: str) -> str:
+    """Write Greek letters as such, and no unit for a pure number."""
+    said = heading.removesuffix(" (-)")
+    return re.sub(r"\b(theta0|theta1|theta|mu|rho)\b", lambda found: GREEK[found[1]], said)
+
+
+def _look(series: Series) -> dict[str, Any]:
+    colour, place = _COLOURS[series.colour], series.colour
+    if series.style == "line":
+        line = {"color": colour, "width": 1.75, "dash_type": _DASHES[place]}
+        return {"line": line, "marker": {"type": "none"}}
+    marker = {
+        "type": _MARKERS[place],
+        "size": series.size,
+        "border": {"color": colour, "width": 1.75 if series.size >= _RING else 0.75},
+        "fill": {"none": True} if series.size >= _RING else {"color": colour},
+    }
+    return {"line": {"none": True}, "marker": marker}
+
+
+def _lines(text: str, width: float) -> int:
+    """Count the lines to which a bold text folds at its spaces."""
+    room, lines, used = max(width / 1.12, 1.0), 1, 0
+    for word in text.split():
+        if used and used + 1 + len(word) > room:
+            lines, used = lines + 1, 0
+        used += len(word) + (1 if used else 0)
+        while used > room:
+            lines, used = lines + 1, used - int(room)
+    return lines
+
+
+def _width(cells: Sequence[Cell], heading: str) -> float:
+    """Choose a column width, in characters: a heading may fold, a value may not."""
+    texts = [cell.text if isinstance(cell, Text) else cell for cell in cells]
+    longest = max((len(text) + 2 for text in texts if isinstance(text, str)), default=0)
+    word = max((len(part) for part in heading.split()), default=0) + 2
+    return float(min(max(longest, 12, word, math.ceil(len(heading) / 2) + 3), _WIDEST))

@@ -1,0 +1,403 @@
+"""Charts as shapes for a page, with places that answer to the pointer."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from catopt.figures.chart import Area, Arrow, Axis, Chart, Dimension, Level, Mark, Series, legend
+from catopt.render.looks import LOOKS, Sign
+from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
+from catopt.words import Language, say
+
+__all__ = ["WIDTH", "Figure", "Frame", "Legend", "Point", "Shape", "breadth", "svg"]
+
+WIDTH = 640.0
+"""Of every figure, in its own units."""
+_TYPE = 19.0
+"""Largest type in a figure (style.css, on phones), in its units."""
+_LETTER = 0.66
+"""Mean width of a letter over the type, in the widest fonts that pages are read in."""
+_TALL, _TALLEST = 300.0, 440.0
+"""Height of a frame, and the greatest of one that is to scale."""
+_ROW = 46.0
+"""Room above a frame for the title of its upright axis."""
+_SECOND = 44.0
+"""Room above that for another reading of the axis across."""
+_FOOT = 64.0
+"""Room below a frame for the values along it and their title."""
+_ARROW, _HEAD = 7.0, 11.0
+"""Length of the heads of a dimension and of an arrow."""
+
+
+class Shape(NamedTuple):
+    """One SVG element: its tag, its attributes and the text in it."""
+
+    tag: str
+    attributes: tuple[tuple[str, str], ...]
+    text: str = ""
+
+
+class Point(NamedTuple):
+    """A place in a figure with what is known there, in words; in the figure's units."""
+
+    x: float
+    y: float
+    text: str
+
+
+class Legend(NamedTuple):
+    """An entry below a figure: a sample of 30 by 20 units, and what it is."""
+
+    sample: Shape
+    text: str
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A drawing: shapes from the back to the front, in units of which it is `width` wide.
+
+    Its title says what it shows to readers who do not see it. Points answer to the pointer and
+    the arrow keys.
+    """
+
+    key: str
+    title: str
+    height: float
+    shapes: tuple[Shape, ...]
+    points: tuple[Point, ...]
+    legend: tuple[Legend, ...]
+    notes: tuple[str, ...]
+    width: float = WIDTH
+
+
+class Frame(NamedTuple):
+    """Where the axes of a chart are in a figure: its edges, in units of the figure."""
+
+    x: Axis
+    y: Axis
+    left: float
+    right: float
+    top: float
+    bottom: float
+
+    def across(self, x: float) -> float:
+        """Place a value of x."""
+        return self.left + (self.right - self.left) * self.x.place(x)
+
+    def up(self, y: float) -> float:
+        """Place a value of y."""
+        return self.bottom - (self.bottom - self.top) * self.y.place(y)
+
+    def at(self, x: float, y: float) -> tuple[float, float]:
+        """Place a point."""
+        return self.across(x), self.up(y)
+
+
+def svg(chart: Chart, language: Language = "en") -> Figure:
+    """Draw a chart.
+
+    Nothing is measured by guess that a reader's font could upset: room for words is that of the
+    widest font.
+
+    Parameters
+    ----------
+    chart : Chart
+        What is to be drawn.
+    language : {"en", "vi"}
+        Of its words.
+    """
+    frame, values = _frame(chart)
+    shapes = [
+        *(each for area in chart.areas for each in _area(area, frame)),
+        *_axes(chart, frame, values, language),
+        *(each for level in chart.levels for each in _level(level, frame, language)),
+        *(each for series in chart.series for each in _series(series, frame)),
+        *(each for dimension in chart.dimensions for each in _dimension(dimension, frame)),
+        *(each for arrow in chart.arrows for each in _arrow(arrow, frame)),
+        *(each for mark in chart.marks for each in _mark(mark, frame, language)),
+    ]
+    return Figure(
+        chart.name,
+        say(chart.title, language),
+        frame.bottom + _FOOT,
+        tuple(shapes),
+        tuple(Point(*frame.at(x, y), say(said, language)) for x, y, said in chart.points),
+        tuple(Legend(_sample(role), say(label, language)) for role, label in legend(chart)),
+        tuple(say(note, language) for note in chart.notes),
+    )
+
+
+def breadth(words: str) -> float:
+    """Return the room that words in a row need in any font, in units of the figure."""
+    return _TYPE * _LETTER * len(words)
+
+
+# ------------------------------------------------------------------ the frame and its axes
+
+
+class _Values(NamedTuple):
+    """The values written along the edges of a frame."""
+
+    below: list[Tick]
+    left: list[Tick]
+    above: list[Tick]
+    right: list[Tick]
+
+
+def _frame(chart: Chart) -> tuple[Frame, _Values]:
+    """Find a frame with room around it for the values along its edges."""
+    x, y = chart.x, chart.y
+    share = (chart.to_scale or 0.0) * (y.high - y.low) / (x.high - x.low)
+    most = _most(min(share * WIDTH, _TALLEST) or _TALL, y)
+    beside = tick_marks(y, most), scale_ticks(y, most)
+    left, right = (12.0 + max((breadth(said) for _, said in side), default=18.0) for side in beside)
+    wide, tall = WIDTH - left - right, _TALL
+    if share:
+        tall = min(wide * share, _TALLEST)
+        left, wide = left + 0.5 * (wide - tall / share), tall / share
+    top = _ROW + (_SECOND if x.second else 0.0)
+    along = max(2, min(6, int(wide / 80.0)))
+    frame = Frame(x, y, left, left + wide, top, top + tall)
+    return frame, _Values(tick_marks(x, along), beside[0], scale_ticks(x, along), beside[1])
+
+
+def _most(tall: float, y: Axis) -> int:
+    """Return how many values there is room for along a height."""
+    low, high = y.within or (y.low, y.high)
+    return max(2, min(6, int(tall * (high - low) / (y.high - y.low) / 36.0)))
+
+
+def _axes(chart: Chart, frame: Frame, values: _Values, language: Language) -> Iterator[Shape]:
+    """Draw the frame, its grid, the values along its edges and what they are."""
+    left, right, top, bottom = frame.left, frame.right, frame.top, frame.bottom
+    has_grid = chart.to_scale is None
+    for value, words in values.below:
+        x = frame.across(value)
+        if has_grid:
+            yield line("grid", x, top, x, bottom)
+        yield line("thin", x, bottom, x, bottom + 5)
+        yield text(words, x, bottom + 27, style="tick")
+    for value, words in values.left:
+        y = frame.up(value)
+        if has_grid:
+            yield line("grid", left, y, right, y)
+        yield line("thin", left - 5, y, left, y)
+        yield text(words, left - 8, y + 5, anchor="end", style="tick")
+    for value, words in values.right:
+        y = frame.up(value)
+        yield line("thin", right, y, right + 5, y)
+        yield text(words, right + 8, y + 5, anchor="start", style="tick")
+    for value, words in values.above:
+        x = frame.across(value)
+        yield line("thin", x, top - 5, x, top)
+        yield text(words, x, top - 10, style="tick")
+    yield shape("rect", "frame", x=left, y=top, width=right - left, height=bottom - top)
+    yield from _titles(chart, frame, language)
+
+
+def _titles(chart: Chart, frame: Frame, language: Language) -> Iterator[Shape]:
+    """Write what the values are, in rows of their own: turned words may be too long."""
+    middle = (frame.left + frame.right) / 2
+    below = axis_title(chart.x, language)
+    yield text(below, _inside(middle, below), frame.bottom + 52, style="axis")
+    row = frame.top - (_SECOND if chart.x.second else 0.0) - 22.0
+    yield text(axis_title(chart.y, language), 2, row, anchor="start", style="axis")
+    if chart.y.second:
+        right = axis_title(chart.y.second, language)
+        yield text(right, WIDTH - 2, row, anchor="end", style="axis")
+    if chart.x.second:
+        above = axis_title(chart.x.second, language)
+        yield text(above, _inside(middle, above), frame.top - 36.0, style="axis")
+
+
+def _inside(x: float, words: str) -> float:
+    """Move the middle of words so that they are on the paper."""
+    half = breadth(words) / 2
+    return min(max(x, half), max(WIDTH - half, half))
+
+
+# ------------------------------------------------------------------ what is drawn
+
+
+def _area(area: Area, frame: Frame) -> Iterator[Shape]:
+    def up(value: float) -> float:
+        return frame.up(min(max(value, frame.y.low), frame.y.high))
+
+    if area.x:
+        places = [
+            *((frame.across(x), up(z)) for x, z in zip(area.x, area.high, strict=True)),
+            *((frame.across(x), up(z)) for x, z in zip(area.x[::-1], area.low[::-1], strict=True)),
+        ]
+        yield path(area.role, places, tag="polygon")
+    else:
+        low, high = up(area.low[0]), up(area.high[0])
+        wide = frame.right - frame.left
+        yield shape("rect", area.role, x=frame.left, y=high, width=wide, height=low - high)
+
+
+def _level(level: Level, frame: Frame, language: Language) -> Iterator[Shape]:
+    words = say(level.words, language)
+    if level.axis == "x":
+        x = frame.across(level.at)
+        yield line(level.role, x, frame.top, x, frame.bottom)
+        if level.share is not None:
+            y = frame.bottom - level.share * (frame.bottom - frame.top)
+            yield _sign("event", x, y)
+            yield text(words, x, y + 5, style="tick")
+        return
+    y = frame.up(level.at)
+    left, right = (
+        frame.across(min(max(end, frame.x.low), frame.x.high)) for end in (level.start, level.end)
+    )
+    yield line(level.role, left, y, right, y)
+    if words and right - left > breadth(words):
+        yield text(words, (left + right) / 2, y + 17, style="tick halo")
+
+
+def _series(series: Series, frame: Frame) -> Iterator[Shape]:
+    """Draw a line, or signs at its places; nothing where a value is not known."""
+    places: list[tuple[float, float]] = []
+    sign = LOOKS[series.role].sign
+    for x, y in zip(series.x, series.y, strict=True):
+        if math.isnan(y):
+            yield from _path_of(series.role, places)
+            places = []
+        elif sign:
+            yield _sign(series.role, *frame.at(x, y))
+        else:
+            places.append(frame.at(x, y))
+    yield from _path_of(series.role, places)
+
+
+def _path_of(role: str, places: Sequence[tuple[float, float]]) -> Iterator[Shape]:
+    if places:
+        yield path(role, places)
+
+
+def _mark(mark: Mark, frame: Frame, language: Language) -> Iterator[Shape]:
+    x, y = frame.at(mark.x, mark.y)
+    if LOOKS[mark.role].sign == "words":
+        words = say(mark.words, language)
+        yield text(
+            words,
+            _inside(x, words),
+            y + 5,
+            style=mark.role if mark.role == "beside" else f"{mark.role} beside",
+        )
+    else:
+        yield _sign(mark.role, x, y)
+
+
+_CORNERS: dict[Sign, tuple[tuple[float, float], ...]] = {
+    "square": ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)),
+    "diamond": ((0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)),
+    "triangle": ((0.0, -1.0), (1.0, 0.8), (-1.0, 0.8)),
+    "cross": ((-1.0, 0.0), (1.0, 0.0), (0.0, 0.0), (0.0, -1.0), (0.0, 1.0), (0.0, 0.0)),
+    "tick": ((0.0, -1.0), (0.0, 1.0)),
+}
+"""Each sign but the circle as a polygon, in halves of its breadth."""
+
+
+def _sign(role: str, x: float, y: float, most: float = math.inf) -> Shape:
+    """Draw the sign of a role at a place, no larger than is said."""
+    look = LOOKS[role]
+    size = min(look.size, most)
+    if look.sign == "circle":
+        return shape("circle", role, cx=x, cy=y, r=size)
+    places = [(x + size * across, y + size * up) for across, up in _CORNERS[look.sign]]
+    return path(role, places, tag="polygon")
+
+
+def _sample(role: str) -> Shape:
+    """Draw what a role looks like, in 30 by 20 units."""
+    look = LOOKS[role]
+    if look.sign:
+        return _sign(role, 15.0, 10.0, 8.0)
+    if look.stroke:
+        return line(role, 1.0, 10.0, 29.0, 10.0)
+    return shape("rect", role, x=1.0, y=3.0, width=28.0, height=14.0)
+
+
+def _dimension(dimension: Dimension, frame: Frame) -> Iterator[Shape]:
+    (x1, y1), (x2, y2) = frame.at(*dimension.start), frame.at(*dimension.end)
+    for place in dimension.measured:
+        x, y = frame.at(*place)
+        if x1 == x2:
+            yield line("thin", x, y, x1 + math.copysign(5.0, x1 - x), y)
+        else:
+            yield line("thin", x, y, x, y1 + 5.0)
+    yield line("dimension", x1, y1, x2, y2)
+    length = math.hypot(x2 - x1, y2 - y1)
+    if length > 3 * _ARROW:
+        for (x, y), (ox, oy) in (((x1, y1), (x2, y2)), ((x2, y2), (x1, y1))):
+            yield _head("arrow-head", (x, y), (x - ox, y - oy), _ARROW)
+    words = dimension.words
+    if x1 != x2:
+        yield text(words, _inside((x1 + x2) / 2, words), y1 - 6, style="measure")
+    elif length > breadth(words):
+        yield text(words, x1 - 6, (y1 + y2) / 2, style="measure", turn=-90)
+    elif x1 > (frame.left + frame.right) / 2:
+        # From the edge of the frame inwards, so that large type stays inside.
+        yield text(words, frame.right - 4, min(y1, y2) - 14, anchor="end", style="measure")
+    else:
+        left = x1 - 14 if dimension.measured else frame.left + 4
+        yield text(words, left, min(y1, y2) - 14, anchor="start", style="measure")
+
+
+def _arrow(arrow: Arrow, frame: Frame) -> Iterator[Shape]:
+    (x1, y1), (x2, y2) = frame.at(*arrow.start), frame.at(*arrow.end)
+    length = math.hypot(x2 - x1, y2 - y1)
+    if length == 0.0:
+        return
+    head = min(_HEAD, length)
+    share = 1.0 - head / length
+    yield line(arrow.role, x1, y1, x1 + share * (x2 - x1), y1 + share * (y2 - y1))
+    yield _head(f"{arrow.role}-head", (x2, y2), (x2 - x1, y2 - y1), head)
+
+
+def _head(role: str, tip: tuple[float, float], towards: tuple[float, float], size: float) -> Shape:
+    """Draw the head of an arrow."""
+    length = math.hypot(*towards)
+    ux, uy = towards[0] / length, towards[1] / length
+    x, y = tip[0] - size * ux, tip[1] - size * uy
+    side = 0.45 * size
+    places = [tip, (x - side * uy, y + side * ux), (x + side * uy, y - side * ux)]
+    return path(role, places, tag="polygon")
+
+
+# ------------------------------------------------------------------ elements
+
+
+def number(value: float) -> str:
+    """Write a coordinate: a hundredth of a unit is finer than any screen."""
+    return f"{round(value, 2) + 0.0:g}" if abs(value) < 1e4 else f"{value:.0f}"
+
+
+def shape(tag: str, style: str, words: str = "", **attributes: float | str) -> Shape:
+    """Make a shape of a class; coordinates may be numbers."""
+    given = [("class", style)]
+    for key, value in attributes.items():
+        written = value if isinstance(value, str) else number(value)
+        given.append((key.replace("_", "-"), written))
+    return Shape(tag, tuple(given), words)
+
+
+def path(style: str, places: Iterable[tuple[float, float]], *, tag: str = "polyline") -> Shape:
+    """Make a line through places, or a polygon."""
+    return shape(tag, style, points=" ".join(f"{number(x)},{number(y)}" for x, y in places))
+
+
+def line(style: str, x1: float, y1: float, x2: float, y2: float) -> Shape:
+    """Make a straight line."""
+    return shape("line", style, x1=x1, y1=y1, x2=x2, y2=y2)
+
+
+def text(
+    words: str, x: float, y: float, *, anchor: str = "middle", style: str = "", turn: float = 0.0
+) -> Shape:
+    """Write words at a place, turned by some degrees."""
+    turned = {"transform": f"rotate({number(turn)} {number(x)} {number(y)})"} if turn else {}
+    return shape("text", style, words, x=x, y=y, text_anchor=anchor, **turned)

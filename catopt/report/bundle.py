@@ -1,0 +1,273 @@
+"""Everything that ``--out`` writes, as file names and contents."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.render.plain import csv_of, document_bytes
+from catopt.ties import first_largest
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.catenary.case_curve import CaseCurve
+    from catopt.catenary.solution import Solution
+    from catopt.design.result import DesignResult
+    from catopt.model import Case
+    from catopt.mooring.case import SystemReport
+    from catopt.render.texts import Language
+    from catopt.report.page.sizing.note import Given
+    from catopt.reproduce import Reproduction
+    from catopt.reproduce.items import Study
+    from catopt.sizing import Sizing
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.front import FrontVerification
+    from catopt.verify.result import Verification
+
+__all__ = [
+    "curve_pictures",
+    "design_pictures",
+    "reproduction_pictures",
+    "size_files",
+    "solution_pictures",
+    "system_pictures",
+    "verification_bundle",
+]
+
+
+SYSTEM_CASE = "system.toml"
+"""The whole pattern of several lines, for ``catopt system``."""
+
+
+def solution_pictures(case: Case, solution: Solution) -> dict[str, bytes]:
+    """Draw the line in the water, the tension along it and, of a swarm, S1's figures 3 and 4."""
+    from catopt.figures.line import line_in_water, tension_along
+    from catopt.render.picture import pictures
+
+    factor, title = solution.safety_factor, solution.title
+    allowed = [each.MBL and each.MBL / factor for each in solution.segments]
+    basis = Message("figures.MBL_over", factor=factor)
+    return {
+        **pictures("line", line_in_water(solution, case.site.water_depth), title),
+        **pictures("tension", tension_along(solution, allowed, basis), title),
+        **_swarm_pictures(solution, "swarm"),
+    }
+
+
+def _swarm_pictures(solution: Solution, name: str) -> dict[str, bytes]:
+    """Draw S1's figures 3 and 4; nothing when there was no swarm."""
+    from catopt.figures.swarm import fitness, swarm_tension
+    from catopt.render.picture import pictures
+
+    swarm = solution.swarm
+    if swarm is None:
+        return {}
+    exact = solution.fairlead.tension - swarm.closed_form_difference["tension_N"]
+    return {
+        **pictures(f"{name}_fitness", fitness(swarm), solution.title),
+        **pictures(f"{name}_tension", swarm_tension(swarm, exact), solution.title),
+    }
+
+
+def _swarm(solution: Solution, name: str) -> dict[str, bytes]:
+    """Make the swarm's tables and figures."""
+    from catopt.answers.solution import swarm_tables
+
+    assert solution.swarm is not None
+    history, runs = swarm_tables(solution.swarm)
+    return {
+        f"{name}_runs.csv": csv_of(runs.to_dataframe()),
+        f"{name}_history.csv": csv_of(history.to_dataframe()),
+        **_swarm_pictures(solution, name),
+    }
+
+
+def reproduction_pictures(result: Reproduction) -> dict[str, bytes]:
+    """Draw the studies; of a swarm with the tables of its runs."""
+    files: dict[str, bytes] = {}
+    for study in result.studies:
+        if study.by_swarm is not None:
+            files |= _swarm(study.by_swarm, study.name)
+        files |= _drawn(study)
+    return files
+
+
+def _drawn(study: Study) -> dict[str, bytes]:
+    """Make the figures of a study: its lines to scale, and a body by several models."""
+    from catopt.figures import studies
+    from catopt.render.picture import pictures
+
+    files: dict[str, bytes] = {}
+    if study.drawn:
+        lines = [(each.name, each.solution) for each in study.drawn]
+        depth = max(solution.fairlead_height for _, solution in lines)
+        charts = studies.lines_to_scale(lines, depth)
+        files |= pictures(f"{study.name}_lines", charts, study.title)
+    if study.moorings:
+        of = study.moorings
+        views = (studies.models_from_above(of), studies.models_near(of))
+        side = studies.models_from_the_side(of, study.loaded_line)
+        files |= pictures(f"{study.name}_plan", views, study.title, columns=2)
+        files |= pictures(f"{study.name}_elevation", side, study.title)
+    return files
+
+
+def design_pictures(result: DesignResult) -> dict[str, bytes]:
+    """Draw the front and three of its lines."""
+    from catopt.design.document import design_document
+    from catopt.figures.front import front, front_lines
+    from catopt.render.picture import pictures
+
+    document = design_document(result)
+    return pictures("front", (front(document), front_lines(result, document)), result.case.title)
+
+
+def curve_pictures(result: CaseCurve) -> dict[str, bytes]:
+    """Draw a load curve."""
+    from catopt.figures.curve import load_curve
+    from catopt.render.picture import pictures
+
+    return pictures("curve", load_curve(result), result.case.title)
+
+
+def system_pictures(report: SystemReport) -> dict[str, bytes]:
+    """Draw a body on its lines; the figures of what was not asked for are left out."""
+    from catopt.figures import mooring
+    from catopt.render.picture import pictures
+
+    title, solution = report.case.title, report.solution
+    around = mooring.near(solution)
+    plans = (mooring.plan(solution), *(() if around is None else (around,)))
+    files = pictures("plan", plans, title)
+    if report.circle is not None:
+        circle = report.circle
+        views = (mooring.watch_track(solution, circle), mooring.watch_round(solution, circle))
+        files |= pictures("watch_circle", views, title)
+    if report.curves:
+        files |= pictures("restoring", mooring.restoring(report.curves, solution), title)
+    return files
+
+
+def verification_bundle(
+    found: Verification | FrontVerification,
+    dynamic: DynamicVerification | None = None,
+    language: Language = "en",
+) -> dict[str, bytes]:
+    """Make the files of ``catopt verify ... --out DIR``: document, tables, workbook and figures.
+
+    A front has no figures. A line in motion has tables, a workbook and figures of its own.
+    """
+    from catopt.render.texts import Words
+    from catopt.report.tables import verify
+    from catopt.report.workbook.books import verification_workbook
+    from catopt.verify.result import Verification
+
+    frames = verify.frames(found)
+    sheets = verify.said_frames(frames, Words(language))
+    document = found.to_dict()
+    files = {
+        "verify.xlsx": verification_workbook(verify.title_of(found), sheets, language),
+        **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
+    }
+    if isinstance(found, Verification):
+        files |= _compared(found)
+    if dynamic is not None:
+        document["dynamic"] = dynamic.to_dict()
+        files |= _dynamic(dynamic, language)
+    return {"verify.json": document_bytes(document), **files}
+
+
+def _compared(found: Verification) -> dict[str, bytes]:
+    """Draw every load case; of a body the most loaded line."""
+    from catopt.figures.verification import comparison
+    from catopt.render.picture import pictures
+
+    files: dict[str, bytes] = {}
+    for number, part in enumerate(found.parts, start=1):
+        titles = [found.case.title, part.name if found.case.load_cases else ""]
+        line = first_largest([pair.finest.fairlead.tension for pair in part.lines])
+        if part.kind == "system":
+            titles.append(Message("figures.most_loaded", line=line + 1))
+        name = f"comparison_{number}" if len(found.parts) > 1 else "comparison"
+        title = ", ".join(each for each in titles if each)
+        files |= pictures(name, comparison(part.lines[line]), title, columns=2)
+    return files
+
+
+def _dynamic(found: DynamicVerification, language: Language) -> dict[str, bytes]:
+    from catopt.render.texts import Words
+    from catopt.report.tables import dynamic
+    from catopt.report.workbook.books import verification_workbook
+
+    frames = dynamic.frames(found)
+    sheets = dynamic.workbook_frames(frames, Words(language))
+    files = {
+        "dynamic.xlsx": verification_workbook(found.case.title, sheets, language),
+        **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
+    }
+    return files | _moved(found)
+
+
+def _moved(found: DynamicVerification) -> dict[str, bytes]:
+    """Draw every load case in motion, or the governing line of a body."""
+    title = found.case.title
+    if found.case.system is not None:
+        part = found.governing
+        return _in_motion("dynamic", part, f"{title}, {part.where}")
+    if len(found.parts) == 1:
+        return _in_motion("dynamic", found.parts[0], title)
+    files: dict[str, bytes] = {}
+    for number, part in enumerate(found.parts, start=1):
+        files |= _in_motion(f"dynamic_{number}", part, f"{title}, {part.name}".strip(", "))
+    return files
+
+
+def _in_motion(name: str, part: DynamicPart, title: str) -> dict[str, bytes]:
+    from catopt.figures import motion
+    from catopt.render.picture import pictures
+
+    peaks = motion.exceedance(part)
+    charts = [motion.whole_history(part), motion.spectrum(part), motion.envelope_chart(part)]
+    return pictures(name, charts if peaks is None else [*charts, peaks], title)
+
+
+def size_files(
+    of: Sizing, language: Language = "en", given: Given | None = None
+) -> dict[str, bytes]:
+    """Make the files of ``catopt size ... --out DIR`` beside document, tables and workbook.
+
+    The line in the water, the calculation note, and the case that all commands take; of several
+    lines the case of the whole pattern, too.
+
+    Parameters
+    ----------
+    of : Sizing
+        Of a buoy or a tanker.
+    language : {"en", "vi"}
+        Of the note; the rest is the same in both.
+    given : Given, optional
+        What was asked for; no note without it.
+    """
+    from catopt.casefile import write_case
+    from catopt.figures.line import line_in_water
+    from catopt.render.picture import pictures
+    from catopt.sizing.pattern import system_case
+
+    name, solution = of.hardest
+    state = next(each for each in of.case.load_cases if each.name == name)
+    files = {
+        DESIGN_CASE: write_case(of.case).encode(),
+        **pictures(
+            "line",
+            line_in_water(solution, of.case.site.water_depth + state.water_level),
+            of.case.title,
+        ),
+    }
+    if given is not None:
+        from catopt.report.page.render import render_page
+        from catopt.report.page.sizing.note import size_note
+
+        files["note.html"] = render_page(size_note(of, given), language)
+    if of.pattern is not None:
+        files[SYSTEM_CASE] = write_case(system_case(of.case, of.pattern)).encode()
+    return files

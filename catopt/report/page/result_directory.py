@@ -1,0 +1,127 @@
+"""What a directory that ``--out`` wrote says of a note: its case, and what was asked of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from catopt.casefile import case_digest, read_case
+from catopt.casefile.design_directory import (
+    DESIGN_CASE,
+    DESIGN_DOCUMENT,
+    read_design,
+    read_design_document,
+)
+from catopt.errors import InputError, Problem
+from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
+from catopt.verify.proof import Proof
+
+__all__ = ["Asked", "asked_in", "case_path"]
+
+_SOLUTION, _VERIFICATION = "solution.json", "verify.json"
+_SHOWN = 5
+"""Names of files that a refusal lists."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a note shows beside the closed form.
+
+    Attributes
+    ----------
+    swarm : bool
+        The line by the particle swarm, too.
+    motion : bool
+        The line in motion, too.
+    proof : {"none", "step", "bars"}
+        How that is proven.
+    """
+
+    swarm: bool = False
+    motion: bool = False
+    proof: Proof = "step"
+
+    def with_motion(self, motion: bool | None, once: bool | None) -> Asked:
+        """Return it with what options say of the motion; None leaves it."""
+        return replace(
+            self,
+            motion=self.motion if motion is None else motion,
+            proof=self.proof if once is None else "none" if once else "step",
+        )
+
+
+def case_path(path: Path) -> Path:
+    """Return the case file of a path: the path itself, or the case file in a directory.
+
+    Raises
+    ------
+    InputError
+        A directory without a case file; the message says what is in it.
+    """
+    if not path.is_dir():
+        return path
+    if (path / DESIGN_CASE).is_file():
+        return path / DESIGN_CASE
+    allowed = (
+        f"a directory with a {DESIGN_CASE} is wanted, as --out of catopt solve, check, curve, "
+        f"verify, system and design writes it; there is {_contents(path)}. Give a case file, or "
+        "run the command with --out once more, for older directories have no case"
+    )
+    raise InputError([Problem("CASE", str(path), allowed)], "options")
+
+
+def asked_in(path: Path) -> Asked:
+    """Read what was asked of the case of a result directory; nothing further of a case file.
+
+    Raises
+    ------
+    InputError
+        A document there cannot be read or is not as its schema has it, or is of another case than
+        the directory's.
+    """
+    if not path.is_dir():
+        return Asked()
+    found = {place.name: read_any(place) for place in sorted(path.glob("*.json"))}
+    ours = {name: each for name, each in found.items() if is_ours(each)}
+    _refuse_mixed(path, ours)
+    for name in ours.keys() & {_SOLUTION, _VERIFICATION}:
+        read_document(path / name, ours[name]["schema"])
+    swarm = ours.get(_SOLUTION, {}).get("method") == "pso"
+    dynamic = ours.get(_VERIFICATION, {}).get("dynamic")
+    if dynamic is None:
+        return Asked(swarm)
+    return Asked(swarm, motion=True, proof=dynamic["load_cases"][0].get("proof", "step"))
+
+
+def _refuse_mixed(directory: Path, documents: Mapping[str, dict[str, Any]]) -> None:
+    """Refuse documents of another case than that of the directory, or of a design of its front.
+
+    Those of versions that wrote no digest are taken as they are.
+    """
+    digests = {name: each[CASE_DIGEST] for name, each in documents.items() if CASE_DIGEST in each}
+    if not digests or not (directory / DESIGN_CASE).is_file():
+        return
+    own = case_digest(read_case(directory / DESIGN_CASE))
+    strange = {name for name, digest in digests.items() if digest != own}
+    if strange and DESIGN_DOCUMENT in documents.keys() - strange:
+        count = len(read_design_document(directory)["front"])
+        designs = (read_design(directory, number) for number in range(1, count + 1))
+        known = {case_digest(each) for each in designs}
+        strange = {name for name in strange if digests[name] not in known}
+    if strange:
+        allowed = (
+            f"it is of another case than {DESIGN_CASE} beside it: run its command with --out once "
+            "more, or give each case a directory of its own"
+        )
+        raise InputError([Problem(name, "", allowed) for name in sorted(strange)], str(directory))
+
+
+def _contents(directory: Path) -> str:
+    """Say in words what a directory has."""
+    names = sorted(each.name for each in directory.iterdir() if not each.name.startswith("."))
+    if not names:
+        return "nothing in it"
+    more = len(names) - _SHOWN
+    return ", ".join(names[:_SHOWN]) + (f" and {more} more" if more > 0 else "")

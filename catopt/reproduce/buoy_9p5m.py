@@ -1,0 +1,293 @@
+"""S1: the marker buoy on 20 m of chain in 9.5 m of water, Tables 1 to 3."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import TYPE_CHECKING
+
+from catopt.model import Line, Segment, SwarmSettings
+from catopt.reproduce.interval import Interval, interval
+from catopt.reproduce.items import Drawn, Input, Item, Study
+from catopt.reproduce.printed import Printed
+from catopt.reproduce.published import Published, published
+from catopt.reproduce.verdict import Judgement, by_digits, by_order, not_reproducible
+from catopt.units import UNITS, Dimension
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+
+__all__ = ["NAME", "ZERO", "study"]
+
+NAME = "buoy_9p5m"
+
+ZERO = 1e-12
+"""m: below it S1's objective, a sum of two lengths of about 10 m, is zero but for rounding."""
+
+_RESULTS = ("theta0_rad", "offset_m", "tension_tf")
+_UNITS = {"theta0_rad": "rad", "offset_m": "m", "tension_tf": "tf", "objective_m": "m"}
+_TONNE_FORCE = UNITS[Dimension.FORCE]["tf"]
+_KGF_PER_M = UNITS[Dimension.FORCE_PER_LENGTH]["kgf/m"]
+_WEIGHTS = (9.0, 10.5)  # kgf/m, where the intervals of the weight are looked for
+
+Progress = Callable[[int, int], None]
+
+
+def study(progress: Progress | None = None) -> Study:
+    """Recompute the buoy by swarm and in closed form and judge every printed number.
+
+    Parameters
+    ----------
+    progress : callable, optional
+        Told of the swarm runs done and wanted.
+    """
+    source = published(NAME)
+    solution = _solve_by_swarm(source, progress)
+    by_swarm = _results(solution)
+    in_closed_form = _results(_hang(source.inputs["submerged_weight_kgf_per_m"]))
+    return Study(
+        name=NAME,
+        title=source.title,
+        source=source.source,
+        source_title=source.source_title,
+        source_where=source.source_where,
+        where=source.where,
+        inputs=_inputs(source),
+        items=(
+            *_swarm_items(source, by_swarm),
+            *_reference_items(source, "fem", in_closed_form),
+            *_reference_items(source, "analytic", in_closed_form),
+            *_error_items(source, "fem", by_swarm),
+            *_error_items(source, "analytic", by_swarm),
+        ),
+        findings=(
+            _about_the_methods(),
+            _about_the_weight(source),
+            _about_the_tension(source),
+            _about_the_objective(),
+        ),
+        by_swarm=solution,
+        drawn=(Drawn("20 m of chain under 0.343 tf", solution),),
+    )
+
+
+# ------------------------------------------------------------------ solving
+
+
+def _line(weight: float) -> Line:
+    """Build the buoy's line; weight in kgf/m."""
+    length = published(NAME).inputs["line_length_m"]
+    return Line([Segment(length, weight * _KGF_PER_M)])
+
+
+def _force() -> float:
+    return published(NAME).inputs["horizontal_force_tf"] * _TONNE_FORCE
+
+
+@cache
+def _hang(weight: float) -> Solution:
+    """Solve in closed form; weight in kgf/m."""
+    from catopt.catenary.solve import solve
+
+    height = published(NAME).inputs["water_depth_m"]
+    return solve(_line(weight), height=height, horizontal_force=_force())
+
+
+def _solve_by_swarm(source: Published, progress: Progress | None) -> Solution:
+    from catopt.catenary.swarm import solve_swarm
+
+    runs = source.swarm["runs"]
+    return solve_swarm(
+        _line(source.inputs["submerged_weight_kgf_per_m"]),
+        height=source.inputs["water_depth_m"],
+        horizontal_force=_force(),
+        settings=SwarmSettings(
+            particles=source.swarm["particles"],
+            iterations=source.swarm["iterations"],
+            runs=runs,
+        ),
+        progress=None if progress is None else lambda done: progress(done, runs),
+    )
+
+
+def _results(solution: Solution) -> dict[str, float]:
+    """Pick what S1 prints, in its units."""
+    results = {
+        "theta0_rad": solution.anchor.angle,
+        "offset_m": solution.span,
+        "tension_tf": solution.fairlead.tension / _TONNE_FORCE,
+    }
+    if solution.swarm is not None:
+        results["objective_m"] = solution.swarm.objective
+    return results
+
+
+# ------------------------------------------------------------------ judging
+
+
+def _inputs(source: Published) -> tuple[Input, ...]:
+    given, swarm = source.inputs, source.swarm
+    return (
+        Input("water depth = fairlead height", f"{given['water_depth_m']:g}", "m"),
+        Input("line length, inextensible", f"{given['line_length_m']:g}", "m"),
+        Input("horizontal force", f"{given['horizontal_force_tf']:g}", "tf"),
+        Input(
+            "submerged weight",
+            f"{given['submerged_weight_kgf_per_m']:g}",
+            "kgf/m",
+            "not printed; identified, see below",
+        ),
+        *(Input(f"swarm: {key}", str(value), "") for key, value in swarm.items()),
+    )
+
+
+def _item(
+    quantity: str,
+    unit: str,
+    method: str,
+    computed_by: str,
+    printed: Printed,
+    computed: float | None,
+    judgement: Judgement,
+    remark: str = "",
+) -> Item:
+    source = published(NAME).source
+    return Item(
+        source, NAME, quantity, unit, method, computed_by, printed, computed, judgement, remark
+    )
+
+
+def _swarm_items(source: Published, ours: dict[str, float]) -> list[Item]:
+    table = source.printed["pso"]
+    items = [
+        _item(key, _UNITS[key], "pso", "pso", table[key], ours[key], judged)
+        for key in _RESULTS
+        for judged in [by_digits(table[key], ours[key], _UNITS[key])]
+    ]
+    objective = by_order(table["objective_m"], ours["objective_m"], ZERO, "m")
+    items.append(
+        _item(
+            "objective_m", "m", "pso", "pso", table["objective_m"], ours["objective_m"], objective
+        )
+    )
+    wall_time = not_reproducible(Message("reproduce.authors_machine"))
+    items.append(_item("wall_time_s", "s", "pso", "", table["wall_time_s"], None, wall_time))
+    return items
+
+
+def _reference_items(source: Published, method: str, ours: dict[str, float]) -> list[Item]:
+    """Judge what S1 quotes from its reference [4] against the closed form."""
+    return [
+        _item(
+            key,
+            _UNITS[key],
+            method,
+            "closed-form",
+            printed,
+            ours[key],
+            by_digits(printed, ours[key], _UNITS[key]),
+        )
+        for key, printed in source.printed[method].items()
+    ]
+
+
+_FROM_DIGITS = {
+    "theta0_rad": "reproduce.theta0_from_digits",
+    "offset_m": "reproduce.offset_from_digits",
+    "tension_tf": "reproduce.tension_from_digits",
+}
+
+
+def _error_items(source: Published, method: str, ours: dict[str, float]) -> list[Item]:
+    """Judge Table 3: how far the swarm is from a method of reference [4], in percent.
+
+    Only the numbers as printed give Table 3: |0.446 - 0.450| / 0.450 is 0.89 %, from the
+    unrounded tension of the swarm it would be 0.82 %. So ours is rounded likewise.
+    """
+    items = []
+    for key, printed in source.printed["error_percent"].items():
+        reference = source.printed[method][key]
+        rounded = source.printed["pso"][key].rounding(ours[key])
+        error = _percent(float(rounded), reference.value)
+        unrounded = printed.rounding(_percent(ours[key], reference.value))
+        remark: str = ""
+        if unrounded != printed.text:
+            from_digits = f"|{rounded} - {reference.text}| / {reference.text}"
+            remark = Message(_FROM_DIGITS[key], computed=from_digits, unrounded=unrounded)
+        items.append(
+            _item(
+                f"{_quantity(key)}_error_percent",
+                "%",
+                f"pso against {method}",
+                "pso",
+                printed,
+                error,
+                by_digits(printed, error, "%"),
+                remark,
+            )
+        )
+    return items
+
+
+def _quantity(key: str) -> str:
+    """Drop the unit: ``offset`` for ``offset_m``."""
+    return key.rpartition("_")[0]
+
+
+def _percent(value: float, reference: float) -> float:
+    return 100.0 * abs(value - reference) / reference
+
+
+# ------------------------------------------------------------------ findings
+
+
+def _weights_for(key: str, printed: Printed) -> Interval:
+    """Find the weights, kgf/m, for which a quantity prints so."""
+    return interval(lambda weight: _results(_hang(weight))[key], printed, _WEIGHTS)
+
+
+def _about_the_methods() -> str:
+    return Message("reproduce.results_by_finite_elements_analytic")
+
+
+def _about_the_weight(source: Published) -> str:
+    values: dict[str, object] = {"weight": source.inputs["submerged_weight_kgf_per_m"]}
+    for name, key in zip(("angle", "offset", "tension"), _RESULTS, strict=True):
+        printed = source.printed["pso"][key]
+        values[name] = printed.text
+        values[f"{name}_low"], values[f"{name}_high"] = _weights_for(key, printed).ends(3)
+    return Message("reproduce.weight", **values)
+
+
+def _about_the_tension(source: Published) -> str:
+    printed = source.printed["analytic"]["tension_tf"]
+    weights = _weights_for("tension_tf", printed)
+    ends = [_results(_hang(weight)) for weight in (weights.least, weights.largest)]
+    values: dict[str, object] = {}
+    for name, key in (("angle", "theta0_rad"), ("offset", "offset_m")):
+        table = source.printed["analytic"][key]
+        values[f"{name}_low"], values[f"{name}_high"] = sorted(
+            table.rounding(end[key]) for end in ends
+        )
+    tension = _results(_hang(source.inputs["submerged_weight_kgf_per_m"]))["tension_tf"]
+    force = source.inputs["horizontal_force_tf"]
+    low, high = weights.ends(3)
+    return Message(
+        "reproduce.tension",
+        tension=printed.text,
+        low=low,
+        high=high,
+        ratio=tension / force,
+        same=printed.text,
+        force=force * printed.value / tension,
+        printed=force,
+        ours=tension,
+        rounded=tension,
+        again=printed.text,
+        **values,
+    )
+
+
+def _about_the_objective() -> str:
+    return Message("reproduce.printed_objective_3_55e_15", limit=ZERO)

@@ -1,0 +1,426 @@
+"""S4: the turret of FSO Rang Dong in a storm, under a synthetic force in place of the lost one.
+
+The series of forces FT(t) on the turret is a figure that is lost; one sample of it is printed. What
+is run here has the printed mean, a fluctuation in proportion to a random sea of the printed
+spectrum, and meets that sample. It is not S4's load, so no printed maximum can be reproduced with
+it: the tables show orders of magnitude.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import TYPE_CHECKING, Literal
+
+from catopt.model import Line, System
+from catopt.reproduce import fso_rang_dong
+from catopt.reproduce.comparison import set_aside, study_of
+from catopt.reproduce.items import Input, SideBySide, Study, in_unit
+from catopt.reproduce.published import Published, published
+from catopt.units import UNITS, Dimension
+from catopt.words import Message, term
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from catopt.fem import Harmonic, LineProperties
+    from catopt.waves import Spectrum, Waves
+
+__all__ = ["NAME", "BedModel", "Maxima", "SeaSpectrum", "run", "study", "synthetic_force"]
+
+NAME = "fso_rang_dong_dynamic"
+
+SeaSpectrum = Literal["Pierson-Moskowitz", "JONSWAP"]
+BedModel = Literal["as run", "pushes only"]
+
+_SPECTRA: tuple[SeaSpectrum, ...] = ("Pierson-Moskowitz", "JONSWAP")
+
+SEED = 1
+STEP = 0.1
+"""s."""
+RAMP_TIME = 30.0
+"""s, after which maxima are taken."""
+BODY_MASS = 1e5
+"""Of the turret node, kg."""
+TENFOLD_MASS = 1e6
+CRITICAL_RATIO = 1.0
+"""Axial damping of a bar, as a part of what is critical for it alone."""
+BARS_ON_FREE_BED = (15, 6, 3, 3)
+"""Of the segments from the anchor."""
+
+_KN = UNITS[Dimension.FORCE]["kN"]
+_MM = UNITS[Dimension.LENGTH]["mm"]
+_LOOK = 0.05
+"""Step of time in which the highest crest is looked for, s."""
+_DIGITS = 2
+"""Of what is shown: more would claim that the synthetic force means something."""
+_REASON = "inputs missing: the load series FT(t) is a lost figure"
+_AWAY = 3e6
+"""A force along +x, N, that pulls lines 6 and 7 about as far as S4 prints."""
+
+
+@dataclass(frozen=True)
+class Maxima:
+    """Largest tension in a bar of each line, N, and largest distance from the origin, m."""
+
+    tension: tuple[float, ...]
+    offset: float
+
+
+def study() -> Study:
+    """Run both spectra on both beds; set the maxima beside the printed ones and judge none."""
+    source = published(NAME)
+    made = study_of(
+        source,
+        inputs=_inputs(source),
+        items=[item for method in source.printed for item in set_aside(source, method, _REASON)],
+        findings=(
+            _about_the_series(source),
+            _about_the_order(source),
+            _about_the_mass(),
+            _about_the_prints(source),
+            _about_the_bed(),
+        ),
+    )
+    return replace(made, side_by_side=(_beside_the_prints(source), _both_beds()))
+
+
+# ------------------------------------------------------------------ the synthetic force
+
+
+def synthetic_force(of: SeaSpectrum) -> Harmonic:
+    """Make up what the force does about its mean: N along x.
+
+    It is c times the elevation of a random sea at one place. The sea's time is counted so that its
+    highest crest in the whole run comes when the printed sample was taken, and c makes the force
+    the printed one then: had the sample been any other moment of that run, c would be larger.
+    """
+    import numpy as np
+
+    from catopt.fem import Harmonic
+
+    given = published(NAME).inputs
+    waves = _sea(of)
+    phase = waves.phase - waves.omega * _origin(waves)
+    at_sample = np.array([given["sample_time_s"]])
+    crest = _elevation(waves.amplitude, waves.omega, phase, at_sample)[0]
+    wanted = (given["sample_force_x_kN"] - given["mean_force_x_kN"]) * _KN
+    amplitude = np.zeros((waves.count, 3))
+    amplitude[:, 0] = wanted / crest * waves.amplitude
+    return Harmonic(
+        period=tuple(2.0 * np.pi / waves.omega),
+        amplitude=amplitude,
+        phase=np.repeat(-phase[:, np.newaxis], 3, axis=1),
+    )
+
+
+def _sea(of: SeaSpectrum) -> Waves:
+    """Draw a sea of the spectrum in S4's Table 4.4, in the frequencies of that table."""
+    import numpy as np
+
+    from catopt.waves import random_waves
+
+    spectrum, between = _spectrum(of)
+    count = int(published(NAME).inputs["wave_components"])
+    return random_waves(spectrum, count, np.random.default_rng(SEED), bands="S4", between=between)
+
+
+def _spectrum(of: SeaSpectrum) -> tuple[Spectrum, tuple[float, float]]:
+    """Spectrum and range of frequencies, rad/s, by S4's rules."""
+    from catopt.waves import (
+        jonswap,
+        peak_from_mean,
+        pierson_moskowitz,
+        s4_range_jonswap,
+        s4_range_pierson_moskowitz,
+        zero_crossing_from_mean,
+    )
+
+    given = published(NAME).inputs
+    height, mean = given["significant_wave_height_m"], given["mean_wave_period_s"]
+    peak = peak_from_mean(mean)
+    if of == "JONSWAP":
+        spectrum = jonswap(height, peak, normalisation="S4")
+        return spectrum, s4_range_jonswap(spectrum)
+    return (
+        pierson_moskowitz(height, peak),
+        s4_range_pierson_moskowitz(zero_crossing_from_mean(mean)),
+    )
+
+
+def _origin(waves: Waves) -> float:
+    """Time of the sea, s, from which the run's highest crest comes when the sample was taken.
+
+    Moving on to the highest crest in sight ends, because each is higher than the one before.
+    """
+    import numpy as np
+
+    given = published(NAME).inputs
+    before, length = (round(given[key] / _LOOK) for key in ("sample_time_s", "duration_s"))
+    first = 0
+    while True:
+        times = _LOOK * (first + np.arange(length + 1, dtype=np.float64))
+        level = _elevation(waves.amplitude, waves.omega, waves.phase, times)
+        moved = first + int(level.argmax()) - before
+        if moved == first:
+            return _LOOK * first
+        first = moved
+
+
+def _elevation(
+    amplitude: npt.NDArray[np.float64],
+    omega: npt.NDArray[np.float64],
+    phase: npt.NDArray[np.float64],
+    times: npt.NDArray[np.float64],
+) -> npt.NDArray[np.float64]:
+    """Sum of a cos(phase - omega t), m, at each time."""
+    import numpy as np
+
+    level: npt.NDArray[np.float64] = np.cos(phase - np.outer(times, omega)) @ amplitude
+    return level
+
+
+# ------------------------------------------------------------------ the runs
+
+
+def run(of: SeaSpectrum, bed: BedModel = "as run", mass: float = BODY_MASS) -> Maxima:
+    """Run the nine lines and the turret under the synthetic force.
+
+    Parameters
+    ----------
+    of : {"Pierson-Moskowitz", "JONSWAP"}
+        Spectrum of the fluctuation.
+    bed : {"as run", "pushes only"}
+        S4's restraint with a hundredfold EA, or a bed that only pushes with the printed EA.
+    mass : float
+        Of the turret node, kg.
+    """
+    return _run(of, bed, mass)
+
+
+@cache
+def _run(of: SeaSpectrum, bed: BedModel, mass: float) -> Maxima:
+    import numpy as np
+
+    from catopt.fem import BodyInertia, TimeStepping, run_system_dynamics
+    from catopt.verify.system import truss_legs
+
+    source, mooring = published(NAME), published(fso_rang_dong.NAME)
+    legs, height = truss_legs(_with_mass(fso_rang_dong.turret(mooring), source), 0.0)
+    segments = len(legs[0].line.segments)
+    as_run = [int(mooring.inputs["elements_per_segment"])] * segments
+    history = run_system_dynamics(
+        legs,
+        TimeStepping(source.inputs["duration_s"], STEP, ramp_time=RAMP_TIME),
+        height=height,
+        mean_force=(source.inputs["mean_force_x_kN"] * _KN, 0.0),
+        force=synthetic_force(of),
+        body=BodyInertia(mass=mass),
+        properties=_properties(source, mooring, bed),
+        elements=as_run if bed == "as run" else list(BARS_ON_FREE_BED),
+    )
+    place = history.fairlead[history.counted, 0, :2]
+    return Maxima(
+        tension=tuple(history.line_max_tension(k) for k in range(len(legs))),
+        offset=float(np.linalg.norm(place, axis=1).max()),
+    )
+
+
+def _with_mass(system: System, source: Published) -> System:
+    """Give the segments of every line their printed mass."""
+    (line,) = {leg.line for leg in system.legs}
+    pairs = zip(line.segments, source.series["mass_kg_per_m"], strict=True)
+    heavy = Line([replace(segment, mass=mass) for segment, mass in pairs])
+    return replace(system, legs=tuple(replace(leg, line=heavy) for leg in system.legs))
+
+
+def _properties(source: Published, mooring: Published, bed: BedModel) -> LineProperties:
+    """Still water: an added mass below zero, which the wire's CM of 0.7 asks for, is left out."""
+    from catopt.fem import LineDamping, LineProperties, MorisonSection, Seabed
+
+    columns = (source.series[key] for key in ("diameter_mm", "CD", "CM"))
+    return LineProperties(
+        sections=[
+            MorisonSection(D * _MM, drag_normal=CD, added_mass_normal=max(CM - 1.0, 0.0))
+            for D, CD, CM in zip(*columns, strict=True)
+        ],
+        damping=LineDamping(critical_ratio=CRITICAL_RATIO),
+        seabed=fso_rang_dong.held_bed(mooring) if bed == "as run" else Seabed(),
+    )
+
+
+# ------------------------------------------------------------------ inputs
+
+
+def _inputs(source: Published) -> tuple[Input, ...]:
+    given, series = source.inputs, source.series
+
+    def listed(key: str) -> str:
+        return ", ".join(f"{value:g}" for value in series[key])
+
+    ours = "ours; S4's is not known"
+    sea = Message("reproduce.printed_table", number="4.4")
+    return (
+        Input("mooring", Message("reproduce.as_in", study="fso_rang_dong"), ""),
+        Input("mean force on the turret along x", f"{given['mean_force_x_kN']:g}", "kN"),
+        Input(
+            Message("reproduce.force_sample", axis="x", time=100),
+            f"{given['sample_force_x_kN']:g}",
+            "kN",
+            "printed sample",
+        ),
+        Input(
+            Message("reproduce.force_sample", axis="z", time=100),
+            f"{given['sample_force_z_kN']:g}",
+            "kN",
+            "printed sample; not used: the turret is held in height",
+        ),
+        Input("significant wave height", f"{given['significant_wave_height_m']:g}", "m", sea),
+        Input("mean wave period", f"{given['mean_wave_period_s']:g}", "s", sea),
+        Input("wave components", f"{given['wave_components']:g}", ""),
+        Input("duration", f"{given['duration_s']:g}", "s"),
+        Input("mass, from the anchor", listed("mass_kg_per_m"), "kg/m"),
+        Input("diameter", listed("diameter_mm"), "mm"),
+        Input("drag coefficient CD", listed("CD"), ""),
+        Input("inertia coefficient CM", listed("CM"), "", "printed; 0.7 is taken as 1"),
+        Input("force between the samples", "SYNTHETIC, see below", "", ours),
+        Input("seed", f"{SEED}", "", "ours"),
+        Input("mass of the turret node", f"{BODY_MASS / 1e3:g}", "t", ours),
+        Input("axial damping of a bar, of critical", f"{CRITICAL_RATIO:g}", "", ours),
+        Input("waves, current and wind on the lines", "none: still water", "", "ours"),
+        Input("time step", f"{STEP:g}", "s", ours),
+        Input("ramp, after which maxima are taken", f"{RAMP_TIME:g}", "s", ours),
+    )
+
+
+# ------------------------------------------------------------------ findings
+
+
+def _about_the_series(source: Published) -> str:
+    given = source.inputs
+    return Message(
+        "reproduce.force_synthetic_series_ft_t",
+        mean=given["mean_force_x_kN"],
+        sample=given["sample_force_x_kN"],
+        time=given["sample_time_s"],
+    )
+
+
+def _about_the_order(source: Published) -> str:
+    ours = [run(of).tension[1] / _KN for of in _SPECTRA]
+    printed = [table["line_2_tension_max_kN"].value for table in source.printed.values()]
+    return Message(
+        "reproduce.no_printed_maximum_reproduced_none",
+        low=_shown(min(ours)),
+        high=_shown(max(ours)),
+        printed_low=min(printed),
+        printed_high=max(printed),
+    )
+
+
+def _about_the_mass() -> str:
+    light, heavy = (run("JONSWAP", mass=mass) for mass in (BODY_MASS, TENFOLD_MASS))
+    return Message(
+        "reproduce.what_moves_with_turret_not",
+        light=BODY_MASS / 1e3,
+        heavy=TENFOLD_MASS / 1e3,
+        tension=_shown(heavy.tension[1] / _KN),
+        instead=_shown(light.tension[1] / _KN),
+    )
+
+
+def _about_the_prints(source: Published) -> str:
+    printed = source.printed["MOORING_2017, Pierson-Moskowitz"]
+    tension, offset = printed["line_2_tension_max_kN"], printed["turret_offset_max_m"]
+    force = _force_at_rest(tension.value * _KN)
+    at_rest = fso_rang_dong.as_run(force=-force)
+    back = [float(line.tension.max()) / _KN for line in fso_rang_dong.as_run(force=_AWAY).lines]
+    leeward = max(float(line.tension.max()) for line in at_rest.lines[3:]) / _KN
+    return Message(
+        "reproduce.this_much_can_be_said",
+        tension=tension.value,
+        force=force / _KN,
+        offset=-at_rest.position[0],
+        printed=offset.text,
+        leeward=leeward,
+        away=_AWAY / _KN,
+        most=back[5],
+        least=back[3],
+    )
+
+
+def _force_at_rest(tension: float) -> float:
+    """Force along -x, N, under which the largest tension in line 2 is this one in S4's model."""
+    from scipy.optimize import brentq
+
+    def missing(force: float) -> float:
+        line = fso_rang_dong.as_run(force=-force).lines[1]
+        return float(line.tension.max()) - tension
+
+    return float(brentq(missing, tension, 4.0 * tension, rtol=1e-9))
+
+
+def _about_the_bed() -> str:
+    offset = max(run(of, "pushes only").offset for of in _SPECTRA)
+    return Message("reproduce.on_bed_only_pushes_with", offset=_shown(offset))
+
+
+# ------------------------------------------------------------------ side by side
+
+
+def _beside_the_prints(source: Published) -> SideBySide:
+    """Set the printed maxima and those of S4's model under the synthetic force side by side."""
+    answers = [run(of) for of in _SPECTRA]
+    tables = list(source.printed.values())
+    rows: list[tuple[str, ...]] = []
+    for index, quantity in enumerate(tables[0]):
+        printed = [f"{table[quantity].value:g}" for table in tables]
+        if quantity.endswith("_m"):
+            ours = [_shown(answer.offset) for answer in answers]
+            rows.append((in_unit("turret offset", "m"), *printed, *ours))
+        else:
+            ours = [_shown(answer.tension[index] / _KN) for answer in answers]
+            rows.append((Message("reproduce.line_force", number=index + 1), *printed, *ours))
+    return SideBySide(
+        "Largest in 1,200 s: orders of magnitude, not a reproduction",
+        ("largest of", "S4, PM", "S4, JONSWAP", "OrcaFlex", "synthetic, PM", "synthetic, JONSWAP"),
+        tuple(rows),
+    )
+
+
+def _both_beds() -> SideBySide:
+    """Set S4's restraint and a bed that only pushes side by side, under the synthetic force."""
+    beds: dict[BedModel, str] = {
+        "as run": "held both ways, 100 EA",
+        "pushes only": "pushes only, printed EA",
+    }
+    rows: list[tuple[str, ...]] = []
+    for of in _SPECTRA:
+        for bed, words in beds.items():
+            answer = run(of, bed)
+            windward, leeward = max(answer.tension[:3]), max(answer.tension[3:])
+            forces = _shown(windward / _KN), _shown(leeward / _KN)
+            rows.append(
+                (
+                    Message("reproduce.spectrum_on", spectrum=of, bed=term(words)),
+                    *forces,
+                    _shown(answer.offset),
+                )
+            )
+    return SideBySide(
+        "The synthetic force on two beds",
+        (
+            "spectrum, bed and EA",
+            in_unit(Message("reproduce.lines", first=1, last=3), "kN"),
+            in_unit(Message("reproduce.lines", first=4, last=9), "kN"),
+            in_unit("turret offset", "m"),
+        ),
+        tuple(rows),
+    )
+
+
+def _shown(value: float) -> str:
+    """Write a number with two digits, all others zero."""
+    rounded = float(f"{value:.{_DIGITS}g}")
+    return f"{rounded:,.0f}" if rounded >= 10.0 else f"{rounded:.{_DIGITS - 1}f}"

@@ -1,0 +1,272 @@
+"""The outcome of a reproduction, as values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from catopt.reproduce.printed import Printed
+from catopt.reproduce.verdict import Judgement, Verdict
+from catopt.words import Message, Several, term
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+
+__all__ = [
+    "Drawn",
+    "Input",
+    "Item",
+    "MooredLine",
+    "Mooring",
+    "Reproduction",
+    "SideBySide",
+    "Study",
+    "in_unit",
+]
+
+
+@dataclass(frozen=True)
+class Item:
+    """One printed number and what became of it.
+
+    Attributes
+    ----------
+    source : str
+        Short name of the source, such as ``"S1"``.
+    name : str
+        Of the study.
+    quantity : str
+        With its unit, such as ``"offset_m"``.
+    unit : str
+        As shown to a reader; ``"-"`` for a pure number.
+    method : str
+        How the source came by it, or which of its tables it is in: ``"pso"``,
+        ``"pso against fem"``, ``"Table 1"``.
+    computed_by : str
+        How catopt did, such as ``"pso"`` or ``"closed-form"``; empty when it did not.
+    printed : Printed
+        The number as the source has it.
+    computed : float or None
+        Unrounded, in the unit of the print; None when nothing was computed.
+    judgement : Judgement
+        What follows.
+    remark : str
+        What a reader should know beside the verdict.
+    """
+
+    source: str
+    name: str
+    quantity: str
+    unit: str
+    method: str
+    computed_by: str
+    printed: Printed
+    computed: float | None
+    judgement: Judgement
+    remark: str = ""
+
+    @property
+    def verdict(self) -> Verdict:
+        """``"reproduces"``, ``"differs"`` or ``"not reproducible"``."""
+        return self.judgement.verdict
+
+    @property
+    def published(self) -> float:
+        """The printed number."""
+        return self.printed.value
+
+    @property
+    def note(self) -> str:
+        """The reason for the verdict and the remark, in one line."""
+        return Several(part for part in (self.judgement.reason, self.remark) if part)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build this item's part of the document catopt.reproduction/1."""
+        return {
+            "source": self.source,
+            "name": self.name,
+            "quantity": self.quantity,
+            "method": self.method,
+            "published": self.published,
+            "published_text": self.printed.text,
+            "computed": self.computed,
+            "computed_text": self.judgement.computed_text,
+            "computed_by": self.computed_by,
+            "unit": self.unit,
+            "printed_digits": self.printed.digits,
+            "verdict": self.verdict,
+            "note": self.note,
+        }
+
+
+@dataclass(frozen=True)
+class Input:
+    """What went into a study: a quantity in words, its value and unit, and where it comes from."""
+
+    quantity: str
+    value: str
+    unit: str
+    origin: str = "printed"
+
+    def __post_init__(self) -> None:
+        for key in ("quantity", "value", "origin"):
+            object.__setattr__(self, key, term(getattr(self, key)))
+
+
+@dataclass(frozen=True)
+class SideBySide:
+    """Several answers to the same questions, as a table of words: what each column holds, rows."""
+
+    title: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "title", term(self.title))
+        object.__setattr__(self, "header", tuple(map(term, self.header)))
+        object.__setattr__(self, "rows", tuple(tuple(map(term, row)) for row in self.rows))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build this table's part of the document."""
+        return {
+            "title": self.title,
+            "header": list(self.header),
+            "rows": [list(row) for row in self.rows],
+        }
+
+
+def in_unit(quantity: str, unit: str) -> Message:
+    """Say what a row or a column of numbers is: ``"turret offset (m)"``."""
+    return Message("words.heading", label=term(quantity), unit=unit)
+
+
+@dataclass(frozen=True)
+class MooredLine:
+    """Where one line of a moored body lies, from its anchor; m.
+
+    Attributes
+    ----------
+    x, y, z : tuple of float
+        Places along it, z above the seabed.
+    on_bed : tuple of bool
+        Whether the line lies on the bed there, or is held down to it.
+    """
+
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    z: tuple[float, ...]
+    on_bed: tuple[bool, ...]
+
+
+@dataclass(frozen=True)
+class Mooring:
+    """A moored body at rest, for a plan and an elevation: what it is called, and its lines."""
+
+    name: str
+    lines: tuple[MooredLine, ...]
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A line of a study that is drawn: what it is called, and how it hangs."""
+
+    name: str
+    solution: Solution
+
+
+@dataclass(frozen=True)
+class Study:
+    """One published calculation, recomputed.
+
+    Attributes
+    ----------
+    name : str
+        By which `reproduce` knows it.
+    title : str
+        What it is about.
+    source, source_title, source_where, where : str
+        Short name and title of the source, its publication, and the place in it.
+    inputs : tuple of Input
+        What went in.
+    items : tuple of Item
+        Every printed number, in the source's order.
+    findings : tuple of str
+        What the recomputation showed beyond the verdicts; a paragraph each.
+    by_swarm : Solution or None
+        The swarm's answer with its history, for figures; None when the study has no swarm.
+    side_by_side : tuple of SideBySide
+        Answers by several models beside the printed ones.
+    moorings : tuple of Mooring
+        The same body by several models, for a plan and an elevation.
+    loaded_line : int
+        Which line of these the elevation shows, from 0.
+    drawn : tuple of Drawn
+        Lines to be drawn to scale in one figure, in water as deep as their fairleads are high.
+    """
+
+    name: str
+    title: str
+    source: str
+    source_title: str
+    source_where: str
+    where: str
+    inputs: tuple[Input, ...]
+    items: tuple[Item, ...]
+    findings: tuple[str, ...]
+    by_swarm: Solution | None = None
+    side_by_side: tuple[SideBySide, ...] = ()
+    moorings: tuple[Mooring, ...] = ()
+    loaded_line: int = 0
+    drawn: tuple[Drawn, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build this study's part of the document: everything but its items."""
+        return {
+            "name": self.name,
+            "title": self.title,
+            "source": self.source,
+            "source_title": self.source_title,
+            "source_where": self.source_where,
+            "where": self.where,
+            "inputs": [
+                {
+                    "quantity": given.quantity,
+                    "value": given.value,
+                    "unit": given.unit,
+                    "origin": given.origin,
+                }
+                for given in self.inputs
+            ],
+            "findings": list(self.findings),
+            "side_by_side": [table.to_dict() for table in self.side_by_side],
+        }
+
+
+@dataclass(frozen=True)
+class Reproduction:
+    """The outcome of one or more studies."""
+
+    studies: tuple[Study, ...]
+
+    @property
+    def items(self) -> tuple[Item, ...]:
+        """Every item of every study."""
+        return tuple(item for study in self.studies for item in study.items)
+
+    @property
+    def tally(self) -> str:
+        """How many numbers have which verdict, as a sentence."""
+        verdicts = [item.verdict for item in self.items]
+        return (
+            f"Of {len(verdicts)} printed numbers {verdicts.count('reproduces')} reproduce, "
+            f"{verdicts.count('differs')} differ and {verdicts.count('not reproducible')} cannot "
+            "be reproduced."
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt reproduce --json`` prints (catopt.reproduction/1)."""
+        return {
+            "schema": "catopt.reproduction/1",
+            "items": [item.to_dict() for item in self.items],
+            "studies": [study.to_dict() for study in self.studies],
+        }

@@ -1,0 +1,174 @@
+"""Compares a document with its JSON Schema, by the keywords that catopt's own schemas use."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from catopt.documents import Path, dotted
+from catopt.errors import Problem
+
+__all__ = ["misfits"]
+
+Schema = Mapping[str, Any] | bool
+
+_TYPES: Mapping[str, type | tuple[type, ...]] = {
+    "object": dict,
+    "array": list,
+    "string": str,
+    "boolean": bool,
+    "null": type(None),
+    "number": (int, float),
+    "integer": (int, float),
+}
+
+_BOUNDS: Mapping[str, tuple[Callable[[float, float], bool], str]] = {
+    "minimum": (lambda value, bound: value >= bound, "must be {} or more"),
+    "maximum": (lambda value, bound: value <= bound, "must be {} or less"),
+    "exclusiveMinimum": (lambda value, bound: value > bound, "must be above {}"),
+    "exclusiveMaximum": (lambda value, bound: value < bound, "must be below {}"),
+}
+
+_IN_WORDS = {
+    "object": "an object",
+    "array": "an array",
+    "integer": "a whole number",
+    "null": "null",
+}
+
+
+def misfits(document: Any, schema: Mapping[str, Any]) -> Iterator[Problem]:
+    """List what a document has otherwise than its schema.
+
+    Parameters
+    ----------
+    document : object
+        As the JSON reader returns it.
+    schema : mapping
+        JSON Schema (draft 2020-12) of the whole document.
+
+    Yields
+    ------
+    Problem
+        With the path of the key in the document.
+    """
+    for path, found, allowed in _misfits(document, schema, (), schema):
+        yield Problem(dotted(path) or "document", found, allowed)
+
+
+_Misfit = tuple[Path, str, str]
+
+
+def _misfits(value: Any, schema: Schema, path: Path, whole: Mapping[str, Any]) -> Iterator[_Misfit]:
+    if isinstance(schema, bool):
+        if not schema:
+            yield path, _shown(value), "leave it out"
+        return
+    if "$ref" in schema:
+        yield from _misfits(value, _referred(schema["$ref"], whole), path, whole)
+    if "type" in schema and not _is_of(value, schema["type"]):
+        yield path, _shown(value), f"{_wanted(schema['type'])} is wanted"
+        return
+    yield from ((path, _shown(value), allowed) for allowed in _of_value(value, schema))
+    if isinstance(value, list):
+        yield from _of_array(value, schema, path, whole)
+    if isinstance(value, dict):
+        yield from _of_object(value, schema, path, whole)
+    yield from _combined(value, schema, path, whole)
+
+
+def _of_value(value: Any, schema: Mapping[str, Any]) -> Iterator[str]:
+    """Say what a single value has to be otherwise."""
+    if "const" in schema and not _same(value, schema["const"]):
+        yield f"{_shown(schema['const'])} is wanted"
+    if "enum" in schema and not any(_same(value, each) for each in schema["enum"]):
+        yield f"one of {', '.join(map(_shown, schema['enum']))} is wanted"
+    if isinstance(value, str) and not re.search(schema.get("pattern", ""), value):
+        yield f"must match {schema['pattern']}"
+    if _is_of(value, "number"):
+        for keyword, (is_kept, words) in _BOUNDS.items():
+            if keyword in schema and not is_kept(value, schema[keyword]):
+                yield words.format(schema[keyword])
+
+
+def _of_array(
+    value: list[Any], schema: Mapping[str, Any], path: Path, whole: Mapping[str, Any]
+) -> Iterator[_Misfit]:
+    if len(value) < schema.get("minItems", 0):
+        yield path, _shown(value), f"at least {schema['minItems']} are wanted"
+    if len(value) > schema.get("maxItems", len(value)):
+        yield path, _shown(value), f"at most {schema['maxItems']} are wanted"
+    for index, each in enumerate(value):
+        yield from _misfits(each, schema.get("items", True), (*path, index), whole)
+
+
+def _of_object(
+    value: dict[str, Any], schema: Mapping[str, Any], path: Path, whole: Mapping[str, Any]
+) -> Iterator[_Misfit]:
+    known = schema.get("properties", {})
+    for key in schema.get("required", ()):
+        if key not in value:
+            yield (*path, key), "", "missing"
+    for key, each in value.items():
+        further = known.get(key, schema.get("additionalProperties", True))
+        if further is False and key not in known:
+            yield (*path, key), "an unknown key", "leave it out"
+        else:
+            yield from _misfits(each, further, (*path, key), whole)
+
+
+def _combined(
+    value: Any, schema: Mapping[str, Any], path: Path, whole: Mapping[str, Any]
+) -> Iterator[_Misfit]:
+    """Hold a value to one of several schemas, and to one that depends on another."""
+    for keyword in ("oneOf", "anyOf"):
+        if keyword not in schema:
+            continue
+        tried = [list(_misfits(value, each, path, whole)) for each in schema[keyword]]
+        fitting = sum(not each for each in tried)
+        if not fitting:  # the one that fits furthest into the document was meant
+            yield from max(tried, key=lambda each: max(len(place) for place, _, _ in each))
+        elif keyword == "oneOf" and fitting > 1:
+            yield path, _shown(value), "only one of its kinds is wanted"
+    if "if" in schema:
+        met = not any(_misfits(value, schema["if"], path, whole))
+        yield from _misfits(value, schema.get("then" if met else "else", True), path, whole)
+
+
+def _referred(reference: str, whole: Mapping[str, Any]) -> Mapping[str, Any]:
+    found: Any = whole
+    for key in reference.removeprefix("#/").split("/"):
+        found = found[key]
+    referred: Mapping[str, Any] = found
+    return referred
+
+
+def _is_of(value: Any, kinds: str | list[str]) -> bool:
+    whole = isinstance(value, int) or (isinstance(value, float) and value.is_integer())
+    for kind in [kinds] if isinstance(kinds, str) else kinds:
+        if isinstance(value, bool) and kind != "boolean":
+            continue
+        if isinstance(value, _TYPES[kind]) and (whole or kind != "integer"):
+            return True
+    return False
+
+
+def _same(value: Any, other: Any) -> bool:
+    return type(value) is type(other) and bool(value == other)
+
+
+def _wanted(kinds: str | list[str]) -> str:
+    listed = [kinds] if isinstance(kinds, str) else kinds
+    return " or ".join(_IN_WORDS.get(each, f"a {each}") for each in listed)
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, dict):
+        return "an object"
+    if isinstance(value, list):
+        return f"an array of {len(value)}" if value else "an empty array"
+    if value is None or isinstance(value, bool):
+        return str(value).lower().replace("none", "null")
+    shown = repr(value)
+    return shown if len(shown) <= 40 else f"{shown[:37]}..."

@@ -1,0 +1,197 @@
+"""The answer of a sizing as the JSON document catopt.size/1."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from catopt.checks.document import result_document
+from catopt.loads.document import loads_document
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.loads.drag_anchor import DragAnchorSize
+    from catopt.loads.sinker import SinkerSize
+    from catopt.sizing.candidates import Candidate
+    from catopt.sizing.pattern import Pattern
+    from catopt.sizing.posed import LoadsAt
+    from catopt.sizing.result import Sizing
+
+__all__ = ["SCHEMA", "sizing_document"]
+
+SCHEMA = "catopt.size/1"
+
+
+def sizing_document(of: Sizing) -> dict[str, Any]:
+    """Lay a sizing out for JSON, in SI.
+
+    Parameters
+    ----------
+    of : Sizing
+        Of a buoy or a tanker.
+    """
+    segment = of.point.line.segments[0]
+    governing = of.point.governing
+    settled = of.settled
+    return {
+        "schema": SCHEMA,
+        "kind": of.kind,
+        "title": of.case.title,
+        "chain": {
+            "component": segment.component,
+            "nominal_diameter_m": segment.nominal_diameter,
+            "length_m": of.point.line.length,
+            "shots": of.shots,
+            "mass_kg": of.point.line.mass,
+            "MBL_N": segment.MBL,
+            "proof_load_N": segment.proof_load,
+        },
+        "clump_weights": [
+            {"mass_kg": load.mass, "position_m": load.position}
+            for load in of.point.line.point_loads
+        ],
+        "sinker": None if of.sinker is None else _sinker(of.sinker, of),
+        "drag_anchor": None if of.drag_anchor is None else _drag_anchor(of.drag_anchor),
+        "swing_radius": {
+            "total_m": of.swing.total,
+            "load_case": of.swing.load_case,
+            "parts": [{"name": name, "length_m": length} for name, length in of.swing.parts],
+        },
+        "excursion_m": of.excursion,
+        "largest_tension_N": of.largest_tension,
+        "break_factor": of.break_factor,
+        "proof_factor": of.proof_factor,
+        "reserve_buoyancy_N": of.reserve_buoyancy,
+        "load_cases": [_load_case(name, solution, of) for name, solution in _solutions(of)],
+        "loads": [_loads(each) for each in settled.posed.loads],
+        "assumed": {
+            "nominal_diameter_m": settled.assumed.diameter,
+            "pull_N": settled.assumed.pull,
+            "line_forces_N": list(settled.assumed.forces),
+            "rounds": settled.rounds,
+        },
+        "checks": [result_document(check) for check in of.point.checks.results],
+        "governing": "" if governing is None else governing.in_case,
+        "limits": [{"change": each.change, "fails": each.words} for each in of.limits],
+        "candidates": [_candidate(each) for each in of.candidates],
+        "pattern": None if of.pattern is None else _pattern(of.pattern),
+        "design": {
+            "designs": settled.result.designs,
+            "feasible": settled.result.feasible,
+            "front": len(settled.result.front),
+            "recommended": settled.index + 1,
+            "recommendation": of.why,
+        },
+        "assumptions": list(of.assumptions),
+        "defaults": list(of.defaults),
+        "recalled": list(of.recalled),
+        "warnings": list(of.warnings),
+    }
+
+
+def _solutions(of: Sizing) -> tuple[tuple[str, Solution], ...]:
+    return of.point.checks.solutions
+
+
+def _load_case(name: str, solution: Solution, of: Sizing) -> dict[str, Any]:
+    state = next(each for each in of.case.load_cases if each.name == name)
+    return {
+        "name": name,
+        "kind": state.kind,
+        "water_level_m": state.water_level,
+        "horizontal_force_N": solution.horizontal_force,
+        "fairlead_height_m": solution.fairlead_height,
+        "tension_N": solution.fairlead.tension,
+        "vertical_force_N": solution.fairlead.vertical_force,
+        "anchor_horizontal_force_N": solution.anchor.horizontal_force,
+        "anchor_vertical_force_N": solution.anchor.vertical_force,
+        "span_m": solution.span,
+        "grounded_length_m": solution.grounded_length,
+    }
+
+
+def _loads(of: LoadsAt) -> dict[str, Any]:
+    return {
+        "load_case": of.load_case,
+        "depth_m": of.depth,
+        "horizontal_force_N": of.horizontal_force,
+        "given_N": of.given,
+        "parts": [loads_document(part) for part in of.parts],
+    }
+
+
+def _sinker(of: SinkerSize, sizing: Sizing) -> dict[str, Any]:
+    anchor = sizing.point.anchor
+    source = of.friction_source
+    return {
+        "mass_kg": of.mass if anchor is None else anchor.mass,
+        "needed_mass_kg": of.needed_mass,
+        "smaller_mass_kg": of.smaller,
+        "larger_mass_kg": of.larger,
+        "material": of.material,
+        "density_kg_per_m3": of.density,
+        "submerged_weight_N": of.submerged_weight,
+        "friction": of.friction,
+        "friction_source": None if source is None else source.text,
+        "wanted_factor": of.safety_factor,
+        "factor": of.factor,
+    }
+
+
+def _drag_anchor(of: DragAnchorSize) -> dict[str, Any]:
+    return {
+        "anchor": of.anchor,
+        "soil": of.soil,
+        "mass_kg": of.mass,
+        "needed_mass_kg": of.needed_mass,
+        "smaller_mass_kg": of.smaller,
+        "larger_mass_kg": of.larger,
+        "holding_capacity_N": of.capacity.capacity,
+        "capacity_note": of.capacity.note,
+        "wanted_factor": of.safety_factor,
+        "factor": of.factor,
+    }
+
+
+def _candidate(of: Candidate) -> dict[str, Any]:
+    document: dict[str, Any] = {
+        "role": of.role,
+        "component": of.component,
+        "nominal_diameter_m": of.diameter,
+        "feasible": of.settled is not None,
+        "reason": of.reason,
+    }
+    keys = ("length_m", "mass_kg", "offset_m", "horizontal_force_N", "anchor_mass_kg", "governing")
+    if of.settled is None:
+        return document | dict.fromkeys(keys)
+    point = of.settled.point
+    governing = point.governing
+    values = (
+        point.line.length,
+        point.line.mass,
+        point.objectives["offset_m"],
+        max(solution.horizontal_force for _, solution in point.checks.solutions),
+        None if point.anchor is None else point.anchor.mass,
+        "" if governing is None else governing.in_case,
+    )
+    return document | dict(zip(keys, values, strict=True))
+
+
+def _pattern(of: Pattern) -> dict[str, Any]:
+    return {
+        "lines": of.lines,
+        "pretension_N": of.pretension,
+        "anchor_radius_m": of.anchor_radius,
+        "states": [
+            {
+                "load_case": state.load_case,
+                "force_N": state.force,
+                "rule_force_N": state.rule_force,
+                "line_force_N": state.line_force,
+                "tension_N": state.tension,
+                "direction_rad": state.direction,
+                "offset_m": state.offset,
+                "pull_N": state.pull,
+            }
+            for state in of.states
+        ],
+    }

@@ -1,0 +1,151 @@
+"""What the line of a sizing may be made of, and which of the best lines is recommended."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Final, Literal, get_args
+
+from catopt.checks.profiles import profiles_of
+from catopt.constants import YEAR
+from catopt.errors import InputError
+from catopt.model import Checks, SegmentChoice, Service
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+__all__ = ["PREFERENCES", "LineChoice", "Prefer"]
+
+Prefer = Literal["balanced", "lightest", "least-swing"]
+PREFERENCES: tuple[str, ...] = get_args(Prefer)
+
+_STEPS: Final = (0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
+_STEPS_A_HEIGHT: Final = 25.0
+"""A step of length is at least this part of the height that the line spans."""
+_LONGEST: Final = 12.0
+"""Times the height: longer lines are not looked at."""
+_LONGEST_LIFE: Final = 100.0
+"""Years."""
+_FASTEST_WEAR: Final = 10e-3
+"""m a year."""
+
+
+@dataclass(frozen=True)
+class LineChoice:
+    """What the line may be made of.
+
+    Attributes
+    ----------
+    components : tuple of str
+        Families with their grades, as the catalogue names them.
+    code : str
+        Profile of criteria that the line is checked by.
+    diameter_min, diameter_max : float or None
+        Bounds on the sizes that are sold, m.
+    diameters : tuple of float
+        Only these, m; empty: every size that is sold within the bounds.
+    length_step : float or None
+        Step of the length, m; None: a round one near a 25th of the height that the line spans.
+    prefer : {"balanced", "lightest", "least-swing"}
+        Which design of the front is recommended: its knee, or one of its ends.
+    life, wear_rate : float
+        Service life, s, and loss of nominal diameter, m/s.
+    allow_recalled : bool
+        Whether figures and criteria that were read in no document may be used.
+    """
+
+    components: tuple[str, ...]
+    code: str
+    diameter_min: float | None = None
+    diameter_max: float | None = None
+    diameters: tuple[float, ...] = ()
+    length_step: float | None = None
+    prefer: Prefer = "balanced"
+    life: float = 5.0 * YEAR
+    wear_rate: float = 0.4e-3 / YEAR
+    allow_recalled: bool = False
+
+    def __post_init__(self) -> None:
+        found = Findings("LineChoice")
+        if not self.components:
+            found.add("components", "none", "one family with its grade is wanted, or several")
+        for key in ("diameter_min", "diameter_max", "length_step"):
+            if getattr(self, key) is not None:
+                found.number(key, getattr(self, key), "m", above=0.0)
+        least, most = self.diameter_min, self.diameter_max
+        if not found.problems and least is not None and most is not None and most < least:
+            found.add("diameter_max", f"{most * 1e3:g} mm", f"below diameter_min, {least * 1e3:g}")
+        if self.prefer not in PREFERENCES:
+            found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
+        found.number("life", self.life, "s", at_least=0.0)
+        if self.life > _LONGEST_LIFE * YEAR:
+            years = f"{self.life / YEAR:g} years"
+            found.add("life", years, f"must be {_LONGEST_LIFE:g} years or less")
+        found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
+        if self.wear_rate > _FASTEST_WEAR / YEAR:
+            rate = f"{self.wear_rate * YEAR * 1e3:g} mm/year"
+            found.add("wear_rate", rate, f"must be {_FASTEST_WEAR * 1e3:g} mm/year or less")
+        try:
+            profiles_of(self.checks)
+        except InputError as error:
+            for problem in error.problems:
+                found.add("code", problem.found, problem.allowed)
+        found.raise_if_any()
+
+    @property
+    def checks(self) -> Checks:
+        """The checks of the case."""
+        return Checks(codes=(self.code,), allow_recalled=self.allow_recalled)
+
+    @property
+    def service(self) -> Service | None:
+        """Life and wear of the case; None for a line that stays as new."""
+        if self.life == 0.0 or self.wear_rate == 0.0:
+            return None
+        return Service(self.life, self.wear_rate)
+
+    def has_factor(self, check: Literal["sliding", "holding"]) -> bool:
+        """Say whether the code has a factor of its own on a sinker or a drag anchor."""
+        criteria = (each for profile in profiles_of(self.checks) for each in profile.criteria)
+        return any(each.check == check for each in criteria)
+
+    def only(self, component: str, diameter: float) -> LineChoice:
+        """Leave one size of one component (m) to choose from, and of its lines the lightest."""
+        return replace(
+            self,
+            components=(component,),
+            diameters=(diameter,),
+            diameter_min=None,
+            diameter_max=None,
+            prefer="lightest",
+        )
+
+    def segment(self, height: float) -> SegmentChoice:
+        """Make the design's segment.
+
+        Parameters
+        ----------
+        height : float
+            Largest that the line spans, m.
+        """
+        step = self.length_step or round_step(height)
+        first = math.floor(height / step) + 1
+        last = max(math.ceil(_LONGEST * height / step), first)
+        return SegmentChoice(
+            name=Message("sizing.chain_part"),
+            lengths=tuple(round(step * k, 9) for k in range(first, last + 1)),
+            components=self.components,
+            diameters=self.diameters,
+            diameter_min=self.diameter_min,
+            diameter_max=self.diameter_max,
+        )
+
+
+def round_step(height: float) -> float:
+    """Pick a round step of length near a 25th of the height that a line spans, m.
+
+    Parameters
+    ----------
+    height : float
+        m.
+    """
+    return next((step for step in _STEPS if step >= height / _STEPS_A_HEIGHT), _STEPS[-1])

@@ -1,0 +1,252 @@
+"""Several equal lines around a body: the rule of practice, and the equilibrium that checks it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final, NamedTuple
+
+from catopt.catenary.solve import solve
+from catopt.errors import InputError
+from catopt.model import Case, Line, System
+from catopt.mooring.load_sharing import load_sharing_factor
+from catopt.mooring.solution import SystemSolution
+from catopt.mooring.solve import solve_system
+from catopt.ties import largest
+from catopt.words import Sentence
+
+__all__ = ["BodyState", "Pattern", "PatternState", "pattern", "shared_force", "system_case"]
+
+_DIRECTIONS: Final = 3
+"""From against a line to half way to the next one; the rest follows by symmetry."""
+
+
+class BodyState(NamedTuple):
+    """A load case of the body.
+
+    Attributes
+    ----------
+    load_case : str
+        Its name.
+    force : float
+        On the body, N.
+    fairlead_height : float
+        Above the seabed, m.
+    """
+
+    load_case: str
+    force: float
+    fairlead_height: float
+
+
+@dataclass(frozen=True)
+class PatternState:
+    """The body at rest in one load case, under the force from its hardest side.
+
+    Attributes
+    ----------
+    load_case : str
+        Its name.
+    force : float
+        On the body, N.
+    rule_force : float or None
+        Horizontal force of the most loaded line by the rule of practice, N; None where the rule
+        wants another number of lines.
+    line_force, tension : float
+        Horizontal force and tension at the fairlead of the most loaded line, N.
+    direction : float
+        Between the most loaded line and where the force comes from, rad.
+    offset : float
+        Of the body from its place under no load, in whichever direction it is the largest, m.
+    pull : float
+        Of all lines downwards on the body, N.
+    fairlead_height : float
+        Above the seabed, m.
+    """
+
+    load_case: str
+    force: float
+    rule_force: float | None
+    line_force: float
+    tension: float
+    direction: float
+    offset: float
+    pull: float
+    fairlead_height: float
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A symmetric pattern of equal lines.
+
+    Attributes
+    ----------
+    lines : int
+        How many.
+    pretension : float
+        Horizontal force of every line under no load, at high water without a crest, N.
+    anchor_radius : float
+        From the body to the anchors, m.
+    states : tuple of PatternState
+        One for each load case.
+    system : System
+        Under the load case of the largest force in a line.
+    warnings : tuple of str
+        What an engineer should know.
+    """
+
+    lines: int
+    pretension: float
+    anchor_radius: float
+    states: tuple[PatternState, ...]
+    system: System
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def hardest(self) -> PatternState:
+        """The load case of the largest horizontal force in a line."""
+        return largest(self.states, lambda state: state.line_force)
+
+    @property
+    def largest_pull(self) -> float:
+        """Of all lines downwards on the body, N."""
+        return max(state.pull for state in self.states)
+
+
+def shared_force(force: float, lines: int) -> float:
+    """Estimate the horizontal force of the most loaded of several lines, N.
+
+    The rule of practice of S4, F = FT/(N/4), where it applies; for other numbers of lines F =
+    4 FT/N, and never more than all of it. It is where the sizing begins: the equilibrium decides.
+
+    Parameters
+    ----------
+    force : float
+        On the body, N.
+    lines : int
+        3 or more.
+    """
+    rule = _rule(force, lines)
+    return min(force, 4.0 * force / lines) if rule is None else rule
+
+
+def pattern(
+    line: Line,
+    lines: int,
+    states: Sequence[BodyState],
+    *,
+    pretension: float,
+    still_height: float,
+    seabed_friction: float = 0.0,
+) -> Pattern:
+    """Solve the body at rest in every load case, under forces from the sides that count.
+
+    Parameters
+    ----------
+    line : Line
+        Of which each line is made.
+    lines : int
+        How many, evenly spaced.
+    states : sequence of BodyState
+        Load cases.
+    pretension : float
+        Horizontal force under no load, N.
+    still_height : float
+        Height of the fairlead at which the pretension is set, m.
+    seabed_friction : float
+        Of the line on the bed.
+
+    Raises
+    ------
+    NoEquilibriumError, NotConvergedError
+        As for `solve_system`.
+    """
+    reach = solve(
+        line, height=still_height, horizontal_force=pretension, seabed_friction=seabed_friction
+    ).span
+    azimuths = [2.0 * math.pi * k / lines for k in range(lines)]
+    base = System.around(
+        line,
+        azimuths=azimuths,
+        anchor_radius=reach,
+        fairlead_height=still_height,
+        seabed_friction=seabed_friction,
+    )
+    hardest: list[tuple[PatternState, SystemSolution]] = [
+        _hardest(base.raised(state.fairlead_height - still_height), state, lines)
+        for state in states
+    ]
+    worst = largest(hardest, lambda each: each[0].line_force)
+    return Pattern(
+        lines,
+        pretension,
+        reach,
+        tuple(state for state, _ in hardest),
+        worst[1].system,
+        tuple(dict.fromkeys(Sentence(w) for _, solution in hardest for w in solution.warnings)),
+    )
+
+
+def system_case(case: Case, of: Pattern) -> Case:
+    """Make the case of the whole pattern, for ``catopt system``.
+
+    Parameters
+    ----------
+    case : Case
+        Of one line.
+    of : Pattern
+        Its equilibrium; the hardest load case is that of the system.
+    """
+    state = of.hardest
+    rise = state.fairlead_height - case.fairlead_height
+    return replace(
+        case,
+        title=f"{case.title}: {of.lines} lines, {state.load_case}",
+        site=replace(case.site, water_depth=case.site.water_depth + rise),
+        fairlead_height=state.fairlead_height,
+        load_cases=(),
+        design=None,
+        system=of.system,
+    )
+
+
+def _hardest(system: System, state: BodyState, lines: int) -> tuple[PatternState, SystemSolution]:
+    """Let the force come from against a line, and on to half way to the next one."""
+    solved = []
+    for step in range(_DIRECTIONS):
+        off = math.pi / lines * step / (_DIRECTIONS - 1)
+        towards = math.pi + off
+        across = state.force * math.sin(towards) if off else 0.0
+        force = (state.force * math.cos(towards), across)
+        solved.append((off, solve_system(system.under(force))))
+    off, hardest = largest(solved, lambda each: _line_force(each[1]))
+    return (
+        PatternState(
+            load_case=state.load_case,
+            force=state.force,
+            rule_force=_rule(state.force, lines),
+            line_force=_line_force(hardest),
+            tension=max(line.tension for line in hardest.lines),
+            direction=off,
+            offset=max(math.hypot(*each.offset) for _, each in solved),
+            pull=max(_pull(each) for _, each in solved),
+            fairlead_height=state.fairlead_height,
+        ),
+        hardest,
+    )
+
+
+def _rule(force: float, lines: int) -> float | None:
+    try:
+        return force / load_sharing_factor(lines)
+    except InputError:
+        return None
+
+
+def _line_force(solution: SystemSolution) -> float:
+    return max(line.horizontal_force for line in solution.lines)
+
+
+def _pull(solution: SystemSolution) -> float:
+    return math.fsum(line.solution.fairlead.vertical_force for line in solution.lines)

@@ -1,0 +1,173 @@
+"""The answer of a sizing, as a value."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Final, Literal
+
+from catopt.catenary.solution import Solution
+from catopt.design.result import DesignPoint
+from catopt.loads.drag_anchor import DragAnchorSize
+from catopt.loads.sinker import SinkerSize
+from catopt.model import Case
+from catopt.sizing.candidates import Candidate
+from catopt.sizing.document import sizing_document
+from catopt.sizing.limits import Limit
+from catopt.sizing.pattern import Pattern
+from catopt.sizing.settle import Settled
+from catopt.ties import largest
+from catopt.units import UNITS, Dimension
+from catopt.words import Message, Sentence
+
+__all__ = ["SHOT", "Sizing", "SwingRadius"]
+
+SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
+"""m: a shot of chain."""
+
+
+@dataclass(frozen=True)
+class SwingRadius:
+    """How far the floating end swings round the anchor.
+
+    Attributes
+    ----------
+    load_case : str
+        In which it is the largest.
+    parts : tuple of (str, float)
+        What it is made of, m.
+    """
+
+    load_case: str
+    parts: tuple[tuple[str, float], ...]
+
+    @property
+    def total(self) -> float:
+        """Sum of the parts, m."""
+        return math.fsum(length for _, length in self.parts)
+
+
+@dataclass(frozen=True)
+class Sizing:
+    """A mooring sized for its place and its weather.
+
+    Attributes
+    ----------
+    kind : {"buoy", "tanker"}
+        Of what.
+    settled : Settled
+        Loads, case, front and the recommended design.
+    candidates : tuple of Candidate
+        The recommended size between its neighbours.
+    limits : tuple of Limit
+        Steps to less that fail.
+    swing : SwingRadius
+        At low water.
+    sinker : SinkerSize or None
+        For the pull of the recommended line; its mass is that of the design's sinker.
+    drag_anchor : DragAnchorSize or None
+        For the largest horizontal force.
+    reserve_buoyancy : float or None
+        Of the buoy, N; None without one.
+    pattern : Pattern or None
+        The mooring equilibrium of several lines.
+    assumptions, defaults : tuple of str
+        What the answer rests on; what was not given and was taken.
+    """
+
+    kind: Literal["buoy", "tanker"]
+    settled: Settled
+    candidates: tuple[Candidate, ...]
+    limits: tuple[Limit, ...]
+    swing: SwingRadius
+    sinker: SinkerSize | None = None
+    drag_anchor: DragAnchorSize | None = None
+    reserve_buoyancy: float | None = None
+    pattern: Pattern | None = None
+    assumptions: tuple[str, ...] = ()
+    defaults: tuple[str, ...] = ()
+
+    @property
+    def case(self) -> Case:
+        """A whole case with the recommended line: design, check and solve take it."""
+        return self.settled.case
+
+    @property
+    def point(self) -> DesignPoint:
+        """The recommended design."""
+        return self.settled.point
+
+    @property
+    def shots(self) -> float:
+        """Length of the line in shots of chain."""
+        return self.point.line.length / SHOT
+
+    @property
+    def excursion(self) -> float | None:
+        """Way from the everyday place, or of the body of several lines, m; None for a buoy."""
+        if self.pattern is not None:
+            return max(state.offset for state in self.pattern.states)
+        return self.point.objectives.get("excursion_m")
+
+    @property
+    def why(self) -> str:
+        """Why this design of the front is recommended."""
+        settled = self.settled
+        if settled.index == settled.result.recommended:
+            return settled.result.recommendation
+        ends = {0: "sizing.lightest", len(settled.result.front) - 1: "sizing.least_swing"}
+        return Message(ends.get(settled.index, "sizing.near_knee"))
+
+    @property
+    def hardest(self) -> tuple[str, Solution]:
+        """Load case and line of the largest tension at the fairlead."""
+        return largest(self.point.checks.solutions, lambda each: each[1].fairlead.tension)
+
+    @property
+    def largest_tension(self) -> float:
+        """In any part of the line, N."""
+        return max(
+            segment.max_tension
+            for _, solution in self.point.checks.solutions
+            for segment in solution.segments
+        )
+
+    @property
+    def break_factor(self) -> float | None:
+        """MBL of the new line over its largest tension; None where no MBL is known."""
+        return self._factor([segment.MBL for segment in self.point.line.segments])
+
+    @property
+    def proof_factor(self) -> float | None:
+        """Proof load of the new line over its largest tension; None where none is known."""
+        return self._factor([segment.proof_load for segment in self.point.line.segments])
+
+    @property
+    def recalled(self) -> tuple[str, ...]:
+        """Loads that rest on what was read in no document."""
+        parts = (part for each in self.settled.posed.loads for part in each.parts)
+        return tuple(dict.fromkeys(name for part in parts for name in part.recalled))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What an engineer should know before using the answer, each once."""
+        parts = (part for each in self.settled.posed.loads for part in each.parts)
+        notes = [
+            *(warning for part in parts for warning in part.warnings),
+            *map(Sentence, self.settled.result.warnings),
+            *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
+            *(() if self.pattern is None else self.pattern.warnings),
+        ]
+        if self.drag_anchor is not None:
+            notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
+        return tuple(dict.fromkeys(notes))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt size --json`` prints (schema catopt.size/1)."""
+        return sizing_document(self)
+
+    def _factor(self, strengths: list[float | None]) -> float | None:
+        known = [strength for strength in strengths if strength is not None]
+        if len(known) < len(strengths) or not self.largest_tension:
+            return None
+        return min(known) / self.largest_tension

@@ -1,0 +1,198 @@
+"""Loads and line settle on each other: the loads of a chain, the chain for those loads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+
+from catopt.design.enumeration import enumerate_designs
+from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem
+from catopt.design.knee import knee
+from catopt.design.near_miss import NoFeasibleDesignError, no_feasible_design
+from catopt.design.points import design_point
+from catopt.design.problem import Floats
+from catopt.design.result import DesignPoint, DesignResult
+from catopt.design.search import design_case
+from catopt.errors import NotConvergedError
+from catopt.model import Case
+from catopt.sizing.assumed import Assumed
+from catopt.sizing.line_choice import Prefer
+from catopt.sizing.posed import Posed
+from catopt.words import Message
+
+__all__ = ["MOST_ROUNDS", "Settled", "point_diameter", "point_pull", "settle"]
+
+MOST_ROUNDS: Final = 40
+
+_ADVICE: Final = {
+    "buoyancy": "a larger buoy, a lighter chain of a higher grade, or less weather",
+    "tension": "a higher grade, a larger size (--diameter-max), less wear or another code",
+    "uplift_angle": "a longer line: a larger size (--diameter-max) or a clump weight shortens it",
+    "sliding": "better ground, a heavier material, or a drag anchor",
+    "grounded_length": "a larger size (--diameter-max) or a longer line",
+}
+"""What helps against each check that no design passes."""
+
+
+@dataclass(frozen=True)
+class Settled:
+    """A line and the loads that it was sized for.
+
+    Attributes
+    ----------
+    posed : Posed
+        Loads and case.
+    point : DesignPoint
+        The recommended design of that case.
+    assumed, needed : Assumed
+        What the loads were computed for, and what the recommended line comes to: never more.
+    rounds : int
+        Searches that it took.
+    """
+
+    posed: Posed
+    point: DesignPoint
+    assumed: Assumed
+    needed: Assumed
+    rounds: int
+
+    @cached_property
+    def result(self) -> DesignResult:
+        """The whole answer of the design search for that case; computed when it is first asked."""
+        return design_case(self.posed.case)
+
+    @property
+    def index(self) -> int:
+        """The recommended design on the front of `result`."""
+        return [point.genes for point in self.result.front].index(self.point.genes)
+
+    @property
+    def case(self) -> Case:
+        """What was searched, with the recommended line and anchor in their places."""
+        return replace(self.posed.case, line=self.point.line, anchor=self.point.anchor)
+
+
+def settle(
+    pose: Callable[[Assumed], Posed],
+    needed: Callable[[Posed, DesignPoint], Assumed],
+    prefer: Prefer,
+    start: Assumed | None = None,
+) -> Settled:
+    """Search until the loads were computed for no less than the line that comes out.
+
+    From the start, or from no chain at all, each round computes the loads for the largest chain
+    and pull that any round before came to. When a round comes to no more than it assumed, that is
+    the answer, on the safe side; when it comes to less, the loads of just that line are tried, and
+    it is taken if it holds itself.
+
+    Parameters
+    ----------
+    pose : callable
+        Makes the case out of what is assumed.
+    needed : callable
+        Says what a design comes to.
+    prefer : {"balanced", "lightest", "least-swing"}
+        Which design of a front is recommended.
+    start : Assumed, optional
+        Where to begin; the nearer to what comes out, the fewer rounds.
+
+    Raises
+    ------
+    InputError
+        The case cannot be made, such as a pull above the reserve buoyancy.
+    NoFeasibleDesignError
+        Nothing that is sold passes every check.
+    NotConvergedError
+        After `MOST_ROUNDS`; what is assumed only rises, so that it comes to an end before.
+    """
+    assumed = start or Assumed()
+    for rounds in range(1, MOST_ROUNDS + 1):
+        found = _search(pose, needed, assumed, prefer, rounds)
+        if assumed.covers(found.needed):
+            return _nearer(found, pose, needed, prefer)
+        assumed = assumed.raised_to(found.needed)
+    raise NotConvergedError(Message("sizing.not_settled", rounds=MOST_ROUNDS))
+
+
+def point_diameter(point: DesignPoint) -> float:
+    """Return the largest nominal diameter of a design's line, m."""
+    return max(segment.nominal_diameter or 0.0 for segment in point.line.segments)
+
+
+def point_pull(point: DesignPoint) -> float:
+    """Return the largest pull of a design's line downwards at its fairlead, N."""
+    return max(solution.fairlead.vertical_force for _, solution in point.checks.solutions)
+
+
+def _preferred(objectives: Floats, prefer: Prefer) -> int:
+    """Pick a design of a front that rises in mass: its knee, its first or its last."""
+    if prefer == "balanced":
+        return knee(objectives).index
+    return 0 if prefer == "lightest" else len(objectives) - 1
+
+
+def _nearer(
+    found: Settled,
+    pose: Callable[[Assumed], Posed],
+    needed: Callable[[Posed, DesignPoint], Assumed],
+    prefer: Prefer,
+) -> Settled:
+    """Try the loads of just the line that was found, where those assumed were larger."""
+    if found.needed.covers(found.assumed):
+        return found
+    try:
+        exact = _search(pose, needed, found.needed, prefer, found.rounds + 1)
+    except NoFeasibleDesignError:
+        return found
+    return exact if exact.assumed.covers(exact.needed) else found
+
+
+def _search(
+    pose: Callable[[Assumed], Posed],
+    needed: Callable[[Posed, DesignPoint], Assumed],
+    assumed: Assumed,
+    prefer: Prefer,
+    rounds: int,
+) -> Settled:
+    posed = pose(assumed)
+    try:
+        point = _best(posed.case, prefer)
+    except NoFeasibleDesignError as error:
+        raise _advised(error) from error
+    return Settled(posed, point, assumed, needed(posed, point), rounds)
+
+
+def _best(case: Case, prefer: Prefer) -> DesignPoint:
+    """Search one case for its recommended design alone: what `design_case` says without the rest.
+
+    Only the last case's whole front is shown; to check and explain that of every round costs more
+    than the rounds themselves.
+    """
+    problem = DesignProblem.of(case)
+    assert case.design is not None
+    if problem.space.count > case.design.max_enumerated:
+        front = design_case(case).front
+        keys = [OBJECTIVE_KEYS[name] for name in problem.names]
+        objectives = np.array([[point.objectives[key] for key in keys] for point in front])
+        return front[_preferred(objectives, prefer)]
+    outcome = enumerate_designs(problem, workers=os.cpu_count() or 1).outcome
+    if outcome.interrupted:
+        raise KeyboardInterrupt
+    if not len(outcome.genes):
+        raise no_feasible_design(problem, outcome)
+    best = _preferred(outcome.objectives, prefer)
+    return design_point(problem, tuple(outcome.genes[best].tolist()))
+
+
+def _advised(error: NoFeasibleDesignError) -> NoFeasibleDesignError:
+    """Add what would help against the checks that fail."""
+    kinds = [each.kind for each in error.near_miss.failing] if error.near_miss else []
+    advice = [_ADVICE[kind] for kind in dict.fromkeys(kinds) if kind in _ADVICE]
+    if not advice:
+        return error
+    return NoFeasibleDesignError(f"{error}\nWhat may help: {'; '.join(advice)}.", error.near_miss)

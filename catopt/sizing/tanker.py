@@ -1,0 +1,383 @@
+"""A tanker's mooring from its place and its weather: one line, or several around a body."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+from catopt.design.result import DesignPoint
+from catopt.errors import NoAnswerError
+from catopt.loads.buoy import buoy_loads
+from catopt.loads.component import Loads
+from catopt.loads.environment import WaterLevels
+from catopt.loads.ship_loads import ship_loads
+from catopt.model import Buoy, Case, ClumpWeightChoice, Design, LoadCase, Site
+from catopt.sizing.anchorage import DragGround
+from catopt.sizing.assumed import Assumed, rounded_up
+from catopt.sizing.candidates import candidates
+from catopt.sizing.components import catalogue_of, first_line
+from catopt.sizing.limits import limits
+from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
+from catopt.sizing.posed import LoadsAt, Posed
+from catopt.sizing.result import Sizing, SwingRadius
+from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
+from catopt.sizing.tanker_request import MooredShip, TankerRequest
+from catopt.ties import largest
+from catopt.words import Message
+
+__all__ = ["EVERYDAY", "EVERYDAY_SHARE", "pose_tanker", "size_tanker"]
+
+EVERYDAY: Final = "everyday"
+EVERYDAY_SHARE: Final = 0.1
+"""Of the largest force: the state that the excursion of a single line starts from; catopt's own."""
+
+_CLUMP_PLACES: Final = (0.25, 0.5, 1.0, 1.5, 2.0, 3.0)
+"""Where a clump weight may hang: from the anchor, in heights that the line spans."""
+
+_MOST_TRIES: Final = 8
+_LESS: Final = 0.98
+"""Of the pull that would just do: less, for the other lines pull more where this one pulls less."""
+
+_LITTLE_WATER: Final = 0.1
+"""Of the draught: less than that under the keel is told."""
+
+
+class _State(NamedTuple):
+    """A condition of the ship at a water level: where the fairlead is, and the loads."""
+
+    name: str
+    moored: MooredShip
+    depth: float
+    rise: float
+
+
+def size_tanker(request: TankerRequest) -> Sizing:
+    """Size the chain and the anchor of a tanker's mooring.
+
+    The ship lies head to wind, current and waves. Of a single line the horizontal force is that of
+    the loads. Of several lines around the body it is at first that of the rule of practice of S4;
+    the mooring equilibrium then says what the most loaded line carries, and the line is sized anew
+    for no less than that (`catopt.sizing.settle`).
+
+    Parameters
+    ----------
+    request : TankerRequest
+        Ship, place, weather, and what the mooring may be.
+
+    Returns
+    -------
+    Sizing
+        With the case of one line that `catopt.design_case` and `catopt.check_case` take.
+
+    Raises
+    ------
+    InputError
+        With what is wrong: no such chain, a buoy that is pulled under.
+    NoAnswerError
+        Nothing that is sold passes every check; the buoy does not carry all lines.
+    """
+    settled = _settled(request)
+    around = _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
+    solutions = [solution for _, solution in settled.point.checks.solutions]
+    sinker = None
+    if not isinstance(request.ground, DragGround):
+        sinker = request.ground.sized(
+            max(each.anchor.horizontal_force for each in solutions),
+            max(0.0, *(each.anchor.vertical_force for each in solutions)),
+            request.environment.water_density,
+        )
+    return Sizing(
+        kind="tanker",
+        settled=settled,
+        candidates=candidates(
+            settled,
+            lambda component, diameter: _settled(
+                replace(
+                    request,
+                    line=request.line.only(component, diameter),
+                    clump_masses=_masses(settled.point),
+                ),
+                settled.needed,
+            ),
+        ),
+        limits=limits(settled),
+        swing=_swing(request, settled, around),
+        sinker=sinker,
+        drag_anchor=settled.posed.drag_anchor,
+        reserve_buoyancy=_reserve(request),
+        pattern=around,
+        assumptions=tuple(_assumptions(request, settled)),
+        defaults=request.defaults,
+    )
+
+
+def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None = None) -> Posed:
+    """Make the case of one line of a tanker's mooring.
+
+    Parameters
+    ----------
+    request : TankerRequest
+        Ship, place and weather.
+    assumed : Assumed
+        Chain and pull that the loads on the buoy are computed for, and the least horizontal force
+        of the line in each load case.
+    reserve : float, optional
+        What the line may pull down on a buoy, N.
+    """
+    env, line = request.environment, request.line
+    states = tuple(_states(request))
+    base = env.levels.high + _fairlead(request, request.ships[0])
+    loads = tuple(_loads_at(request, each, assumed) for each in states)
+    forces = _line_forces(request, loads, assumed)
+    height = base + max(state.rise for state in states)
+    drag = request.ground.sized(max(forces)) if isinstance(request.ground, DragGround) else None
+    cases = [
+        LoadCase(state.name, force, state.rise) for state, force in zip(states, forces, strict=True)
+    ]
+    if request.lines == 1:
+        cases.append(
+            LoadCase(Message("sizing.everyday"), EVERYDAY_SHARE * max(forces), 0.0, "reference")
+        )
+    case = Case(
+        site=Site(env.levels.high, water_density=env.water_density),
+        line=first_line(line, env.water_density, 3.0 * height),
+        load=None,
+        fairlead_height=base,
+        checks=line.checks,
+        title=request.title or _title(request),
+        source=request.source or "catopt size tanker",
+        load_cases=tuple(cases),
+        service=line.service,
+        buoy=None if reserve is None else Buoy(reserve),
+        anchor=request.ground.held(drag)
+        if drag and isinstance(request.ground, DragGround)
+        else None,
+        catalogue=catalogue_of(line),
+        design=_design(request, height),
+    )
+    return Posed(case, loads, drag)
+
+
+def _settled(request: TankerRequest, start: Assumed | None = None) -> Settled:
+    """Settle loads and line on each other, within what the buoy carries of all lines."""
+    reserve = _reserve(request)
+    if reserve is None or request.lines == 1:
+        return _settled_within(request, reserve, start)
+    allowed = reserve
+    for _ in range(_MOST_TRIES):
+        settled = _settled_within(request, allowed, start)
+        pull = _pattern(request, settled.posed, settled.point).largest_pull
+        if pull <= reserve:
+            return settled
+        # Of the pull of all, one line has its part: the search is to find a line with less of it.
+        allowed = _LESS * point_pull(settled.point) * reserve / pull
+    raise _pulled_under(request.lines, pull, reserve)
+
+
+def _settled_within(
+    request: TankerRequest, allowed: float | None, start: Assumed | None
+) -> Settled:
+    """Settle loads and line on each other; `allowed` is what one line may pull down, N."""
+    reserve = _reserve(request)
+
+    def needed(posed: Posed, point: DesignPoint) -> Assumed:
+        diameter = point_diameter(point) if request.buoy is not None else 0.0
+        pull = point_pull(point)
+        forces: tuple[float, ...] = ()
+        if request.lines > 1:
+            found = _pattern(request, posed, point)
+            pull = found.largest_pull
+            forces = tuple(rounded_up(state.line_force, 3) for state in found.states)
+        return Assumed(diameter, 0.0 if reserve is None else min(rounded_up(pull), reserve), forces)
+
+    return settle(
+        lambda assumed: pose_tanker(request, assumed, allowed),
+        needed,
+        request.line.prefer,
+        start,
+    )
+
+
+def _pulled_under(lines: int, pull: float, reserve: float) -> NoAnswerError:
+    return NoAnswerError(
+        Message("sizing.pulled_under", lines=lines, pull=pull / 1e3, more=(pull - reserve) / 1e3)
+    )
+
+
+def _title(request: TankerRequest) -> Message:
+    ship = request.ships[0].ship
+    return Message("sizing.title", body=ship.name, depth=request.environment.levels.high)
+
+
+_LOAD_CASES = {
+    "loaded": ("sizing.loaded_high", "sizing.loaded_low"),
+    "ballast": ("sizing.ballast_high", "sizing.ballast_low"),
+}
+_LITTLE = {"loaded": "sizing.little_water_loaded", "ballast": "sizing.little_water_ballast"}
+
+
+def _states(request: TankerRequest) -> Iterator[_State]:
+    """Put each condition at high and at low water."""
+    levels = request.environment.levels
+    crest = request.environment.crest if request.buoy is not None else 0.0
+    first = _fairlead(request, request.ships[0])
+    for each in request.ships:
+        higher = _fairlead(request, each) - first
+        high, low = map(Message, _LOAD_CASES[each.condition])
+        yield _State(high, each, levels.high, higher + crest)
+        fall = levels.high - levels.low
+        yield _State(low, each, levels.low, higher - fall)
+
+
+def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
+    """Height of the fairlead above the still water, m: at the bow, or below the buoy."""
+    if request.buoy is None:
+        return moored.fairlead
+    return -request.buoy.afloat(0.0, request.environment.water_density).keel_depth
+
+
+def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsAt:
+    env = request.environment
+    parts: list[Loads] = [
+        ship_loads(
+            state.moored.ship,
+            env.wind,
+            env.current,
+            env.sea,
+            state.depth,
+            wind_on=state.moored.wind_on,
+            water_density=env.water_density,
+        )
+    ]
+    if request.buoy is not None:
+        parts.append(
+            buoy_loads(
+                request.buoy,
+                env.wind,
+                env.current,
+                env.sea,
+                WaterLevels.steady(state.depth),
+                chain_diameter=assumed.diameter,
+                pull=assumed.pull,
+                water_density=env.water_density,
+            )
+        )
+    return LoadsAt(state.name, state.depth, tuple(parts), shared=request.lines > 1)
+
+
+def _line_forces(
+    request: TankerRequest, loads: tuple[LoadsAt, ...], assumed: Assumed
+) -> tuple[float, ...]:
+    """Horizontal force of one line in each load case, N."""
+    totals = [each.horizontal_force for each in loads]
+    if request.lines == 1:
+        return tuple(totals)
+    least = assumed.forces or (0.0,) * len(totals)
+    return tuple(
+        max(shared_force(total, request.lines), force)
+        for total, force in zip(totals, least, strict=True)
+    )
+
+
+def _design(request: TankerRequest, height: float) -> Design:
+    weights: tuple[ClumpWeightChoice, ...] = ()
+    if request.clump_masses:
+        places = tuple(float(round(share * height) or 1) for share in _CLUMP_PLACES)
+        weights = (
+            ClumpWeightChoice(
+                masses=tuple(sorted(request.clump_masses)),
+                density=request.clump_density,
+                positions=tuple(sorted(set(places))),
+                name=Message("sizing.clump_weight"),
+            ),
+        )
+    sinker = None
+    if not isinstance(request.ground, DragGround):
+        sinker = request.ground.choice(coded=request.line.has_factor("sliding"), heavy=True)
+    return Design(
+        segments=(request.line.segment(height),),
+        clump_weights=weights,
+        sinker=sinker,
+    )
+
+
+def _masses(point: DesignPoint) -> tuple[float, ...]:
+    """List the clump weights of a design, in air, kg."""
+    return tuple(load.mass for load in point.line.point_loads if load.mass is not None)
+
+
+def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Pattern:
+    """Solve the equilibrium of all lines, each like a design's."""
+    case = posed.case
+    extreme = case.load_cases
+    states = [
+        BodyState(each.load_case, each.horizontal_force, case.fairlead_height + state.water_level)
+        for each, state in zip(posed.loads, extreme, strict=True)
+    ]
+    return pattern(
+        point.line,
+        request.lines,
+        states,
+        pretension=request.pretension * max(state.horizontal_force for state in extreme),
+        still_height=case.fairlead_height,
+        seabed_friction=case.site.seabed_friction,
+    )
+
+
+def _reserve(request: TankerRequest) -> float | None:
+    if request.buoy is None:
+        return None
+    return request.buoy.reserve_buoyancy(request.environment.water_density)
+
+
+def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> SwingRadius:
+    """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
+    if around is not None:
+        states = [state for state in around.states if state.load_case.endswith("low water")]
+        widest = largest(states, lambda state: state.offset)
+        first = (Message("sizing.offset_of_body"), widest.offset)
+        name = widest.load_case
+    else:
+        spans = [
+            (name, solution.span)
+            for name, solution in settled.point.checks.solutions
+            if name.endswith("low water")
+        ]
+        name, span = largest(spans, lambda each: each[1])
+        first = (Message("sizing.line_at_low_water"), span)
+    parts = [first]
+    if request.hawser > 0.0:
+        parts.append((Message("sizing.hawser"), request.hawser))
+    parts.append((Message("sizing.ship"), request.longest))
+    return SwingRadius(name, tuple(parts))
+
+
+def _share(request: TankerRequest, settled: Settled) -> Iterator[str]:
+    """Say how much of the buoy's reserve is left to one line, where that is less than all."""
+    reserve, own = _reserve(request), settled.posed.case.buoy
+    if reserve is not None and own is not None and own.reserve_buoyancy < reserve:
+        share = {"reserve": reserve / 1e3, "own": own.reserve_buoyancy / 1e3}
+        yield Message("sizing.share_of_reserve", **share)
+
+
+def _assumptions(request: TankerRequest, settled: Settled) -> Iterator[str]:
+    env = request.environment
+    yield Message("sizing.weathervanes")
+    yield from request.estimates
+    if request.buoy is None:
+        yield Message("sizing.at_the_bow")
+    else:
+        diameter = settled.assumed.diameter * 1e3
+        values = {"buoy": request.buoy.name, "crest": env.crest, "diameter": diameter}
+        yield Message("sizing.at_a_buoy", **values)
+    if request.lines > 1:
+        yield Message("sizing.equal_lines", lines=request.lines)
+        yield from _share(request, settled)
+    else:
+        name = Message("sizing.everyday")
+        yield Message("sizing.excursion_from", share=100 * EVERYDAY_SHARE, load_case=name)
+    for each in request.ships:
+        room = env.levels.low - each.ship.draught
+        if room < _LITTLE_WATER * each.ship.draught:
+            yield Message(_LITTLE[each.condition], room=room)

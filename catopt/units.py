@@ -1,0 +1,371 @@
+"""Reads a number with its unit into SI: ``"9.5 m"``, ``"0.343 tf"``, ``"95 mm"``.
+
+Bare numbers are SI. The units this field writes stand in one small table, so that an ordinary case
+file is read without the units library; any other unit ("3 ft", "12 kip/ft") is looked up there.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import date, time
+from enum import Enum
+from functools import cache
+from types import MappingProxyType
+from typing import Any
+
+from catopt.constants import STANDARD_GRAVITY, YEAR
+from catopt.errors import InputError, Problem
+
+__all__ = ["UNITS", "Dimension", "as_written", "lasting", "to_si"]
+
+
+class Dimension(Enum):
+    """What a quantity is, with its SI unit.
+
+    Attributes
+    ----------
+    noun : str
+        For messages, with its article.
+    si_unit : str
+        Unit of a bare number; empty for a pure number.
+    example : str
+        A value as a case file has it.
+    smallest, largest : float
+        Between which, in SI and without its sign, every plausible value lies that is not 0. They
+        keep apart what a file can mean from slips of the unit or of a power of ten.
+    """
+
+    LENGTH = ("a length", "m", '"9.5 m"', 1e-9, 1e6)
+    FORCE = ("a force", "N", '"50 kN"', 1e-9, 1e12)
+    FORCE_PER_LENGTH = ("a weight per length", "N/m", '"9.5 kgf/m"', 1e-9, 1e7)
+    MASS = ("a mass", "kg", '"5 t"', 1e-9, 1e10)
+    MASS_PER_LENGTH = ("a mass per length", "kg/m", '"10.9 kg/m"', 1e-9, 1e6)
+    DENSITY = ("a density", "kg/m^3", '"1025 kg/m^3"', 1e-3, 3e4)
+    MOMENT = ("a moment", "N*m", '"5 MN*m"', 1e-9, 1e15)
+    ANGLE = ("an angle", "rad", '"5 deg"', 1e-12, 100.0)
+    SPEED = ("a speed", "m/s", '"1.2 m/s"', 1e-15, 200.0)
+    TIME = ("a time", "s", '"8 s"', 1e-6, 1e11)
+    AREA = ("an area", "m^2", '"380 mm^2"', 1e-12, 1e7)
+    VOLUME = ("a volume", "m^3", '"2.5 m^3"', 1e-12, 1e8)
+    PRESSURE = ("a pressure or modulus", "Pa", '"56 GPa"', 1e-6, 1e15)
+    DAMPING = ("a damping", "N*s/m", '"50 kN*s/m"', 1e-9, 1e12)
+    DAMPING_PER_LENGTH = ("a damping per length", "N*s/m^2", '"10 kN*s/m^2"', 1e-9, 1e12)
+    PRICE_PER_LENGTH = ("a price per length", "USD/m", '"120 USD/m"', 1e-6, 1e7)
+    NUMBER = ("a pure number", "", "0.5", 1e-9, 1e6)
+
+    def __init__(
+        self, noun: str, si_unit: str, example: str, smallest: float, largest: float
+    ) -> None:
+        self.noun = noun
+        self.si_unit = si_unit
+        self.example = example
+        self.smallest = smallest
+        self.largest = largest
+
+    def implausible(self, si: float) -> str:
+        """Say why no input has such a value, of whatever it is; empty where one may."""
+        if si == 0.0 or self.smallest <= abs(si) <= self.largest:
+            return ""
+        bound = f"{self.largest if abs(si) > self.largest else self.smallest:g} {self.si_unit}"
+        if abs(si) > self.largest:
+            return f"not plausible: {self.noun} of more than {bound.strip()}"
+        return f"not plausible: {self.noun} of less than {bound.strip()}, and not 0"
+
+
+_TONNE = 1000.0
+_KNOT = 1852.0 / 3600.0
+_SHOT = 27.5
+
+UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
+    {
+        Dimension.LENGTH: {
+            "m": 1.0,
+            "mm": 1e-3,
+            "cm": 1e-2,
+            "km": 1e3,
+            "shot": _SHOT,
+            "shots": _SHOT,
+        },
+        Dimension.FORCE: {
+            "N": 1.0,
+            "kN": 1e3,
+            "MN": 1e6,
+            "kgf": STANDARD_GRAVITY,
+            "tf": _TONNE * STANDARD_GRAVITY,
+        },
+        Dimension.FORCE_PER_LENGTH: {
+            "N/m": 1.0,
+            "kN/m": 1e3,
+            "kgf/m": STANDARD_GRAVITY,
+            "tf/m": _TONNE * STANDARD_GRAVITY,
+        },
+        Dimension.MASS: {"kg": 1.0, "t": _TONNE},
+        Dimension.MASS_PER_LENGTH: {"kg/m": 1.0, "t/m": _TONNE},
+        Dimension.DENSITY: {"kg/m^3": 1.0, "t/m^3": _TONNE, "g/cm^3": 1e3},
+        Dimension.MOMENT: {
+            "N*m": 1.0,
+            "kN*m": 1e3,
+            "MN*m": 1e6,
+            "tf*m": _TONNE * STANDARD_GRAVITY,
+        },
+        Dimension.ANGLE: {"rad": 1.0, "deg": math.pi / 180.0},
+        Dimension.SPEED: {
+            "m/s": 1.0,
+            "cm/s": 1e-2,
+            "km/h": 1.0 / 3.6,
+            "kn": _KNOT,
+            "knot": _KNOT,
+            "mm/year": 1e-3 / YEAR,
+        },
+        Dimension.TIME: {"s": 1.0, "min": 60.0, "h": 3600.0, "year": YEAR, "years": YEAR},
+        Dimension.AREA: {"m^2": 1.0, "cm^2": 1e-4, "mm^2": 1e-6},
+        Dimension.VOLUME: {"m^3": 1.0},
+        Dimension.PRESSURE: {
+            "Pa": 1.0,
+            "kPa": 1e3,
+            "MPa": 1e6,
+            "GPa": 1e9,
+            "N/m^2": 1.0,
+            "kN/m^2": 1e3,
+            "N/mm^2": 1e6,
+        },
+        Dimension.DAMPING: {"N*s/m": 1.0, "kN*s/m": 1e3, "kg/s": 1.0},
+        Dimension.DAMPING_PER_LENGTH: {"N*s/m^2": 1.0, "kN*s/m^2": 1e3, "Pa*s": 1.0},
+        Dimension.PRICE_PER_LENGTH: {"USD/m": 1.0},
+        Dimension.NUMBER: {"%": 1e-2},
+    }
+)
+"""SI units in one of each unit that is read without the units library.
+
+A knot is 1852 m/h, a shot of chain 27.5 m, a year the Julian one.
+"""
+
+_AMBIGUOUS = {
+    "ton": "ambiguous; write t (1000 kg) or tf (9.80665 kN)",
+    "tons": "ambiguous; write t (1000 kg) or tf (9.80665 kN)",
+    "tonf": "ambiguous; write tf (9.80665 kN)",
+    "mt": "the millitonne, 1 kg; write t (1000 kg) or tf (9.80665 kN)",
+    "mN": "the millinewton; capitals count: write MN or N",
+    "mPa": "the millipascal; capitals count: write MPa or Pa",
+    "Mm": "the megametre; capitals count: write mm or m",
+    "gf": "the gram-force; write kgf or N",
+}
+"""Units that mean something else to some readers, or a million times less by one capital."""
+
+_AS_FORCE = {"kg": "kgf", "t": "tf", "tonne": "tf", "tonnes": "tf", "lb": "lbf"}
+
+_LONGEST_UNIT = 24
+_NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
+_NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)\b.*", re.IGNORECASE | re.DOTALL)
+_DECIMAL_COMMA = re.compile(r"\d,\d", re.ASCII)
+_UNIT_WORD = r"[^\W\d]\w*(?:\^-?[1-9])?"
+_UNIT = re.compile(rf"{_UNIT_WORD}(?:[*/ ]{_UNIT_WORD})*")
+_SPELLINGS = str.maketrans({"−": "-", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
+_SUPERSCRIPTS = str.maketrans("⁻¹²³⁴", "-1234")
+
+
+def to_si(value: object, dimension: Dimension, key: str = "value") -> float:
+    """Read a number or a number with a unit.
+
+    A mass per length given where a weight per length is wanted is taken times g0. A mass given
+    where a force is wanted is an error, because nobody can tell which of the two was meant.
+
+    Parameters
+    ----------
+    value : object
+        A bare number in SI, or a string such as ``"9.5 m"``.
+    dimension : Dimension
+        What is wanted.
+    key : str
+        Where the value stands, for the message.
+
+    Returns
+    -------
+    float
+        The value in SI; always finite, and within what is plausible of its dimension.
+
+    Raises
+    ------
+    InputError
+        When it is not such a value; one problem, which names what was found and gives an example.
+    """
+    reading = _Reading(value, dimension, key)
+    if isinstance(value, str):
+        digits, unit = reading.split(value)
+        si = float(digits) * reading.factor(unit, digits)
+    elif isinstance(value, (int, float)) and not isinstance(value, bool):
+        si = _as_float(value)
+    else:
+        raise reading.error(reading.wanted)
+    if not math.isfinite(si):
+        raise reading.error(f"must be finite; {reading.wanted}")
+    if dimension.implausible(si):
+        raise reading.error(dimension.implausible(si) + reading.unit_hint)
+    return si
+
+
+def as_written(value: object, longest: int = 40) -> str:
+    """Show a value the way a case file writes it, shortened when it is long.
+
+    Parameters
+    ----------
+    value : object
+        As the TOML reader returns it.
+    longest : int
+        Characters a text may have before it is cut.
+    """
+    match value:
+        case bool():
+            return "true" if value else "false"
+        case str():
+            text = value if len(value) <= longest else value[: longest - 3] + "..."
+            return '"' + repr(text)[1:-1].replace("\\'", "'") + '"'
+        case dict():
+            return "a table"
+        case list() | tuple():
+            return f"an array of {len(value)}" if value else "an empty array"
+        case date() | time():
+            return value.isoformat()
+        case int() if abs(value) >= 10**longest:
+            return f"a whole number of more than {longest} digits"
+        case _:
+            return repr(value)
+
+
+@dataclass(frozen=True)
+class _Reading:
+    """One value on its way to SI, with all that its error messages need."""
+
+    value: object
+    dimension: Dimension
+    key: str
+
+    @property
+    def wanted(self) -> str:
+        return f"{self.dimension.noun} is wanted, such as {self.dimension.example}"
+
+    @property
+    def unit_hint(self) -> str:
+        """Advice for a bare number, which may have been meant in another unit."""
+        unit = self.dimension.si_unit
+        if isinstance(self.value, str) or not unit:
+            return ""
+        return f"; a bare number is in {unit}: give a unit, as in {self.dimension.example}"
+
+    def error(self, allowed: str, note: str = "") -> InputError:
+        return InputError([Problem(self.key, as_written(self.value) + note, allowed)])
+
+    def split(self, text: str) -> tuple[str, str]:
+        """Part a text into number and unit, the unit in the spelling of the table."""
+        plain = text.translate(_SPELLINGS).strip()
+        if _DECIMAL_COMMA.search(plain):
+            raise self.error(f"write a decimal point and no comma, as in {self.dimension.example}")
+        if _NOT_FINITE.fullmatch(plain):
+            raise self.error(f"must be finite; {self.wanted}")
+        parts = _NUMBER.fullmatch(plain)
+        if parts is None:
+            raise self.error(self.wanted)
+        digits, unit = parts[1], _spelt(parts[2])
+        if not unit:
+            raise self.error(self._without_unit(digits))
+        if unit[0] in "_0123456789":
+            raise self.error(f"the number is not in one piece; {self.wanted}")
+        return digits, unit
+
+    def factor(self, unit: str, digits: str) -> float:
+        """SI units in one `unit`, which must be of the wanted dimension."""
+        if unit in UNITS[self.dimension]:
+            return UNITS[self.dimension][unit]
+        if unit in _AMBIGUOUS:
+            raise self.error(f"{unit} is {_AMBIGUOUS[unit]}")
+        near = [u for units in UNITS.values() for u in units if u.casefold() == unit.casefold()]
+        kind, factor = _by_table(unit) if near else _by_library(unit)
+        if kind is None:
+            raise self.error(self._unknown_unit(near))
+        if kind is Dimension.MASS_PER_LENGTH and self.dimension is Dimension.FORCE_PER_LENGTH:
+            return factor * STANDARD_GRAVITY
+        if kind is not self.dimension:
+            raise self.error(self._instead(unit, digits, near), f", {kind.noun}")
+        return factor
+
+    def _without_unit(self, digits: str) -> str:
+        unit = self.dimension.si_unit
+        if not unit:
+            return f"{self.dimension.noun} is wanted: write {digits} without quotes"
+        return f'a unit is missing: write "{digits} {unit}", or {digits} without quotes'
+
+    def _unknown_unit(self, near: Sequence[str]) -> str:
+        for known in near:
+            if known in UNITS[self.dimension]:
+                return f"capitals count: write {known}"
+        return f"not a unit known here; {self.wanted}"
+
+    def _instead(self, unit: str, digits: str, near: Sequence[str]) -> str:
+        """Say what to write for a unit of another dimension."""
+        for known in near:
+            if known in UNITS[self.dimension]:
+                return f"{self.dimension.noun} is wanted; capitals count: write {known}"
+        if self.dimension is Dimension.FORCE and unit in _AS_FORCE:
+            as_force = f'"{digits} {_AS_FORCE[unit]}"'
+            return f'{self.dimension.noun} is wanted: write {as_force} or "{digits} kN"'
+        return self.wanted
+
+
+def _spelt(unit: str) -> str:
+    """Bring ``m³``, ``m**3``, ``m3`` and ``kg / m^3`` to the one spelling ``kg/m^3``."""
+    unit = re.sub(r"[⁻¹²³⁴]+", lambda found: "^" + found[0].translate(_SUPERSCRIPTS), unit)
+    unit = re.sub(r"\s*(\^|\*\*|[*/])\s*", r"\1", unit.strip()).replace("**", "^")
+    unit = re.sub(r"(?<=[^\W\d_])([23])(?=$|[*/ ])", r"^\1", unit)
+    return re.sub(r"\s+", " ", unit)
+
+
+def _by_table(unit: str) -> tuple[Dimension | None, float]:
+    """Dimension and SI factor of a unit; None when the table lacks it."""
+    for dimension, units in UNITS.items():
+        if unit in units:
+            return dimension, units[unit]
+    return None, math.nan
+
+
+def _by_library(unit: str) -> tuple[Dimension | None, float]:
+    """Dimension and SI factor of a unit; None for no unit at all and for one of no use here."""
+    if len(unit) > _LONGEST_UNIT or not _UNIT.fullmatch(unit):
+        return None, math.nan
+    registry = _registry()
+    try:
+        root = (1.0 * registry.Unit(unit)).to_root_units()
+    except Exception:  # the library raises a dozen kinds for what it cannot read as a unit
+        return None, math.nan
+    for dimension in Dimension:
+        if dimension.si_unit:
+            si = (1.0 * registry.Unit(dimension.si_unit)).to_root_units()
+            if si.units == root.units:
+                return dimension, float(root.magnitude / si.magnitude)
+    return None, math.nan
+
+
+@cache
+def _registry() -> Any:
+    import pint
+
+    registry: Any = pint.UnitRegistry()
+    registry.define("USD = [currency]")
+    return registry
+
+
+def _as_float(number: float) -> float:
+    try:
+        return float(number)
+    except OverflowError:  # a whole number beyond double precision
+        return math.inf
+
+
+def lasting(seconds: float) -> str:
+    """Write a time in whole hours or minutes, or else in seconds: ``"3 h"``."""
+    for size, unit in ((3600.0, "h"), (60.0, "min")):
+        if seconds >= size and round(seconds / size, 9).is_integer():
+            return f"{seconds / size:g} {unit}"
+    return f"{seconds:g} s"

@@ -1,0 +1,346 @@
+"""Run a case's lines in time: what a quasi-static answer leaves out."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+
+from catopt.errors import InputError, NotConvergedError, Problem
+from catopt.fem.history import STOPPED
+from catopt.interrupt import waiting_interrupt
+from catopt.model import Case
+from catopt.verify.case import load_states
+from catopt.verify.dynamic_lines import LinesAtRest, lines_at_rest, quasi_static
+from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
+from catopt.verify.dynamic_setup import Drive, check_for_motion, read_drive
+from catopt.verify.effort import Effort, effort_of
+from catopt.verify.motion_file import energy_beyond
+from catopt.verify.proof import Again, Proof, Way
+from catopt.verify.side_by_side import side_by_side
+from catopt.words import Message, is_said
+
+__all__ = ["verify_dynamic"]
+
+Progress = Callable[[int, int], None]
+
+_MILLI = 1000
+"""Progress is told in thousandths of a second."""
+
+_WORTH = 4e6
+"""Bars times steps from which seeds are run side by side: some 15 to 30 s on one core."""
+
+_LONG = 60.0
+"""Seconds from which what a load case takes is announced."""
+
+_LEFT_OUT = 0.01
+"""Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
+
+
+def verify_dynamic(
+    case: Case,
+    *,
+    load_case: str | None = None,
+    proof: Proof = "step",
+    workers: int | None = None,
+    progress: Progress | None = None,
+    announce: Callable[[str], None] = lambda _: None,
+) -> DynamicVerification:
+    """Run the lines of a case in the time domain, in their waves, their current and their motion.
+
+    They come to rest under their load first; then motion, force and waves grow smoothly. Each run
+    of a random sea has a seed of its own, and is run again at half the step to show how far its
+    maxima hang on that; where a line goes slack, with twice the bars, too. Where that changes them
+    too much, and the case does not say how many bars there are, all is run anew with twice as many.
+
+    Parameters
+    ----------
+    case : Case
+        With `dynamics`, and `motion` or `waves`; with `system`, all lines of the body.
+    load_case : str, optional
+        Name of one load case; all of them when left out, or the load where there are none.
+    proof : {"step", "bars", "none"}
+        "bars" runs every line again with twice the bars; "none" runs it once.
+    workers : int, optional
+        Processes that run the seeds of a load case side by side, at most; all cores when left out,
+        where that is worth it. The digits do not hang on it.
+    progress : callable, optional
+        Told how far it is and how far it goes.
+    announce : callable, optional
+        Told beforehand, in words, what a load case takes that takes minutes.
+
+    Returns
+    -------
+    DynamicVerification
+        Series and statistics. After Ctrl-C what was computed until then.
+
+    Raises
+    ------
+    InputError
+        For what a line in motion lacks, or what is wrong in the files of its motion.
+    NoEquilibriumError
+        When there is no equilibrium to start from.
+    NotConvergedError
+        When a step does not close, or what is computed is the scheme's own ringing.
+    """
+    if workers is not None and workers < 1:
+        raise InputError([Problem("workers", f"{workers}", "1 or more processes")], "options")
+    check_for_motion(case)
+    states = [(name, read_drive(state)) for name, state in load_states(case, load_case)]
+    parts: list[DynamicPart] = []
+    is_whole = True
+    with waiting_interrupt() as ask:
+        for done, (name, drive) in enumerate(states):
+            share = _telling(_share(progress, done, len(states)), ask)
+            found = _parts(name, drive, proof, workers, share, announce)
+            if drive.dynamics.elements is None and any(map(_wants_more_bars, found)):
+                found = _with_twice_the_bars(found, name, drive, proof, workers, share, announce)
+            parts += found
+            is_whole = bool(found) and all(
+                part.is_complete and len(part.runs) == drive.dynamics.runs for part in found
+            )
+            if not is_whole:
+                break
+    if not parts:
+        raise KeyboardInterrupt
+    return DynamicVerification(case, tuple(parts), is_whole)
+
+
+def _wants_more_bars(part: DynamicPart) -> bool:
+    """Whether a part has not converged, and that for its bars more than for its step."""
+    if not part.is_complete or part.verdict != "not converged":
+        return False
+    size: dict[str, float] = {"step": 0.0, "bars": 0.0}
+    for change in part.changes:
+        size[change.way] = max(size[change.way], change.size)
+    return size["bars"] > size["step"]
+
+
+def _with_twice_the_bars(
+    found: list[DynamicPart],
+    name: str,
+    drive: Drive,
+    proof: Proof,
+    workers: int | None,
+    progress: Progress,
+    announce: Callable[[str], None],
+) -> list[DynamicPart]:
+    """Run a load case anew with twice the bars; keep what there is where that gives no answer."""
+    bars = 2 * drive.dynamics.bars
+    case = replace(drive.case, dynamics=replace(drive.dynamics, elements=bars))
+    try:
+        finer = _parts(name, replace(drive, case=case), proof, workers, progress, announce)
+    except NotConvergedError:
+        return found
+    if not finer or not all(part.is_complete for part in finer):
+        return found
+    said = Message("motion.too_few_bars", few=drive.dynamics.bars, bars=bars)
+    return [replace(part, remarks=(said, *part.remarks)) for part in finer]
+
+
+class _Seed(NamedTuple):
+    """What came of one seed: the run of each line, what is to be said, and whether it was whole."""
+
+    runs: list[DynamicRun]
+    remarks: list[str]
+    is_whole: bool
+
+
+def _parts(
+    name: str,
+    drive: Drive,
+    proof: Proof,
+    workers: int | None,
+    progress: Progress,
+    announce: Callable[[str], None],
+) -> list[DynamicPart]:
+    """Run one load case, a part a line; none when it was stopped before anything was there."""
+    total = drive.dynamics.runs
+    lines = lines_at_rest(drive)
+    task = partial(_seed, lines, proof)
+    effort = effort_of(lines, proof)
+    effort.check(drive.dynamics.duration)
+    if effort.seconds > _LONG:
+        announce(f"{name}: {effort}" if name else str(effort))
+    side = _workers(effort, total) if workers is None else min(workers, total)
+    seeds = _in_turn(task, total, progress) if side == 1 else _at_once(task, total, side, progress)
+    if not seeds:
+        return []
+    remarks = list(dict.fromkeys(said for each in seeds for said in each.remarks))
+    if not seeds[-1].runs[0].is_complete(proof):
+        remarks.append(Message("motion.stopped_in_run", run=len(seeds), runs=total))
+    elif len(seeds) < total:
+        remarks.append(Message("motion.stopped_after_runs", done=len(seeds), runs=total))
+    return [
+        DynamicPart(
+            name,
+            of_line,
+            drive.is_random,
+            drive.is_led_at_random,
+            drive.dynamics.duration_of_interest,
+            leg.line.length,
+            proof,
+            drive.dynamics.bars,
+            (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
+            None if drive.case.system is None else k,
+            lines.anchor_at_rest(k - 1),
+        )
+        for k, (leg, of_line) in enumerate(
+            zip(lines.legs, zip(*(each.runs for each in seeds), strict=True), strict=True), start=1
+        )
+    ]
+
+
+def _in_turn(
+    task: Callable[[int, Progress], _Seed | None], total: int, progress: Progress
+) -> list[_Seed]:
+    """Run the seeds one after the other, until one is stopped."""
+    seeds: list[_Seed] = []
+    for number in range(total):
+        seed = task(number, _share(progress, number, total))
+        if seed is not None:
+            seeds.append(seed)
+        if seed is None or not seed.is_whole:
+            break
+    return seeds
+
+
+def _at_once(
+    task: Callable[[int, Progress], _Seed | None], total: int, workers: int, progress: Progress
+) -> list[_Seed]:
+    """Run the seeds side by side; stopped, keep those that are whole, or else what there is."""
+    seeds = [each for each in side_by_side(task, total, workers, progress) if each is not None]
+    return [each for each in seeds if each.is_whole] or seeds[:1]
+
+
+def _workers(effort: Effort, runs: int) -> int:
+    """Choose how many processes run the seeds: one where more would save nothing."""
+    return 1 if effort.work < _WORTH else min(os.cpu_count() or 1, runs)
+
+
+def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> _Seed | None:
+    """Run one seed and prove it; stopped, what there is of it, or None."""
+    pieces = 1 if proof == "none" else 1 + len(_PARTS)
+    try:
+        runs, said = _run(lines, number, _share(progress, 0, pieces))
+    except KeyboardInterrupt:
+        return None
+    if runs[0].history.time.size < 2:
+        return None
+    if not runs[0].history.is_complete:
+        return _Seed(runs, said, is_whole=False)
+    ways = _ways(proof, runs)
+    with suppress(KeyboardInterrupt):  # what there is of the proof is kept
+        for piece, way in enumerate(ways, start=1):
+            again = _again(lines, number, way, _share(progress, piece, pieces))
+            runs = [
+                replace(run, again=(*run.again, one)) for run, one in zip(runs, again, strict=True)
+            ]
+        progress(1, 1)
+    return _Seed(runs, said, is_whole=len(runs[0].again) == len(ways))
+
+
+def _ways(proof: Proof, runs: Sequence[DynamicRun]) -> list[Way]:
+    """In which ways a run is made again."""
+    if proof == "none":
+        return []
+    is_slack = any(run.history.line_slack_time() > 0.0 for run in runs)
+    return ["step", "bars"] if proof == "bars" or is_slack else ["step"]
+
+
+def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> list[Again]:
+    """Run once more at half the step or with twice the bars, in the same sea."""
+    finer, more = _PARTS[way]
+    elements = more * lines.drive.dynamics.bars
+    sea = lines.drive.sea(number)
+    step = lines.drive.stepping(sea, lines.driven_by(sea), finer).step
+    try:
+        runs, _ = _run(lines, number, progress, finer, elements)
+    except NotConvergedError as error:
+        return [Again(way, step, elements, {}, error.message)] * len(lines.legs)
+    if not runs[0].history.is_complete:
+        raise KeyboardInterrupt
+    return [Again(way, step, elements, run.maxima) for run in runs]
+
+
+def _run(
+    lines: LinesAtRest,
+    number: int,
+    progress: Progress,
+    finer: int = 1,
+    elements: int | None = None,
+) -> tuple[list[DynamicRun], list[str]]:
+    """Run all lines together; return what each did, and what is to be said of all."""
+    drive = lines.drive
+    sea = drive.sea(number)
+    stepping = drive.stepping(sea, lines.driven_by(sea), finer)
+    end = round(_MILLI * stepping.duration)
+    progress(0, end)
+    try:
+        history, track = lines.run(
+            sea,
+            stepping,
+            elements or drive.dynamics.bars,
+            lambda t: progress(min(round(_MILLI * t), end), end),
+        )
+    except InputError as error:
+        raise InputError([_as_in_file(each) for each in error.problems], "--dynamic") from None
+    said = [each for each in history.warnings if not is_said(each, STOPPED)]
+    raos = drive.raos or drive.vessel
+    if raos is not None and sea.waves is not None:
+        beyond = energy_beyond(raos.omega, sea.waves)
+        if beyond > _LEFT_OUT:
+            said.append(Message("motion.beyond_raos", share=beyond))
+    runs = []
+    for k, leg in enumerate(lines.legs):
+        of_line = history.of_line(k)
+        still = quasi_static(leg, of_line, drive.case.site.seabed_friction)
+        if drive.anchor_motion is not None:
+            still[:] = np.nan
+        if drive.dynamics.broken_line == k + 1:
+            still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
+        runs.append(DynamicRun(of_line, still, number, track=track))
+    return runs, said
+
+
+_PARTS: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars": (1, 2)})
+"""Steps in place of one, and bars in place of one, by the way in which a run is made again."""
+
+
+def _as_in_file(problem: Problem) -> Problem:
+    """Name the truss model's argument by the key that gives it."""
+    return replace(problem, key="dynamics.time_step") if problem.key == "step" else problem
+
+
+def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
+    remarks = []
+    if any(run.history.counted.sum() < 2 for run in runs):
+        remarks.append(Message("motion.within_ramp"))
+    if drive.anchor_motion is None and any(np.isnan(run.quasi_static).all() for run in runs):
+        remarks.append(Message("motion.no_amplification"))
+    elif drive.case.current is not None:
+        remarks.append(Message("motion.still_without_current"))
+    return [*drive.remarks, *remarks]
+
+
+def _share(progress: Progress | None, done: int, total: int) -> Progress:
+    """Tell of one of several equal parts as of the whole."""
+    if progress is None:
+        return lambda *_: None
+    return lambda at, end: progress(done * end + at, total * end)
+
+
+def _telling(progress: Progress, ask: Callable[[], None]) -> Progress:
+    """Tell, and stop there if Ctrl-C was pressed."""
+
+    def tell(at: int, end: int) -> None:
+        ask()
+        progress(at, end)
+
+    return tell

@@ -1,0 +1,355 @@
+"""The lines of a case at rest, ready to be run in time: one by itself, or all of a body's."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.catenary.batch import solve_many
+from catopt.catenary.case import solve_case
+from catopt.fem.dynamics import TimeStepping, line_at_rest, run_dynamics, run_system_dynamics
+from catopt.fem.history import History
+from catopt.fem.mesh import mesh_line
+from catopt.fem.run_settings import BodyInertia
+from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
+from catopt.fem.solve import Leg
+from catopt.model import Load
+from catopt.model.dynamics import InitialFriction
+from catopt.mooring.solve import solve_system
+from catopt.verify.dynamic_setup import Drive
+from catopt.verify.system import truss_legs
+from catopt.waves import Sea, Waves
+from catopt.words import Message
+
+__all__ = ["LinesAtRest", "LinesOfABody", "lines_at_rest", "quasi_static"]
+
+Array = npt.NDArray[np.float64]
+Progress = Callable[[float], None]
+
+
+class LinesAtRest(Protocol):
+    """Lines that are run together, and what drives them."""
+
+    @property
+    def drive(self) -> Drive:
+        """What drives them."""
+
+    @property
+    def legs(self) -> Sequence[Leg]:
+        """Each line with its anchor, and its fairlead from the body's origin."""
+
+    def driven_by(self, sea: Sea) -> list[Series]:
+        """Return what leads the lines or pushes the body in a sea, beside the sea itself."""
+
+    def run(
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+    ) -> tuple[History, Array | None]:
+        """Run them; return what they did, and where the body's origin was, shape (samples, 3)."""
+
+    def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:
+        """Tension at the anchor of a line, from 0, at rest, N, by the initial friction."""
+
+    def remarks(self) -> Iterator[str]:
+        """Yield what to know before the figures are used."""
+
+
+def lines_at_rest(drive: Drive) -> LinesAtRest:
+    """Find how the lines of a case hang before they move.
+
+    Raises
+    ------
+    NoEquilibriumError, NotConvergedError
+        As for `solve_case` and `solve_system`.
+    """
+    if drive.case.system is not None:
+        return LinesOfABody.at_rest(drive)
+    return OneLine.at_rest(drive)
+
+
+@dataclass(frozen=True)
+class OneLine:
+    """A line whose fairlead is led.
+
+    Attributes
+    ----------
+    drive : Drive
+        What drives it.
+    load : Load
+        By which the truss model is brought to rest.
+    span : float
+        That it gives, m.
+    """
+
+    drive: Drive
+    load: Load
+    span: float
+
+    @classmethod
+    def at_rest(cls, drive: Drive) -> OneLine:
+        """Solve the line in closed form."""
+        load = drive.case.load
+        assert load is not None
+        closed = solve_case(drive.case)
+        if load.fairlead_tension is not None:
+            load = Load(horizontal_force=closed.horizontal_force)
+        return cls(drive, load, closed.span)
+
+    @property
+    def legs(self) -> Sequence[Leg]:
+        """The line, from its anchor at x = y = 0."""
+        case = self.drive.case
+        return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
+
+    def driven_by(self, sea: Sea) -> list[Series]:
+        """Motion of the fairlead."""
+        led = (self.drive.motion(sea, self.span), self.drive.anchor_motion)
+        return [each for each in led if each is not None]
+
+    def run(
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+    ) -> tuple[History, Array | None]:
+        """Run it; there is no body."""
+        case = self.drive.case
+        history = run_dynamics(
+            case.line,
+            stepping,
+            height=case.fairlead_height,
+            span=self.load.span,
+            horizontal_force=self.load.horizontal_force,
+            anchor_height=case.anchor_height,
+            motion=self.drive.motion(sea, self.span),
+            anchor_motion=self.drive.anchor_motion,
+            anchor_lost=self.drive.dynamics.broken_at,
+            properties=self.drive.properties,
+            sea=sea,
+            elements=elements,
+            progress=progress,
+        )
+        return history, None
+
+    def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:  # noqa: ARG002 - the one
+        """Bring the line to rest by every past; nothing where nothing rubs.
+
+        In the current, of the same bars and under the same load as in the run.
+        """
+        case, properties = self.drive.case, self.drive.properties
+        mesh = mesh_line(case.line, self.drive.dynamics.bars)
+        states: tuple[InitialFriction, ...] = get_args(InitialFriction)
+        found: dict[InitialFriction, float] = {}
+        for state in states:
+            seabed = replace(self.drive.seabed, initial_friction=state)
+            simulation = line_at_rest(
+                mesh,
+                height=case.fairlead_height,
+                span=self.load.span,
+                horizontal_force=self.load.horizontal_force,
+                anchor_height=case.anchor_height,
+                properties=replace(properties, seabed=seabed),
+                sea=replace(self.drive.sea(0), waves=None),
+            )
+            if not simulation.lines.friction.any() or not (simulation.state.reaction > 0.0).any():
+                return {}
+            found[state] = float(np.linalg.norm(simulation.state.force[0]))
+        return found
+
+    def remarks(self) -> Iterator[str]:
+        """Yield what becomes of the lower end."""
+        if self.drive.anchor_motion is not None:
+            yield Message("motion.lower_end_led")
+        if self.drive.dynamics.broken_at is not None:
+            yield Message("motion.the_line_lost", time=self.drive.dynamics.broken_at)
+
+
+@dataclass(frozen=True)
+class LinesOfABody:
+    """Lines that meet in a body, which is led or moves under forces.
+
+    Attributes
+    ----------
+    drive : Drive
+        What drives the body.
+    legs : tuple of Leg
+        Its lines, in the yaw that it has at rest.
+    place : tuple of float
+        Of its origin at rest, m: x, y, and the height of the first fairlead.
+    yaw : float
+        At rest, rad.
+    """
+
+    drive: Drive
+    legs: tuple[Leg, ...]
+    place: tuple[float, float, float]
+    yaw: float
+
+    @classmethod
+    def at_rest(cls, drive: Drive) -> LinesOfABody:
+        """Solve the body under its mean force in closed form; a constant drift comes on top."""
+        system = drive.case.system
+        assert system is not None
+        at = solve_system(system).position
+        legs, height = truss_legs(system, at.yaw)
+        motion = drive.case.motion
+        x, y = (motion.drift or (0.0, 0.0)) if motion is not None else (0.0, 0.0)
+        return cls(drive, tuple(legs), (at.x + x, at.y + y, height), at.yaw)
+
+    def driven_by(self, sea: Sea) -> list[Series]:
+        """Motion of each fairlead, or the force on the body."""
+        if self.drive.case.body is None:
+            return [self._motion(sea, leg.fairlead) for leg in self.legs]
+        force = self._force(sea)
+        return [] if force is None else [force]
+
+    def run(
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+    ) -> tuple[History, Array | None]:
+        """Run all lines; one-way where the body is led: they do not act on it."""
+        system, body = self.drive.case.system, self.drive.case.body
+        assert system is not None
+        is_led = body is None
+        history = run_system_dynamics(
+            self.legs,
+            stepping,
+            height=self.place[2],
+            mean_force=(0.0, 0.0) if is_led else system.force,
+            force=None if is_led else self._force(sea),
+            body=None if body is None else BodyInertia(body.mass + body.added_mass, body.damping),
+            position=self.place[:2] if is_led else None,
+            motion=self.driven_by(sea) if is_led else None,
+            properties=self.drive.properties,
+            sea=sea,
+            elements=elements,
+            broken=self._broken,
+            at_anchor=self.drive.dynamics.broken_end == "anchor",
+            progress=progress,
+        )
+        if not is_led:
+            return history, history.fairlead[:, 0] - np.array(self.legs[0].fairlead)
+        origin = self._motion(sea, (0.0, 0.0, 0.0))
+        rows = series_rows(np.array([self.place]), [origin], stepping.ramp_time)
+        return history, series_values(rows, history.time)
+
+    def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:  # noqa: ARG002 - none
+        """Return nothing: lines of a body come to rest by the one past that their case has."""
+        return {}
+
+    def remarks(self) -> Iterator[str]:
+        """Yield how the body moves, and what of it is held."""
+        body, system = self.drive.case.body, self.drive.case.system
+        assert system is not None
+        if body is None:
+            yield Message("motion.led")
+            if self.drive.case.current is not None:
+                yield Message("motion.place_without_current")
+        else:
+            yield Message("motion.body_moves")
+            if self._broken is not None:
+                line, time = self._broken
+                lost = self.drive.dynamics.broken_end == "anchor"
+                key = "motion.lost_at_anchor" if lost else "motion.breaks"
+                yield Message(key, number=line + 1, time=time)
+            force = self.drive.force
+            if force is not None and force.values[:, 2].any():
+                yield Message("motion.Fz_unused")
+        if system.turns:
+            yield Message("motion.kept_yaw", yaw=math.degrees(self.yaw))
+
+    @property
+    def _broken(self) -> tuple[int, float] | None:
+        dynamics = self.drive.dynamics
+        if dynamics.broken_line is None or dynamics.broken_at is None:
+            return None
+        return dynamics.broken_line - 1, dynamics.broken_at
+
+    def _motion(self, sea: Sea, arm: tuple[float, float, float]) -> Series:
+        """Motion of a point that is an arm away from the origin, in the yaw at rest."""
+        drive, given = self.drive, self.drive.case.motion
+        assert given is not None
+        if drive.record is not None:
+            return drive.record
+        if drive.vessel is None or sea.waves is None:
+            assert given.period is not None
+            motion = drive.harmonic
+        else:
+            motion = self._response(sea, arm)
+        return motion if drive.drift is None else Together(motion, drive.drift)
+
+    def _response(self, sea: Sea, arm: tuple[float, float, float]) -> Harmonic:
+        """Answer of a point to the waves, those of each direction by their own heading."""
+        waves = sea.waves
+        assert waves is not None
+        answers = [
+            self._response_to(waves.only(which), sea.wave_numbers[which], arm)
+            for which in (waves.direction == each for each in np.unique(waves.direction))
+        ]
+        return Harmonic(
+            tuple(period for each in answers for period in np.atleast_1d(each.period)),
+            np.concatenate([each.amplitude for each in answers]),
+            np.concatenate([each.phase for each in answers]),
+        )
+
+    def _response_to(
+        self, waves: Waves, wave_numbers: Array, arm: tuple[float, float, float]
+    ) -> Harmonic:
+        """Answer to waves of one direction; rotations are small, the crest is at the reference.
+
+        The ship's axes are turned by its yaw at rest.
+        """
+        vessel = self.drive.vessel
+        assert vessel is not None
+        x, y, height = self.place
+        from_origin = _turned(arm[0], arm[1], -self.yaw)
+        heading = float(waves.direction[0]) - self.yaw
+        raos = vessel.of_point(heading, (*from_origin, height + arm[2]))
+        along, across = _turned(1.0, 0.0, self.yaw), _turned(0.0, 1.0, self.yaw)
+        response = raos.response @ np.array([(*along, 0.0), (*across, 0.0), (0.0, 0.0, 1.0)])
+        ahead, aside = _turned(vessel.reference[0], vessel.reference[1], self.yaw)
+        of_earth = type(raos)(raos.omega, response)
+        return of_earth.motion(waves, wave_numbers, x + ahead, y + aside)
+
+    def _force(self, sea: Sea) -> Series | None:
+        """Return what pushes the body beside its mean force."""
+        body, record = self.drive.case.body, self.drive.force
+        if body is None or not body.wave_force or sea.waves is None:
+            return record
+        waves, (x, y, _) = sea.waves, self.place
+        ahead = x * np.cos(waves.direction) + y * np.sin(waves.direction)
+        phase = -(sea.wave_numbers * ahead + waves.phase)
+        harmonic = Harmonic(
+            tuple(2.0 * math.pi / waves.omega),
+            np.outer(waves.amplitude, (*body.wave_force, 0.0)),
+            np.repeat(phase[:, np.newaxis], 3, axis=1),
+        )
+        return harmonic if record is None else Together(harmonic, record)
+
+
+def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return cosine * x - sine * y, sine * x + cosine * y
+
+
+def quasi_static(leg: Leg, history: History, seabed_friction: float) -> Array:
+    """Tension at a line's fairlead in closed form at each of its places; nan where it has none.
+
+    Parameters
+    ----------
+    leg : Leg
+        The line with its anchor.
+    history : History
+        Of that line alone.
+    seabed_friction : float
+        Coulomb coefficient.
+    """
+    at = history.fairlead[:, 0]
+    solved = solve_many(
+        leg.line,
+        height=np.ascontiguousarray(at[:, 2]),
+        span=np.hypot(at[:, 0] - leg.anchor[0], at[:, 1] - leg.anchor[1]),
+        seabed_friction=seabed_friction,
+        anchor_height=leg.anchor[2],
+    )
+    return np.where(solved.converged, solved.tension, np.nan)

@@ -1,0 +1,443 @@
+"""A line in motion, as values: statistics over its runs, and what it does beyond quasi-statics."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.fem.extremes import Extreme, GumbelFit, TailFit, weibull_tail
+from catopt.fem.extremes import gumbel as gumbel_of
+from catopt.fem.history import History
+from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
+from catopt.model import Case
+from catopt.model.dynamics import InitialFriction
+from catopt.ties import largest
+from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
+from catopt.words import Message
+
+__all__ = [
+    "SERIES",
+    "DynamicPart",
+    "DynamicRun",
+    "DynamicVerification",
+    "Extreme",
+    "OverRuns",
+    "TailFit",
+    "Verdict",
+]
+
+Array = npt.NDArray[np.float64]
+
+SERIES: Mapping[str, Callable[[History], Array]] = MappingProxyType(
+    {
+        "fairlead_tension": lambda history: history.fairlead_tension[:, 0],
+        "anchor_tension": lambda history: history.anchor_tension[:, 0],
+        "grounded_length": lambda history: history.grounded_length[:, 0],
+        "offset": lambda history: history.offset[:, 0],
+    }
+)
+"""What statistics are made of; offset is the fairlead's horizontal way from its place at rest."""
+
+_ENDS = MappingProxyType({"anchor_tension": 0, "fairlead_tension": 1})
+"""Column of each tension at an end in the largest forces of every step."""
+
+Verdict = Literal["converged", "not converged", "not proven"]
+
+_TRACK: Mapping[str, Callable[[Array], Array]] = MappingProxyType(
+    {
+        "body_x": lambda track: track[:, 0],
+        "body_y": lambda track: track[:, 1],
+        "body_offset": lambda track: np.hypot(*(track - track[0])[:, :2].T),
+    }
+)
+"""Statistics of a body; offset is the horizontal way of its origin from its place at rest."""
+
+_UNITS = MappingProxyType(dict.fromkeys(("grounded_length", "offset", *_TRACK), "m"))
+
+
+@dataclass(frozen=True)
+class OverRuns:
+    """Statistics of one quantity over all runs of a load case.
+
+    Attributes
+    ----------
+    quantity : str
+        A key of `SERIES`, or of where a body is.
+    mean, std, maximum, minimum : float
+        Of all runs together, SI.
+    tail : TailFit or None
+        Of the peaks of all runs, with the most probable maximum in the duration of interest. None
+        where the quantity is not random, or for too few peaks.
+    gumbel : GumbelFit or None
+        The same by the maxima of the runs; None for fewer than five.
+    """
+
+    quantity: str
+    mean: float
+    std: float
+    maximum: float
+    minimum: float
+    tail: TailFit | None = None
+    gumbel: GumbelFit | None = None
+
+    @property
+    def unit(self) -> str:
+        """SI unit."""
+        return _UNITS.get(self.quantity, "N")
+
+    @property
+    def most_probable_maximum(self) -> float | None:
+        """In the duration of interest, by the tail; None without one."""
+        return None if self.tail is None else self.tail.extreme.most_probable
+
+
+@dataclass(frozen=True, eq=False)
+class DynamicRun:
+    """One run of one line.
+
+    Attributes
+    ----------
+    history : History
+        What it did.
+    quasi_static : ndarray, shape (samples,)
+        Tension at the fairlead in closed form for each of its places, without current, N; nan where
+        the closed form has none.
+    number : int
+        From 0; with the case's seed it gives the sea.
+    again : tuple of Again
+        The same run again, at half the step and with twice the bars; empty when it was run once.
+    track : ndarray or None
+        Place of the origin of the body that the line moors with others, shape (samples, 3), m.
+    """
+
+    history: History
+    quasi_static: Array
+    number: int = 0
+    again: tuple[Again, ...] = ()
+    track: Array | None = None
+
+    def is_complete(self, proof: Proof) -> bool:
+        """Whether neither it nor its proof was stopped."""
+        return self.history.is_complete and (proof == "none" or bool(self.again))
+
+    @cached_property
+    def counted(self) -> npt.NDArray[np.bool_]:
+        """Which samples count: those after the ramp; all, if the run was stopped before its end."""
+        counted = self.history.counted
+        return counted if counted.sum() > 1 else np.ones(counted.size, dtype=bool)
+
+    def statistics(self, quantity: str) -> SeriesStatistics:
+        """Statistics of one of `SERIES`; the largest tension at an end is that of every step."""
+        history = self.history
+        found = series_statistics(
+            history.time[self.counted], SERIES[quantity](history)[self.counted]
+        )
+        at = _ENDS.get(quantity)
+        if at is None or history.max_end_force[0, at] <= found.maximum:
+            return found
+        return replace(
+            found,
+            maximum=float(history.max_end_force[0, at]),
+            time_of_maximum=float(history.time_of_max_end_force[0, at]),
+        )
+
+    @cached_property
+    def maxima(self) -> dict[str, float]:
+        """Largest value of each of `SERIES`, and the largest tension anywhere along the line."""
+        maxima = {quantity: self.statistics(quantity).maximum for quantity in SERIES}
+        along = float(np.fmax.reduce(self.history.max_tension, initial=0.0))
+        ends = (maxima["fairlead_tension"], maxima["anchor_tension"])
+        return {**maxima, "largest_tension": max(along, *ends)}
+
+    def changes(self, line_length: float) -> Iterator[Change]:
+        """Yield how far each maximum moved in each run again that has an answer.
+
+        Parameters
+        ----------
+        line_length : float
+            m.
+        """
+        own = self.maxima
+        for again in self.again:
+            for quantity, value in again.maxima.items():
+                over = max(own[quantity], value)
+                if quantity.endswith("tension"):
+                    over = max(over, LEAST_TENSION * own["largest_tension"])
+                elif quantity == "grounded_length":
+                    over = line_length
+                if over > 0.0:
+                    yield Change(quantity, again.way, abs(value - own[quantity]) / over)
+
+    def tension_spectrum(self) -> tuple[Array, Array]:
+        """Spectrum of the tension at the fairlead: rad/s, and N^2 s/rad."""
+        counted, history = self.counted, self.history
+        return power_spectrum(history.time[counted], history.fairlead_tension[counted, 0])
+
+    @property
+    def quasi_static_max(self) -> float | None:
+        """Largest quasi-static tension, N; None where the closed form has none at all."""
+        values = self.quasi_static[self.counted]
+        known = values[np.isfinite(values)]
+        return float(known.max()) if known.size else None
+
+
+def over_runs(
+    quantity: str,
+    each: Sequence[SeriesStatistics],
+    tail: TailFit | None = None,
+    gumbel: GumbelFit | None = None,
+) -> OverRuns:
+    """Put the statistics of several runs together.
+
+    Parameters
+    ----------
+    quantity : str
+        What they are of.
+    each : sequence of SeriesStatistics
+        One a run.
+    tail, gumbel : TailFit, GumbelFit, optional
+        Of what is random.
+    """
+    means = np.array([one.mean for one in each])
+    variance = float(np.mean([one.std**2 for one in each]) + means.var())
+    return OverRuns(
+        quantity,
+        mean=float(means.mean()),
+        std=math.sqrt(variance),
+        maximum=max(one.maximum for one in each),
+        minimum=min(one.minimum for one in each),
+        tail=tail,
+        gumbel=gumbel,
+    )
+
+
+@dataclass(frozen=True)
+class DynamicPart:
+    """A line in motion under one load.
+
+    Attributes
+    ----------
+    name : str
+        Of the load case.
+    runs : tuple of DynamicRun
+        One a seed.
+    is_random : bool
+        Whether the runs are drawn from a random sea.
+    is_led_at_random : bool
+        Whether the fairlead's motion follows from that sea, or is prescribed.
+    duration_of_interest : float
+        Of the storm for which extremes are given, s.
+    line_length : float
+        Unstretched, m.
+    proof : {"none", "step", "bars"}
+        How the runs were to be proven.
+    elements : int
+        Bars.
+    remarks : tuple of str
+        What to know before the figures are used.
+    line : int or None
+        Of a body with several lines, which one, from 1.
+    anchor_at_rest : mapping of str to float
+        Tension at the anchor at rest, N, by the initial friction; empty where nothing rubs.
+    """
+
+    name: str
+    runs: tuple[DynamicRun, ...]
+    is_random: bool
+    is_led_at_random: bool
+    duration_of_interest: float
+    line_length: float
+    proof: Proof
+    elements: int
+    remarks: tuple[str, ...] = ()
+    line: int | None = None
+    anchor_at_rest: Mapping[InitialFriction, float] = field(default_factory=dict)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether no run was stopped, nor its proof."""
+        return all(run.is_complete(self.proof) for run in self.runs)
+
+    @property
+    def where(self) -> str:
+        """What it is of, for sentences: a load case, or a line of a body."""
+        if self.line is None:
+            return Message("motion.of_load_case", name=self.name)
+        return Message("motion.of_line", number=self.line)
+
+    @cached_property
+    def changes(self) -> tuple[Change, ...]:
+        """Largest change of each maximum in any run, by the way in which it was run again."""
+        found = (each for run in self.runs for each in run.changes(self.line_length))
+        return tuple(largest_changes(found))
+
+    @cached_property
+    def added_changes(self) -> tuple[Change, ...]:
+        """Largest change of each maximum in any run, by all ways in which it was run again."""
+        found = (each for run in self.runs for each in added(run.changes(self.line_length)))
+        return tuple(largest_changes(found))
+
+    @property
+    def worst_change(self) -> Change | None:
+        """The largest of them; None where nothing was run again."""
+        return max(self.added_changes, key=lambda each: each.size, default=None)
+
+    def change_of(self, quantity: str) -> float | None:
+        """Largest change of the maximum of a quantity, all ways added; None where run once."""
+        found = (each.size for each in self.added_changes if each.quantity == quantity)
+        return max(found, default=None)
+
+    @property
+    def failure(self) -> Again | None:
+        """A run again that did not converge itself."""
+        return next((a for run in self.runs for a in run.again if a.failure), None)
+
+    @property
+    def numerical_part(self) -> float:
+        """Largest part of the work put into a run that its steps lost."""
+        return max(run.history.balance.numerical_part for run in self.runs)
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the maxima hang on the step or the bars by no more than `LIMIT`."""
+        worst = self.worst_change
+        if self.failure is not None or self.numerical_part > LIMIT:
+            return "not converged"
+        if worst is not None and worst.size > LIMIT:
+            return "not converged"
+        return "converged" if worst is not None and self.is_complete else "not proven"
+
+    @cached_property
+    def quantities(self) -> tuple[OverRuns, ...]:
+        """Statistics of every one of `SERIES`."""
+        return tuple(self._over_runs(quantity) for quantity in SERIES)
+
+    def of(self, quantity: str) -> OverRuns:
+        """Look a quantity up."""
+        return next(each for each in self.quantities if each.quantity == quantity)
+
+    @property
+    def max_tension(self) -> float:
+        """Largest tension, at an end or anywhere along the line, N."""
+        return max(run.maxima["largest_tension"] for run in self.runs)
+
+    @property
+    def slack_time(self) -> float:
+        """Time in all that a bar of the line had no tension in one run, after the ramp, s."""
+        return max(run.history.line_slack_time() for run in self.runs)
+
+    @property
+    def longest_slack(self) -> float:
+        """Longest time at a stretch that a bar of the line had no tension, after the ramp, s."""
+        return max(run.history.line_longest_slack() for run in self.runs)
+
+    @property
+    def quasi_static_max(self) -> float | None:
+        """Largest tension at the fairlead, had the line moved infinitely slowly, N."""
+        known = [run.quasi_static_max for run in self.runs]
+        found = [value for value in known if value is not None]
+        return max(found) if len(found) == len(known) else None
+
+    @property
+    def amplification(self) -> float | None:
+        """Largest tension at the fairlead over the largest quasi-static one."""
+        still = self.quasi_static_max
+        return None if still is None else self.of("fairlead_tension").maximum / still
+
+    @property
+    def governing(self) -> DynamicRun:
+        """The run with the largest tension at the fairlead."""
+        return largest(self.runs, lambda run: run.statistics("fairlead_tension").maximum)
+
+    def _over_runs(self, quantity: str) -> OverRuns:
+        each = [run.statistics(quantity) for run in self.runs]
+        return over_runs(quantity, each, self._tail(quantity, each), self._gumbel(quantity, each))
+
+    def varies_at_random(self, quantity: str) -> bool:
+        """Whether a quantity has extremes: not the grounded length, which ends with the line."""
+        if quantity == "grounded_length":
+            return False
+        return self.is_led_at_random if quantity == "offset" else self.is_random
+
+    def _tail(self, quantity: str, each: list[SeriesStatistics]) -> TailFit | None:
+        if not self.varies_at_random(quantity):
+            return None
+        series = [SERIES[quantity](run.history)[run.counted] for run in self.runs]
+        time = sum(one.duration for one in each)
+        return weibull_tail(series, time, self.duration_of_interest)
+
+    def _gumbel(self, quantity: str, each: list[SeriesStatistics]) -> GumbelFit | None:
+        whole = [one for one, run in zip(each, self.runs, strict=True) if run.history.is_complete]
+        if not whole or not self.varies_at_random(quantity):
+            return None
+        maxima = [one.maximum for one in whole]
+        return gumbel_of(maxima, whole[0].duration, self.duration_of_interest)
+
+
+@dataclass(frozen=True)
+class DynamicVerification:
+    """A case in motion.
+
+    Attributes
+    ----------
+    case : Case
+        What was run.
+    parts : tuple of DynamicPart
+        One a load case; of a body with several lines, one a line.
+    is_complete : bool
+        False when it was stopped (Ctrl-C): the last run is short, and others may be missing.
+    """
+
+    case: Case
+    parts: tuple[DynamicPart, ...]
+    is_complete: bool
+
+    @property
+    def verdict(self) -> Verdict:
+        """That of the load cases together."""
+        of_parts = {part.verdict for part in self.parts}
+        for verdict in ("not converged", "not proven"):
+            if verdict in of_parts:
+                return verdict
+        return "converged"
+
+    @property
+    def governing(self) -> DynamicPart:
+        """The part with the largest tension at the fairlead; of those alike the first."""
+        return largest(self.parts, lambda part: part.of("fairlead_tension").maximum)
+
+    @property
+    def least_proven(self) -> DynamicPart:
+        """The part that says most against the answer: not converged, or changed most."""
+        bad = [part for part in self.parts if part.verdict == "not converged"]
+        return largest(bad or self.parts, lambda p: p.worst_change.size if p.worst_change else 0.0)
+
+    @cached_property
+    def body(self) -> tuple[OverRuns, ...]:
+        """Where the origin of a moored body was, m; empty without one."""
+        runs = self.parts[0].runs
+        tracks = [(run, run.track) for run in runs if run.track is not None]
+        return tuple(
+            over_runs(
+                quantity,
+                [
+                    series_statistics(run.history.time[run.counted], of(track)[run.counted])
+                    for run, track in tracks
+                ],
+            )
+            for quantity, of in _TRACK.items()
+            if tracks
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build what ``catopt verify --dynamic --json`` has under ``dynamic``."""
+        from catopt.verify.dynamic_document import dynamic_document
+
+        return dynamic_document(self)

@@ -1,0 +1,496 @@
+"""From a case to what the truss model is run with in time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from catopt.errors import InputError, Problem
+from catopt.fem.cylinder_coefficients import (
+    OBLIQUE,
+    added_mass,
+    steady_drag,
+    wake_amplification,
+)
+from catopt.fem.damping import LineDamping
+from catopt.fem.dynamic_model import Fluid
+from catopt.fem.dynamics import LineProperties, TimeStepping
+from catopt.fem.morison import MorisonSection
+from catopt.fem.newmark import Scheme
+from catopt.fem.seabed import Seabed
+from catopt.fem.series import Harmonic, Sampled, Series
+from catopt.fem.step_controls import StepControls
+from catopt.model import Case, Dynamics, Motion, Segment, WaveState, WaveTrain
+from catopt.model.current_profile import CurrentProfile
+from catopt.model.dynamics import BARS
+from catopt.verify.motion_file import Raos, read_force, read_motion, read_raos
+from catopt.verify.sea_file import read_current, read_elevation
+from catopt.verify.vessel import VesselRaos, read_vessel_raos
+from catopt.waves import (
+    CosineSpreading,
+    CurrentSeries,
+    ElevationRecord,
+    PowerLawCurrent,
+    Sea,
+    TableCurrent,
+    Waves,
+    WindCurrent,
+    jonswap,
+    peak_enhancement,
+    pierson_moskowitz,
+    random_waves,
+    regular_wave,
+)
+from catopt.words import Message
+
+__all__ = ["Drive", "check_for_motion", "read_drive"]
+
+_STEPS = 60.0
+"""Steps in the shortest period, unless the step is given."""
+
+_SAMPLES = 20000
+"""Most samples of a run, unless their interval is given."""
+
+_RAMP = 0.1
+"""Part of the duration, unless the ramp is given."""
+
+_FAST = 0.99
+"""Part of the waves, by their energy, that is slower than the shortest period."""
+
+
+@dataclass(frozen=True)
+class Drive:
+    """What drives a case, with its files read.
+
+    Attributes
+    ----------
+    case : Case
+        With dynamics.
+    elevation : ElevationRecord or None
+        Of the surface.
+    current : CurrentSeries or None
+        Over time.
+    record : Sampled or None
+        Of the motion of the fairlead, or of a body's origin.
+    raos : Raos or None
+        Of the fairlead.
+    vessel : VesselRaos or None
+        Of a body.
+    drift : Sampled or None
+        Slow, of a body.
+    force : Sampled or None
+        On a body, beside its mean.
+    anchor_record : Sampled or None
+        Of the motion of a line's lower end.
+    """
+
+    case: Case
+    elevation: ElevationRecord | None = None
+    current: CurrentSeries | None = None
+    record: Sampled | None = None
+    raos: Raos | None = None
+    vessel: VesselRaos | None = None
+    drift: Sampled | None = None
+    force: Sampled | None = None
+    anchor_record: Sampled | None = None
+
+    @property
+    def dynamics(self) -> Dynamics:
+        """How the case is run."""
+        assert self.case.dynamics is not None
+        return self.case.dynamics
+
+    @property
+    def is_random(self) -> bool:
+        """Whether runs differ in their seed."""
+        return self.case.waves is not None and self.case.waves.is_random
+
+    @property
+    def is_led_at_random(self) -> bool:
+        """Whether the fairlead goes where a random sea sends it."""
+        goes = self.raos is not None or self.vessel is not None or self.case.body is not None
+        return self.is_random and goes
+
+    def sea(self, run: int) -> Sea:
+        """Waves and current of one run, from 0."""
+        given, depth = self.case.waves, self.case.site.water_depth
+        flow = () if self.case.current is None else (_current(self.case.current),)
+        sea = Sea(depth, None, flow, current_series=self.current)
+        if given is None:
+            return sea
+        sea = replace(sea, stretching=given.stretching)
+        if self.elevation is None:
+            return replace(sea, waves=_waves(given, run))
+        waves = self.recorded_waves
+        sea = replace(sea, waves=waves)
+        # The record's phases are those at its place; the model's, at x = 0.
+        ahead = given.elevation_x * math.cos(given.direction)
+        return replace(sea, waves=replace(waves, phase=waves.phase - sea.wave_numbers * ahead))
+
+    @cached_property
+    def recorded_waves(self) -> Waves:
+        """Waves of the recorded surface, with their phases where it was recorded."""
+        given = self.case.waves
+        assert given is not None
+        assert self.elevation is not None
+        return self.elevation.waves(
+            direction=given.direction, shortest_period=given.shortest_period
+        )
+
+    @property
+    def remarks(self) -> list[str]:
+        """What is to be known of the files and of recalled coefficients."""
+        return [*self._of_record(), *self._of_roughness()]
+
+    def _of_roughness(self) -> list[str]:
+        """Say what the drag of a segment by its roughness is, and that it is not verified."""
+        sections = self.properties.sections or ()
+        return [
+            Message(
+                "motion.roughness",
+                number=number,
+                drag=section.drag_normal,
+                mass=section.added_mass_normal,
+                m=section.oblique[0],
+                n=section.oblique[1],
+            )
+            for number, (segment, section) in enumerate(
+                zip(self.case.line.segments, sections, strict=True), start=1
+            )
+            if segment.drag_method == "roughness"
+        ]
+
+    def _of_record(self) -> list[str]:
+        record = self.elevation
+        if record is None:
+            return []
+        waves = self.recorded_waves
+        remarks: list[str] = [
+            Message(
+                "motion.recorded_waves",
+                count=waves.count,
+                period=2.0 * math.pi / float(waves.omega[-1]),
+                part=record.left_out(waves),
+                mean=record.mean,
+            )
+        ]
+        if record.is_resampled:
+            remarks.append(Message("motion.resampled", step=record.step))
+        return remarks
+
+    def motion(self, sea: Sea, span: float) -> Series | None:
+        """Motion of the fairlead in a sea.
+
+        Parameters
+        ----------
+        sea : Sea
+            Of the run.
+        span : float
+            At rest, m.
+        """
+        given = self.case.motion
+        if given is None:
+            return None
+        if self.record is not None:
+            return self.record
+        if self.raos is not None and sea.waves is not None:
+            return self.raos.motion(sea.waves, sea.wave_numbers, span)
+        return self.harmonic
+
+    @property
+    def harmonic(self) -> Harmonic:
+        """The motion by a period, amplitudes and phases."""
+        assert self.case.motion is not None
+        return _harmonic(self.case.motion)
+
+    @property
+    def anchor_motion(self) -> Series | None:
+        """Motion of the lower end of a line."""
+        given = self.case.anchor_motion
+        return None if given is None else self.anchor_record or _harmonic(given)
+
+    def stepping(self, sea: Sea, driven_by: Sequence[Series], finer: int = 1) -> TimeStepping:
+        """Lay out steps and samples of a run.
+
+        Parameters
+        ----------
+        sea, driven_by
+            Of the run.
+        finer : int
+            So many steps in place of one, and the square of that less surprise in each.
+        """
+        dynamics = self.dynamics
+        step = dynamics.time_step or self._shortest_period(sea, driven_by) / _STEPS
+        if dynamics.output_interval is None:
+            every = max(1, math.ceil(dynamics.duration / step / _SAMPLES))
+        else:
+            every = max(1, round(dynamics.output_interval / step))
+        controls = StepControls()
+        return TimeStepping(
+            dynamics.duration,
+            step / finer,
+            ramp_time=self.ramp,
+            output_interval=every * step,
+            scheme=self.scheme,
+            controls=replace(controls, surprise=controls.surprise / finer**2),
+        )
+
+    @property
+    def gammas(self) -> tuple[float | None, ...]:
+        """Peak enhancement of each train, given or by the rule; None of any but JONSWAP."""
+        trains = () if self.case.waves is None else self.case.waves.all_trains
+        return tuple(
+            None
+            if train.spectrum != "jonswap"
+            else train.peak_enhancement or peak_enhancement(train.height, train.period)
+            for train in trains
+        )
+
+    @property
+    def ramp(self) -> float:
+        """Of motion and waves, s."""
+        dynamics = self.dynamics
+        return _RAMP * dynamics.duration if dynamics.ramp is None else dynamics.ramp
+
+    @property
+    def scheme(self) -> Scheme:
+        """How time is stepped."""
+        if self.dynamics.scheme == "newmark":
+            return Scheme.average_acceleration()
+        return Scheme.generalised_alpha(self.dynamics.spectral_radius)
+
+    @property
+    def seabed(self) -> Seabed:
+        """The bed under the line."""
+        dynamics = self.dynamics
+        return Seabed(
+            normal_stiffness=dynamics.seabed_stiffness,
+            normal_damping=dynamics.seabed_damping,
+            friction=self.case.site.seabed_friction,
+            initial_friction=dynamics.initial_friction,
+        )
+
+    @property
+    def properties(self) -> LineProperties:
+        """What the line needs beside its segments' weight and stiffness."""
+        site, dynamics = self.case.site, self.dynamics
+        return LineProperties(
+            sections=[_section(segment) for segment in self.case.line.segments],
+            damping=LineDamping(
+                critical_ratio=dynamics.critical_ratio,
+                critical_length=self.case.line.length / BARS,
+                stiffness_time=dynamics.damping_time,
+            ),
+            fluid=Fluid(density=site.water_density),
+            seabed=self.seabed,
+        )
+
+    def _shortest_period(self, sea: Sea, driven_by: Sequence[Series]) -> float:
+        """Return the shortest that drives the line, s; of random waves the one most are above.
+
+        What is in proportion to the waves has their periods.
+        """
+        from_waves = self.raos is not None or self.vessel is not None
+        if self.case.body is not None and self.case.body.wave_force:
+            driven_by = [] if self.force is None else [self.force]
+        periods = [] if from_waves else [each.shortest_period for each in driven_by]
+        if sea.waves is not None:
+            periods.append(2.0 * math.pi / _fast_frequency(sea.waves))
+        return min(periods)
+
+
+def read_drive(case: Case) -> Drive:
+    """Read the files of a case's sea and motion.
+
+    Parameters
+    ----------
+    case : Case
+        As `check_for_motion` passes it.
+
+    Raises
+    ------
+    InputError
+        For what is wrong in them.
+    """
+    drive = _with_sea(_with_motion(case))
+    lower = case.anchor_motion
+    if lower is not None and lower.file:
+        drive = replace(drive, anchor_record=read_motion(lower.file, drive.dynamics.duration))
+    return drive
+
+
+def _with_motion(case: Case) -> Drive:
+    assert case.dynamics is not None
+    duration = case.dynamics.duration
+    if case.body is not None and case.body.force_file:
+        return Drive(case, force=read_force(case.body.force_file, duration))
+    given = case.motion
+    if given is None:
+        return Drive(case)
+    drift = read_motion(given.drift_file, duration) if given.drift_file else None
+    if given.file:
+        return Drive(case, record=read_motion(given.file, duration))
+    if not given.rao_file:
+        return Drive(case, drift=drift)
+    if case.system is not None:
+        return Drive(case, vessel=read_vessel_raos(given), drift=drift)
+    return Drive(case, raos=read_raos(given.rao_file))
+
+
+def _harmonic(given: Motion) -> Harmonic:
+    assert given.period is not None
+    return Harmonic(
+        given.period,
+        (given.surge, given.sway, given.heave),
+        (given.surge_phase, given.sway_phase, given.heave_phase),
+    )
+
+
+def _with_sea(drive: Drive) -> Drive:
+    waves, current, duration = drive.case.waves, drive.case.current, drive.dynamics.duration
+    if waves is not None and waves.elevation_file:
+        drive = replace(drive, elevation=read_elevation(waves.elevation_file, duration))
+        drive.recorded_waves  # noqa: B018 - refuses a shortest period that no wave has
+    if current is not None and current.series_file:
+        drive = replace(drive, current=_current_series(current, duration))
+    return drive
+
+
+def check_for_motion(case: Case) -> None:
+    """Refuse a case that lacks what a line in motion needs, with everything that it lacks.
+
+    Parameters
+    ----------
+    case : Case
+        Any.
+
+    Raises
+    ------
+    InputError
+        With the path of every key.
+    """
+    problems = [
+        *_of_settings(case),
+        *(p for k, s in enumerate(case.line.segments) for p in _of_segment(k, s)),
+        *(
+            Problem(f"line.point_loads[{k}].mass", "", "missing; a line in motion needs it")
+            for k, load in enumerate(case.line.point_loads)
+            if load.mass is None
+        ),
+    ]
+    if problems:
+        raise InputError(problems, "--dynamic")
+
+
+def _of_settings(case: Case) -> list[Problem]:
+    if case.dynamics is None:
+        allowed = "missing; write [dynamics] with a duration, and [motion] or [waves]"
+        return [Problem("dynamics", "", allowed)]
+    if case.dynamics.runs > 1 and not Drive(case).is_random:
+        allowed = "without a random sea all runs are alike; leave it out"
+        return [Problem("dynamics.runs", f"{case.dynamics.runs}", allowed)]
+    return []
+
+
+def _of_segment(index: int, segment: Segment) -> list[Problem]:
+    path, lacks = f"line.segments[{index}]", []
+    if not segment.mass:
+        lacks.append(("mass", "a line in motion needs it"))
+    if math.isinf(segment.EA):
+        lacks.append(("EA", "a line in motion needs its axial stiffness"))
+    if segment.drag_method == "roughness":
+        if segment.drag_diameter is None:
+            lacks.append(("drag_diameter", "the drag by the roughness refers to it"))
+    elif segment.drag_normal is None:
+        lacks.append(("drag_normal", "a line in motion needs it; 0 for no drag"))
+    elif segment.drag_diameter is None and (segment.drag_normal or segment.drag_axial):
+        lacks.append(("drag_diameter", "the drag coefficients refer to it"))
+    return [Problem(f"{path}.{key}", "", f"missing; {why}") for key, why in lacks]
+
+
+def _section(segment: Segment) -> MorisonSection:
+    if segment.drag_method == "roughness":
+        return _rough_section(segment)
+    return MorisonSection(
+        diameter=segment.drag_diameter or 1.0,  # without drag any will do
+        drag_normal=segment.drag_normal or 0.0,
+        drag_tangential=segment.drag_axial or 0.0,
+        added_mass_normal=_or_else(segment.added_mass_normal, 1.0),
+        added_mass_tangential=_or_else(segment.added_mass_axial, 0.0),
+    )
+
+
+def _rough_section(segment: Segment) -> MorisonSection:
+    D, k, KC = segment.drag_diameter, segment.roughness, segment.keulegan_carpenter
+    assert D is not None
+    assert k is not None
+    assert KC is not None
+    steady, psi = steady_drag(k, D), segment.wake_amplification
+    return MorisonSection(
+        diameter=D,
+        drag_normal=steady * (wake_amplification(steady, KC) if psi is None else psi),
+        added_mass_normal=added_mass(steady, KC),
+        added_mass_tangential=_or_else(segment.added_mass_axial, 0.0),
+        oblique=OBLIQUE,
+    )
+
+
+def _or_else(value: float | None, default: float) -> float:
+    return default if value is None else value
+
+
+def _fast_frequency(waves: Waves) -> float:
+    """Return the angular frequency that all but the fastest of the energy is below, rad/s."""
+    order = np.argsort(waves.omega)
+    energy = np.cumsum(waves.amplitude[order] ** 2)
+    if energy[-1] == energy[0]:
+        return float(waves.omega[order[0]])
+    place = (energy - energy[0]) / (energy[-1] - energy[0])
+    return float(np.interp(_FAST, place, waves.omega[order]))
+
+
+def _waves(given: WaveState, run: int) -> Waves:
+    generator = np.random.default_rng([given.seed, run])
+    first, *others = (_train(train, generator) for train in given.all_trains)
+    return first.with_others(*others) if others else first
+
+
+def _train(train: WaveTrain, generator: np.random.Generator) -> Waves:
+    if train.spectrum == "regular":
+        return regular_wave(train.height, train.period, direction=train.direction)
+    if train.spectrum == "jonswap":
+        spectrum = jonswap(train.height, train.period, train.peak_enhancement)
+    else:
+        spectrum = pierson_moskowitz(train.height, train.period)
+    spreading = None
+    if train.spreading_exponent is not None:
+        spreading = CosineSpreading(train.spreading_exponent, train.directions)
+    return random_waves(
+        spectrum, train.components, generator, direction=train.direction, spreading=spreading
+    )
+
+
+def _current_series(given: CurrentProfile, duration: float) -> CurrentSeries:
+    series = read_current(given.series_file, duration)
+    if series.directions is not None and given.direction != 0.0:
+        allowed = "stands in the series_file, too; leave it out"
+        found = f"{math.degrees(given.direction):g} deg"
+        raise InputError([Problem("current.direction", found, allowed)], "--dynamic")
+    return series
+
+
+def _current(given: CurrentProfile) -> PowerLawCurrent | WindCurrent | TableCurrent:
+    if given.profile == "table":
+        return TableCurrent(given.depths, given.speeds, given.direction, given.directions)
+    # The speed of a series takes the place of the profile's own.
+    speed = 1.0 if given.speed is None else given.speed
+    if given.profile == "wind":
+        assert given.depth is not None
+        return WindCurrent(speed, given.depth, given.direction)
+    if given.exponent is None:
+        return PowerLawCurrent(speed, given.direction)
+    return PowerLawCurrent(speed, given.direction, given.exponent)

@@ -1,0 +1,290 @@
+"""One line by both models."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import numpy as np
+
+from catopt.catenary.solution import Solution
+from catopt.errors import NotConvergedError
+from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
+from catopt.model import Line, Load
+from catopt.verify.compared import Compared, Unit
+from catopt.verify.result import LinePair, Mesh, StaticComparison
+from catopt.verify.richardson import ORDER
+from catopt.verify.shape import largest_distances
+from catopt.words import Message, Several
+
+__all__ = [
+    "MESHES",
+    "SLACK",
+    "SLACK_ORDER",
+    "Moored",
+    "angle_scale",
+    "bends",
+    "compare_line",
+    "on_meshes",
+    "slack_bar",
+    "verify_line",
+]
+
+Truss = TypeVar("Truss")
+
+MESHES = 3
+"""How many meshes: the fewest that show an order."""
+
+SLACK_ORDER = 1.0
+"""Of a line that hangs straight down to bights on the bed: it is known to a bar."""
+
+SLACK = "truss.slack"
+"""Key of what is to be known of a slack line."""
+
+_AT_END = 1e-9
+"""How far beyond its end, over its length, a stretch may be level."""
+
+_TOP = "fairlead"
+_FOOT = "anchor"
+
+
+@dataclass(frozen=True)
+class Moored:
+    """A line, where it is moored and what is known of its load.
+
+    Attributes
+    ----------
+    line : Line
+        The line.
+    height, anchor_height : float
+        Of the fairlead and the anchor above the seabed, m.
+    seabed_friction : float
+        Coulomb coefficient.
+    load : Load
+        What is known at the fairlead.
+    """
+
+    line: Line
+    height: float
+    load: Load
+    anchor_height: float = 0.0
+    seabed_friction: float = 0.0
+
+
+def verify_line(
+    moored: Moored,
+    closed: Solution,
+    *,
+    elements: int,
+    tolerance: float,
+    name: str = "",
+) -> StaticComparison:
+    """Solve a line by the truss model on three meshes and hold it against the closed form.
+
+    Parameters
+    ----------
+    moored : Moored
+        The line. A fairlead tension that is known is reached by the closed form's horizontal
+        force.
+    closed : Solution
+        Of the same line.
+    elements : int
+        Bars of the coarsest mesh; the others have two and four times as many.
+    tolerance : float
+        Allowed difference: of the fairlead tension, of the line's length, in rad.
+    name : str
+        Of the load case.
+    """
+    trusses = on_meshes(
+        elements,
+        lambda bars: [mesh_line(moored.line, bars, bends=bends(closed))],
+        lambda meshes: _under_load(moored, meshes[0], closed),
+    )
+    return compare_line(moored, closed, trusses, tolerance=tolerance, name=name)
+
+
+def bends(closed: Solution) -> list[tuple[float, float]]:
+    """Arc length and radius of curvature H/w, m, of where the closed form is level.
+
+    There it bends most, and there bars have to be short beside H/w. Where they end is all that the
+    truss model takes from the closed form.
+    """
+    found: list[tuple[float, float]] = []
+    if closed.regime == "slack":
+        return found  # a slack line has no radius, and is known to a bar
+    for stretch in closed.stretches:
+        w = stretch.submerged_weight
+        if stretch.on_bed or w == 0.0 or stretch.length == 0.0 or stretch.horizontal_force == 0.0:
+            continue
+        level = -stretch.vertical_force / w
+        if -_AT_END <= level / stretch.length <= 1.0 + _AT_END:
+            found.append((stretch.start + level, stretch.horizontal_force / abs(w)))
+    return found
+
+
+def on_meshes(
+    elements: int,
+    cut: Callable[[int], list[LineMesh]],
+    solve: Callable[[list[LineMesh]], Truss],
+) -> tuple[Truss, ...]:
+    """Solve on a mesh and on those of twice and four times as many bars.
+
+    Parameters
+    ----------
+    elements : int
+        Bars of each line on the coarsest mesh.
+    cut : callable
+        Makes the meshes of all lines, of so many bars a line.
+    solve : callable
+        Brings lines of these meshes to rest.
+    """
+    meshes = cut(elements)
+    solutions = []
+    for _ in range(MESHES):
+        solutions.append(solve(meshes))
+        meshes = [mesh.refined() for mesh in meshes]
+    return tuple(solutions)
+
+
+def compare_line(
+    moored: Moored,
+    closed: Solution,
+    trusses: Sequence[TrussSolution],
+    *,
+    tolerance: float,
+    name: str = "",
+) -> StaticComparison:
+    """Hold solutions of the truss model against a closed form.
+
+    Parameters
+    ----------
+    moored, closed, tolerance, name
+        As for `verify_line`.
+    trusses : sequence of TrussSolution
+        Each of twice the bars of the one before.
+    """
+    return StaticComparison(
+        name=name,
+        kind="line",
+        quantities=tuple(_quantities(moored, closed, trusses, tolerance)),
+        meshes=tuple(
+            Mesh(truss.mesh.elements, truss.iterations, truss.residual, truss.penetration + 0.0)
+            for truss in trusses
+        ),
+        lines=(LinePair(closed, tuple(trusses)),),
+        tolerance=tolerance,
+        remarks=tuple(_remarks(moored, closed)),
+    )
+
+
+# ------------------------------------------------------------------ quantities
+
+
+def _quantities(
+    moored: Moored,
+    closed: Solution,
+    trusses: Sequence[TrussSolution],
+    tolerance: float,
+) -> Iterator[Compared]:
+    finest = trusses[-1]
+    tension = closed.fairlead.tension
+    length = moored.line.length
+    is_slack = closed.regime == "slack"
+    theory = SLACK_ORDER if is_slack else ORDER
+    bar = slack_bar(finest) if is_slack else (0.0, 0.0)
+    force, reach = max(tension, bar[0] / tolerance), max(length, bar[1] / tolerance)
+
+    def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
+        values = tuple(_read(truss, path) for truss in trusses)
+        return Compared(
+            quantity, unit, _read(closed, path), values, scale, tolerance, theory=theory
+        )
+
+    if moored.load.span is None:
+        yield compared("span", "m", "span", reach)
+    else:
+        yield compared("horizontal_force", "N", "horizontal_force", force)
+    for end in (_TOP, _FOOT):
+        yield compared(f"{end}_tension", "N", f"{end}.tension", force)
+        yield compared(f"{end}_vertical_force", "N", f"{end}.vertical_force", force)
+        if not is_slack:
+            scale = angle_scale(tension, _read(closed, f"{end}.tension"), tolerance)
+            yield compared(f"{end}_angle", "rad", f"{end}.angle", scale)
+    yield compared("grounded_length", "m", "grounded_length", reach)
+    if not is_slack:
+        distances, limit = largest_distances(closed, trusses)
+        yield Compared("shape", "m", 0.0, distances, length, tolerance, limit=limit)
+
+
+def slack_bar(truss: TrussSolution) -> tuple[float, float]:
+    """Weight, N, and length, m, of the largest bar: to which a slack line is known."""
+    mesh = truss.mesh
+    weight = np.array([abs(each.submerged_weight) for each in mesh.line.segments])
+    return float((weight[mesh.segment] * mesh.length).max()), float(mesh.length.max())
+
+
+def angle_scale(tension: float, there: float, tolerance: float) -> float:
+    """Scale of an angle, rad: what turns the force at an end by the same part of the tension.
+
+    Parameters
+    ----------
+    tension, there : float
+        At the fairlead and at the end in question, N.
+    tolerance : float
+        Over the scale; no angle may be off by more than pi.
+    """
+    return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
+
+
+def _read(solution: Any, path: str) -> float:
+    for name in path.split("."):
+        solution = getattr(solution, name)
+    return float(solution)
+
+
+def _remarks(moored: Moored, closed: Solution) -> Iterator[str]:
+    if closed.regime == "slack":
+        yield Several((Message(SLACK), Message("truss.bights")))
+    if moored.load.fairlead_tension is not None:
+        yield Message("truss.tension_given")
+
+
+# ------------------------------------------------------------------ solving
+
+
+def _solved(
+    moored: Moored,
+    mesh: LineMesh,
+    *,
+    horizontal_force: float | None = None,
+    span: float | None = None,
+    start: TrussSolution | None = None,
+) -> TrussSolution:
+    return solve_line(
+        moored.line,
+        height=moored.height,
+        horizontal_force=horizontal_force,
+        span=span,
+        seabed_friction=moored.seabed_friction,
+        anchor_height=moored.anchor_height,
+        mesh=mesh,
+        start=start,
+    )
+
+
+def _under_force(moored: Moored, mesh: LineMesh, H: float) -> TrussSolution:
+    """Solve from straight, or where that fails from twice the force, which bends the line less."""
+    try:
+        return _solved(moored, mesh, horizontal_force=H)
+    except NotConvergedError:
+        if H > abs(moored.line.submerged_weight):
+            raise
+    return _solved(moored, mesh, horizontal_force=H, start=_under_force(moored, mesh, 2.0 * H))
+
+
+def _under_load(moored: Moored, mesh: LineMesh, closed: Solution) -> TrussSolution:
+    if moored.load.span is not None:
+        return _solved(moored, mesh, span=moored.load.span)
+    return _under_force(moored, mesh, closed.horizontal_force)

@@ -1,0 +1,315 @@
+"""Reads what drives lines from CSV files: a motion or a force over time, a response to waves."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.documents import MOST_BYTES_OF_DATA, read_text
+from catopt.errors import InputError, Problem
+from catopt.fem.series import Harmonic, Sampled
+from catopt.units import UNITS, Dimension, as_written
+from catopt.waves import Waves
+
+__all__ = [
+    "Raos",
+    "energy_beyond",
+    "read_columns",
+    "read_force",
+    "read_motion",
+    "read_raos",
+    "refused",
+    "too_short",
+]
+
+Array = npt.NDArray[np.float64]
+
+_AXES = ("x", "y", "z")
+_FORCES = ("fx", "fy", "fz")
+_MOTIONS = ("surge", "sway", "heave")
+_SHOWN = 10
+"""Faulty cells that are told of one file."""
+
+
+@dataclass(frozen=True, eq=False)
+class Raos:
+    """Response amplitude operators of the fairlead itself, by the waves' frequency.
+
+    Attributes
+    ----------
+    omega : ndarray, shape (n,)
+        Angular frequency, rad/s, rising.
+    response : ndarray of complex, shape (n, 3)
+        Along x, y and z in m to a wave of 1 m: size, and phase by which it lags behind the crest
+        over the fairlead.
+    """
+
+    omega: Array
+    response: npt.NDArray[np.complex128]
+
+    def motion(self, waves: Waves, wave_numbers: Array, x: float, y: float = 0.0) -> Harmonic:
+        """Answer to waves, each as a harmonic motion a cos(omega t + phase).
+
+        Parameters
+        ----------
+        waves : Waves
+            With eta = a cos(k x cos b + k y sin b - omega t + phi).
+        wave_numbers : ndarray, shape (waves,)
+            k, rad/m.
+        x, y : float
+            Of the place over which the crest counts, at rest, m.
+
+        Notes
+        -----
+        Between its frequencies the response is interpolated as a complex number; beyond the first
+        and the last it is held.
+        """
+        parts = [np.interp(waves.omega, self.omega, self.response[:, k].real) for k in range(3)]
+        other = [np.interp(waves.omega, self.omega, self.response[:, k].imag) for k in range(3)]
+        answer = np.array(parts).T + 1j * np.array(other).T
+        ahead = x * np.cos(waves.direction) + y * np.sin(waves.direction)
+        there = wave_numbers * ahead + waves.phase
+        # The crest over that place is at omega t = there; the answer comes by its phase later.
+        return Harmonic(
+            tuple(2.0 * math.pi / waves.omega),
+            waves.amplitude[:, np.newaxis] * np.abs(answer),
+            -there[:, np.newaxis] - np.angle(answer),
+        )
+
+
+def energy_beyond(omega: Array, waves: Waves) -> float:
+    """Part of the waves' energy at frequencies that a table does not have.
+
+    Parameters
+    ----------
+    omega : ndarray
+        Frequencies of the table, rad/s, rising.
+    waves : Waves
+        The sea.
+    """
+    energy = waves.amplitude**2
+    outside = (waves.omega < omega[0]) | (waves.omega > omega[-1])
+    return float(energy[outside].sum() / energy.sum())
+
+
+def read_motion(path: str, duration: float) -> Sampled:
+    """Read a motion over time; its first row is the start of the run.
+
+    Parameters
+    ----------
+    path : str
+        CSV with a row of headings: ``t``, and any of ``x``, ``y``, ``z``; s and m.
+    duration : float
+        Of the run, s; the record may not end before it.
+
+    Raises
+    ------
+    InputError
+        For a file that cannot be read, wrong headings or cells, times that do not rise, a gap, or
+        a record that is too short.
+    """
+    columns = read_columns(path, needed=("t",), known=("t", *_AXES), some_of=_AXES)
+    return _over_time(path, columns, _AXES, duration)
+
+
+def read_force(path: str, duration: float) -> Sampled:
+    """Read the force on a body over time, without its mean; its first row is the start of the run.
+
+    Parameters
+    ----------
+    path : str
+        CSV with a row of headings: ``t (s)``, and any of ``Fx``, ``Fy``, ``Fz`` with the unit of a
+        force.
+    duration : float
+        Of the run, s; the record may not end before it.
+
+    Raises
+    ------
+    InputError
+        As for `read_motion`, and for a heading without a unit.
+    """
+    units = {"t": UNITS[Dimension.TIME], **dict.fromkeys(_FORCES, UNITS[Dimension.FORCE])}
+    columns = read_columns(path, needed=("t",), known=tuple(units), some_of=_FORCES, units=units)
+    return _over_time(path, columns, _FORCES, duration)
+
+
+def _over_time(
+    path: str, columns: dict[str, Array], axes: Sequence[str], duration: float
+) -> Sampled:
+    t = columns["t"]
+    zero = np.zeros(t.size)
+    values = np.column_stack([columns.get(axis, zero) for axis in axes])
+    try:
+        sampled = Sampled(t - t[0], values)
+    except InputError as error:
+        raise InputError(error.problems, path) from None
+    if t[-1] - t[0] < duration * (1.0 - 1e-9):
+        raise too_short(path, "t", float(t[-1] - t[0]), duration)
+    return sampled
+
+
+def too_short(path: str, key: str, length: float, duration: float) -> InputError:
+    """Refuse a record that ends before its run.
+
+    Parameters
+    ----------
+    path, key : str
+        File, and its column of times.
+    length, duration : float
+        Of the record and of the run, s.
+    """
+    wanted = f"the run of {duration:g} s is longer: shorten it, or give a longer record"
+    return refused(path, key, f"{length:g} s from the first row to the last", wanted)
+
+
+def read_raos(path: str) -> Raos:
+    """Read a ship's response at the fairlead.
+
+    Parameters
+    ----------
+    path : str
+        CSV with a row of headings: ``period`` (s), any of ``surge``, ``sway``, ``heave`` (m in a
+        wave of 1 m), and ``surge_phase`` and so on (deg behind the crest over the fairlead).
+
+    Raises
+    ------
+    InputError
+        For a file that cannot be read, wrong headings or cells, or a period twice.
+    """
+    phases = tuple(f"{each}_phase" for each in _MOTIONS)
+    columns = read_columns(
+        path, needed=("period",), known=("period", *_MOTIONS, *phases), some_of=_MOTIONS
+    )
+    period = columns["period"]
+    if not (period > 0.0).all():
+        raise refused(path, "period", f"{period.min():g} s", "must be above 0 s")
+    order = np.argsort(period)[::-1]
+    if (np.diff(period[order]) == 0.0).any():
+        raise refused(path, "period", "the same twice", "one row a period is wanted")
+    zero = np.zeros(period.size)
+    response = np.column_stack(
+        [
+            columns.get(each, zero) * np.exp(1j * np.radians(columns.get(phase, zero)))
+            for each, phase in zip(_MOTIONS, phases, strict=True)
+        ]
+    )
+    return Raos(2.0 * math.pi / period[order], response[order].astype(np.complex128))
+
+
+def read_columns(
+    path: str,
+    *,
+    needed: Sequence[str],
+    known: Sequence[str],
+    some_of: Sequence[str],
+    units: Mapping[str, Mapping[str, float]] | None = None,
+) -> dict[str, Array]:
+    """Read the columns of a file of numbers; every problem at once.
+
+    Parameters
+    ----------
+    path : str
+        CSV with a row of headings, such as ``Fx (kN)``.
+    needed, known, some_of : sequence of str
+        Headings that have to be there, that may be, and of which one at least has to.
+    units : mapping of str to mapping of str to float, optional
+        Units that each heading may name, one of which it has to, with their sizes in SI. Without,
+        what stands in brackets is not read.
+
+    Raises
+    ------
+    InputError
+        For a file that cannot be read, wrong headings or cells.
+    """
+    rows = _rows(path)
+    if len(rows) < 2:
+        raise refused(path, "rows", f"{len(rows)}", "a row of headings and rows of numbers")
+    heads = [cell.split("(")[0].strip().casefold() for cell in rows[0][1]]
+    problems = [
+        Problem("headings", _shown(each) or "an empty one", f"one of {', '.join(known)} is wanted")
+        for each in heads
+        if each not in known
+    ]
+    problems += [
+        Problem("headings", "", f"{each} is missing") for each in needed if each not in heads
+    ]
+    problems += [
+        Problem("headings", each, "twice")
+        for each in sorted({h for h in heads if heads.count(h) > 1})
+    ]
+    sizes, wrong = _sizes(rows[0][1], heads, units or {})
+    problems += wrong
+    if not any(each in heads for each in some_of):
+        problems.append(Problem("headings", "", f"one of {', '.join(some_of)} is missing"))
+    if problems:
+        raise InputError(problems, path)
+    values = np.full((len(rows) - 1, len(heads)), np.nan)
+    for at, (line, cells) in enumerate(rows[1:]):
+        problems += _fill(values[at], line, cells, heads)
+    if problems:
+        more = len(problems) - _SHOWN
+        shown = problems[:_SHOWN]
+        if more > 0:
+            shown.append(Problem("file", "", f"{more} more of the kind"))
+        raise InputError(shown, path)
+    return {head: values[:, k] * sizes[k] for k, head in enumerate(heads)}
+
+
+def _sizes(
+    cells: Sequence[str], heads: Sequence[str], units: Mapping[str, Mapping[str, float]]
+) -> tuple[list[float], list[Problem]]:
+    """Size in SI of the unit that each heading names, and what is wrong with them."""
+    sizes, problems = [], []
+    for cell, head in zip(cells, heads, strict=True):
+        unit = cell.partition("(")[2].rpartition(")")[0].strip()
+        allowed = units.get(head)
+        sizes.append(1.0 if allowed is None else allowed.get(unit, math.nan))
+        if allowed is not None and unit not in allowed:
+            wanted = f"its unit in brackets is wanted, one of {', '.join(allowed)}"
+            problems.append(Problem("headings", _shown(cell), wanted))
+    return sizes, problems
+
+
+def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Problem]:
+    if len(cells) != len(heads):
+        return [Problem(f"line {line}", f"{len(cells)} cells", f"{len(heads)} are wanted")]
+    problems = []
+    for column, cell in enumerate(cells):
+        try:
+            row[column] = float(cell)
+        except ValueError:
+            row[column] = math.nan
+        if not math.isfinite(row[column]):
+            found = _shown(cell) or "an empty cell"
+            problems.append(Problem(f"line {line}, {heads[column]}", found, "a number is wanted"))
+    return problems
+
+
+def _shown(cell: str) -> str:
+    """Show a cell, whatever is in it."""
+    return as_written(cell.strip())[1:-1]
+
+
+def _rows(path: str) -> list[tuple[int, list[str]]]:
+    """Rows with their line numbers, without empty lines and comments."""
+    text = read_text(Path(path), path, kind="table of numbers", most=MOST_BYTES_OF_DATA)
+    lines = text.splitlines()
+    try:
+        return [
+            (number, next(csv.reader([line])))
+            for number, line in enumerate(lines, start=1)
+            if line.strip() and not line.lstrip().startswith("#")
+        ]
+    except csv.Error as error:
+        raise refused(path, "file", "", f"it is no table of numbers: {error}") from None
+
+
+def refused(path: str, key: str, found: str, allowed: str) -> InputError:
+    """Return the refusal of one key of a file."""
+    return InputError([Problem(key, found, allowed)], path)

@@ -1,0 +1,217 @@
+"""What the comparison of the two models says, as values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+from catopt.catenary.solution import Solution
+from catopt.fem import TrussSolution
+from catopt.model import Case
+from catopt.ties import largest
+from catopt.verify.compared import ROUNDING, Compared, worst_of
+from catopt.verify.shape import Array, closed_form_at, flat
+
+__all__ = [
+    "VERDICTS",
+    "Gap",
+    "LinePair",
+    "Mesh",
+    "StaticComparison",
+    "Verdict",
+    "Verification",
+    "least_agreeing",
+]
+
+Verdict = Literal["agrees", "differs", "not resolved"]
+VERDICTS: tuple[Verdict, ...] = ("differs", "not resolved", "agrees")
+"""From the one that outweighs all others."""
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """One solution of the truss model.
+
+    Attributes
+    ----------
+    elements : int
+        Bars of all lines.
+    iterations : int
+        Of Newton's method, from a straight start.
+    residual : float
+        Largest force left over at a node, over the largest tension.
+    penetration : float
+        Largest depth of a node below the bed, m.
+    """
+
+    elements: int
+    iterations: int
+    residual: float
+    penetration: float
+
+
+class Gap(NamedTuple):
+    """By how much a truss is off the closed form along the line.
+
+    Attributes
+    ----------
+    arc, distance : ndarray, shape (nodes,)
+        Unstretched arc lengths, and how far each node is from its place in the closed form, m.
+    middles, tension : ndarray, shape (bars,)
+        Arc lengths of the bars' middles, m, and the difference of their tensions, N.
+    """
+
+    arc: Array
+    distance: Array
+    middles: Array
+    tension: Array
+
+
+@dataclass(frozen=True)
+class LinePair:
+    """One line by both models: the closed form, and the truss on its meshes."""
+
+    closed: Solution
+    trusses: tuple[TrussSolution, ...] = field(repr=False)
+
+    @property
+    def finest(self) -> TrussSolution:
+        """The truss model on its finest mesh."""
+        return self.trusses[-1]
+
+    def finest_shape(self) -> Array:
+        """Return the nodes of the finest mesh in the line's own plane: x and z, m."""
+        return flat(self.finest)
+
+    def gaps(self) -> list[Gap]:
+        """Compare place and tension with the closed form along the line, for each mesh."""
+        return [self._gap(truss) for truss in self.trusses]
+
+    def _gap(self, truss: TrussSolution) -> Gap:
+        exact = closed_form_at(self.closed, truss.arc)
+        middles = 0.5 * (truss.arc[1:] + truss.arc[:-1])
+        tension = closed_form_at(self.closed, middles)[:, 2]
+        distance = np.linalg.norm(flat(truss) - exact[:, :2], axis=1)
+        return Gap(truss.arc, distance, middles, np.abs(truss.tension - tension))
+
+
+@dataclass(frozen=True)
+class StaticComparison:
+    """Closed form and truss model at rest under one load.
+
+    Attributes
+    ----------
+    name : str
+        Of the load case.
+    kind : {"line", "system"}
+        One line, or a body moored by several.
+    quantities : tuple of Compared
+        Every one that both models know.
+    meshes : tuple of Mesh
+        From the coarsest.
+    lines : tuple of LinePair
+        Shapes and tensions.
+    tolerance : float
+        Allowed difference over each quantity's scale.
+    remarks : tuple of str
+        What to know before the verdict is used.
+    """
+
+    name: str
+    kind: Literal["line", "system"]
+    quantities: tuple[Compared, ...]
+    meshes: tuple[Mesh, ...]
+    lines: tuple[LinePair, ...]
+    tolerance: float
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def worst(self) -> Compared:
+        """The quantity with the largest gap over its tolerance; of those alike the first."""
+        return worst_of(self.quantities)
+
+    @property
+    def rough(self) -> tuple[Compared, ...]:
+        """The quantities whose error does not fall smoothly: they are not extrapolated."""
+        return tuple(each for each in self.quantities if not each.is_smooth)
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether every gap is within its tolerance."""
+        return all(each.agrees for each in self.quantities)
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the two models agree, or the meshes do not resolve what is between them."""
+        if self.is_settled:
+            return "agrees"
+        off = [each for each in self.quantities if not each.agrees]
+        return "differs" if any(each.is_resolved for each in off) else "not resolved"
+
+    @property
+    def residual(self) -> float:
+        """Largest force left over at a node of the finest mesh, over the largest tension."""
+        return self.meshes[-1].residual
+
+    def mesh_gap(self, mesh: int) -> float:
+        """Largest difference over its scale on one mesh, from 0."""
+        return max(abs(each.fem[mesh] - each.closed_form) / each.scale for each in self.quantities)
+
+    def of(self, quantity: str, line: int | None = None) -> Compared:
+        """Look a quantity up.
+
+        Parameters
+        ----------
+        quantity : str
+            Such as ``"fairlead_tension"``.
+        line : int, optional
+            Of a system: which line, from 0.
+        """
+        return next(q for q in self.quantities if (q.quantity, q.line) == (quantity, line))
+
+
+def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
+    """Return the load case in which the models agree least; of those alike the first."""
+    resolved = ROUNDING / min(part.tolerance for part in parts)
+    return largest(parts, lambda part: part.worst.severity, resolved)
+
+
+@dataclass(frozen=True)
+class Verification:
+    """A case by both models.
+
+    Attributes
+    ----------
+    case : Case
+        What was verified.
+    parts : tuple of StaticComparison
+        One a load case.
+    """
+
+    case: Case
+    parts: tuple[StaticComparison, ...]
+
+    @property
+    def static(self) -> StaticComparison:
+        """The load case in which the models agree least."""
+        return least_agreeing(self.parts)
+
+    @property
+    def verdict(self) -> Verdict:
+        """The one of a load case that outweighs the others; ``"agrees"`` where all do."""
+        verdicts = [part.verdict for part in self.parts]
+        return next(v for v in VERDICTS if v in verdicts)
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether the models agree."""
+        return all(part.is_settled for part in self.parts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt verify --json`` prints (schema catopt.verify/1)."""
+        from catopt.verify.document import verification_document
+
+        return verification_document(self)

@@ -1,0 +1,69 @@
+"""Waves and current: dispersion, spectra, random seas, and the motion of the water.
+
+A `Sea` holds what moves; `Sea.flow` with `kinematics.fill_kinematics` is for loops over time steps.
+"""
+
+from catopt.waves.components import Waves, regular_wave
+from catopt.waves.current import (
+    Current,
+    CurrentSeries,
+    PowerLawCurrent,
+    TableCurrent,
+    WindCurrent,
+    wind_driven_speed,
+)
+from catopt.waves.dispersion import wave_number, wavelength
+from catopt.waves.elevation_record import ElevationRecord
+from catopt.waves.frequency_range import (
+    frequency_range,
+    s4_range_jonswap,
+    s4_range_pierson_moskowitz,
+)
+from catopt.waves.kinematics import Flow, fill_elevation, fill_kinematics
+from catopt.waves.periods import (
+    peak_from_mean,
+    peak_from_zero_crossing,
+    zero_crossing_from_mean,
+)
+from catopt.waves.plausibility import breaking_height, breaking_warning
+from catopt.waves.random_surface import random_waves
+from catopt.waves.repetition import repetition_warning, strongest_return, waves_needed
+from catopt.waves.sea import Kinematics, Sea
+from catopt.waves.spectrum import Spectrum, jonswap, peak_enhancement, pierson_moskowitz
+from catopt.waves.spreading import CosineSpreading
+
+__all__ = [
+    "CosineSpreading",
+    "Current",
+    "CurrentSeries",
+    "ElevationRecord",
+    "Flow",
+    "Kinematics",
+    "PowerLawCurrent",
+    "Sea",
+    "Spectrum",
+    "TableCurrent",
+    "Waves",
+    "WindCurrent",
+    "breaking_height",
+    "breaking_warning",
+    "fill_elevation",
+    "fill_kinematics",
+    "frequency_range",
+    "jonswap",
+    "peak_enhancement",
+    "peak_from_mean",
+    "peak_from_zero_crossing",
+    "pierson_moskowitz",
+    "random_waves",
+    "regular_wave",
+    "repetition_warning",
+    "s4_range_jonswap",
+    "s4_range_pierson_moskowitz",
+    "strongest_return",
+    "wave_number",
+    "wavelength",
+    "waves_needed",
+    "wind_driven_speed",
+    "zero_crossing_from_mean",
+]

@@ -1,0 +1,135 @@
+"""Waves as a sum of regular ones.
+
+    eta(x, y, t) = sum of a_i cos(k_i (x cos b_i + y sin b_i) - omega_i t + phi_i)      S4 [2.63]
+
+Wave numbers are not held here: they come with the water depth (`Sea`).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.model.validity import Findings
+
+__all__ = ["Waves", "regular_wave"]
+
+Array = npt.NDArray[np.float64]
+
+_ARRAYS: Final = ("amplitude", "omega", "phase", "direction")
+
+
+@dataclass(frozen=True, eq=False)
+class Waves:
+    """Regular waves that add up; every array has the shape (n,) and cannot be written to.
+
+    Attributes
+    ----------
+    amplitude : ndarray
+        a, m.
+    omega : ndarray
+        Angular frequency, rad/s.
+    phase : ndarray
+        phi, rad: at the origin at t = 0 the wave stands at a cos(phi).
+    direction : ndarray
+        b, rad: where the wave travels to, counter-clockwise from the x axis.
+    repeats_after : float
+        s after which a surface taken from a record begins anew; inf where that is not known.
+    """
+
+    amplitude: Array
+    omega: Array
+    phase: Array
+    direction: Array
+    repeats_after: float = field(default=math.inf, kw_only=True)
+
+    def __post_init__(self) -> None:
+        for name in _ARRAYS:
+            values = np.array(getattr(self, name), dtype=float)
+            values.flags.writeable = False
+            object.__setattr__(self, name, values)
+        self._check()
+
+    def _check(self) -> None:
+        found = Findings("Waves")
+        for name in _ARRAYS:
+            values = getattr(self, name)
+            if values.ndim != 1 or values.shape != np.shape(self.omega):
+                found.add(name, f"shape {values.shape}", "one number a wave is wanted")
+            elif not np.isfinite(values).all():
+                found.add(name, "nan or infinity", "finite numbers are wanted")
+        if not found.problems and self.omega.size == 0:
+            found.add("omega", "no wave", "one wave or more is wanted")
+        if not (self.omega > 0.0).all():
+            found.add("omega", repr(float(self.omega.min())), "must be above 0 rad/s")
+        if not (self.amplitude >= 0.0).all():
+            found.add("amplitude", repr(float(self.amplitude.min())), "must be 0 m or more")
+        found.number("repeats_after", self.repeats_after, "s", above=0.0, infinite=True)
+        found.raise_if_any()
+
+    @property
+    def count(self) -> int:
+        """How many waves."""
+        return self.omega.size
+
+    @property
+    def variance(self) -> float:
+        """m0, the mean square of the surface over all time, m²."""
+        return float(0.5 * (self.amplitude**2).sum())
+
+    @property
+    def significant_height(self) -> float:
+        """4 sqrt(m0) of these waves, m."""
+        return 4.0 * math.sqrt(self.variance)
+
+    @property
+    def mean_period(self) -> float:
+        """2 pi m0/m1 of these waves, s."""
+        energy = self.amplitude**2
+        return float(2.0 * math.pi * energy.sum() / (energy * self.omega).sum())
+
+    def only(self, which: npt.NDArray[np.bool_]) -> Waves:
+        """Return those of the waves for which `which`, shape (n,), is true."""
+        return Waves(*(getattr(self, name)[which] for name in _ARRAYS))
+
+    def with_others(self, *others: Waves) -> Waves:
+        """Return these waves and others together."""
+        together = [
+            np.concatenate([getattr(each, name) for each in (self, *others)]) for name in _ARRAYS
+        ]
+        return Waves(*together)
+
+
+def regular_wave(
+    height: float, period: float, *, direction: float = 0.0, phase: float = 0.0
+) -> Waves:
+    """One regular wave.
+
+    Parameters
+    ----------
+    height : float
+        From trough to crest, m: twice the amplitude.
+    period : float
+        s.
+    direction : float
+        Where it travels to, rad from the x axis.
+    phase : float
+        rad; 0 puts a crest over the origin at t = 0.
+
+    Raises
+    ------
+    InputError
+        For a height or period that is not above 0, or an angle that is no finite number.
+    """
+    found = Findings("regular_wave")
+    found.number("height", height, "m", above=0.0)
+    found.number("period", period, "s", above=0.0)
+    found.number("direction", direction, "rad")
+    found.number("phase", phase, "rad")
+    found.raise_if_any()
+    omega = 2.0 * math.pi / period
+    return Waves(*(np.array([value]) for value in (0.5 * height, omega, phase, direction)))

@@ -1,0 +1,149 @@
+"""A recorded surface as a sum of regular waves, by the discrete Fourier transform.
+
+Of N samples at steps h, T = N h, the transform X_k = sum of eta_j exp(-2 pi i j k/N) gives the wave
+of the frequency 2 pi k/T the amplitude 2 |X_k|/N, or |X_k|/N at k = N/2, and the phase -arg X_k.
+All of them, with the mean, are the record again to rounding; T later they begin anew.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.model.validity import Findings
+from catopt.waves.components import Waves
+
+__all__ = ["ElevationRecord"]
+
+Array = npt.NDArray[np.float64]
+
+_FEWEST: Final = 8
+_UNEVEN: Final = 0.01
+"""Of a step: a time further than this from even steps is resampled; rounded times are not."""
+_GAP: Final = 5.0
+"""A step of time longer than this many of the usual ones is a gap."""
+_LEFT_OUT: Final = 0.001
+"""Part of the variance, of the fastest waves, left out where no shortest period is given."""
+
+
+@dataclass(frozen=True, eq=False)
+class ElevationRecord:
+    """Heights of the surface at one place over time.
+
+    Attributes
+    ----------
+    times : ndarray, shape (n,)
+        Rising, s, without gaps. Steps that differ by more than 1 % are evened out: the record is
+        interpolated linearly at as many even steps.
+    elevation : ndarray, shape (n,)
+        Above any fixed level, m; the mean is taken off.
+    """
+
+    times: Array
+    elevation: Array
+
+    def __post_init__(self) -> None:
+        for name in ("times", "elevation"):
+            object.__setattr__(self, name, np.array(getattr(self, name), dtype=float))
+        found = Findings("ElevationRecord")
+        t, eta = self.times, self.elevation
+        if t.ndim != 1 or t.shape != eta.shape or t.size < _FEWEST:
+            wanted = f"{_FEWEST} times or more are wanted, with as many elevations"
+            found.add("times", f"{t.shape} and {eta.shape}", wanted)
+        elif not (np.isfinite(t).all() and np.isfinite(eta).all()):
+            found.add("elevation", "nan or infinity", "finite numbers are wanted")
+        else:
+            self._check_steps(found)
+            if not found.problems and float(np.ptp(eta)) == 0.0:
+                found.add("elevation", f"{eta[0]:g} m throughout", "a surface that moves is wanted")
+        found.raise_if_any()
+
+    def _check_steps(self, found: Findings) -> None:
+        steps = np.diff(self.times)
+        usual, at = float(np.median(steps)), int(np.argmax(steps))
+        if not (steps > 0.0).all():
+            at = int(np.argmax(steps <= 0.0))
+            found.add("times", f"{self.times[at + 1]:g} s after {self.times[at]:g} s", "must rise")
+        elif steps[at] > _GAP * usual:
+            gap = f"a gap of {steps[at]:g} s after {self.times[at]:g} s"
+            found.add("times", gap, f"steps of about {usual:g} s are wanted throughout")
+
+    @property
+    def duration(self) -> float:
+        """From the first sample to the last, s."""
+        return float(self.times[-1] - self.times[0])
+
+    @property
+    def step(self) -> float:
+        """Mean step of time, s."""
+        return self.duration / (self.times.size - 1)
+
+    @property
+    def is_resampled(self) -> bool:
+        """Whether its steps are uneven."""
+        even = self.times[0] + self.step * np.arange(self.times.size)
+        return bool((np.abs(self.times - even) > _UNEVEN * self.step).any())
+
+    @property
+    def mean(self) -> float:
+        """Of the elevation at even steps, m."""
+        return float(self._even.mean())
+
+    @property
+    def _even(self) -> Array:
+        if not self.is_resampled:
+            return self.elevation
+        even = self.times[0] + self.step * np.arange(self.times.size)
+        resampled: Array = np.interp(even, self.times, self.elevation)
+        return resampled
+
+    def waves(self, *, direction: float = 0.0, shortest_period: float | None = None) -> Waves:
+        """Find the waves that the record is the sum of; its first sample is t = 0 at the origin.
+
+        Parameters
+        ----------
+        direction : float
+            Where they travel to, rad from the x axis.
+        shortest_period : float, optional
+            s; faster waves are left out. Without it the fastest that together have no more than
+            0.1 % of the variance are.
+
+        Raises
+        ------
+        InputError
+            When no wave has such a period.
+        """
+        N, T = self.times.size, self.times.size * self.step
+        X = np.fft.rfft(self._even - self.mean)[1:]
+        k = np.arange(1, X.size + 1, dtype=float)
+        amplitude: Array = np.where(2 * k == N, 1.0, 2.0) * np.abs(X) / N
+        if shortest_period is None:
+            energy = np.cumsum(self._energy(amplitude))
+            count = int(np.searchsorted(energy, (1.0 - _LEFT_OUT) * energy[-1])) + 1
+        else:
+            count = int((T / k >= shortest_period * (1.0 - 1e-9)).sum())
+        if count == 0 or not amplitude[:count].any():
+            found = Findings("ElevationRecord")
+            found.add("shortest_period", f"{shortest_period} s", "the record has no wave so slow")
+            found.raise_if_any()
+        kept = slice(0, count)
+        return Waves(
+            amplitude[kept], 2.0 * math.pi / T * k[kept], -np.angle(X[kept]).astype(float),
+            np.full(count, float(direction)), repeats_after=T,
+        )  # fmt: skip
+
+    def left_out(self, waves: Waves) -> float:
+        """Part of the record's variance that is in none of the waves found in it."""
+        variance = float(self._even.var())
+        return max(0.0, 1.0 - float(self._energy(waves.amplitude).sum()) / variance)
+
+    def _energy(self, amplitude: Array) -> Array:
+        """Mean square over the samples of each wave, from the slowest; the last may be k = N/2."""
+        energy: Array = 0.5 * amplitude**2
+        if 2 * amplitude.size == self.times.size:
+            energy[-1] *= 2.0
+        return energy

@@ -1,0 +1,213 @@
+"""Velocity and acceleration of the water: Airy waves at finite depth upon a current.
+
+z is the height above the bed, d the water depth, theta = k (x cos b + y sin b) - omega t + phi.
+For a wave of amplitude a, S4 [2.52]-[2.55], [2.73]-[2.76]:
+
+    eta = a cos theta
+    u   = a omega cosh(k z)/sinh(k d) cos theta     along the wave's direction b
+    w   = a omega sinh(k z)/sinh(k d) sin theta     upwards
+
+and the accelerations are their derivatives by time at a fixed point. With E = exp(-k (d - z)) and
+q = exp(-2 k d) the hyperbolic ratios are (E ± q/E)/(1 - q), which cannot overflow.
+
+Plain functions of floats and arrays, meant to be compiled. A call allocates nothing but ten rows of
+work space, one number a point each.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from catopt.compiled import inlined
+from catopt.waves.fast_functions import cos_sin, exp_below_zero
+
+__all__ = ["NEGLIGIBLE", "Flow", "fill_elevation", "fill_kinematics", "smooth_ramp"]
+
+NEGLIGIBLE: Final = 37.0
+"""k (d - z) from which a wave is left out: exp(-37) is below the rounding of its surface motion."""
+
+
+class Flow(NamedTuple):
+    """A sea as the kernels read it; made by `Sea.flow`.
+
+    Attributes
+    ----------
+    depth : float
+        d, m.
+    is_stretched : bool
+        Whether by Wheeler.
+    reach : float
+        k (d - z) from which a wave is left out: `NEGLIGIBLE`, or pi for half a wavelength.
+    ramp_time : float
+        s over which the waves grow from nothing; 0 for waves at once.
+    waves : array, shape (n, 8)
+        A row a wave: omega, k cos b, k sin b, k, phi, cos b, sin b, a.
+    factors : array, shape (n, 2)
+        q, and a omega/(1 - q).
+    power_currents : array, shape (m, 3)
+        Surface speed along x and y, exponent.
+    current : array, shape (l, 3)
+        From the bed up: height, speed along x and y.
+    current_series : array, shape (m, 3)
+        Time, and the factor on all that flows: a complex number, real and imaginary part.
+    """
+
+    depth: float
+    is_stretched: bool
+    reach: float
+    ramp_time: float
+    waves: Any
+    factors: Any
+    power_currents: Any
+    current: Any
+    current_series: Any
+
+
+@inlined
+def smooth_ramp(t: float, ramp_time: float) -> tuple[float, float]:
+    """Factor (1 - cos(pi t/T))/2 on the waves, from 0 at t = 0 to 1 at T, and its rate, 1/s."""
+    if t >= ramp_time:
+        return 1.0, 0.0
+    if t <= 0.0:
+        return 0.0, 0.0
+    angle = math.pi * t / ramp_time
+    return 0.5 * (1.0 - math.cos(angle)), 0.5 * math.pi / ramp_time * math.sin(angle)
+
+
+def fill_elevation(t: Any, x: Any, y: Any, flow: Flow, eta: Any) -> None:
+    """Write the surface's height above still water (m) at each time and place into `eta`.
+
+    Parameters
+    ----------
+    t, x, y, eta : array, shape (n,)
+        s, m, m; written to.
+    flow : Flow
+        The sea.
+    """
+    count = t.shape[0]
+    for n in range(count):
+        eta[n] = 0.0
+    for i in range(flow.waves.shape[0]):
+        omega, k_x, k_y = flow.waves[i, 0], flow.waves[i, 1], flow.waves[i, 2]
+        phase, amplitude = flow.waves[i, 4], flow.waves[i, 7]
+        for n in range(count):
+            cos, _ = cos_sin(k_x * x[n] + k_y * y[n] - omega * t[n] + phase)
+            eta[n] += amplitude * cos
+    for n in range(count):
+        ramp, _ = smooth_ramp(t[n], flow.ramp_time)
+        eta[n] *= ramp
+
+
+@inlined
+def current_factor(t: float, flow: Flow) -> tuple[float, float, float, float]:
+    """Complex factor on the current at a time, and its rate of change (1/s); held at either end."""
+    rows = flow.current_series
+    last = rows.shape[0] - 1
+    if t <= rows[0, 0] or last == 0:
+        return rows[0, 1], rows[0, 2], 0.0, 0.0
+    if t >= rows[last, 0]:
+        return rows[last, 1], rows[last, 2], 0.0, 0.0
+    row = np.searchsorted(rows[:, 0], t, side="right") - 1
+    over = 1.0 / (rows[row + 1, 0] - rows[row, 0])
+    rate_x = over * (rows[row + 1, 1] - rows[row, 1])
+    rate_y = over * (rows[row + 1, 2] - rows[row, 2])
+    passed = t - rows[row, 0]
+    return rows[row, 1] + passed * rate_x, rows[row, 2] + passed * rate_y, rate_x, rate_y
+
+
+def current_at(z: float, flow: Flow) -> tuple[float, float]:
+    """Speed of the profiles along x and y at a height above the bed, m/s."""
+    table = flow.current
+    last = table.shape[0] - 1
+    z = min(max(z, 0.0), flow.depth)
+    row = 0
+    while row < last - 1 and z > table[row + 1, 0]:
+        row += 1
+    part = (z - table[row, 0]) / (table[row + 1, 0] - table[row, 0])
+    u = table[row, 1] + part * (table[row + 1, 1] - table[row, 1])
+    v = table[row, 2] + part * (table[row + 1, 2] - table[row, 2])
+    powers = flow.power_currents
+    for i in range(powers.shape[0]):
+        share = (z / flow.depth) ** powers[i, 2]
+        u += powers[i, 0] * share
+        v += powers[i, 1] * share
+    return u, v
+
+
+def fill_kinematics(
+    t: float, points: Any, flow: Flow, velocity: Any, acceleration: Any, surface: Any
+) -> None:
+    """Write the water's motion at each point; nothing moves where there is no water.
+
+    Parameters
+    ----------
+    t : float
+        Time, s.
+    points : array, shape (n, 3)
+        x, y and height z above the bed, m. Below the bed the motion is that at the bed.
+    flow : Flow
+        The sea.
+    velocity, acceleration : array, shape (n, 3)
+        Written to: m/s and m/s², of waves and current at the fixed point.
+    surface : array, shape (n,)
+        Written to: height above the bed up to which there is water over each point, m.
+    """
+    count = points.shape[0]
+    depth = flow.depth
+    x, y, below = np.empty(count), np.empty(count), np.empty(count)
+    for n in range(count):
+        x[n], y[n], surface[n] = points[n, 0], points[n, 1], depth
+    if flow.is_stretched:
+        fill_elevation(np.full(count, t), x, y, flow, surface)
+        for n in range(count):
+            surface[n] += depth
+    for n in range(count):
+        # Wheeler: the profile up to still water is stretched to reach up to the surface.
+        z, top = points[n, 2], surface[n]
+        below[n] = depth - max(z, 0.0) * (depth / top) if z < top else 0.0
+    sums = np.zeros((6, count))
+    _add_waves(t, x, y, below, flow, sums)
+    ramp, ramp_rate = smooth_ramp(t, flow.ramp_time)
+    same, turned, same_rate, turned_rate = current_factor(t, flow)
+    for n in range(count):
+        for j in range(3):
+            velocity[n, j] = ramp * sums[j, n]
+            acceleration[n, j] = ramp * sums[3 + j, n] + ramp_rate * sums[j, n]
+        u, v = current_at(points[n, 2], flow)
+        velocity[n, 0] += same * u - turned * v
+        velocity[n, 1] += same * v + turned * u
+        acceleration[n, 0] += same_rate * u - turned_rate * v
+        acceleration[n, 1] += same_rate * v + turned_rate * u
+        if points[n, 2] > surface[n]:
+            for j in range(3):
+                velocity[n, j] = acceleration[n, j] = 0.0
+
+
+def _add_waves(t: float, x: Any, y: Any, below: Any, flow: Flow, sums: Any) -> None:
+    """Add velocity and acceleration of each wave at depths `below` still water to six rows.
+
+    Points are the inner loop, and it has no branch: so the compiler does several at a time.
+    """
+    reach = flow.reach
+    for i in range(flow.waves.shape[0]):
+        wave = flow.waves[i]
+        omega, k_x, k_y, k, cos_b, sin_b = wave[0], wave[1], wave[2], wave[3], wave[5], wave[6]
+        phase = wave[4] - (omega * t) % (2.0 * math.pi)
+        q, speed = flow.factors[i, 0], flow.factors[i, 1]
+        for n in range(x.shape[0]):
+            decay = k * below[n]
+            here = speed if decay <= reach else 0.0
+            E = exp_below_zero(-min(decay, reach))
+            mirrored = q / E
+            along, up = here * (E + mirrored), here * (E - mirrored)
+            cos, sin = cos_sin(k_x * x[n] + k_y * y[n] + phase)
+            u, u_t = along * cos, omega * along * sin
+            sums[0, n] += u * cos_b
+            sums[1, n] += u * sin_b
+            sums[2, n] += up * sin
+            sums[3, n] += u_t * cos_b
+            sums[4, n] += u_t * sin_b
+            sums[5, n] -= omega * up * cos

@@ -1,0 +1,158 @@
+"""A random sea: a spectrum cut into bands, one wave of random frequency and phase in each."""
+
+from __future__ import annotations
+
+import math
+from typing import Final, Literal, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.model.validity import Findings
+from catopt.waves.components import Waves
+from catopt.waves.frequency_range import frequency_range
+from catopt.waves.spectrum import Spectrum
+from catopt.waves.spreading import CosineSpreading
+
+__all__ = ["Bands", "random_waves"]
+
+Array = npt.NDArray[np.float64]
+
+Bands = Literal["equal-energy", "equal-width", "S4"]
+"""How the range is cut.
+
+``"equal-energy"``: every band holds the same energy and every wave has the same amplitude; where in
+its band's energy a wave lies is random. ``"equal-width"``: bands of equal width, a frequency
+anywhere in its band, and amplitudes that carry the band's energy. ``"S4"``: such bands, but with
+the amplitude sqrt(2 S(omega_i) domega) of S4 [2.72], so that Hs varies from seed to seed.
+"""
+
+_HALVINGS: Final = 60
+"""Enough to bring any range down to neighbouring numbers of double precision."""
+
+
+def random_waves(
+    spectrum: Spectrum,
+    count: int,
+    generator: np.random.Generator,
+    *,
+    direction: float = 0.0,
+    spreading: float | CosineSpreading | None = None,
+    bands: Bands = "equal-energy",
+    between: tuple[float, float] | None = None,
+) -> Waves:
+    """Draw a random sea.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        What it is drawn from.
+    count : int
+        How many waves; see `repetition` for how many a run needs.
+    generator : numpy.random.Generator
+        Where the random numbers come from: frequencies, then phases, then directions. The same
+        seed gives the same sea to the last digit.
+    direction : float
+        Where the sea travels to, rad from the x axis.
+    spreading : float or CosineSpreading, optional
+        A number is s of the spreading function cos^2s((b - direction)/2), above 0; each wave is
+        given one direction b drawn from it. A `CosineSpreading` has directions of its own: of each
+        as many waves that follow one another in frequency, every one gets another. Without, all
+        waves have the one direction.
+    bands : {"equal-energy", "equal-width", "S4"}
+        How the range is cut, see `Bands`.
+    between : tuple of float, optional
+        Lowest and highest angular frequency, rad/s; `frequency_range` when not given. The energy
+        outside is left out, and the waves' Hs is smaller by that.
+
+    Raises
+    ------
+    InputError
+        For a count below 1 or not a multiple of the directions, a range that is empty or not above
+        0, a spreading not above 0.
+    """
+    low, high = frequency_range(spectrum) if between is None else between
+    _check(count, direction, spreading, bands, low, high)
+    position = np.arange(count) + generator.random(count)
+    phase = generator.uniform(0.0, 2.0 * math.pi, count)
+    cut = _cut_by_energy if bands == "equal-energy" else _cut_by_width
+    edges, omega = cut(spectrum, low, high, position)
+    if bands == "S4":
+        energy = spectrum.density(omega) * np.diff(edges)
+    else:
+        energy = np.diff(spectrum.energy_below(edges))
+    directions = direction + _deviations(count, spreading, generator)
+    return Waves(np.sqrt(2.0 * energy), omega, phase, directions)
+
+
+def _cut_by_width(_: Spectrum, low: float, high: float, position: Array) -> tuple[Array, Array]:
+    """Edges of bands of equal width, and frequencies at `position`, in bands from the lowest."""
+    width = (high - low) / position.size
+    edges: Array = low + width * np.arange(position.size + 1, dtype=float)
+    return edges, low + width * position
+
+
+def _cut_by_energy(
+    spectrum: Spectrum, low: float, high: float, position: Array
+) -> tuple[Array, Array]:
+    """Edges of bands of equal energy, and frequencies at `position`, in bands from the lowest."""
+    start, end = spectrum.energy_below(np.array([low, high]))
+    band = (end - start) / position.size
+    edges = _with_energy(spectrum, low, high, start + band * np.arange(position.size + 1))
+    edges[0], edges[-1] = low, high
+    return edges, _with_energy(spectrum, low, high, start + band * position)
+
+
+def _with_energy(spectrum: Spectrum, low: float, high: float, energy: Array) -> Array:
+    """Frequencies below which the spectrum has these energies, by halving."""
+    below, above = np.full_like(energy, low), np.full_like(energy, high)
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (below + above)
+        is_short = spectrum.energy_below(middle) < energy
+        below, above = np.where(is_short, middle, below), np.where(is_short, above, middle)
+    result: Array = 0.5 * (below + above)
+    return result
+
+
+def _deviations(
+    count: int, spreading: float | CosineSpreading | None, generator: np.random.Generator
+) -> Array:
+    """Deal out the directions of a `CosineSpreading`, or draw from the density cos^2s(b/2).
+
+    With B = cos²(b/2), |b| < pi, that density is B^s db, and db is dB/sqrt(B (1 - B)): a beta
+    distribution.
+    """
+    if spreading is None:
+        return np.zeros(count)
+    if isinstance(spreading, CosineSpreading):
+        angles = spreading.deviations
+        hands = [generator.permutation(angles) for _ in range(count // angles.size)]
+        return np.concatenate(hands)
+    cos2 = generator.beta(spreading + 0.5, 0.5, count)
+    side = np.where(generator.random(count) < 0.5, -1.0, 1.0)
+    result: Array = side * 2.0 * np.arccos(np.sqrt(cos2))
+    return result
+
+
+def _check(
+    count: int,
+    direction: float,
+    spreading: float | CosineSpreading | None,
+    bands: str,
+    low: float,
+    high: float,
+) -> None:
+    found = Findings("random_waves")
+    if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 1:
+        found.add("count", repr(count), "a whole number of 1 or more is wanted")
+    found.number("direction", direction, "rad")
+    if isinstance(spreading, CosineSpreading):
+        if not found.problems and count % spreading.directions:
+            found.add("count", repr(count), f"a multiple of {spreading.directions} directions")
+    elif spreading is not None:
+        found.number("spreading", spreading, "", above=0.0)
+    if bands not in get_args(Bands):
+        found.add("bands", repr(bands), f"must be one of {', '.join(get_args(Bands))}")
+    found.number("between[0]", low, "rad/s", above=0.0)
+    found.number("between[1]", high, "rad/s", above=max(low, 0.0))
+    found.raise_if_any()

@@ -1,0 +1,190 @@
+"""A sea: depth, waves and current, and how far up and down the waves are taken to act."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.compiled import compiled
+from catopt.model.validity import Findings
+from catopt.waves.components import Waves
+from catopt.waves.current import (
+    Current,
+    CurrentSeries,
+    PowerLawCurrent,
+    TableCurrent,
+    WindCurrent,
+    power_rows,
+    table_rows,
+)
+from catopt.waves.dispersion import fill_wave_numbers
+from catopt.waves.kinematics import (
+    NEGLIGIBLE,
+    Flow,
+    fill_elevation,
+    fill_kinematics,
+)
+
+__all__ = ["Kinematics", "Reach", "Sea", "Stretching"]
+
+Array = npt.NDArray[np.float64]
+
+Stretching = Literal["none", "wheeler"]
+"""``"none"``: the formulas up to still water, and no water above it, under a crest or not.
+``"wheeler"``: water up to the moving surface, the profile stretched to reach from the bed to it."""
+
+Reach = Literal["bed", "half-wavelength"]
+"""How far down waves act: ``"bed"``, all the way as the formulas say, or ``"half-wavelength"``, as
+S4 has it: nothing of a wave further below still water than half its own length."""
+
+
+class Kinematics(NamedTuple):
+    """The water's motion at points.
+
+    Attributes
+    ----------
+    velocity, acceleration : ndarray, shape (n, 3)
+        m/s and m/s², along x, y and up.
+    surface : ndarray, shape (n,)
+        Height above the bed up to which there is water over each point, m.
+    """
+
+    velocity: Array
+    acceleration: Array
+    surface: Array
+
+
+_A_WAVE = 1e-5
+"""Time that a wave takes at one point as plain Python, s."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sea:
+    """Waves and current in water of one depth.
+
+    Attributes
+    ----------
+    depth : float
+        From still water to the bed, m.
+    waves : Waves, optional
+        None for still water.
+    current : sequence of current profiles
+        Their sum flows.
+    stretching : {"none", "wheeler"}
+        What holds between still water and the moving surface.
+    reach : {"bed", "half-wavelength"}
+        How far down waves act.
+    ramp_time : float
+        s over which the waves grow smoothly from nothing at t = 0; the current does not. 0 for
+        waves at once.
+    current_series : CurrentSeries, optional
+        By which the current changes over time; steady without.
+    """
+
+    depth: float
+    waves: Waves | None = None
+    current: Sequence[Current] = ()
+    stretching: Stretching = "none"
+    reach: Reach = "bed"
+    ramp_time: float = 0.0
+    current_series: CurrentSeries | None = None
+
+    def __post_init__(self) -> None:
+        found = Findings("Sea")
+        found.number("depth", self.depth, "m", above=0.0)
+        found.number("ramp_time", self.ramp_time, "s", at_least=0.0)
+        if self.waves is not None and not isinstance(self.waves, Waves):
+            found.add("waves", repr(self.waves), "a Waves value or None is wanted")
+        if isinstance(self.current, (PowerLawCurrent, WindCurrent, TableCurrent)):
+            object.__setattr__(self, "current", (self.current,))
+        object.__setattr__(self, "current", tuple(self.current))
+        for key, allowed in (("stretching", Stretching), ("reach", Reach)):
+            if getattr(self, key) not in get_args(allowed):
+                wanted = f"must be one of {', '.join(get_args(allowed))}"
+                found.add(key, repr(getattr(self, key)), wanted)
+        found.raise_if_any()
+        if self.current_series is not None and self._surface_current == 0.0:
+            wanted = "a current that flows at the surface is wanted, for it to scale"
+            found.add("current_series", "without a current", wanted)
+        found.raise_if_any()
+
+    @property
+    def _surface_current(self) -> complex:
+        """What the profiles flow with at still water, along x and y, m/s."""
+        top = table_rows(self.current, float(self.depth))[-1]
+        powers = power_rows(self.current).sum(axis=0)
+        return complex(top[1] + powers[0], top[2] + powers[1])
+
+    @cached_property
+    def flow_at_rest(self) -> Flow:
+        """The same before the run: without waves, in the current as it is at its start."""
+        flow = replace(self, waves=None).flow
+        t, *factor = flow.current_series.T
+        start = [0.0, *(float(np.interp(0.0, t, part)) for part in factor)]
+        return flow._replace(current_series=np.array([start]))
+
+    @cached_property
+    def wave_numbers(self) -> Array:
+        """Wave number of each wave, rad/m."""
+        omega = np.empty(0) if self.waves is None else self.waves.omega
+        k = np.empty(omega.size)
+        compiled(fill_wave_numbers, _A_WAVE * omega.size)(omega, float(self.depth), k)
+        return k
+
+    @cached_property
+    def flow(self) -> Flow:
+        """What the compiled kernels read."""
+        k = self.wave_numbers
+        waves, factors = np.zeros((k.size, 8)), np.zeros((k.size, 2))
+        if self.waves is not None:
+            w = self.waves
+            cos, sin = np.cos(w.direction), np.sin(w.direction)
+            waves[:] = np.stack(
+                [w.omega, k * cos, k * sin, k, w.phase, cos, sin, w.amplitude], axis=1
+            )
+            mirror = np.exp(-2.0 * k * self.depth)
+            speed = w.amplitude * w.omega / -np.expm1(-2.0 * k * self.depth)
+            factors[:] = np.stack([mirror, speed], axis=1)
+        return Flow(
+            float(self.depth),
+            self.stretching == "wheeler",
+            NEGLIGIBLE if self.reach == "bed" else math.pi,
+            float(self.ramp_time),
+            waves,
+            factors,
+            power_rows(self.current),
+            table_rows(self.current, float(self.depth)),
+            np.array([[0.0, 1.0, 0.0]])
+            if self.current_series is None
+            else self.current_series.rows(self._surface_current),
+        )
+
+    def kinematics(self, t: float, points: npt.ArrayLike) -> Kinematics:
+        """Velocity and acceleration of the water at points.
+
+        Parameters
+        ----------
+        t : float
+            s.
+        points : array_like, shape (n, 3)
+            x, y, and height z above the bed, m.
+        """
+        at = np.ascontiguousarray(points, dtype=float)
+        result = Kinematics(np.empty(at.shape), np.empty(at.shape), np.empty(at.shape[0]))
+        work = _A_WAVE * self.flow.waves.shape[0] * at.shape[0]
+        compiled(fill_kinematics, work)(float(t), at, self.flow, *result)
+        return result
+
+    def elevation(self, t: npt.ArrayLike, x: npt.ArrayLike = 0.0, y: npt.ArrayLike = 0.0) -> Array:
+        """Height of the surface above still water, m; times and places broadcast."""
+        at = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (t, x, y)))
+        eta = np.empty(at[0].size)
+        fill = compiled(fill_elevation, _A_WAVE * self.flow.waves.shape[0] * eta.size)
+        fill(*(np.ascontiguousarray(a).ravel() for a in at), self.flow, eta)
+        return eta.reshape(at[0].shape)

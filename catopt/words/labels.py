@@ -1,0 +1,113 @@
+"""Names of quantities and headings of columns, in every language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.words.message import Message, say
+from catopt.words.texts import Language, group
+
+__all__ = ["Term", "heading", "is_term", "quantity_label", "quantity_name", "term"]
+
+
+class Term(Message):
+    """A word that code or data have in English: ``"sand"``, ``"tanker"``.
+
+    It is looked up when it is said in another language, to the letter, among the headings, the
+    names of quantities and the group ``terms``; what is in none of them stays as it is.
+
+    Parameters
+    ----------
+    english : str
+        The word.
+    """
+
+    def __new__(cls, english: str) -> Term:
+        """Take the word."""
+        message = str.__new__(cls, english)
+        message.key, message.values = "", {}
+        return message
+
+    def said(self, language: Language) -> str:
+        """Say it in a language."""
+        key = _terms().get(self)
+        return str(self) if key is None else Message(key).said(language)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """Keep it when it is copied, or sent to another process."""
+        return Term, (str(self),)
+
+
+def term(english: str) -> Message:
+    """Return a word that code or data have in English as a message; a message stays what it is."""
+    return english if isinstance(english, Message) else Term(english)
+
+
+def is_term(english: str) -> bool:
+    """Whether a word is one that code or data have, and not a user's own."""
+    return english in _terms()
+
+
+@cache
+def _terms() -> Mapping[str, str]:
+    """Keys of the terms by their English; the first of several that are alike."""
+    found: dict[str, str] = {}
+    for name in ("terms", "columns", "quantities"):
+        for key, texts in group(name).items():
+            english = texts["en"]
+            if isinstance(english, str):
+                found.setdefault(english, f"{name}.{key}")
+    return found
+
+
+def quantity_name(key: str) -> Message:
+    """Return the name of a quantity as a message: ``Tension``.
+
+    Parameters
+    ----------
+    key : str
+        Of `catopt.quantities.QUANTITIES`.
+    """
+    return Message(f"quantities.{key}")
+
+
+def quantity_label(key: str, language: Language = "en") -> str:
+    """Say name and symbol of a quantity.
+
+    Examples
+    --------
+    >>> from catopt.words import quantity_label
+    >>> quantity_label("tension"), quantity_label("tension", "vi")
+    ('Tension T', 'Lực căng T')
+    """
+    return f"{say(quantity_name(key), language)} {QUANTITIES[key].symbol}".rstrip()
+
+
+def heading(name: str, quantity: Quantity, language: Language = "en", *, si: bool = False) -> str:
+    """Say the heading of a column of numbers: name, symbol and unit.
+
+    Parameters
+    ----------
+    name : str
+        Message of the group ``columns`` or of a quantity, or a user's own words.
+    quantity : Quantity
+        Gives symbol and unit; an empty symbol is left out.
+    language : {"en", "vi"}
+        Wanted.
+    si : bool
+        The SI unit instead of the field's.
+
+    Examples
+    --------
+    >>> from catopt.quantities import QUANTITIES
+    >>> from catopt.words import Message, heading
+    >>> name = Message("columns.fairlead_tension")
+    >>> heading(name, QUANTITIES["tension"])
+    'Fairlead tension T (kN)'
+    >>> heading(name, QUANTITIES["tension"], "vi")
+    'Lực căng tại điểm treo T (kN)'
+    """
+    unit = quantity.si_unit if si else quantity.field_unit
+    return f"{f'{say(name, language)} {quantity.symbol}'.rstrip()} ({unit})"

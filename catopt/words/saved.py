@@ -1,0 +1,112 @@
+"""Messages of a JSON document: by which keys and values its English texts are said."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from catopt.words.labels import Term
+from catopt.words.measure import Measure
+from catopt.words.message import Listed, Message, Sentence, Several, Told
+
+__all__ = ["messages_in", "with_messages"]
+
+
+def messages_in(document: object) -> dict[str, Any]:
+    """List the messages of a document, so that it can be read in another language.
+
+    Parameters
+    ----------
+    document : object
+        Of dictionaries, lists, numbers and texts; some of these messages.
+
+    Returns
+    -------
+    dict
+        By the English text.
+    """
+    return {str(message): _saved(message) for message in _walk(document)}
+
+
+def with_messages(document: Any, messages: Mapping[str, Any]) -> Any:
+    """Put messages for the English texts of a document that was read.
+
+    Parameters
+    ----------
+    document : object
+        As read; stays as it is.
+    messages : mapping
+        As `messages_in` lists them; a text that is not in it stays plain.
+
+    Raises
+    ------
+    ValueError
+        A message does not say its text: it is of another edition of catopt, or was changed.
+    """
+    if isinstance(document, str):
+        return _said_so(document, messages[document]) if document in messages else document
+    if isinstance(document, dict):
+        return {key: with_messages(value, messages) for key, value in document.items()}
+    if isinstance(document, list):
+        return [with_messages(value, messages) for value in document]
+    return document
+
+
+def _said_so(english: str, saved: object) -> str:
+    """Restore a message that says what stands there."""
+    try:
+        message = _restored(saved)
+    except (AttributeError, LookupError, TypeError, ValueError, OSError) as error:
+        raise ValueError(f"that of {english!r} cannot be read ({type(error).__name__})") from None
+    if not isinstance(message, str) or message != english:
+        raise ValueError(f"that of {english!r} says something else")
+    return message
+
+
+def _walk(document: object) -> Iterator[Message]:
+    if isinstance(document, Message):
+        yield document
+    elif isinstance(document, Mapping):
+        for value in document.values():
+            yield from _walk(value)
+    elif isinstance(document, list):
+        for value in document:
+            yield from _walk(value)
+
+
+def _saved(value: object) -> object:
+    if isinstance(value, Measure):
+        return {"quantity": value.quantity, "value": value.value}
+    if isinstance(value, Listed):
+        return {"last": value.last, "parts": [_saved(part) for part in value.parts]}
+    if isinstance(value, Several):
+        return {"separator": value.separator, "parts": [_saved(part) for part in value.parts]}
+    if isinstance(value, Sentence):
+        return {"words": _saved(value.words), "capital": value.capital}
+    if isinstance(value, Told):
+        return {"texts": dict(value.texts)}
+    if isinstance(value, Term):
+        return {"term": str(value)}
+    if isinstance(value, Message):
+        return {"key": value.key, "values": {name: _saved(v) for name, v in value.values.items()}}
+    return value
+
+
+def _restored(saved: Any) -> Any:
+    if not isinstance(saved, dict):
+        return saved
+    if "quantity" in saved:
+        return Measure(**saved)
+    if "key" in saved:
+        values = {name: _restored(value) for name, value in saved["values"].items()}
+        return Message(saved["key"], **values)
+    if "term" in saved:
+        return Term(saved["term"])
+    if "words" in saved:
+        return Sentence(_restored(saved["words"]), capital=saved["capital"])
+    if "texts" in saved:
+        return Told(saved["texts"])
+    parts = [_restored(part) for part in saved["parts"]]
+    if "last" in saved:
+        return Listed(parts, saved["last"])
+    return Several(parts, saved["separator"])

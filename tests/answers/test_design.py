@@ -1,0 +1,114 @@
+"""Tables of the front of a design search."""
+
+from __future__ import annotations
+
+from functools import cache
+from io import BytesIO
+from pathlib import Path
+from typing import Any, cast
+
+import openpyxl
+import pandas as pd
+import pytest
+
+import catopt
+from catopt.answers.check import check_answer
+from catopt.answers.design import (
+    clump_weight_words,
+    design_answer,
+    segment_words,
+    shown_designs,
+)
+from catopt.design.result import DesignResult
+from catopt.render.workbook import workbook
+
+from .tables import tables_of
+
+CASES = Path(__file__).parents[2] / "cases"
+
+
+@cache
+def result_of(name: str) -> DesignResult:
+    return catopt.design_case(catopt.read_case(CASES / name / "case.toml"))
+
+
+@cache
+def tables(name: str) -> dict[str, pd.DataFrame]:
+    return tables_of(design_answer(result_of(name)))
+
+
+@pytest.fixture(params=["design-buoy-9.5m", "design-leg-56m"])
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+def test_the_front_has_a_row_a_design(name: str) -> None:
+    result, frame = result_of(name), tables(name)["front"]
+    assert list(frame["Design"]) == list(range(1, len(result.front) + 1))
+    assert list(frame.index[frame["Recommended"] == "yes"]) == [result.recommended]
+    for row, point in zip(frame.to_dict("records"), result.front, strict=True):
+        assert row["Mass in air (t)"] == point.objectives["mass_kg"] / 1e3
+        assert row["Largest span S (m)"] == point.objectives["offset_m"]
+        used = [each.utilisation for each in point.checks.results if each.kind == "tension"]
+        assert row["Tension utilisation (-)"] == max(value for value in used if value is not None)
+        assert point.governing is not None
+        assert row["Governing check (load case)"] == point.governing.in_case
+
+
+def test_a_line_in_words() -> None:
+    result = result_of("design-leg-56m")
+    point = result.front[result.recommended]
+    words = segment_words(point.line)
+    for text, segment in zip(words, point.line.segments, strict=True):
+        assert segment.nominal_diameter is not None
+        assert text.endswith(f"{segment.nominal_diameter * 1e3:g} mm, {segment.length:g} m")
+        assert text.startswith(segment.component)
+    (load,) = point.line.point_loads
+    assert load.mass is not None
+    assert clump_weight_words(point.line) == [f"{load.mass / 1e3:g} t at {load.position:g} m"]
+
+
+def test_every_check_of_every_design_has_a_row(name: str) -> None:
+    frame = tables(name)["checks"]
+    assert len(frame) == sum(len(point.checks.results) for point in result_of(name).front)
+    assert set(frame["Passes"]) == {"yes"}
+
+
+def test_checks_of_a_design_are_those_of_the_command_check(name: str) -> None:
+    """One heading, one unit, whichever command wrote ``checks.csv``."""
+    result, frame = result_of(name), tables(name)["checks"]
+    for number, point in enumerate(result.front, start=1):
+        alone = tables_of(check_answer(point.checks))["checks"]
+        found = frame[frame["Design"] == number].drop(columns="Design").reset_index(drop=True)
+        pd.testing.assert_frame_equal(found, alone, check_exact=True)
+
+
+def test_every_segment_has_a_row(name: str) -> None:
+    frame = tables(name)["components"]
+    lengths = [s.length for point in result_of(name).front for s in point.line.segments]
+    assert list(frame["Length L (m)"]) == lengths
+    assert not frame["Minimum breaking load MBL (kN)"].isna().any()
+
+
+def test_the_steps_around_the_recommended_design(name: str) -> None:
+    result, frame = result_of(name), tables(name)["neighbours"]
+    steps = (*result.neighbours, result.present)
+    assert len(frame) == len(steps) > 1
+    assert frame["Verdict"].str.len().min() > 0
+    known = frame["Mass in air (t)"].notna()
+    assert list(known) == [step.point is not None for step in steps]
+
+
+def test_the_workbook_has_a_sheet_a_section(name: str) -> None:
+    book = openpyxl.load_workbook(BytesIO(workbook(design_answer(result_of(name)))))
+    assert book.sheetnames == ["Front", "Recommended", "Components", "Checks", "Search"]
+    # A chart of single points: the front has no line between its designs.
+    assert len(cast(Any, book["Front"])._charts) == 1
+
+
+def test_which_designs_of_a_front_people_see() -> None:
+    assert shown_designs(25, 7) == tuple(range(25))
+    # Every second of 26, the last, and the one that is named.
+    assert shown_designs(26, 7) == (0, 2, 4, 6, 7, *range(8, 26, 2), 25)
+    assert {0, 41, 998, 999} <= set(shown_designs(1000, 41, 998))
+    assert len(shown_designs(1000, 41, 998)) <= 25 + 3

@@ -1,0 +1,255 @@
+"""Every face shows what an answer holds, whatever kind it is."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from catopt import catalogue, check_case, read_case
+from catopt.answers.blocks import Answer, Facts, Table, Value
+from catopt.answers.catalogue import catalogue_answer
+from catopt.answers.check import check_answer
+from catopt.answers.curve import curve_answer
+from catopt.answers.design import design_answer
+from catopt.answers.loads import loads_answer
+from catopt.answers.reproduction import reproduction_answer
+from catopt.answers.size import size_answer
+from catopt.answers.solution import solution_answer
+from catopt.answers.system import system_answer
+from catopt.catalogue.document import Answer as Found
+from catopt.catenary.case import solve_case
+from catopt.catenary.case_curve import curve_case
+from catopt.design.search import design_case
+from catopt.loads import Headings, SeaState, Ship, SurfaceCurrent, Wind, ship_loads
+from catopt.mooring.case import report_system
+from catopt.render.csv import csv_files
+from catopt.render.terminal import show
+from catopt.render.workbook import workbook
+from catopt.reproduce import reproduce
+from catopt.words import LANGUAGES, Language, Message
+
+from .sizings import around, by_force
+
+CASES = Path(__file__).parents[2] / "cases"
+
+
+def _solution() -> Answer:
+    case = read_case(CASES / "buoy-9.5m" / "case.toml")
+    return solution_answer(case, solve_case(case, "pso"), with_profile=True)
+
+
+def _check() -> Answer:
+    return check_answer(check_case(read_case(CASES / "design-tanker-20m" / "case.toml")))
+
+
+def _curve() -> Answer:
+    return curve_answer(curve_case(read_case(CASES / "tanker-20m-sinker" / "case.toml")))
+
+
+def _system() -> Answer:
+    case = read_case(CASES / "fso-rang-dong" / "case.toml")
+    return system_answer(
+        report_system(
+            case, with_line_out=True, with_circle=True, directions=[math.pi], levels=[1.0]
+        )
+    )
+
+
+def _design() -> Answer:
+    return design_answer(design_case(read_case(CASES / "design-buoy-9.5m" / "case.toml")))
+
+
+def _loads() -> Answer:
+    ship = Ship("ship", 234.0, 227.0, 31.3, 12.4, 70e3, 380.0, 1200.0, 580.0, "tanker")
+    sea, askew = SeaState(8.0, 2.0), Headings(0.5, 0.0, 0.3)
+    return loads_answer(
+        ship_loads(
+            ship,
+            Wind(20.0),
+            SurfaceCurrent(1.0),
+            sea,
+            20.0,
+            wind_on="tanker loaded",
+            headings=askew,
+        )
+    )
+
+
+def _component() -> Answer:
+    chain = catalogue.component("chain studless R4", 0.076)
+    families = (catalogue.standard().family("chain studless"),)
+    return catalogue_answer(Found("show", families, (chain,)), in_full=True)
+
+
+def _sizes() -> Answer:
+    families = (catalogue.standard().family("nylon"),)
+    return catalogue_answer(Found("show", families, catalogue.standard().sold("nylon")))
+
+
+def _search() -> Answer:
+    found = catalogue.search(MBL_at_least=1e6)
+    return catalogue_answer(Found("search", tuple(catalogue.families()), tuple(found)))
+
+
+def _list() -> Answer:
+    return catalogue_answer(Found("list", tuple(catalogue.families())))
+
+
+def _reproduction() -> Answer:
+    return reproduction_answer(reproduce("load_sharing"))
+
+
+def _size() -> Answer:
+    return size_answer(around())
+
+
+def _size_by_force() -> Answer:
+    return size_answer(by_force())
+
+
+KINDS: dict[str, Callable[[], Answer]] = {
+    "solution": _solution, "check": _check, "curve": _curve, "system": _system,
+    "loads": _loads, "component": _component, "sizes": _sizes, "search": _search,
+    "list": _list, "design": _design, "reproduction": _reproduction, "size": _size,
+    "size by force": _size_by_force,
+}  # fmt: skip
+
+
+@cache
+def made(kind: str) -> Answer:
+    return KINDS[kind]()
+
+
+@pytest.fixture(params=KINDS)
+def answer(request: pytest.FixtureRequest) -> Answer:
+    return made(request.param)
+
+
+class Paper:
+    """Keeps what is printed."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+
+    def text(self, text: str, *, bold: bool = False) -> None:  # noqa: ARG002 - as printed
+        self.lines.append(text)
+
+    def line(self) -> None:
+        self.lines.append("")
+
+    def table(
+        self,
+        columns: Sequence[str],
+        rows: Sequence[Sequence[str]],
+        *,
+        title: str = "",
+        numbers: Sequence[int] = (),  # noqa: ARG002 - as printed
+    ) -> None:
+        self.lines += [title, *columns, *(cell for row in rows for cell in row)]
+
+
+def tables(answer: Answer) -> Iterator[Table]:
+    """Every table and list of facts, as tables."""
+    for block in answer.blocks:
+        if isinstance(block, Facts):
+            yield block.as_table()
+        elif isinstance(block, Table):
+            yield block
+
+
+def number(text: str) -> float:
+    return math.nan if text == "" else float(text)
+
+
+def alike(first: float, second: float) -> bool:
+    """Equal to the 16 digits that files keep."""
+    return (math.isnan(first) and math.isnan(second)) or math.isclose(first, second, rel_tol=1e-15)
+
+
+def test_csv_holds_every_number(answer: Answer) -> None:
+    files = csv_files(answer)
+    for table in tables(answer):
+        if table.only in {"people", "workbook", "not csv"}:
+            assert f"{table.name}.csv" not in files
+            continue
+        rows = list(csv.DictReader(io.StringIO(files[f"{table.name}.csv"].decode())))
+        assert len(rows) == table.length
+        for column in table.for_files():
+            for place, row in enumerate(rows):
+                value = column.in_files(place)
+                if isinstance(value, int | float) and not isinstance(value, str):
+                    assert alike(number(row[column.heading]), value), column.heading
+                else:
+                    kept = row[column.heading]  # after an apostrophe where it began a formula
+                    assert kept in {value or "", f"'{value}"}
+
+
+def test_the_workbook_holds_every_number(answer: Answer) -> None:
+    book = openpyxl.load_workbook(io.BytesIO(workbook(answer)))
+    cells = {
+        float(cell.value)
+        for sheet in book
+        for row in sheet.iter_rows()
+        for cell in row
+        if isinstance(cell.value, int | float)
+    }
+    for table in tables(answer):
+        if table.only != "people":
+            for column in table.for_files():
+                for place in range(table.length):
+                    value = column.in_files(place)
+                    if isinstance(value, int | float) and math.isfinite(value):
+                        assert float(f"{value:.16g}") in cells, (table.name, column.heading)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_people_see_every_number_that_is_for_them(answer: Answer, language: Language) -> None:
+    paper = Paper()
+    show(paper, answer, language)
+    printed = "\n".join(paper.lines)
+    for table in tables(answer):
+        if table.only not in {"all", "people", "not csv"}:
+            continue
+        rows = range(table.length) if table.shown is None else table.shown
+        for column in table.columns:
+            if column.only == "files" or column.priority:
+                continue
+            for row in rows:
+                value, quantity = column.values[row], column.quantity_of(row)
+                if isinstance(value, float) and quantity is not None and math.isfinite(value):
+                    assert quantity.format(value) in printed, column.heading
+
+
+def users_words(value: Value) -> bool:
+    """Whether a text is in no table of texts: somebody's own words, or cited."""
+    return (
+        isinstance(value, str) and not isinstance(value, Message) and any(map(str.isalpha, value))
+    )
+
+
+OWN = {
+    "Title", "Source", "Name", "Load case", "Code", "By", "Capacity and source", "Note",
+    "Method", "Boundary handling", "Refusal", "Formula", "Numbers", "Symbol", "Unit", "Conf.",
+    "Component", "Family", "Grade", "Grades", "Variant", "Also", "Sources", "Sizes", "Place",
+    "Confidence", "Confidence of MBL", "Confidence of the sizes", "Sources of the sizes",
+    "Quantity", "Study", "Recalled, read in no document", "Also published: --variant",
+    "Reference point (SI units)",
+    "Chain", "On",
+}  # fmt: skip
+"""Columns that may hold the user's own words, keys of documents, or what is cited."""
+
+
+def test_all_other_words_are_messages(answer: Answer) -> None:
+    for table in tables(answer):
+        assert isinstance(table.caption, Message) or not table.caption
+        for column in table.columns:
+            assert isinstance(column.name, Message), column.name
+            if str(column.name) not in OWN:
+                assert not [value for value in column.values if users_words(value)], column.name

@@ -1,0 +1,94 @@
+"""Tables of a sizing: units of the field, one table of checks and of loads in every command."""
+
+from __future__ import annotations
+
+import math
+
+import pandas as pd
+import pytest
+
+from catopt.answers.check import check_answer
+from catopt.answers.loads import loads_answer
+from catopt.answers.size import size_answer
+from catopt.words import say
+
+from .sizings import around, by_force
+from .tables import tables_of
+
+
+def test_the_summary_is_in_the_units_of_its_rows() -> None:
+    of = around()
+    rows = tables_of(size_answer(of))["sizing"].set_index("What")
+    value, unit = rows["Value (unit of the row)"], rows["Unit"]
+    diameter = of.point.line.segments[0].nominal_diameter
+    assert diameter is not None
+    assert (unit["Chain"], value["Chain"]) == ("mm", pytest.approx(diameter * 1e3, rel=1e-15))
+    # A shot of chain is 27.5 m.
+    assert unit["Length in shots"] == "shots"
+    assert value["Length in shots"] == value["Length"] / 27.5
+    assert (unit["Lines, evenly spaced"], value["Lines, evenly spaced"]) == ("-", 4.0)
+    assert unit["Tension at the fairlead"] == "kN"
+    assert value["Tension at the fairlead"] == of.hardest[1].fairlead.tension / 1e3
+
+
+def test_checks_of_a_sizing_are_those_of_the_command_check() -> None:
+    of = around()
+    alone = tables_of(check_answer(of.point.checks))["checks"]
+    pd.testing.assert_frame_equal(tables_of(size_answer(of))["checks"], alone, check_exact=True)
+
+
+def test_loads_of_a_sizing_are_those_of_the_command_loads() -> None:
+    of = around()
+    found = tables_of(size_answer(of))
+    for each in of.settled.posed.loads:
+        for part in each.parts:
+            alone = tables_of(loads_answer(part))
+            for name, same in (("forces", "loads"), ("numbers", "numbers")):
+                frame = found[name]
+                own = frame[(frame["Load case"] == each.load_case) & (frame["On"] == part.title)]
+                own = own.drop(columns=["Load case", "On"]).reset_index(drop=True)
+                pd.testing.assert_frame_equal(own, alone[same], check_exact=True, check_dtype=False)
+
+
+def test_a_force_that_was_given_stands_alone() -> None:
+    found = tables_of(size_answer(by_force()))
+    # One rounding of the conversion.
+    assert list(found["forces"]["Force F, given (kN)"]) == pytest.approx([3.3637] * 2, rel=1e-15)
+    assert found["numbers"].empty
+    assert "Symbol" in found["numbers"]
+    assert "pattern" not in found
+
+
+def test_candidates_are_in_the_units_of_the_field() -> None:
+    of = around()
+    frame = tables_of(size_answer(of))["candidates"]
+    best = frame[frame["Which"] == "recommended"].iloc[0]
+    mass, anchor = of.point.line.mass, of.point.anchor
+    assert mass is not None
+    assert anchor is not None
+    assert anchor.mass is not None
+    assert best["Mass in air (t)"] == mass / 1e3
+    assert best["Anchor, mass in air (t)"] == anchor.mass / 1e3
+    assert best["Largest span S (m)"] == of.point.objectives["offset_m"]
+
+
+def test_the_pattern_has_its_angle_in_degrees() -> None:
+    of = around()
+    assert of.pattern is not None
+    frame = tables_of(size_answer(of))["pattern"]
+    for row, state in zip(frame.to_dict("records"), of.pattern.states, strict=True):
+        # One rounding of the conversion either way.
+        assert row["Force off that line (deg)"] == pytest.approx(
+            math.degrees(state.direction), rel=1e-15
+        )
+        assert row["Pull of all lines (kN)"] == state.pull / 1e3
+
+
+def test_what_governs_is_said() -> None:
+    of = by_force()
+    notes = tables_of(size_answer(of))["notes"]
+    governs = list(notes["Text"][notes["Kind"] == "governs"])
+    assert len(governs) == len(of.limits) + 1
+    assert of.point.governing is not None
+    assert f"{of.point.governing.utilisation:.3f}" in governs[-1]
+    assert say(governs[-1], "vi").startswith("Sát giới hạn nhất: ")

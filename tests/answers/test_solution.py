@@ -1,0 +1,135 @@
+"""Tables hold the solution's numbers, in the unit that their heading says."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pandas as pd
+import pytest
+
+from catopt.answers.blocks import in_tonne_force, named
+from catopt.answers.solution import (
+    given_facts,
+    given_tables,
+    result_facts,
+    solution_answer,
+    swarm_tables,
+)
+from catopt.catenary.case import solve_case
+from catopt.catenary.solution import FoundQuantity, Solution
+from catopt.model import Case, Line, Load, Segment
+from tests.report.conftest import buoy_case
+
+from .tables import tables_of
+
+
+def tables(solution: Solution) -> dict[str, pd.DataFrame]:
+    """Tables of the answer, of a case that is none of its business."""
+    return tables_of(solution_answer(buoy_case(), solution))
+
+
+def test_summary_of_the_buoy_as_s1_prints_it(buoy: Solution) -> None:
+    row = tables(buoy)["summary"].iloc[0]
+    assert row["Inclination at the anchor theta0 (rad)"] == pytest.approx(0.272, abs=0.5e-3)
+    assert row["Span S (m)"] == pytest.approx(17.430, abs=0.5e-3)
+    assert row["Fairlead tension T (tf)"] == pytest.approx(0.446, abs=0.5e-3)
+    # 1 tf is 9.80665 kN, so that both columns are the same force.
+    kN, tf = row["Fairlead tension T (kN)"], row["Fairlead tension T (tf)"]
+    assert kN == pytest.approx(9.80665 * tf, rel=1e-15)
+    assert row["Line mass in air (t)"] == pytest.approx(0.218, rel=1e-15)  # 20 m of 10.9 kg/m
+    assert (row["Title"], row["Method"], row["Regime"]) == ("Buoy", "closed-form", "suspended")
+
+
+def test_segments(leg: Solution) -> None:
+    frame = tables(leg)["segments"]
+    assert list(frame["Name"]) == ["wire", ""]
+    assert list(frame["Length L (m)"]) == [750.0, 332.0]
+    largest = leg.fairlead.tension
+    assert frame["Largest tension T (kN)"].iloc[-1] == pytest.approx(largest / 1e3, rel=1e-12)
+    assert frame["Utilisation (-)"].iloc[-1] == pytest.approx(2.0 * largest / 6.14e6, rel=1e-12)
+
+
+def test_what_is_not_known_is_empty_and_not_zero(case: Case) -> None:
+    unknown = Line([Segment(20.0, 93.0)])
+    frame = given_tables(unknown)[0].to_dataframe()
+    for heading in ("Mass per length m (kg/m)", "Minimum breaking load MBL (kN)"):
+        assert frame[heading].isna().all()
+    assert frame["Axial stiffness EA (MN)"].iloc[0] == float("inf")
+    row = tables_of(solution_answer(case, solve_case(case)))["inputs"].iloc[0]
+    assert pd.isna(row["Allowed inclination at the anchor (deg)"])
+    assert row["Safety factor SF (-)"] == 5.0
+
+
+def test_point_loads(leg: Solution) -> None:
+    frame = tables(leg)["point_loads"]
+    assert list(frame["Position from the anchor (m)"]) == [900.0, 1000.0]
+    assert list(frame["Seabed reaction R (kN)"]) == [0.0, 0.0]
+    assert frame["Height above the seabed z (m)"].is_monotonic_increasing
+    loads = given_tables(leg.line)[1].to_dataframe()
+    assert list(loads["Submerged weight W (kN)"]) == [50.0, -20.0]
+
+
+def test_profile_runs_from_the_anchor_to_the_fairlead(leg: Solution) -> None:
+    frame = tables(leg)["profile"]
+    s, z = frame["Arc length s (m)"], frame["Height above the seabed z (m)"]
+    assert (s.iloc[0], s.iloc[-1]) == (0.0, pytest.approx(1082.0, rel=1e-15))
+    assert s.is_monotonic_increasing
+    assert z.iloc[-1] == pytest.approx(71.4, abs=1e-9)  # the solver's own limit on its residual
+    assert frame["Tension T (kN)"].iloc[-1] == pytest.approx(leg.fairlead.tension / 1e3, rel=1e-9)
+
+
+def test_swarm_tables(swarm: Solution) -> None:
+    assert swarm.swarm is not None
+    history, runs = (each.to_dataframe() for each in swarm_tables(swarm.swarm))
+    assert list(history["Iteration"]) == [1, 2, 3, 4, 5, 6, 7]
+    assert list(history["Best objective f (m)"]) == [1.0, 0.3, 1e-3, 1e-8, 3.55e-15, 0.0, 0.0]
+    assert runs.to_dict("records") == [
+        {"Run": 1, "Objective f (m)": 0.0, "Iterations flown": 7, "Best run": "yes"}
+    ]
+    settings = tables(swarm)["swarm_settings"].iloc[0]
+    assert settings["Particles"] == 200
+
+
+@pytest.mark.parametrize(
+    ("load", "heading"),
+    [
+        (Load(horizontal_force=1e3), "Given horizontal force H (kN)"),
+        (Load(span=17.0), "Given span S (m)"),
+        (Load(fairlead_tension=1e4), "Given fairlead tension T (kN)"),
+    ],
+)
+def test_only_the_load_that_is_given_is_listed(load: Load, heading: str) -> None:
+    facts = given_facts(buoy_case(load=load))
+    laid = [column.heading for fact in facts for column in fact.columns()]
+    listed = [name for name in laid if name.startswith("Given") and "(tf)" not in name]
+    assert listed == [heading]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "value", "heading", "shown"),
+    [
+        ("length", 17.5, "Found length of segment 2 L (m)", 17.5),
+        ("clump_weight", 5e4, "Found weight of point load 2 W (kN)", 50.0),
+        ("horizontal_force", 5e4, "Found horizontal force H (kN)", 50.0),
+    ],
+)
+def test_what_was_found_comes_with_its_condition(
+    buoy: Solution, quantity: Any, value: float, heading: str, shown: float
+) -> None:
+    found = FoundQuantity(quantity, value, "inclination at the anchor 0 deg", 0.0, number=2)
+    row = tables(replace(buoy, found=found))["summary"].iloc[0]
+    assert row[heading] == shown
+    assert row["Condition"] == "inclination at the anchor 0 deg"
+    assert "Condition" not in tables(buoy)["summary"]
+
+
+def test_no_two_facts_share_a_heading(leg: Solution) -> None:
+    headings = [column.heading for fact in result_facts(leg) for column in fact.columns()]
+    assert len(set(headings)) == len(headings)
+
+
+def test_a_force_in_tf() -> None:
+    force = in_tonne_force(named("tension"))
+    assert force.field_unit == "tf"
+    assert force.format(9806.65, unit=True) == "1.0000 tf"

@@ -1,0 +1,74 @@
+"""What the texts of a file may hold, and what becomes of them in the files that are written."""
+
+from __future__ import annotations
+
+import csv
+import io
+import warnings
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from .conftest import BUOY, Run
+
+
+def named(tmp_path: Path, name: str, title: str = "Marker buoy, 9.5 m") -> Path:
+    path = tmp_path / "case.toml"
+    text = BUOY.read_text("utf-8").replace('name = "chain"', f'name = "{name}"')
+    path.write_text(text.replace("Marker buoy, 9.5 m", title), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("character", "said"),
+    [
+        ("\\u0007", "U+0007, a control character"),
+        ("\\u001b[31m", "U+001B, a control character"),
+        ("\\u0000", "U+0000, a control character"),
+        ("\\u202e", "U+202E, right-to-left override"),
+        ("\u2066", "U+2066, left-to-right isolate"),
+        ("\\ufffe", "U+FFFE, no character"),
+        ("\\U0001ffff", "U+1FFFF, no character"),
+        ("\\ufdd0", "U+FDD0, no character"),
+        ("\u2028", "U+2028, line separator"),
+    ],
+)
+def test_what_a_terminal_would_obey_is_refused(
+    run: Run, tmp_path: Path, character: str, said: str
+) -> None:
+    for path in (named(tmp_path, f"a{character}b"), named(tmp_path, "chain", f"a{character}b")):
+        ran = run("solve", path)
+        assert (ran.status, ran.out) == (2, "")
+        assert f"found {said}; take it out of the text" in ran.err
+
+
+def test_so_is_a_key_with_it(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(BUOY.read_text("utf-8") + '[x]\n"se\\u0007ed" = 1\n', encoding="utf-8")
+    ran = run("solve", path)
+    assert ran.status == 2
+    assert r"x.'se\x07ed': found U+0007, a control character; take it out of the key" in ran.err
+
+
+@pytest.mark.parametrize("name", ["=1+1", "+cmd", "-cmd", "@SUM(A1)", "\\t=1"])
+def test_no_cell_is_a_formula(run: Run, tmp_path: Path, name: str) -> None:
+    assert run("solve", named(tmp_path, name), "--out", tmp_path / "out").status == 0
+    written = name.replace("\\t", "\t")
+    found = 0
+    for path in (tmp_path / "out").glob("*.csv"):
+        for row in csv.reader(io.StringIO(path.read_text("utf-8"))):
+            assert not any(cell.startswith(("=", "@", "\t", "+", "-c")) for cell in row)
+            found += f"'{written}" in row
+    assert found >= 1
+    book = openpyxl.load_workbook(tmp_path / "out" / "solution.xlsx")
+    assert not [c for sheet in book for row in sheet for c in row if c.data_type == "f"]
+
+
+def test_a_font_without_a_letter_is_no_warning(run: Run, tmp_path: Path) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ran = run(
+            "solve", named(tmp_path, "chain", "Phao \U0001f6df 浮标"), "--out", tmp_path / "o"
+        )
+    assert (ran.status, ran.err.count("\n")) == (0, 1)

@@ -1,0 +1,99 @@
+"""One chart of each kind, and of each regime that is laid out in its own way."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+
+from catopt.catenary.case_curve import curve_case
+from catopt.catenary.solution import Solution
+from catopt.catenary.solve import solve
+from catopt.figures import curve, front, line, mooring, studies, swarm
+from catopt.figures.chart import Chart
+from catopt.model import Case, Line, Load, PointLoad, Segment, Site
+from tests.report.conftest import report_with
+from tests.report.system_page_cases import TURRET, known_note
+
+__all__ = ["LONG", "every_chart", "leg", "short"]
+
+LONG = (
+    "Phao $dấu hiệu$ luồng số 1, độ sâu 9,5 m: a title that somebody made far longer than any "
+    "page is wide, so that it folds twice and is then cut off at its end, which is here"
+)
+
+
+def short(height: float, force: float) -> Solution:
+    """Solve a line of 30 m."""
+    return solve(Line([Segment(30.0, 1e3)]), height=height, horizontal_force=force)
+
+
+def leg() -> Solution:
+    """Solve a leg of wire and chain with a clump weight and a buoy, much of it on the bed."""
+    made = Line(
+        [Segment(750.0, 298.0, EA=3.8e8, MBL=6.14e6, name="wire"), Segment(332.0, 1470.0)],
+        [PointLoad(900.0, 5e4, name="=clump"), PointLoad(1000.0, -2e4)],
+    )
+    solved = solve(made, height=71.4, horizontal_force=1.2e6, seabed_friction=0.3)
+    return replace(solved, safety_factor=2.0, title="Leg")
+
+
+def front_document(objectives: tuple[str, ...]) -> dict[str, object]:
+    """Make the document of a front of four designs."""
+    designs = [
+        {
+            "mass_kg": 1e3 * k,
+            "offset_m": 40.0 - k,
+            "cost_USD": 100.0 + 7.0 * k,
+            "segments": [{"component": "chain studless R3 76 mm", "length_m": 45.0}],
+            "point_loads": [{"mass_kg": 2e3, "submerged_weight_N": 1.7e4, "position_m": 7.0}],
+        }
+        for k in range(4)
+    ]
+    return {
+        "objectives": list(objectives),
+        "front": designs,
+        "recommended": 1,
+        "method": "nsga2",
+        "is_exact": False,
+    }
+
+
+@cache
+def every_chart() -> dict[str, Chart]:
+    """Make charts of all kinds that need no long computation, by names of their own."""
+    loads = [PointLoad(7.0 + k, 4e4, name=LONG) for k in range(4)]
+    busy = Case(
+        Site(20.0), Line([Segment(55.0, 2100.0, MBL=7.5e6, name=LONG)], loads),
+        Load(horizontal_force=3e5), 20.0, title=LONG,
+    )  # fmt: skip
+    note = known_note(TURRET)
+    body, circle = note.solution, note.report.circle
+    near = mooring.near(body)
+    flat = line.magnified(note.loaded.solution, 56.0)
+    assert circle is not None
+    assert near is not None
+    assert flat is not None
+    charts = {
+        "suspended": line.line_in_water(short(28.0, 4e3), 28.0),
+        "on the bed": line.line_in_water(leg(), 56.0),
+        "upright": line.line_in_water(short(28.0, 10.0), 28.0),
+        "nearly on the bed": line.line_in_water(short(0.1, 1e3), 3.0),
+        "flat": line.line_in_water(note.loaded.solution, 56.0),
+        "magnified": flat,
+        "tension": line.tension_along(leg(), (3.07e6, None)),
+        "tension far below": line.tension_along(short(28.0, 4e3), (9e9,), "MBL / 5"),
+        "curve": curve.load_curve(curve_case(busy)),
+        "fitness": swarm.fitness(report_with((1.0, 1e-3, 3.55e-15, 0.0))),
+        "swarm tension": swarm.swarm_tension(report_with((1.0, 1e-3)), 4376.8),
+        "front": front.front(front_document(("mass_kg", "offset_m")), 3),
+        "front of three": front.front(front_document(("mass_kg", "offset_m", "cost_USD"))),
+        "lines": studies.lines_to_scale([("first", short(28.0, 4e3)), (LONG, leg())], 71.4),
+        "plan": mooring.plan(body),
+        "near": near,
+        "track": mooring.watch_track(body, circle),
+        "round": mooring.watch_round(body, circle, 3e6),
+        "restoring": mooring.restoring(note.report.curves, body, 4.0),
+    }
+    assert all(math.isfinite(chart.x.high - chart.x.low) for chart in charts.values())
+    return charts

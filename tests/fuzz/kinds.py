@@ -1,0 +1,395 @@
+"""The kinds of file that catopt reads: each with files as they should be, and what reads them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from catopt.casefile import parse_case, template, write_case
+
+__all__ = ["Kind", "kinds"]
+
+ROOT = Path(__file__).parents[2]
+CASES = ROOT / "cases"
+LIBRARY = ROOT / "catopt"
+
+Read = Callable[[Path], object]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of file.
+
+    Attributes
+    ----------
+    name : str
+        Of the kind.
+    form : {"toml", "json", "csv"}
+        Its form.
+    texts : tuple of str
+        Files as they should be.
+    file : str
+        Name under which the broken file stands.
+    beside : mapping of str to str
+        Files that stand beside it as they should be.
+    command : tuple of str
+        What reads it; the file's folder is the working directory. Empty where `read` does.
+    read : callable or None
+        A function of catopt's that reads the file, where a command that does takes too long.
+    slow : tuple of str
+        A command that does much more with it; only now and then.
+    """
+
+    name: str
+    form: str
+    texts: tuple[str, ...]
+    file: str
+    beside: Mapping[str, str]
+    command: tuple[str, ...] = ()
+    read: Read | None = None
+    slow: tuple[str, ...] = ()
+
+
+CATALOGUE_CASE = """
+[site]
+water_depth = "56 m"
+[line]
+[[line.segments]]
+component = "own chain G1"
+diameter = "40 mm"
+length = "200 m"
+[load]
+horizontal_force = "100 kN"
+[catalogue]
+file = "own.toml"
+"""
+
+FAMILIES = """
+schema = "catopt.families/1"
+[sources.OWN]
+title = "a maker's table"
+place = "shelf"
+[[family]]
+name = "own chain"
+title = "Chain of one's own"
+grades = ["G1", "G2"]
+range_mm = [10, 60]
+sizes = { mm = [20, 40, 60], source = "OWN", place = "page 1", confidence = "C" }
+[[figure]]
+family = "own chain"
+quantity = "mass"
+formula = { d2 = 19900 }
+source = "OWN"
+place = "page 1"
+confidence = "C"
+[[figure]]
+family = "own chain"
+quantity = "volume_diameter"
+formula = { d1 = 1.8 }
+source = "OWN"
+place = "page 1"
+confidence = "C"
+[[figure]]
+family = "own chain"
+quantity = "proof_load"
+formula = { rows = [[10, 30], [40, 500], [60, 1100]], unit = "kN" }
+source = "OWN"
+place = "page 2"
+confidence = "C"
+[[figure]]
+family = "own chain"
+grade = "G1"
+quantity = "MBL"
+formula = { times = 1.4, of = "proof_load" }
+source = "OWN"
+place = "page 2"
+confidence = "C"
+[[figure]]
+family = "own chain"
+grade = "G2"
+quantity = "MBL"
+formula = { chain_load = 0.0223 }
+source = "OWN"
+place = "page 2"
+confidence = "C"
+[[figure]]
+family = "own chain"
+quantity = "EA"
+formula = { chain_modulus = [5.4, -0.004] }
+source = "OWN"
+place = "page 3"
+confidence = "C"
+"""
+
+SMALL_DESIGN = """
+title = "A small search"
+[site]
+water_depth = "9.5 m"
+[line]
+[[line.segments]]
+component = "chain stud-link U2"
+diameter = "22 mm"
+length = "20 m"
+[[load_cases]]
+name = "storm"
+horizontal_force = "3 kN"
+[[load_cases]]
+name = "everyday"
+horizontal_force = "1 kN"
+kind = "reference"
+[checks]
+safety_factor = 3.0
+[buoy]
+reserve_buoyancy = "12 kN"
+[design]
+objectives = ["mass", "offset"]
+evaluations = 100
+population = 8
+max_enumerated = 1000
+[[design.segments]]
+components = ["chain stud-link U1", "chain stud-link U2"]
+diameter_min = "16 mm"
+diameter_max = "26 mm"
+length_min = "18 m"
+length_max = "30 m"
+length_step = "3 m"
+[[design.clump_weights]]
+masses = ["100 kg", "200 kg"]
+density = "2400 kg/m^3"
+positions = ["8 m"]
+optional = true
+[design.sinker]
+mass_min = "1 t"
+mass_max = "4 t"
+mass_step = "1 t"
+density = "2400 kg/m^3"
+friction = 0.5
+safety_factor = 1.5
+"""
+
+MOTION = "t,x,z\n" + "".join(f"{0.5 * k},{0.1 * (k % 5)},{0.05 * (k % 3)}\n" for k in range(60))
+FORCE = "t (s),Fx (kN)\n" + "".join(f"{0.5 * k},{10.0 + k % 7}\n" for k in range(60))
+SURFACE = "time (s),elevation (m)\n" + "".join(f"{0.5 * k},{0.1 * (k % 7)}\n" for k in range(60))
+FLOW = "time (min),speed (m/s),direction (deg)\n0,0.5,10\n1,0.6,15\n2,0.4,20\n"
+RAOS = "period,surge,surge_phase,heave\n4,0.1,10,0.1\n8,0.5,80,0.9\n16,1.0,90,1.0\n"
+
+MOVING = """
+title = "In motion"
+[site]
+water_depth = "56 m"
+seabed_friction = 0.5
+[line]
+[[line.segments]]
+component = "chain studless R3"
+diameter = "76 mm"
+length = "300 m"
+[load]
+horizontal_force = "300 kN"
+[waves]
+spectrum = "jonswap"
+height = "2 m"
+period = "9 s"
+components = 10
+[current]
+profile = "power"
+speed = "0.4 m/s"
+[motion]
+period = "10 s"
+surge = "0.5 m"
+[dynamics]
+duration = "12 s"
+time_step = "0.2 s"
+elements = 12
+"""
+
+BODY_IN_MOTION = (
+    template("system")
+    + """
+[body]
+mass = "100 t"
+force_file = "force.csv"
+[dynamics]
+duration = "10 s"
+elements = 8
+"""
+)
+
+
+def _case(name: str) -> str:
+    return (CASES / name).read_text("utf-8")
+
+
+def _of_library(name: str) -> str:
+    return (LIBRARY / name).read_text("utf-8")
+
+
+def _profiles(path: Path) -> object:
+    from catopt.checks.profiles import parse_profiles
+    from catopt.documents import read_text
+
+    return parse_profiles(read_text(path, str(path)), str(path))
+
+
+def _numbers(path: Path) -> object:
+    """Read a file of numbers as the kind that its first heading says."""
+    from catopt.verify.motion_file import read_force, read_motion, read_raos
+    from catopt.verify.sea_file import read_current, read_elevation
+
+    text = path.read_bytes()
+    if b"F" in text[:40]:
+        return read_force(str(path), 20.0)
+    if b"elev" in text[:40]:
+        return read_elevation(str(path), 20.0)
+    if b"speed" in text[:40]:
+        return read_current(str(path), 20.0)
+    return read_raos(str(path)) if b"period" in text[:40] else read_motion(str(path), 20.0)
+
+
+def _result(path: Path) -> object:
+    """Read what a result directory says, as ``catopt report`` does before it computes anything."""
+    from catopt.casefile.design_directory import read_case_or_design
+    from catopt.report.page.result_directory import asked_in, case_path
+
+    has_front = (path.parent / "design.json").is_file()
+    return asked_in(path.parent), read_case_or_design(
+        path.parent if has_front else case_path(path.parent), 1 if has_front else None
+    )
+
+
+@cache
+def _results() -> tuple[dict[str, str], dict[str, str]]:
+    """Make the documents of two result directories: of a line, and of a design search."""
+    from catopt.casefile import case_digest
+    from catopt.catenary.case import solve_case
+    from catopt.design.document import design_document
+    from catopt.design.search import design_case
+    from catopt.report.files import with_digest
+
+    line = parse_case(_case("buoy-9.5m/case.toml"))
+    searched = parse_case(SMALL_DESIGN)
+    documents = (
+        (line, "solution.json", solve_case(line).to_dict()),
+        (searched, "design.json", design_document(design_case(searched))),
+    )
+    made = tuple(
+        {
+            "case.toml": write_case(case),
+            name: json.dumps(with_digest(document, case_digest(case)), indent=2) + "\n",
+        }
+        for case, name, document in documents
+    )
+    return made[0], made[1]
+
+
+@cache
+def kinds() -> tuple[Kind, ...]:
+    """List them all."""
+    line, front = _results()
+    solved = ("solve", "case.toml", "--json")
+    return (
+        Kind(
+            "line",
+            "toml",
+            (
+                template("buoy"),
+                template("leg"),
+                template("tanker"),
+                *(
+                    _case(f"{name}/case.toml")
+                    for name in ("tanker-20m-sinker", "tanker-20m-find-length")
+                ),
+            ),
+            "case.toml",
+            {},
+            solved,
+        ),
+        Kind(
+            "checks",
+            "toml",
+            (SMALL_DESIGN.split("[design]")[0], _case("design-tanker-20m/case.toml")),
+            "case.toml",
+            {},
+            ("check", "case.toml", "--json"),
+        ),
+        Kind(
+            "design",
+            "toml",
+            (SMALL_DESIGN, template("design"), _case("design-leg-56m/case.toml")),
+            "case.toml",
+            {},
+            ("check", "case.toml", "--json"),
+            slow=("design", "case.toml", "--json", "--evaluations", "60"),
+        ),
+        Kind(
+            "system",
+            "toml",
+            (template("system"), _case("fso-rang-dong/case.toml")),
+            "case.toml",
+            {},
+            ("system", "case.toml", "--json"),
+        ),
+        Kind(
+            "dynamics",
+            "toml",
+            (MOVING, BODY_IN_MOTION, template("motion")),
+            "case.toml",
+            {"force.csv": FORCE, "rao.csv": RAOS},
+            ("export", "case.toml", "--to", "moordyn", "--json"),
+        ),
+        Kind(
+            "sizing of a buoy",
+            "toml",
+            (template("size-buoy"), _case("size-buoy/sizing.toml")),
+            "sizing.toml",
+            {},
+            ("loads", "buoy", "sizing.toml", "--json"),
+            slow=("size", "buoy", "sizing.toml", "--json"),
+        ),
+        Kind(
+            "sizing of a tanker",
+            "toml",
+            (template("size-tanker"), _case("size-tanker/sizing.toml")),
+            "sizing.toml",
+            {},
+            ("loads", "ship", "sizing.toml", "--json"),
+            slow=("size", "tanker", "sizing.toml", "--json"),
+        ),
+        Kind("families", "toml", (FAMILIES,), "own.toml", {"case.toml": CATALOGUE_CASE}, solved),
+        Kind(
+            "buoys",
+            "toml",
+            (_of_library("loads/data/buoys.toml"),),
+            "own.toml",
+            {},
+            ("loads", "buoy", "pillar 1.8 m", "--buoys", "own.toml", "--depth", "12 m", "--json"),
+        ),
+        Kind(
+            "codes",
+            "toml",
+            (_of_library("checks/data/profiles.toml"),),
+            "own.toml",
+            {},
+            read=_profiles,
+        ),
+        Kind(
+            "table of numbers",
+            "csv",
+            (MOTION, FORCE, SURFACE, FLOW, RAOS),
+            "m.csv",
+            {},
+            read=_numbers,
+        ),
+        Kind("solution", "json", (line["solution.json"],), "solution.json", line, read=_result),
+        Kind("front", "json", (front["design.json"],), "design.json", front, read=_result),
+        Kind(
+            "case of a front",
+            "toml",
+            (front["case.toml"],),
+            "case.toml",
+            front,
+            ("solve", ".", "--design", "1", "--json"),
+        ),
+    )

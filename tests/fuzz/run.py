@@ -1,0 +1,187 @@
+"""Runs broken files through catopt and judges how each one ends."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import random
+import re
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from unittest import mock
+
+from typer.main import get_command
+
+from catopt.__main__ import main
+from catopt.cli.app import app
+from catopt.errors import CatoptError
+from tests.fuzz.kinds import Kind, kinds
+from tests.fuzz.mutations import mutated
+
+__all__ = ["Ended", "Tally", "ended_in", "fault_of", "run"]
+
+STATUSES = (0, 2, 3, 4)
+LONGEST = 20.0
+"""Seconds that no broken file may take."""
+
+PROBLEM = re.compile(r"^  \S.*?: \S")
+"""A line of a refusal: key and reason."""
+
+UNWANTED = ("Traceback", "fault of catopt's own", "Warning", "Error:")
+CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f\u202a-\u202e]")
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a run ended."""
+
+    status: int
+    out: str
+    err: str
+    seconds: float
+
+
+@dataclass
+class Tally:
+    """What came of all of them."""
+
+    statuses: Counter[tuple[str, int]] = field(default_factory=Counter)
+    faults: list[str] = field(default_factory=list)
+    slowest: tuple[float, str] = (0.0, "")
+
+
+def run(
+    count: int, seed: int, *, slow: float = 0.0, processes: bool = False, first: int = 0
+) -> Tally:
+    """Break `count` files, all kinds in turn, and run each.
+
+    Parameters
+    ----------
+    count, first : int
+        How many, and the number of the first.
+    seed : int
+        The same seed and number give the same file.
+    slow : float
+        Part of them for which the kind's slow command is run.
+    processes : bool
+        Whether each is a process of its own.
+    """
+    tally = Tally()
+    for number in range(first, first + count):
+        kind = kinds()[number % len(kinds())]
+        rng = random.Random(f"{seed} {number}")
+        others = [text for each in kinds() if each.form == kind.form for text in each.texts]
+        data = mutated(rng, rng.choice(kind.texts), others, kind.form)
+        command = kind.slow if kind.slow and rng.random() < slow else kind.command
+        ended = ended_in(kind, command, data, processes=processes)
+        tally.statuses[kind.name, ended.status] += 1
+        tally.slowest = max(tally.slowest, (ended.seconds, f"number {number}, {kind.name}"))
+        fault = fault_of(ended)
+        if fault:
+            tally.faults.append(f"number {number}, {kind.name}, {' '.join(command)}: {fault}")
+    return tally
+
+
+def ended_in(
+    kind: Kind, command: tuple[str, ...], data: bytes, *, processes: bool = False
+) -> Ended:
+    """Say how a command, or the kind's own function, ends with a file."""
+    with _folder(kind, data) as path:
+        return _as_process(kind, command, path) if processes else _inside(kind, command, path)
+
+
+def fault_of(ended: Ended) -> str:
+    """Say what is wrong with the end of a run; empty when nothing is."""
+    if ended.status not in STATUSES:
+        return f"status {ended.status}: {ended.err[-400:]}"
+    if ended.seconds > LONGEST:
+        return f"{ended.seconds:.0f} s"
+    for word in UNWANTED:
+        if word in ended.err:
+            return f"says {word!r}: {ended.err[-400:]}"
+    if CONTROL.search(ended.err):
+        return f"control characters reach the terminal: {ended.err!r:.400}"
+    if ended.status == 0:
+        return ""
+    if ended.out:
+        return f"prints an answer with status {ended.status}"
+    return _fault_of_message(ended)
+
+
+def _fault_of_message(ended: Ended) -> str:
+    first, *problems = ended.err.rstrip("\n").split("\n")
+    if not first.startswith("catopt: ") or len(first) < len("catopt: ") + 10:
+        return f"no message: {ended.err[:200]!r}"
+    if ended.status == 2 and (not problems or not all(PROBLEM.match(each) for each in problems)):
+        return f"a refusal without key and reason: {ended.err[:300]!r}"
+    if ended.status == 2 and len(ended.err) > 60_000:
+        return f"a refusal of {len(ended.err)} characters"
+    return ""
+
+
+@contextlib.contextmanager
+def _folder(kind: Kind, data: bytes) -> Iterator[Path]:
+    """Make a folder with the broken file and what stands beside it the working directory."""
+    before = Path.cwd()
+    with TemporaryDirectory() as made:
+        for name, text in kind.beside.items():
+            (Path(made) / name).write_text(text, encoding="utf-8")
+        path = Path(made) / kind.file
+        path.write_bytes(data)
+        os.chdir(made)
+        try:
+            yield path
+        finally:
+            os.chdir(before)
+
+
+def _inside(kind: Kind, command: tuple[str, ...], path: Path) -> Ended:
+    """Run in this process."""
+    out, err = io.StringIO(), io.StringIO()
+    start = time.perf_counter()
+    built = mock.patch("catopt.cli.app.app", _built())
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), built:
+        if command:
+            status = main(list(command))
+        else:
+            assert kind.read is not None
+            status = _status_of(kind, path, err)
+    return Ended(status, out.getvalue(), err.getvalue(), time.perf_counter() - start)
+
+
+@cache
+def _built() -> object:
+    """Build the command line once; typer does it anew for each call, and takes most of the time."""
+    return get_command(app)
+
+
+def _status_of(kind: Kind, path: Path, err: io.StringIO) -> int:
+    assert kind.read is not None
+    try:
+        kind.read(path)
+    except CatoptError as error:
+        err.write(f"catopt: {error}\n")
+        return error.exit_status
+    except Exception as error:  # what the command line would call a fault of its own
+        err.write(f"{type(error).__name__}: {error}")
+        return 1
+    return 0
+
+
+def _as_process(kind: Kind, command: tuple[str, ...], path: Path) -> Ended:
+    """Run as a user does."""
+    if not command:
+        return _inside(kind, command, path)
+    start = time.perf_counter()
+    ran = subprocess.run(
+        [sys.executable, "-m", "catopt", *command], capture_output=True, text=True, check=False
+    )
+    return Ended(ran.returncode, ran.stdout, ran.stderr, time.perf_counter() - start)

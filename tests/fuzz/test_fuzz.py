@@ -1,0 +1,50 @@
+"""No file, however broken, gets anything but an answer or a refusal with key and reason."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.fuzz.kinds import Kind, kinds
+from tests.fuzz.run import ended_in, fault_of, run
+
+FILES, AS_PROCESSES = 2_000, 300
+SHARES = 4
+"""Parts of the files, so that several processes share them."""
+
+
+@pytest.mark.parametrize("kind", kinds(), ids=lambda kind: kind.name)
+def test_every_file_is_right_before_it_is_broken(kind: Kind) -> None:
+    for text in kind.texts:
+        ended = ended_in(kind, kind.command, text.encode())
+        assert (ended.status, fault_of(ended)) == (0, ""), ended.err
+
+
+@pytest.mark.parametrize("share", range(SHARES))
+def test_a_broken_file_is_answered_or_refused(share: int) -> None:
+    count = FILES // SHARES
+    assert run(count, seed=16, first=share * count).faults == []
+
+
+@pytest.mark.slow
+def test_so_it_is_by_processes_of_their_own() -> None:
+    assert run(AS_PROCESSES, seed=61, processes=True).faults == []
+
+
+@pytest.mark.parametrize(
+    ("status", "out", "err", "fault"),
+    [
+        (1, "", "catopt: a fault of catopt's own (TypeError)", "status 1"),
+        (2, "", "catopt: case.toml: 1 error\n", "without key and reason"),
+        (2, "", "catopt: case.toml: 1 error\n  wrong\n", "without key and reason"),
+        (2, "{}", "catopt: case.toml: 1 error\n  key: wrong\n", "prints an answer"),
+        (3, "", "", "no message"),
+        (0, "{}", "RuntimeWarning: overflow\n", "says 'Warning'"),
+        (2, "", "catopt: case.toml: 1 error\n  key: found \x1b[31m\n", "control characters"),
+        (2, "", "catopt: case.toml: 1 error\n  key: wrong\n", ""),
+    ],
+)
+def test_the_judge_sees_what_is_wrong(status: int, out: str, err: str, fault: str) -> None:
+    from tests.fuzz.run import Ended
+
+    found = fault_of(Ended(status, out, err, 0.1))
+    assert (fault in found) if fault else found == ""

@@ -1,0 +1,167 @@
+"""Every function that is compiled anywhere: the same bits plain and compiled, call by call."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import catopt
+from catopt import Line, PointLoad, Segment, read_case, solve_many
+from catopt.design.evaluation import DesignProblem
+from catopt.design.front import non_dominated
+from catopt.design.hypervolume import hypervolume
+from catopt.fem import (
+    Bed,
+    Harmonic,
+    LineDamping,
+    LineProperties,
+    MorisonSection,
+    Seabed,
+    TimeStepping,
+    run_dynamics,
+    solve_line,
+)
+from catopt.fem.series import series_rows, series_values
+from catopt.mooring.batch import solve_system_many
+from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
+
+from .both_forms import both_forms
+
+PACKAGE = Path(catopt.__file__).parent
+CASES = Path(__file__).parents[1] / "cases"
+
+
+def waves() -> None:
+    """Two ways to go on above still water, in a current that is the sum of two."""
+    points = np.array([[0.0, 0.0, 55.0], [5.0, 6.0, 57.0], [9.0, -3.0, 20.0], [0.0, 1.0, 0.0]])
+    for stretching in ("none", "wheeler"):
+        sea = Sea(
+            56.0,
+            random_waves(jonswap(4.0, 9.0), 30, np.random.default_rng(1), direction=1.0),
+            [PowerLawCurrent(1.0, 0.3), TableCurrent([0.0, 30.0, 56.0], [1.5, 1.4, 1.0])],
+            stretching=stretching,
+            ramp_time=10.0,
+        )
+        for t in (3.0, 55.0):
+            sea.kinematics(t, points)
+        sea.elevation(np.linspace(0.0, 60.0, 20), 5.0, 6.0)
+
+
+def fronts() -> None:
+    """Three objectives, some designs alike in one of them."""
+    rows = np.random.default_rng(1).integers(0, 12, (200, 3)).astype(float)
+    front = rows[non_dominated(rows)]
+    hypervolume(front, np.full(3, 13.0))
+
+
+def lines() -> None:
+    """Lines in every regime, on a bed with friction, under each load that may be known."""
+    line = Line(
+        [Segment(200.0, 300.0, EA=4e8), Segment(150.0, 900.0, EA=8e8)],
+        [PointLoad(120.0, 2e4), PointLoad(260.0, -3e4)],
+    )
+    for friction in (0.0, 0.6):
+        for known, values in (
+            ("horizontal_force", np.geomspace(1e2, 1e7, 40)),
+            ("span", np.linspace(250.0, 345.0, 40)),
+            ("fairlead_tension", np.geomspace(1e4, 1e7, 40)),
+        ):
+            load: dict[str, Any] = {known: values}
+            solve_many(line, height=80.0, seabed_friction=friction, **load)
+
+
+def systems() -> None:
+    """Nine lines of a tanker under forces from no force to more than they bear."""
+    system = read_case(CASES / "fso-rang-dong" / "case.toml").system
+    assert system is not None
+    solve_system_many(system, force=[[-4e6 * k / 10, 1e5] for k in range(12)])
+
+
+def designs() -> None:
+    """Designs of three spaces, in all checks and up to the first that fails."""
+    for name in ("design-buoy-9.5m", "design-leg-56m", "design-tanker-20m"):
+        problem = DesignProblem.of(read_case(CASES / name / "case.toml"))
+        numbers = np.random.default_rng(1).integers(0, problem.space.count, 200)
+        for stops_early in (False, True):
+            problem.assess(problem.space.genes_of(numbers), stops_early=stops_early)
+
+
+CHAIN = Line([Segment(300.0, 1000.0, EA=5e8, mass=117.0)], [PointLoad(100.0, 1e4, mass=1200.0)])
+
+
+def bars() -> None:
+    """At rest with friction, as pulled and as it was laid, and dragging springs."""
+    for law in ("pulled", "laid", "history"):
+        bed = Bed(friction_law=law)
+        solve_line(
+            CHAIN, height=80.0, horizontal_force=2e5, seabed_friction=0.5, elements=30, bed=bed
+        )
+
+
+def motion() -> None:
+    """In waves and current, on a bed with friction, with energies."""
+    properties = LineProperties(
+        [MorisonSection(0.13, 1.3, 0.5, 1.0, 0.2)],
+        LineDamping(critical_ratio=0.5),
+        seabed=Seabed(1e6, friction=0.5),
+    )
+    surface = random_waves(jonswap(4.0, 9.0), 20, np.random.default_rng(1))
+    sea = Sea(80.0, surface, [PowerLawCurrent(1.0, 0.3)])
+    run_dynamics(
+        CHAIN, TimeStepping(6.0, 0.2, ramp_time=2.0, energy=True), height=80.0, span=280.0,
+        elements=20, motion=Harmonic(8.0, (2.0, 0.5, 1.0)), properties=properties, sea=sea,
+    )  # fmt: skip
+
+
+def series() -> None:
+    """Fill a harmonic motion that grows."""
+    rows = series_rows(np.zeros((1, 3)), [Harmonic(8.0, (2.0, 0.5, 1.0))], 5.0)
+    series_values(rows, np.linspace(0.0, 20.0, 50))
+
+
+JOBS: dict[Callable[[], None], set[str]] = {
+    waves: {"fill_elevation", "fill_kinematics", "fill_wave_numbers"},
+    fronts: {"_best_of_three", "_volume"},
+    lines: {"fill"},
+    systems: {"settle_all"},
+    designs: {"assess"},
+    series: {"_fill_values"},
+    bars: {"bar_loads", "newton_step", "take_step"},
+    motion: {
+        "assemble_moving", "begin_works", "drag_feet", "fill_energy", "fill_series", "fill_water",
+        "march", "own_kinetic_energy", "solve_moving", "take_sample",
+    },
+}  # fmt: skip
+"""What is run, and which functions that calls; to compile them all takes two minutes."""
+
+QUICK = {waves, fronts, series}
+
+
+@pytest.mark.parametrize(
+    "job",
+    [job if job in QUICK else pytest.param(job, marks=pytest.mark.slow) for job in JOBS],
+    ids=lambda job: job.__name__,
+)
+def test_plain_and_compiled_are_one(job: Callable[[], None]) -> None:
+    with both_forms() as called:
+        job()
+    assert called >= JOBS[job]
+
+
+def test_no_compiled_function_is_left_out() -> None:
+    found = set()
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Call) and _name(node.func) in {"compiled", "_form"}:
+                found.add(_name(node.args[0]))
+    found.discard("function")  # what Simulation._form hands on
+    assert found == set().union(*JOBS.values())
+
+
+def _name(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else getattr(node, "id", "")

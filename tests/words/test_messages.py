@@ -1,0 +1,238 @@
+"""Messages are English as text, keep their values, and have every text in both languages."""
+
+from __future__ import annotations
+
+import ast
+import copy
+import json
+import pickle
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from string import Formatter
+
+import pytest
+
+import catopt
+from catopt.quantities import QUANTITIES
+from catopt.words import (
+    LANGUAGES,
+    Listed,
+    Measure,
+    Message,
+    Sentence,
+    Several,
+    Told,
+    heading,
+    is_said,
+    is_term,
+    quantity_label,
+    quantity_name,
+    say,
+    term,
+)
+from catopt.words.saved import messages_in, with_messages
+from catopt.words.texts import group, groups
+
+PACKAGE = Path(catopt.__file__).parent
+TEXTS = {f"{name}.{key}": text for name in groups() for key, text in group(name).items()}
+
+RISES = Message("catenary.rises", height=0.25)
+RISES_VI = "dây nhô lên 0.25 m trên mực nước; trọng lượng của phần đó vẫn lấy như trong nước"
+
+
+def holes(text: str) -> set[str]:
+    """Names in the braces of a text."""
+    return {hole for _, hole, _, _ in Formatter().parse(text) if hole is not None}
+
+
+def forms(text: object) -> list[str]:
+    """All texts of a language: one, or two by number."""
+    if isinstance(text, str):
+        return [text]
+    assert isinstance(text, dict)
+    assert set(text) == {"one", "many"}
+    return list(text.values())
+
+
+def keys_in_code() -> Iterator[str]:
+    """Yield every text constant of the source."""
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                yield node.value
+
+
+@pytest.mark.parametrize("key", TEXTS)
+def test_every_text_is_there_in_both_languages_with_the_same_holes(key: str) -> None:
+    text = TEXTS[key]
+    assert set(text) == set(LANGUAGES)
+    told = [form for language in LANGUAGES for form in forms(text[language])]
+    assert all(form.strip() for form in told)
+    named = {frozenset(holes(form) - {"count"}) for form in told}
+    assert len(named) == 1
+
+
+COMPOSED = {"kinds", "columns", "solution", "curve", "answers", "quantities"}
+"""Groups whose keys are put together where they are used, of the group and a name."""
+
+
+def test_every_text_is_used() -> None:
+    used = {*QUANTITIES}
+    for key in keys_in_code():
+        used |= {key, key.replace("-", "_")}
+    unused = [
+        key
+        for key in TEXTS
+        if key not in used
+        and not (key.partition(".")[0] in COMPOSED and key.partition(".")[2] in used)
+    ]
+    # Headings are being taken over kind by kind.
+    assert not [key for key in unused if not key.startswith(("columns.", "terms."))]
+
+
+BUILT = re.compile(
+    r"Printed for .*|swarm: \w+|(MBL|Proof load) over tension, new|Truss on mesh \d .*"
+)
+"""Terms that code puts together."""
+
+
+def test_every_term_is_a_word_of_code_or_data() -> None:
+    data = [
+        path.read_text("utf-8")
+        for path in PACKAGE.rglob("*.toml")
+        if path.parent.name not in ("texts", "vocabulary")
+    ]
+    used = _folded("\n".join((*keys_in_code(), *data)))
+    terms = [str(text["en"]) for text in group("terms").values()]
+    unused = [each for each in terms if _folded(each) not in used]
+    assert not [each for each in unused if not BUILT.fullmatch(each)]
+
+
+def _folded(text: str) -> str:
+    return text.lower().replace("_", " ")
+
+
+def test_a_term_has_one_translation() -> None:
+    found: dict[str, str] = {}
+    for name in ("terms", "columns", "quantities"):
+        for text in group(name).values():
+            english, vietnamese = text["en"], text["vi"]
+            assert isinstance(english, str)
+            assert isinstance(vietnamese, str)
+            assert found.setdefault(english, vietnamese) == vietnamese
+
+
+def test_a_term_is_said_and_any_other_word_stays() -> None:
+    assert say(term("sand"), "vi") == "cát"
+    assert is_term("Fairlead tension")
+    assert term("a user's own") == "a user's own"
+
+
+def test_a_text_of_a_data_file_is_said() -> None:
+    told = Told({"en": "no figure", "vi": "không có số liệu"})
+    assert told == "no figure"
+    assert say(told, "vi") == "không có số liệu"
+    with pytest.raises(KeyError):
+        Told({"en": "no figure"})
+
+
+def test_a_sentence_ends_with_one_full_stop() -> None:
+    assert Sentence(RISES) == f"{RISES}."
+    assert Sentence("it holds.", capital=True) == "It holds."
+    assert say(Sentence(RISES, capital=True), "vi") == f"D{RISES_VI[1:]}."
+
+
+def test_messages_are_found_again_in_a_document() -> None:
+    listed = Listed((Message("words.and"), "b", Measure("tension", 1e3).__str__()), "or")
+    strong = Message("checks.MBL", strength=Measure("tension", 7.3e6), factor=3.0)
+    written = Told({"en": "yes", "vi": "có"})
+    document = {
+        "a": [RISES, "plain"],
+        "b": {"c": Several((strong, listed)), "d": 1.0, "e": Sentence(written), "f": term("sand")},
+    }
+    read = json.loads(json.dumps(document))
+    again = with_messages(read, json.loads(json.dumps(messages_in(document))))
+    assert again == document
+    assert read["a"][0] == RISES
+    assert say(read["a"][0], "vi") == RISES
+    assert say(again["a"][0], "vi") == RISES_VI
+    assert say(again["b"]["c"], "vi") == say(Several((strong, listed)), "vi")
+    assert say(again["b"]["e"], "vi") == "có."
+    assert say(again["b"]["f"], "vi") == "cát"
+
+
+def test_every_quantity_has_its_name() -> None:
+    assert set(group("quantities")) == set(QUANTITIES)
+    for key, quantity in QUANTITIES.items():
+        assert quantity_label(key) == quantity.label
+
+
+def test_headings_are_said_with_symbol_and_unit() -> None:
+    tension = Message("columns.fairlead_tension")
+    assert heading(tension, QUANTITIES["tension"]) == "Fairlead tension T (kN)"
+    assert heading(tension, QUANTITIES["tension"], "vi") == "Lực căng tại điểm treo T (kN)"
+    assert heading(quantity_name("cost"), QUANTITIES["cost"], si=True) == "Cost (USD)"
+    demand = Message("columns.of_row", name=Message("columns.demand"))
+    assert demand == "Demand (unit of the row)"
+    assert say(demand, "vi") == "Giá trị tính toán (đơn vị theo hàng)"
+
+
+def test_a_message_is_its_english() -> None:
+    english = (
+        "the line rises 0.25 m above the water surface; its weight there is taken as submerged"
+    )
+    assert english == RISES
+    assert json.dumps([RISES]) == json.dumps([english])
+    assert say(RISES, "en") == english
+
+
+def test_a_message_is_said_in_vietnamese_with_what_it_holds() -> None:
+    assert say(RISES, "vi") == RISES_VI
+    held = Message("checks.in_load_case", name="storm", said=RISES)
+    assert say(held, "vi") == f'trường hợp tải trọng "storm": {RISES_VI}'
+
+
+def test_other_words_stay_as_they_are() -> None:
+    assert say("made fast {here}", "vi") == "made fast {here}"
+    named = Message("checks.named_segment", number=2, name="{braces}")
+    assert say(named, "vi") == "đoạn 2 ({braces})"
+
+
+def test_several_are_said_one_by_one() -> None:
+    both = Several((RISES, "the user's own"), " | ")
+    assert both == f"{RISES} | the user's own"
+    assert say(both, "vi") == f"{RISES_VI} | the user's own"
+
+
+def test_number_chooses_the_text() -> None:
+    one = Message("catenary.first_load_case", name="a", count=1, others='"b"')
+    two = Message("catenary.first_load_case", name="a", count=2, others='"b", "c"')
+    assert "there is also" in one
+    assert "there are also" in two
+    assert '"b", "c"' in say(two, "vi")
+
+
+@pytest.mark.parametrize("message", [RISES, Several((RISES, "plain"))])
+def test_a_message_keeps_its_values_when_it_is_copied_or_sent(message: Message) -> None:
+    for same in (copy.deepcopy(message), pickle.loads(pickle.dumps(message))):
+        assert same == message
+        assert say(same, "vi") == say(message, "vi")
+
+
+def test_a_message_without_its_value_is_a_fault() -> None:
+    with pytest.raises(KeyError, match="height"):
+        Message("catenary.rises")
+    with pytest.raises(KeyError):
+        Message("catenary.no_such_text")
+
+
+def test_a_message_is_known_by_its_key() -> None:
+    assert is_said(RISES, "catenary.rises")
+    assert not is_said(RISES, "catenary.slack")
+    assert not is_said(str(RISES), "catenary.rises")
+
+
+def test_a_measure_is_said_in_the_unit_of_the_field() -> None:
+    assert f"{Measure('tension', 7.3e6):.4g}" == "7300 kN"
+    assert str(Measure("nominal_diameter", 0.0761)) == "76.1 mm"
