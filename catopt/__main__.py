@@ -42,12 +42,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stderr.write("catopt: interrupted\n")
         return INTERRUPTED
     output = Output()
+    status = 0
     try:
         if arguments is None:
             from catopt.cli.streams import guard_streams
 
             guard_streams()
-        return _run(arguments, output)
+        _run(arguments, output)
     except KeyboardInterrupt:
         status = INTERRUPTED
     except SystemExit as stop:
@@ -60,14 +61,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         output.note(_fault(error, output))
     if status == INTERRUPTED:
         output.note("catopt: interrupted")
+    if arguments is None:
+        from catopt.interrupt import no_interrupt_from_now
+
+        no_interrupt_from_now()
     return status
 
 
-def _run(arguments: Sequence[str] | None, output: Output) -> int:
+def _run(arguments: Sequence[str] | None, output: Output) -> None:
     from catopt.cli.app import app
 
     app(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
-    return 0
 
 
 def _fault(error: Exception, output: Output) -> str:

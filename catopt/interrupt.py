@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 
 __all__ = [
     "asked_to_stop",
+    "no_interrupt_from_now",
     "signals_wait",
     "terminate_as_interrupt",
     "uninterrupted",
@@ -126,3 +127,12 @@ def signals_wait() -> Iterator[None]:
 def terminate_as_interrupt() -> None:
     """Treat a request to end (SIGTERM) as Ctrl-C from now on, so that it ends in the same order."""
     signal.signal(signal.SIGTERM, lambda _, __: signal.raise_signal(signal.SIGINT))
+
+
+def no_interrupt_from_now() -> None:
+    """Ignore SIGINT and SIGTERM for the rest of the process: its answer is given.
+
+    While Python takes itself down either would end it as a run that was killed.
+    """
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)

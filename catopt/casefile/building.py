@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import fields
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.components import SIZES, FromCatalogue, catalogue_choice
-from catopt.casefile.hydrodynamics import hydrodynamic
 from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, Values
 from catopt.casefile.schema import (
     AnchorTable,
@@ -182,26 +182,11 @@ def _segment(table: SegmentTable, component: Component | None) -> Segment:
         given["nominal_diameter"] = given.pop("diameter")
     if given.pop("drag_axial_area", "D") == "pi D":
         given["drag_axial"] *= math.pi
-    figures = _figures(component) if component else {}
+    made = component.segment(1.0) if component else None
+    figures = {each.name: getattr(made, each.name) for each in fields(made)} if made else {}
     if table.drag_method == "roughness":
         figures |= dict.fromkeys(("drag_normal", "drag_axial", "added_mass_normal"))
     return Segment(**figures | given)
-
-
-def _figures(component: Component) -> dict[str, Any]:
-    """List what the catalogue gives a segment."""
-    plain = component.segment(1.0)
-    return {
-        "submerged_weight": plain.submerged_weight,
-        "EA": plain.EA,
-        "mass": plain.mass,
-        "MBL": plain.MBL,
-        "name": plain.name,
-        "component": " ".join(part for part in (component.family, component.grade) if part),
-        "proof_load": component.proof_load,
-        "price": component.price,
-        **hydrodynamic(component),
-    }
 
 
 def _point_load(table: PointLoadTable, water_density: float) -> PointLoad:

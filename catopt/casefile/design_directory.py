@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
-from catopt.casefile.hydrodynamics import segment_in_motion
 from catopt.casefile.reading import read_case
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Line, PointLoad, Segment
@@ -28,6 +27,7 @@ DESIGN_CASE = "case.toml"
 """Name of the case file in a result directory."""
 
 _SCHEMA = "catopt.design/1"
+_MOTION = ("drag_diameter", "drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
 
 
 def read_case_or_design(path: Path, design: int | None) -> Case:
@@ -115,7 +115,7 @@ def read_design_document(directory: Path) -> dict[str, Any]:
 
 def _line(design: dict[str, Any], case: Case) -> Line:
     return Line(
-        [segment_in_motion(_segment(each), case) for each in design["segments"]],
+        [_with_motion(_segment(each), case) for each in design["segments"]],
         [
             PointLoad(
                 position=each["position_m"],
@@ -143,6 +143,23 @@ def _segment(each: dict[str, Any]) -> Segment:
         price=each.get("price_USD_per_m"),
         wear_rate=each.get("wear_rate_m_per_s"),
     )
+
+
+def _with_motion(segment: Segment, case: Case) -> Segment:
+    """Give a segment of a design its drag and added mass: its model's, or its component's."""
+    from catopt.catalogue.choice import chosen
+
+    kept = {field.name for field in fields(Segment)} - {"length", *_MOTION}
+    same = [
+        own
+        for own in case.line.segments
+        if all(getattr(own, key) == getattr(segment, key) for key in kept)
+    ]
+    if not same and segment.component and segment.nominal_diameter is not None:
+        families = chosen(case.catalogue, case.site.water_density)
+        component = families.component(segment.component, segment.nominal_diameter)
+        same = [component.segment(segment.length)]
+    return replace(segment, **{key: getattr(same[0], key) for key in _MOTION}) if same else segment
 
 
 def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:

@@ -208,7 +208,8 @@ class Component:
         Returns
         -------
         Segment
-            With the MBL in water; inextensible where EA is not known.
+            With the MBL in water, and all that is known of it for motion, both coefficients of
+            drag on the diameter of the normal one; inextensible where EA is not known.
         """
         return Segment(
             length=length,
@@ -217,7 +218,34 @@ class Component:
             mass=self.mass,
             MBL=self.MBL_in_water,
             name=self.name if name is None else name,
+            component=" ".join(part for part in (self.family, self.grade) if part),
+            nominal_diameter=self.nominal_diameter,
+            proof_load=self.proof_load,
+            price=self.price,
+            **self._hydrodynamic(),
         )
+
+    def _hydrodynamic(self) -> dict[str, float | None]:
+        """Coefficients on the one diameter of the model; added mass on the displaced water."""
+        drag, along = self.drag_normal, self.drag_axial
+        axial = None
+        if drag is not None and along is not None:
+            axial = along.coefficient * (along.diameter / drag.diameter)
+        added = {
+            key: None
+            if each is None
+            else each.coefficient * (each.diameter / self.volume_diameter) ** 2
+            for key, each in (
+                ("added_mass_normal", self.added_mass_normal),
+                ("added_mass_axial", self.added_mass_axial),
+            )
+        }
+        return {
+            "drag_diameter": self.drag_diameter,
+            "drag_normal": None if drag is None else drag.coefficient,
+            "drag_axial": axial,
+            **added,
+        }
 
     def dynamic_EA(self, mean_tension: float) -> float | None:
         """Stiffness of fibre rope against quick changes of tension.

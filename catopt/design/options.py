@@ -71,7 +71,7 @@ def resolve(case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]) -> 
         components = list(_components(choice, catalogue, key, found))
         warnings += _doubts(components, catalogue.families)
         options = [
-            replace(_segment(each, choice.lengths[0]), wear_rate=_wear_rate(case, index, each))
+            replace(each.segment(choice.lengths[0]), wear_rate=_wear_rate(case, index, each))
             for each in components
         ]
         if not choice.components:
@@ -130,18 +130,6 @@ def _wear_rate(case: Case, index: int, component: Component) -> float | None:
     own = case.line.segments[index]
     is_rope = line_kind(component.family) == "rope"
     return None if is_rope and line_kind(own.component) != "rope" else own.wear_rate
-
-
-def _segment(component: Component, length: float) -> Segment:
-    """One option, with all that the catalogue has of it."""
-    grade = f" {component.grade}" if component.grade else ""
-    return replace(
-        component.segment(length),
-        component=component.family + grade,
-        nominal_diameter=component.nominal_diameter,
-        proof_load=component.proof_load,
-        price=component.price,
-    )
 
 
 def _own(

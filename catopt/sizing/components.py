@@ -45,14 +45,7 @@ def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
         least, most = limits[0] * 1e3, limits[1] * 1e3
         allowed = f"no size of it is sold from {least:g} to {most:g} mm"
         raise InputError([Problem("components", names, allowed)], "LineChoice")
-    return tuple(
-        replace(
-            each.segment(1.0),
-            component=" ".join(part for part in (each.family, each.grade) if part),
-            nominal_diameter=each.nominal_diameter,
-        )
-        for each in within_bounds
-    )
+    return tuple(each.segment(1.0) for each in within_bounds)
 
 
 def first_line(choice: LineChoice, water_density: float, length: float) -> Line:

@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 from catopt import schemas
-from catopt.casefile import read_case
+from catopt.casefile import read_case, write_case
 from catopt.verify.dynamic import verify_dynamic
 from tests.report.further_cases import HARMONIC, SWARM
 from tests.report.page_cases import TEXTS
@@ -228,6 +228,18 @@ def test_a_sizing_refuses_to_replace_it(run: Run) -> None:
     assert (ran.status, ran.out) == (2, "")
     assert "--out: found .; has a case.toml that catopt did not write" in ran.err
     assert Path("case.toml").read_text("utf-8") == "# my own\n"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["buoy", "tanker"])
+def test_a_sizing_is_written_over_its_own_and_reported_on(run: Run, kind: str) -> None:
+    asked = ("size", kind, CASES / f"size-{kind}" / "sizing.toml", "--out", "out")
+    for _ in range(2):
+        ran = run(*asked)
+        assert ran.status == 0, ran.err
+    assert report(run, "out")["path"] == "out.html"
+    text = Path("out/case.toml").read_text("utf-8")
+    assert write_case(read_case("out/case.toml")) == text
 
 
 @pytest.mark.slow
