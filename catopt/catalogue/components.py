@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from catopt.catalogue.figure import RECALLED, Confidence, Source
 from catopt.errors import InputError, Problem
@@ -225,7 +225,7 @@ class Component:
             **self._hydrodynamic(),
         )
 
-    def _hydrodynamic(self) -> dict[str, float | None]:
+    def _hydrodynamic(self) -> dict[str, Any]:
         """Coefficients on the one diameter of the model; added mass on the displaced water."""
         drag, along = self.drag_normal, self.drag_axial
         axial = None

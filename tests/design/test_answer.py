@@ -341,8 +341,17 @@ def line_of(design: dict[str, Any]) -> Line:
 
 def without_motion(line: Line) -> Line:
     """Leave out drag and added mass, which the catalogue has and the document has not."""
-    keys = ("drag_diameter", "drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
-    bare = [replace(each, **dict.fromkeys(keys)) for each in line.segments]
+    bare = [
+        replace(
+            each,
+            drag_diameter=None,
+            drag_normal=None,
+            drag_axial=None,
+            added_mass_normal=None,
+            added_mass_axial=None,
+        )
+        for each in line.segments
+    ]
     return Line(bare, line.point_loads)
 
 
