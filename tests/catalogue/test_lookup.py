@@ -190,6 +190,15 @@ def test_a_segment_of_it() -> None:
         mass=chain.mass,
         MBL=chain.MBL,
         name="chain studless R3 76 mm",
+        component="chain studless R3",
+        nominal_diameter=0.076,
+        proof_load=chain.proof_load,
+        price=chain.price,
+        drag_diameter=0.076,
+        drag_normal=2.4,
+        drag_axial=1.15 / math.pi,
+        added_mass_normal=1.0,
+        added_mass_axial=0.5,
     )
     assert chain.segment(1.0, name="ground chain").name == "ground chain"
 
