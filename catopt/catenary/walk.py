@@ -185,6 +185,6 @@ def lie(
         x += length + pieces.compliance[k] * tensioned * 0.5 * (T + T1)
         x_H += pieces.compliance[k] * tensioned
         T = T1
-        if k > end_piece:
+        if k > end_piece and pieces.load[k] != 0.0:
             T = beyond_clump(T, pieces, k, friction, pieces.load[k])
     return Bed(x, x_H, T)

@@ -9,6 +9,7 @@ import typer
 from catopt._version import __version__
 from catopt.cli.catalog import catalog
 from catopt.cli.check import check
+from catopt.cli.compile import compile_all
 from catopt.cli.curve import curve
 from catopt.cli.design import design
 from catopt.cli.export import export
@@ -64,6 +65,7 @@ def catopt(
 
 for _command in (solve, curve, design, check, verify, system, report, export, reproduce, new):
     app.command()(_command)
+app.command("compile")(compile_all)
 app.add_typer(catalog)
 app.add_typer(loads)
 app.add_typer(size)

@@ -1,0 +1,113 @@
+"""Small pieces of work that between them need every compiled kernel function."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from catopt.compiled import VARIABLE
+
+if TYPE_CHECKING:
+    from catopt.model import Case
+
+__all__ = ["JOBS", "compile_always"]
+
+
+@contextmanager
+def compile_always() -> Iterator[None]:
+    """Have every kernel function compiled while the body runs, however little it has to do."""
+    before = os.environ.get(VARIABLE)
+    os.environ[VARIABLE] = "always"
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ[VARIABLE]
+        else:
+            os.environ[VARIABLE] = before
+
+
+def _template(name: str) -> Case:
+    from catopt.casefile import parse_case
+    from catopt.casefile.new_case import template
+
+    return parse_case(template(name))
+
+
+def _lines() -> None:
+    """Many lines of one kind."""
+    from catopt import solve_many
+
+    case = _template("buoy")
+    solve_many(case.line, height=case.fairlead_height, horizontal_force=[3e3, 4e3])
+
+
+def _bodies() -> None:
+    """Many loads on one body."""
+    from catopt.mooring.batch import solve_system_many
+
+    system = _template("system").system
+    assert system is not None
+    solve_system_many(system, force=[[0.0, 0.0], [1e4, 0.0]])
+
+
+def _designs() -> None:
+    """Designs, and the front of two and of three objectives."""
+    import numpy as np
+
+    from catopt.design.front import non_dominated
+    from catopt.design.hypervolume import hypervolume
+    from catopt.design.search import design_case
+
+    design_case(_template("design"))
+    front = np.array([[1.0, 2.0, 3.0], [2.0, 1.0, 3.0], [3.0, 2.0, 1.0]])
+    non_dominated(front)
+    hypervolume(front, np.full(3, 4.0))
+
+
+def _waves() -> None:
+    """Water of random waves, and a motion from a series."""
+    import numpy as np
+
+    from catopt.fem import Harmonic
+    from catopt.fem.series import series_rows, series_values
+    from catopt.waves import Sea, jonswap, random_waves
+
+    sea = Sea(50.0, random_waves(jonswap(4.0, 9.0), 3, np.random.default_rng(1)))
+    sea.kinematics(0.0, np.zeros((1, 3)))
+    sea.elevation(0.0)
+    rows = series_rows(np.zeros((1, 3)), [Harmonic(8.0, (2.0, 0.5, 1.0))], 5.0)
+    series_values(rows, np.linspace(0.0, 1.0, 2))
+
+
+def _at_rest() -> None:
+    """Put the truss model beside a line at rest."""
+    from catopt.verify.case import verify_case
+
+    verify_case(_template("buoy"))
+
+
+def _in_motion() -> None:
+    """Run the truss model in waves, current and motion."""
+    from catopt.verify.dynamic import verify_dynamic
+
+    case = _template("motion")
+    assert case.dynamics is not None
+    verify_dynamic(replace(case, dynamics=replace(case.dynamics, duration=0.2, elements=8)))
+
+
+JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(
+    {
+        "many lines": _lines,
+        "bodies of several lines": _bodies,
+        "design search": _designs,
+        "waves": _waves,
+        "truss model at rest": _at_rest,
+        "truss model in motion": _in_motion,
+    }
+)
+"""What is compiled, in the order in which it is."""
