@@ -38,12 +38,6 @@ def size_buoy(request: BuoyRequest | None = None, /, **inputs: Any) -> Sizing:
         With every mistake, each by its keyword.
     NoFeasibleDesignError
         Nothing that is sold passes every check.
-
-    Examples
-    --------
-    >>> import catopt
-    >>> sizing = catopt.size_buoy(buoy="pillar 2.4 m", depth="12 m", hs=1.5)
-    >>> f"{sizing.point.line.length:g} m"
     """
     return _sized("buoy", inputs) if request is None else sized_buoy(request)
 
