@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from catopt.casefile.fields import Measured
-from catopt.sizing.inputs import INPUTS, Input, section_of
+from catopt.sizing.inputs import INPUTS, Input
 from catopt.sizing.kinds import kind_of
 from catopt.units import as_written
 from catopt.words import Message
@@ -33,10 +33,10 @@ def up_to_date(page: str) -> str:
 def reference() -> str:
     """Write a table for each section of a file."""
     text = ""
-    for section in dict.fromkeys(map(section_of, INPUTS)):
+    for section in dict.fromkeys(each.section for each in INPUTS):
         rows: dict[str, list[Input]] = {}
         for each in INPUTS:
-            if section_of(each) == section:
+            if each.section == section:
                 rows.setdefault(each.key, []).append(each)
         text += f"\n### {f'`[{section}]`' if section else 'Top of the file'}\n\n{_HEAD}"
         text += "".join(map(_row, rows.values()))

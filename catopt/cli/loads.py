@@ -116,7 +116,7 @@ def buoy(
     options = inputs | {"buoy": None if place else name}
     with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
         make = of.telling.make
-        _wanted(of, "buoy", "depth")
+        of.want("buoy", "depth")
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         result = make(
             lambda own, *parts: buoy_loads(
@@ -220,7 +220,7 @@ def ship(
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
         make = of.telling.make
         areas = () if file else ("frontal_area", "lateral_area")
-        _wanted(of, "length", "breadth", "draught", "depth", *areas)
+        of.want("length", "breadth", "draught", "depth", *areas)
         own = make(in_si, angles | {"--waterline": (waterline, Dimension.LENGTH)})
         of.telling.raise_if_any()
         assert own is not None
@@ -306,10 +306,6 @@ def _known(
     file = read_file(place, moored)
     with file.telling():
         yield file.known(given, spell, defaults=_TAKEN, called=called)
-
-
-def _wanted(of: Known, *names: str) -> None:
-    of.telling.missing(*(name for name in names if name not in of.given))
 
 
 def _areas(of: Known) -> tuple[float, float, tuple[str, ...]]:

@@ -130,6 +130,6 @@ def _size(
         with file.telling():
             if not file.findings:
                 given = asked(moored, given, file.given(given), spell, language)
-            found = file.size(file.known(given, spell))
+            found = size_known(file.known(given, spell))
     note = given_to_size(place, given, spell)
     give(context.obj, found, language, as_json=as_json, out=out, save=save, given=note)

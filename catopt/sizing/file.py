@@ -21,7 +21,7 @@ from catopt.casefile.structure import structure_findings
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.inputs import SINKER, Input, inputs_of, section_of
+from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.known import Known, known
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.result import Sizing
@@ -86,6 +86,7 @@ class SizingFile:
             return dotted((*inputs[name].path, *(() if index is None else (index,))))
 
         told = [name for name, each in inputs.items() if self._is_told(each.path)]
+        told += [dotted(finding.path) for finding in self.findings]
         given = self.given(before)
         return known(
             self.moored, given, spelled, self.source, told=told, defaults=defaults, called=called
@@ -104,27 +105,13 @@ class SizingFile:
         if "sinker" in self.document and self.moored == "tanker":
             found["anchor"] = SINKER
         for name, each in self.inputs(before).items():
-            section = section_of(each)
-            place = table(self.document, section) if section else self.document
+            place = table(self.document, each.section) if each.section else self.document
             is_before = any(other in before for other in (name, *each.not_with))
             if each.path[-1] in place and not is_before:
                 found.setdefault(name, place[each.path[-1]])
         if isinstance(found.get("buoys"), str):
             found["buoys"] = FilePath(self.folder) / str(found["buoys"])
         return {**found, **before}
-
-    def size(self, of: Known) -> Sizing:
-        """Size what is known, unless something is wrong with the file in itself.
-
-        Parameters
-        ----------
-        of : Known
-            What `known` returned.
-        """
-        request = request_of(of)
-        if self.findings:
-            raise InputError((), self.source)
-        return size(of, request)
 
     @contextmanager
     def telling(self) -> Iterator[None]:
@@ -247,7 +234,7 @@ def size_file(path: str | os.PathLike[str], moored: Moored) -> Sizing:
     """
     file = read_file(path, moored)
     with file.telling():
-        return file.size(file.known())
+        return size(file.known())
 
 
 def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None:

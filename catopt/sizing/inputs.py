@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Final
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
 
-__all__ = ["INPUTS", "SINKER", "Input", "inputs_of", "section_of"]
+__all__ = ["INPUTS", "SINKER", "Input", "inputs_of"]
 
 SINKER: Final = "sinker"
 """As the anchor of a tanker: held by its weight."""
@@ -91,6 +91,11 @@ class Input:
     def path(self) -> tuple[str, ...]:
         """Where it stands in a file."""
         return tuple(self.key.split("."))
+
+    @property
+    def section(self) -> str:
+        """Of a file; empty at the top."""
+        return self.key.rpartition(".")[0]
 
     @property
     def is_measure(self) -> bool:
@@ -303,12 +308,7 @@ def inputs_of(moored: Moored, *, held_by: str = "") -> Mapping[str, Input]:
     other = "" if moored == "buoy" or not held_by else "anchor" if held_by == SINKER else "sinker"
     found: dict[str, Input] = {}
     for each in INPUTS:
-        is_of_other = section_of(each) == other and each.name != "anchor"
+        is_of_other = each.section == other and each.name != "anchor"
         if moored in each.of and not (other and is_of_other):
             found.setdefault(each.name, each)
     return MappingProxyType(found)
-
-
-def section_of(each: Input) -> str:
-    """Name the section of a file that an input stands in; empty at the top."""
-    return each.key.rpartition(".")[0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.casefile.sizing_file import Moored
+from catopt.errors import InputError, Problem
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.known import known
@@ -39,7 +40,7 @@ def size_buoy(request: BuoyRequest | None = None, /, **inputs: Any) -> Sizing:
     NoFeasibleDesignError
         Nothing that is sold passes every check.
     """
-    return _sized("buoy", inputs) if request is None else sized_buoy(request)
+    return _sized("buoy", request, inputs)
 
 
 def size_tanker(request: TankerRequest | None = None, /, **inputs: Any) -> Sizing:
@@ -65,8 +66,16 @@ def size_tanker(request: TankerRequest | None = None, /, **inputs: Any) -> Sizin
     NoAnswerError
         Nothing that is sold passes every check; the buoy does not carry all lines.
     """
-    return _sized("tanker", inputs) if request is None else sized_tanker(request)
+    return _sized("tanker", request, inputs)
 
 
-def _sized(moored: Moored, inputs: dict[str, Any]) -> Sizing:
-    return size(known(moored, inputs, source=f"size_{moored}"))
+def _sized(moored: Moored, request: object, inputs: dict[str, Any]) -> Sizing:
+    if isinstance(request, BuoyRequest) and moored == "buoy" and not inputs:
+        return sized_buoy(request)
+    if isinstance(request, TankerRequest) and moored == "tanker" and not inputs:
+        return sized_tanker(request)
+    source = f"size_{moored}"
+    if request is None:
+        return size(known(moored, inputs, source=source))
+    allowed = f"the request for a {moored} is wanted, or keywords, not both"
+    raise InputError([Problem("request", f"a {type(request).__name__}", allowed)], source)

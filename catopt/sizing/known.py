@@ -43,6 +43,14 @@ class Known:
         """Return a value; None where it is not known."""
         return self.values.get(name)
 
+    def want(self, *names: str) -> None:
+        """Tell which of some inputs are missing, each with an example."""
+        inputs = inputs_of(self.moored)
+        for name in names:
+            if name not in self.given:
+                allowed = f"missing; it is wanted, such as {as_written(inputs[name].example)}"
+                self.telling.add(name, "", allowed)
+
     @property
     def taken(self) -> list[Input]:
         """What was taken, as far as it is told."""

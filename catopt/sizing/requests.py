@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
-from catopt.errors import InputError
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
@@ -28,15 +28,13 @@ from catopt.words import Message, term
 __all__ = ["request_of", "sea_of", "shape_of", "size"]
 
 
-def size(of: Known, request: BuoyRequest | TankerRequest | None = None) -> Sizing:
+def size(of: Known) -> Sizing:
     """Size what is known; what is wrong is told as the caller spells it.
 
     Parameters
     ----------
     of : Known
         Inputs.
-    request : BuoyRequest or TankerRequest, optional
-        Made of them already.
 
     Raises
     ------
@@ -45,9 +43,8 @@ def size(of: Known, request: BuoyRequest | TankerRequest | None = None) -> Sizin
     NoAnswerError, NotConvergedError
         As for `catopt.size_buoy` and `size_tanker`.
     """
-    request = request_of(of) if request is None else request
     maker: Callable[..., Sizing] = sized_buoy if of.moored == "buoy" else sized_tanker
-    found = of.telling.make(maker, request)
+    found = of.telling.make(maker, request_of(of))
     of.telling.raise_if_any()
     assert found is not None
     return found
@@ -68,71 +65,51 @@ def request_of(of: Known) -> BuoyRequest | TankerRequest:
     """
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
     of.telling.raise_if_any()
-    if request is None:  # for what is told elsewhere
-        raise InputError((), of.telling.source)
+    assert request is not None
     return request
 
 
 def _of_a_buoy(of: Known) -> BuoyRequest | None:
-    is_pushed = of.given.isdisjoint({"force", "reserve_buoyancy"})
-    of.telling.missing(*(() if "depth" in of.given else ("depth",)))
+    of.want("depth")
     body = _body(of)
-    place = _environment(of, is_pushed=is_pushed)
-    line = _line(of, diameter_min=of["diameter_min"], diameter_max=of["diameter_max"])
+    place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
+    line = _line(of, of["diameter_min"], of["diameter_max"])
     ground = _sinker_ground(of)
-    return of.telling.make(
-        lambda a, b, c, d: BuoyRequest(
-            a,
-            b,
-            c,
-            d,
-            of["growth"] or 0.0,
-            title=of["title"] or "",
-            source=of["source"] or "",
-            defaults=_taken(of, place, ground),
-        ),
-        body,
-        place,
-        line,
-        ground,
+    maker = partial(
+        BuoyRequest,
+        marine_growth=of["growth"] or 0.0,
+        title=of["title"] or "",
+        source=of["source"] or "",
+        defaults=_taken(of, place, ground),
     )
+    return of.telling.make(maker, body, place, line, ground)
 
 
 def _of_a_tanker(of: Known) -> TankerRequest | None:
-    wanted = ("length", "breadth", "draught", "depth")
-    of.telling.missing(*(name for name in wanted if name not in of.given))
+    of.want("length", "breadth", "draught", "depth")
     ships = _ships(of)
     place = _environment(of)
     shape = None if of["buoy"] is None else shape_of(of)
-    line = _line(of, **_sizes(of))
+    line = _line(of, *_sizes(of))
     ground = _sinker_ground(of) if of["anchor"] == SINKER else _drag_ground(of)
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
         sizes = {"least": of["diameter_min"] * 1e3, "most": of["diameter_max"] * 1e3}
         words = (*words, Message("sizing.sizes_from_to", **sizes))
-    is_tied = shape is not None or "hawser" in of.given
-    return of.telling.make(
-        lambda a, b, c, d, _: TankerRequest(
-            a,
-            b,
-            c,
-            d,
-            buoy=shape,
-            hawser=of["hawser"] if is_tied else 0.0,
-            lines=of["lines"],
-            pretension=of["pretension"],
-            clump_masses=of["clump_weight"] or (),
-            defaults=words,
-            estimates=estimates(),
-            title=of["title"] or "",
-            source=of["source"] or "",
-        ),
-        ships,
-        place,
-        line,
-        ground,
-        of["buoy"] is None or shape,
+    maker = partial(
+        TankerRequest,
+        buoy=shape,
+        hawser=of["hawser"] if shape is not None or "hawser" in of.given else 0.0,
+        lines=of["lines"],
+        pretension=of["pretension"],
+        clump_masses=of["clump_weight"] or (),
+        title=of["title"] or "",
+        source=of["source"] or "",
+        defaults=words,
+        estimates=estimates(),
     )
+    is_found = of["buoy"] is None or shape is not None
+    return of.telling.make(maker, ships, place, line, ground) if is_found else None
 
 
 # ------------------------------------------------------------------ place and weather
@@ -145,10 +122,8 @@ def _environment(of: Known, *, is_pushed: bool = True) -> Environment | None:
     levels = make(WaterLevels, of["low_water"] or high, high)
     wind = make(Wind, of["wind"] if is_pushed else 0.0)
     current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
-    density = of["water_density"]
-    return make(
-        lambda a, b, c, d: Environment(a, b, c, d, density), levels, wind, current, make(sea_of, of)
-    )
+    maker = partial(Environment, water_density=of["water_density"])
+    return make(maker, levels, wind, current, make(sea_of, of))
 
 
 def sea_of(of: Known) -> SeaState:
@@ -184,7 +159,7 @@ def _body(of: Known) -> BuoyShape | GivenBuoy | None:
         )
         telling.add("buoy", "", allowed)
         return None
-    telling.missing(*(name for name in pair if name not in of.given))
+    of.want(*pair)
     return telling.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
 
 
@@ -248,19 +223,20 @@ def _ship(of: Known, condition: str) -> MooredShip:
 # ------------------------------------------------------------------ line, and what holds it
 
 
-def _sizes(of: Known) -> dict[str, float]:
+def _sizes(of: Known) -> tuple[float, float]:
     """Bound a ship's sizes of chain: what is given moves the other bound out of its way."""
     least, most = of["diameter_min"], of["diameter_max"]
-    return {
-        "diameter_min": least if "diameter_min" in of.given else min(least, most),
-        "diameter_max": most if "diameter_max" in of.given else max(least, most),
-    }
+    return (
+        least if "diameter_min" in of.given else min(least, most),
+        most if "diameter_max" in of.given else max(least, most),
+    )
 
 
-def _line(of: Known, **sizes: float | None) -> LineChoice | None:
+def _line(of: Known, least: float | None, most: float | None) -> LineChoice | None:
     """Make what the line may be; its components have to be known."""
     choice: dict[str, Any] = {
-        **sizes,
+        "diameter_min": least,
+        "diameter_max": most,
         "length_step": of["length_step"],
         "prefer": of["prefer"],
         "life": of["life"],

@@ -13,7 +13,7 @@ from pydantic import create_model
 
 from catopt.casefile.schema import SOME, Table
 from catopt.casefile.sizing_file import Moored
-from catopt.sizing.inputs import INPUTS, Input, section_of
+from catopt.sizing.inputs import INPUTS, Input
 from catopt.sizing.kinds import kind_of
 
 __all__ = ["schema_of"]
@@ -29,10 +29,9 @@ def schema_of(moored: Moored) -> type[Table]:
         What it is to find the mooring of.
     """
     inputs = [each for each in INPUTS if moored in each.of]
-    sections = dict.fromkeys(map(section_of, inputs))
+    sections = dict.fromkeys(each.section for each in inputs)
     tables = {
-        name: _table(name, [each for each in inputs if section_of(each) == name])
-        for name in sections
+        name: _table(name, [each for each in inputs if each.section == name]) for name in sections
     }
     fields: dict[str, Any] = {name: (table | None, None) for name, table in tables.items() if name}
     return create_model("SizingTable", __base__=tables[""], **fields)

@@ -8,7 +8,6 @@ from typing import Any, Protocol, TypeVar
 
 from catopt.errors import InputError, Problem
 from catopt.sizing.inputs import Input
-from catopt.units import as_written
 
 __all__ = ["Spelling", "Telling", "as_keyword"]
 
@@ -39,7 +38,7 @@ class Telling:
     source : str
         Who is told, for the error.
     told : collection of str
-        Inputs with which something is known to be wrong: no more is said of them.
+        What is known to be wrong: of inputs that are among it no more is said.
     called : mapping of str to str
         Further names by what the model calls them: a key, or ``source.key``.
     """
@@ -53,7 +52,6 @@ class Telling:
         called: Mapping[str, str] | None = None,
     ) -> None:
         self.spell, self.source = spell, source
-        self._inputs = inputs
         self._told = set(told)
         self._names = {name: name for name in inputs}
         self._names |= {each: row.name for row in inputs.values() for each in row.called}
@@ -72,12 +70,6 @@ class Telling:
         """Keep a problem of an input."""
         if name not in self._told:
             self._problems.append(Problem(self.spell(name, index), found, allowed))
-
-    def missing(self, *names: str) -> None:
-        """Keep that inputs are missing, each with an example."""
-        for name in names:
-            example = as_written(self._inputs[name].example)
-            self.add(name, "", f"missing; it is wanted, such as {example}")
 
     def read(self, name: str, reader: Callable[[Any], Made], value: object) -> Made | None:
         """Read a value of an input, or each of several; None, and no more told, when it is wrong.
@@ -120,8 +112,8 @@ class Telling:
         return None
 
     def raise_if_any(self) -> None:
-        """Raise InputError with all that was kept, each once."""
-        if self._problems:
+        """Raise InputError with all that was kept, each once; with nothing, if all is told."""
+        if self._problems or self._told:
             raise InputError(tuple(dict.fromkeys(self._problems)), self.source)
 
     def _keep(self, source: str, problem: Problem) -> None:

@@ -138,7 +138,7 @@ def told_of_a_file(path: Path, moored: Moored) -> dict[str, str]:
     """Return what is wrong with a file, by its place."""
     file = read_file(path, moored)
     with pytest.raises(InputError) as caught, file.telling():
-        file.size(file.known())
+        size(file.known())
     return {each.key: each.allowed for each in caught.value.problems}
 
 
@@ -241,3 +241,5 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
     request = catopt.read_sizing(Path(__file__).parents[2] / "cases/size-buoy/sizing.toml")
     assert request.title == "Pillar buoy in 12 m"
     assert catopt.size_buoy(request).point.line == sizing.point.line  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="the request for a tanker is wanted"):
+        catopt.size_tanker(request)  # type: ignore[arg-type]
