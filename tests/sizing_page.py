@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from catopt.casefile.fields import Measured
-from catopt.sizing.inputs import INPUTS, Input
+from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import kind_of
 from catopt.units import as_written
 from catopt.words import Message
@@ -37,7 +37,8 @@ def reference() -> str:
         rows: dict[str, list[Input]] = {}
         for each in INPUTS:
             if each.section == section:
-                rows.setdefault(each.key, []).append(each)
+                both = (*rows_of("buoy"), *rows_of("tanker"))
+                rows[each.key] = [row for row in both if row.key == each.key]
         text += f"\n### {f'`[{section}]`' if section else 'Top of the file'}\n\n{_HEAD}"
         text += "".join(map(_row, rows.values()))
     return f"{text}\n"
@@ -46,8 +47,7 @@ def reference() -> str:
 def _row(rows: list[Input]) -> str:
     """Write the row of a key; a buoy's and a tanker's may differ in default, limit and example."""
     each = rows[0]
-    of = {moored for row in rows for moored in row.of}
-    only = f"{of.pop()}: " if len(of) == 1 else ""
+    only = f"{each.of[0]}: " if len(each.of) == 1 else ""
     words = str(Message(f"inputs.{each.name}"))
     kind = kind_of(each)
     unit = kind.dimension.si_unit if isinstance(kind, Measured) else ""

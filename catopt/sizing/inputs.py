@@ -9,15 +9,15 @@ docs/sizing.md are all made of it. The words are in ``words/texts/inputs.toml``,
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
 
-__all__ = ["INPUTS", "SINKER", "Input", "inputs_of"]
+__all__ = ["INPUTS", "SINKER", "Input", "inputs_of", "rows_of"]
 
 SINKER: Final = "sinker"
 """As the anchor of a tanker: held by its weight."""
@@ -65,6 +65,8 @@ class Input:
         Key of the text that tells that the default was taken.
     left_out : str
         Key of the text that says what is taken, where that is no fixed value.
+    tanker : tuple of (str, object)
+        Attributes that are others for a tanker.
     """
 
     name: str
@@ -86,6 +88,7 @@ class Input:
     why: str = ""
     taken: str = ""
     left_out: str = ""
+    tanker: tuple[tuple[str, object], ...] = ()
 
     @property
     def path(self) -> tuple[str, ...]:
@@ -106,6 +109,7 @@ class Input:
 _BUOY: Final[tuple[Moored, ...]] = ("buoy",)
 _TANKER: Final[tuple[Moored, ...]] = ("tanker",)
 _GIVEN: Final = ("force", "reserve_buoyancy")
+_FREE: Final = (("required", False), ("asked", False), ("not_with", ()))
 _IN_IT: Final = ", which has it all in it"
 
 INPUTS: Final = (
@@ -147,10 +151,9 @@ INPUTS: Final = (
         most="100 m", also=("fairlead_height",), left_out="left_out.fairlead",
     ),
     Input(
-        "buoy", "buoy.name", "NAME", "pillar 1.8 m", of=_BUOY, required=True, asked=True,
-        not_with=_GIVEN,
+        "buoy", "buoy.name", "NAME", "pillar 1.8 m", required=True, asked=True, not_with=_GIVEN,
+        tanker=(("example", "mooring buoy 5.0 m"), *_FREE),
     ),
-    Input("buoy", "buoy.name", "NAME", "mooring buoy 5.0 m", of=_TANKER),
     Input("buoys", "buoy.file", "FILE", "buoys.toml"),
     Input(
         "force", "buoy.horizontal_force", "FORCE", "5 kN", of=_BUOY, above=0.0, required=True,
@@ -169,14 +172,9 @@ INPUTS: Final = (
         most="1000 m",
     ),
     Input(
-        "depth", "site.water_depth", "LENGTH", "12 m", of=_BUOY, above=0.0, most="200 m",
-        required=True, asked=True, called=("high", "levels.high"),
-        also=("d", "depth", "high_water"),
-    ),
-    Input(
-        "depth", "site.water_depth", "LENGTH", "22 m", of=_TANKER, above=0.0, most="12000 m",
-        required=True, asked=True, called=("high", "levels.high"),
-        also=("d", "depth", "high_water"),
+        "depth", "site.water_depth", "LENGTH", "12 m", above=0.0, most="200 m", required=True,
+        asked=True, called=("high", "levels.high"), also=("d", "depth", "high_water"),
+        tanker=(("example", "22 m"), ("most", "12000 m")),
     ),
     Input(
         "low_water", "site.low_water", "LENGTH", "10 m", above=0.0, asked=True,
@@ -214,33 +212,25 @@ INPUTS: Final = (
         "growth", "environment.marine_growth", "LENGTH", "50 mm", "0 mm", of=_BUOY, at_least=0.0,
         most="0.5 m", called=("marine_growth",), not_with=("force",), why=_IN_IT,
     ),
-    # Open-link buoy chain of IALA, whose figures were all read in CALMAR's own table (A).
+    # Open-link buoy chain of IALA, whose figures were all read in CALMAR's own table (A). The sizes
+    # of a ship's chain are catopt's own bounds; its step is half a shot.
     Input(
         "chain", "line.components", "NAME", ("chain studless R3", "chain studless R4"),
-        "chain open-link 4D Q2", of=_BUOY, several=True, called=("components", "component"),
-        also=("component", "chain"),
+        "chain open-link 4D Q2", several=True, called=("components", "component"),
+        also=("component", "chain"), tanker=(("default", "chain studless R3"),),
     ),
     Input(
-        "chain", "line.components", "NAME", ("chain studless R3", "chain studless R4"),
-        "chain studless R3", of=_TANKER, several=True, called=("components", "component"),
-        also=("component", "chain"),
+        "diameter_min", "line.diameter_min", "LENGTH", "20 mm", above=0.0,
+        left_out="left_out.every_size", tanker=(("default", "50 mm"), ("left_out", "")),
     ),
     Input(
-        "diameter_min", "line.diameter_min", "LENGTH", "20 mm", of=_BUOY, above=0.0,
-        left_out="left_out.every_size",
+        "diameter_max", "line.diameter_max", "LENGTH", "44 mm", above=0.0,
+        left_out="left_out.every_size", tanker=(("default", "120 mm"), ("left_out", "")),
     ),
-    Input("diameter_min", "line.diameter_min", "LENGTH", "20 mm", "50 mm", of=_TANKER, above=0.0),
     Input(
-        "diameter_max", "line.diameter_max", "LENGTH", "44 mm", of=_BUOY, above=0.0,
-        left_out="left_out.every_size",
+        "length_step", "line.length_step", "LENGTH", "1 m", above=0.0,
+        left_out="left_out.length_step", tanker=(("default", "13.75 m"), ("left_out", "")),
     ),
-    Input("diameter_max", "line.diameter_max", "LENGTH", "44 mm", "120 mm", of=_TANKER, above=0.0),
-    Input(
-        "length_step", "line.length_step", "LENGTH", "1 m", of=_BUOY, above=0.0,
-        left_out="left_out.length_step",
-    ),
-    # Half a shot; the sizes of a ship's chain above are catopt's own bounds.
-    Input("length_step", "line.length_step", "LENGTH", "1 m", "13.75 m", of=_TANKER, above=0.0),
     Input(
         "prefer", "line.prefer", "WHICH", "lightest", "balanced",
         words=("balanced", "lightest", "least-swing"),
@@ -268,19 +258,17 @@ INPUTS: Final = (
         most="20000 kg/m^3", called=("density",), left_out="left_out.sinker_density",
     ),
     Input(
-        "soil", "sinker.soil", "NAME", "fine or silty sand", "fine or silty sand", of=_BUOY,
-        asked=True, not_with=("friction",),
-    ),
-    Input(
-        "soil", "sinker.soil", "NAME", "fine or silty sand", "fine or silty sand", of=_TANKER,
-        not_with=("friction",),
+        "soil", "sinker.soil", "NAME", "fine or silty sand", "fine or silty sand", asked=True,
+        not_with=("friction",), tanker=(("asked", False),),
     ),
     Input(
         "friction", "sinker.friction", "NUMBER", 0.4, above=0.0, most="1.5", also=("mu",),
         not_with=("soil",), left_out="left_out.friction",
     ),
-    Input("code", "checks.code", "NAME", "break/5", "IALA-CALMAR", of=_BUOY),
-    Input("code", "checks.code", "NAME", "break/5", "UFC-4-159-03", of=_TANKER),
+    Input(
+        "code", "checks.code", "NAME", "break/5", "IALA-CALMAR",
+        tanker=(("default", "UFC-4-159-03"),),
+    ),
     Input("recalled", "checks.allow_recalled", "FLAG", True),
     Input(
         "life", "service.life", "TIME", "10 years", "5 years", at_least=0.0, most="100 years",
@@ -295,6 +283,22 @@ INPUTS: Final = (
 
 
 @cache
+def rows_of(moored: Moored) -> tuple[Input, ...]:
+    """List the rows of a buoy or a tanker.
+
+    Parameters
+    ----------
+    moored : {"buoy", "tanker"}
+        What is to be moored.
+    """
+    rows = [each for each in INPUTS if moored in each.of]
+    if moored == "buoy":
+        return tuple(rows)
+    changes: list[dict[str, Any]] = [dict(each.tanker) for each in rows]
+    return tuple(replace(each, **other) for each, other in zip(rows, changes, strict=True))
+
+
+@cache
 def inputs_of(moored: Moored, *, held_by: str = "") -> Mapping[str, Input]:
     """List the inputs of a buoy or a tanker by name.
 
@@ -305,10 +309,10 @@ def inputs_of(moored: Moored, *, held_by: str = "") -> Mapping[str, Input]:
     held_by : str
         Of a tanker: its anchor, which says what else counts; empty: all that may count.
     """
-    other = "" if moored == "buoy" or not held_by else "anchor" if held_by == SINKER else "sinker"
+    is_open = moored == "buoy" or not held_by
+    other = "-" if is_open else "anchor" if held_by == SINKER else "sinker"
     found: dict[str, Input] = {}
-    for each in INPUTS:
-        is_of_other = each.section == other and each.name != "anchor"
-        if moored in each.of and not (other and is_of_other):
+    for each in rows_of(moored):
+        if each.section != other or each.name == "anchor":
             found.setdefault(each.name, each)
     return MappingProxyType(found)

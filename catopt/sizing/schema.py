@@ -13,7 +13,7 @@ from pydantic import create_model
 
 from catopt.casefile.schema import SOME, Table
 from catopt.casefile.sizing_file import Moored
-from catopt.sizing.inputs import INPUTS, Input
+from catopt.sizing.inputs import Input, rows_of
 from catopt.sizing.kinds import kind_of
 
 __all__ = ["schema_of"]
@@ -28,7 +28,7 @@ def schema_of(moored: Moored) -> type[Table]:
     moored : {"buoy", "tanker"}
         What it is to find the mooring of.
     """
-    inputs = [each for each in INPUTS if moored in each.of]
+    inputs = rows_of(moored)
     sections = dict.fromkeys(each.section for each in inputs)
     tables = {
         name: _table(name, [each for each in inputs if each.section == name]) for name in sections
