@@ -37,8 +37,8 @@ if TYPE_CHECKING:
     )
     from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
     from catopt.mooring.solve import solve_system
-    from catopt.sizing.buoy import size_buoy
-    from catopt.sizing.tanker import size_tanker
+    from catopt.sizing.file import read_sizing
+    from catopt.sizing.keywords import size_buoy, size_tanker
     from catopt.verify.case import verify_case
     from catopt.verify.dynamic import verify_dynamic
 
@@ -67,6 +67,7 @@ __all__ = [
     "find_touchdown_force",
     "load_curve",
     "read_case",
+    "read_sizing",
     "size_buoy",
     "size_tanker",
     "solve",
@@ -103,8 +104,8 @@ _HOMES = {
     ),
     "catopt.model": ("Case", "Line", "Load", "PointLoad", "Segment", "Site", "System"),
     "catopt.mooring.solve": ("solve_system",),
-    "catopt.sizing.buoy": ("size_buoy",),
-    "catopt.sizing.tanker": ("size_tanker",),
+    "catopt.sizing.file": ("read_sizing",),
+    "catopt.sizing.keywords": ("size_buoy", "size_tanker"),
     "catopt.verify.case": ("verify_case",),
     "catopt.verify.dynamic": ("verify_dynamic",),
 }

@@ -56,7 +56,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "checks": SOLVING | {"catalogue"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
     "verify": SOLVING | {"mooring", "fem", "waves"},
-    "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
+    "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "_version"},
     "answers": SOLVING | DESIGNING | {"mooring", "loads", "catalogue", "reproduce", "sizing"},

@@ -36,6 +36,7 @@ NAMES = [
     "find_touchdown_force",
     "load_curve",
     "read_case",
+    "read_sizing",
     "size_buoy",
     "size_tanker",
     "solve",

@@ -62,26 +62,21 @@ def template(name: str) -> str:
     from importlib.resources import files
 
     text = (files(__package__) / "templates" / f"{name}.toml").read_text(encoding="utf-8")
-    return _with_others(text, name)
+    return _with_others(text) if "{others}" in text else text
 
 
-def _with_others(text: str, name: str) -> str:
+def _with_others(text: str) -> str:
     """Put the other words that a key takes where a comment has ``{others}``."""
     import re
 
     from catopt.casefile.fields import OneOf
     from catopt.casefile.schema import CaseTable, Table, entries
-    from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
 
-    tops: dict[str, type[Table]] = {
-        "size buoy": BuoySizingTable,
-        "size tanker": TankerSizingTable,
-    }
-    top: type[Table] = tops.get(TEMPLATES[name].command, CaseTable)
-    table, lines = top, []
+    table: type[Table] = CaseTable
+    lines = []
     for line in text.splitlines(keepends=True):
         if header := re.match(r"(?:# )?\[+([\w.]+)\]+", line):
-            table = top
+            table = CaseTable
             for part in header[1].split("."):
                 table = entries(table)[part].table or table
         if "{others}" in line:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -11,20 +12,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
-from catopt.cli.size_options import (
-    BreadthOption,
-    DensityOption,
-    DepthOption,
-    GrowthOption,
-    HmaxOption,
-    LengthOption,
-    LowWaterOption,
-    measure,
-)
+from catopt.cli.size import is_file
+from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 
 if TYPE_CHECKING:
+    from catopt.casefile.sizing_file import Moored
     from catopt.cli.output import Output
     from catopt.loads import Loads, SeaState
+    from catopt.sizing.known import Known
+    from catopt.sizing.telling import Spelling
 from catopt.words import Message
 
 __all__ = ["loads"]
@@ -39,10 +35,24 @@ loads = typer.Typer(
     "secondary one; R recalled, read in none.",
 )
 
-WindOption = Annotated[str, measure("--wind", 'Wind at 10 m, such as "25 m/s".')]
-CurrentOption = Annotated[str, measure("--current", 'Tidal current, such as "3 kn".')]
-HsOption = Annotated[str | None, measure("--hs", "Significant wave height; or give --hmax.")]
-PeriodOption = Annotated[str | None, measure("--period", 'Wave period, such as "8 s".')]
+_TAKEN = {
+    "wind": "0 m/s",
+    "current": "0 m/s",
+    "hs": "",
+    "period": "",
+    "growth": "0 mm",
+    "water_density": "1025 kg/m^3",
+}
+"""What the loads take when it is left out, in place of what a sizing takes."""
+
+_WEATHER = ("depth", "wind", "current", "hs", "hmax", "period", "water_density")
+_BUOY = (*_WEATHER, "low_water", "growth", "buoys")
+_SHIP = (*_WEATHER, "length", "breadth", "draught", "frontal_area", "lateral_area")
+
+
+def measure(flag: str, dimension: str, text: str) -> Any:
+    """Declare an option with a unit that a sizing does not have."""
+    return typer.Option(flag, metavar=dimension, help=text)
 
 
 class ChainSpeed(StrEnum):
@@ -60,6 +70,7 @@ class Drift(StrEnum):
 
 
 @loads.command()
+@with_inputs("buoy", _BUOY, _TAKEN)
 def buoy(
     context: typer.Context,
     name: Annotated[
@@ -69,19 +80,14 @@ def buoy(
             help='Name of the buoy, such as "pillar 1.8 m", or a file (.toml) for catopt size.',
         ),
     ],
-    depth: DepthOption = None,
-    low_water: LowWaterOption = None,
-    wind: WindOption = "0 m/s",
-    current: CurrentOption = "0 m/s",
-    hs: HsOption = None,
-    hmax: HmaxOption = None,
-    period: PeriodOption = None,
+    *,
     chain: Annotated[
         str,
         typer.Option(metavar="LENGTH", help="Nominal diameter of the chain; 0 leaves it out."),
     ] = "0 mm",
-    pull: Annotated[str, measure("--pull", "Vertical pull of the line on the buoy.")] = "0 kN",
-    growth: GrowthOption = "0 mm",
+    pull: Annotated[
+        str, measure("--pull", "FORCE", "Vertical pull of the line on the buoy.")
+    ] = "0 kN",
     chain_speed: Annotated[
         ChainSpeed,
         typer.Option(
@@ -90,14 +96,10 @@ def buoy(
             "or current, tide and wind alone.",
         ),
     ] = ChainSpeed.SURFACE,
-    buoys: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="File of buoys of your own (TOML), beside catopt's."),
-    ] = None,
-    water_density: DensityOption = "1025 kg/m^3",
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: TablesOutOption = None,
+    **inputs: Any,
 ) -> None:
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference.
 
@@ -105,60 +107,40 @@ def buoy(
     a name that it lacks is answered with those it has. What a file leaves out is 0, and what is
     given as an option goes before it.
     """
-    from catopt.cli.size_file import fill, is_file
-    from catopt.cli.size_parts import measured
+    from catopt.cli.values import in_si
     from catopt.loads import SurfaceCurrent, WaterLevels, Wind, buoy_loads
-    from catopt.loads import buoys as library
-    from catopt.loads.buoy_library import buoy as look_up
-    from catopt.loads.buoy_library import read_buoys
+    from catopt.sizing.requests import shape_of
+    from catopt.units import Dimension
 
-    options = {
-        "BUOY": None if is_file(name) else name,
-        "--depth": depth,
-        "--low-water": low_water,
-        "--wind": wind,
-        "--current": current,
-        "--hs": hs,
-        "--hmax": hmax,
-        "--period": period,
-        "--growth": growth,
-        "--buoys": buoys,
-        "--water-density": water_density,
-    }
-    filled = fill(context, options, name if is_file(name) else None, "buoy")
-    given = filled.options
-    with filled.telling():
-        values = measured(given | {"--chain": chain, "--pull": pull}, {"--chain": "LENGTH"})
-        own = given["--buoys"]
-        known = (*library(), *(read_buoys(own) if own is not None else ()))
-        shape, air, stream, sea, levels = _all(
-            lambda: look_up(_wanted(given, {"BUOY": "pillar 1.8 m"})["BUOY"], known),
-            lambda: Wind(values["--wind"]),
-            lambda: SurfaceCurrent(values["--current"]),
-            lambda: _sea(values),
-            lambda: WaterLevels(
-                values.get("--low-water", _wanted(values, {"--depth": "12 m"})["--depth"]),
-                values["--depth"],
-            ),
-        )
-        (result,) = _all(
-            lambda: buoy_loads(
-                shape,
-                air,
-                stream,
-                sea,
-                levels,
-                chain_diameter=values["--chain"],
-                pull=values["--pull"],
-                marine_growth=values["--growth"],
+    place = name if is_file(name) else None
+    options = inputs | {"buoy": None if place else name}
+    with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
+        make = of.telling.make
+        of.want("buoy", "depth")
+        own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
+        result = make(
+            lambda own, *parts: buoy_loads(
+                *parts,
+                chain_diameter=own["--chain"],
+                pull=own["--pull"],
+                marine_growth=of["growth"],
                 chain_speed=chain_speed.value,
-                water_density=values["--water-density"],
-            )
+                water_density=of["water_density"],
+            ),
+            own,
+            shape_of(of),
+            make(Wind, of["wind"]),
+            make(SurfaceCurrent, of["current"]),
+            make(_sea, of),
+            make(WaterLevels, of["low_water"] or of["depth"], of["depth"]),
         )
+        of.telling.raise_if_any()
+    assert result is not None
     _give(context.obj, result, lang, as_json=as_json, out=out)
 
 
 @loads.command()
+@with_inputs("tanker", _SHIP, _TAKEN)
 def ship(
     context: typer.Context,
     file: Annotated[
@@ -167,18 +149,7 @@ def ship(
             metavar="FILE", help="File (.toml) for catopt size tanker; or give options."
         ),
     ] = None,
-    length: LengthOption = None,
-    breadth: BreadthOption = None,
-    draught: Annotated[str | None, measure("--draught", "Draught.")] = None,
-    frontal_area: Annotated[
-        str | None,
-        measure("--frontal-area", "Above water, seen from ahead; estimated if a file has none."),
-    ] = None,
-    lateral_area: Annotated[
-        str | None,
-        measure("--lateral-area", "Above water, seen from the side; the same."),
-    ] = None,
-    depth: DepthOption = None,
+    *,
     kind: Annotated[
         str,
         typer.Option(metavar="KIND", help='Kind for the wind, such as "tanker ballast".'),
@@ -193,7 +164,7 @@ def ship(
     ] = None,
     waterline: Annotated[
         str | None,
-        measure("--waterline", "Waterline length; 0.97 of --length when left out."),
+        measure("--waterline", "LENGTH", "Waterline length; 0.97 of --length when left out."),
     ] = None,
     block: Annotated[
         float, typer.Option(metavar="NUMBER", help="Block coefficient, for the displacement.")
@@ -201,19 +172,14 @@ def ship(
     midship: Annotated[
         float, typer.Option(metavar="NUMBER", help="Midship coefficient, for the midship area.")
     ] = 0.98,
-    wind: WindOption = "0 m/s",
-    current: CurrentOption = "0 m/s",
-    hs: HsOption = None,
-    hmax: HmaxOption = None,
-    period: PeriodOption = None,
     wind_angle: Annotated[
-        str, measure("--wind-angle", "From the bow to where the wind comes from.")
+        str, measure("--wind-angle", "ANGLE", "From the bow to where the wind comes from.")
     ] = "0 deg",
     current_angle: Annotated[
-        str, measure("--current-angle", "From the bow to where the current comes from.")
+        str, measure("--current-angle", "ANGLE", "From the bow to where the current comes from.")
     ] = "0 deg",
     wave_angle: Annotated[
-        str, measure("--wave-angle", "From the bow to where the waves come from.")
+        str, measure("--wave-angle", "ANGLE", "From the bow to where the waves come from.")
     ] = "0 deg",
     reflection: Annotated[
         float,
@@ -229,10 +195,10 @@ def ship(
             "Hmax (largest-wave).",
         ),
     ] = Drift.SEA_STATE,
-    water_density: DensityOption = "1025 kg/m^3",
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: TablesOutOption = None,
+    **inputs: Any,
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves.
 
@@ -242,76 +208,62 @@ def ship(
     tanker is taken; what it leaves out of wind, current and waves is 0, and what is given as an
     option goes before it.
     """
-    from catopt.cli.size_file import fill
-    from catopt.cli.size_parts import measured
+    from catopt.cli.values import in_si
     from catopt.loads import Headings, Ship, SurfaceCurrent, Wind, ship_loads
+    from catopt.units import Dimension
 
-    options = {
-        "--length": length,
-        "--breadth": breadth,
-        "--draught": draught,
-        "--moulded-depth": None,
-        "--frontal-area": frontal_area,
-        "--lateral-area": lateral_area,
-        "--depth": depth,
-        "--wind": wind,
-        "--current": current,
-        "--hs": hs,
-        "--hmax": hmax,
-        "--period": period,
-        "--water-density": water_density,
-        "--buoys": None,
+    angles = {
+        "--wind-angle": (wind_angle, Dimension.ANGLE),
+        "--current-angle": (current_angle, Dimension.ANGLE),
+        "--wave-angle": (wave_angle, Dimension.ANGLE),
     }
-    filled = fill(context, options, file, "tanker")
-    given = filled.options
-    estimated: tuple[str, ...] = ()
-    with filled.telling():
-        angles = {
-            "--wind-angle": wind_angle,
-            "--current-angle": current_angle,
-            "--wave-angle": wave_angle,
-        }
-        values = measured(given | {"--waterline": waterline} | angles)
-        _wanted(values, _SHIP if file is None else _SHIP_IN_A_FILE)
+    with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
+        make = of.telling.make
+        areas = () if file else ("frontal_area", "lateral_area")
+        of.want("length", "breadth", "draught", "depth", *areas)
+        own = make(in_si, angles | {"--waterline": (waterline, Dimension.LENGTH)})
+        of.telling.raise_if_any()
+        assert own is not None
         if file is not None:
             propeller = propeller or "tanker"
-            values, estimated = _with_areas(values)
-        at_waterline = values.get("--waterline", 0.97 * values["--length"])
-        section = values["--breadth"] * values["--draught"]
-        body, air, stream, sea, headings = _all(
+        frontal, lateral, estimated = _areas(of)
+        at_waterline = own.pop("--waterline", 0.97 * of["length"])
+        section = of["breadth"] * of["draught"]
+        body = make(
             lambda: Ship(
-                Message("loads.ship_of", length=values["--length"]),
-                values["--length"],
+                Message("loads.ship_of", length=of["length"]),
+                of["length"],
                 at_waterline,
-                values["--breadth"],
-                values["--draught"],
+                of["breadth"],
+                of["draught"],
                 block * at_waterline * section,
                 midship * section,
-                values["--lateral-area"],
-                values["--frontal-area"],
+                lateral,
+                frontal,
                 propeller,
-            ),
-            lambda: Wind(values["--wind"]),
-            lambda: SurfaceCurrent(values["--current"]),
-            lambda: _sea(values),
-            lambda: Headings(
-                values["--wind-angle"], values["--current-angle"], values["--wave-angle"]
-            ),
+            )
         )
-        (result,) = _all(
-            lambda: ship_loads(
-                body,
-                air,
-                stream,
+        result = make(
+            lambda ship, wind, current, sea, headings: ship_loads(
+                ship,
+                wind,
+                current,
                 sea,
-                values["--depth"],
+                of["depth"],
                 wind_on=kind,
                 headings=headings,
                 reflection=reflection,
                 drift="sea state" if drift is Drift.SEA_STATE else "largest wave",
-                water_density=values["--water-density"],
-            )
+                water_density=of["water_density"],
+            ),
+            body,
+            make(Wind, of["wind"]),
+            make(SurfaceCurrent, of["current"]),
+            make(_sea, of),
+            make(Headings, *(own[angle] for angle in angles)),
         )
+        of.telling.raise_if_any()
+    assert result is not None
     form = {"length": at_waterline, "block": block, "midship": midship}
     hull = Message("loads.hull_form", **form)
     result = replace(result, assumptions=(*result.assumptions, hull, *estimated))
@@ -320,77 +272,67 @@ def ship(
 
 # ------------------------------------------------------------------ parts of the commands
 
-_NAMES = {
-    "depth": "--depth",
-    "chain_diameter": "--chain",
-    "pull": "--pull",
-    "length_waterline": "--waterline",
-    "midship_area": "--midship",
-    "kind": "--kind",
-    "propeller": "--propeller",
-    "wind": "--wind-angle",
-    "current": "--current-angle",
-    "waves": "--wave-angle",
-    "reflection": "--reflection",
+_OF_BUOYS = {"chain_diameter": "chain", "pull": "pull"}
+_OF_SHIPS = {
+    "length_waterline": "waterline",
+    "displacement": "block",
+    "midship_area": "midship",
+    "kind": "kind",
+    "propeller": "propeller",
+    "Headings.wind": "wind_angle",
+    "Headings.current": "current_angle",
+    "Headings.waves": "wave_angle",
+    "reflection": "reflection",
 }
-"""Options by what they are called in Python, beside those of a sizing or in place of them."""
-
-_SHIP_IN_A_FILE = {
-    "--length": "234 m",
-    "--breadth": "31.3 m",
-    "--draught": "12.4 m",
-    "--depth": "20 m",
-}
-_SHIP = _SHIP_IN_A_FILE | {"--frontal-area": "580 m^2", "--lateral-area": "1200 m^2"}
-"""What is wanted of a ship, with examples."""
+"""Options that a sizing does not have, by what they are called in Python."""
 
 
-def _wanted(given: dict[str, Any], wanted: dict[str, str]) -> dict[str, Any]:
-    """Return what is given, once all that is wanted is there; examples by option."""
-    from catopt.cli.gathered import Gathered
-    from catopt.cli.size_parts import missing
+@contextmanager
+def _known(
+    moored: Moored,
+    place: str | None,
+    options: dict[str, Any],
+    spell: Spelling,
+    called: dict[str, str],
+) -> Iterator[Known]:
+    """Read options, and a file if there is one; what is wrong is told as it stands there."""
+    from catopt.sizing.file import read_file
+    from catopt.sizing.known import known
 
-    gathered = Gathered({})
-    missing(gathered, given, wanted)
-    gathered.raise_if_any()
-    return given
+    given = typed(moored, options)
+    if place is None:
+        yield known(moored, given, spell, "options", defaults=_TAKEN, called=called)
+        return
+    file = read_file(place, moored)
+    with file.telling():
+        yield file.known(given, spell, defaults=_TAKEN, called=called)
 
 
-def _with_areas(values: dict[str, float]) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Estimate a tanker's windage where it is not given; say so."""
+def _areas(of: Known) -> tuple[float, float, tuple[str, ...]]:
+    """Return frontal and lateral area; a tanker's are estimated where they are not given."""
     from catopt.loads.ship_estimate import MOULDED, estimated_tanker, estimates
 
-    if "--frontal-area" in values and "--lateral-area" in values:
-        return values, ()
-    moulded = values.get("--moulded-depth", MOULDED * values["--draught"])
-    main = (values[option] for option in ("--length", "--breadth", "--draught"))
-    (ship,) = _all(lambda: estimated_tanker("tanker", *main, moulded_depth=moulded))
-    areas = {"--frontal-area": ship.frontal_area, "--lateral-area": ship.lateral_area}
-    return areas | values, estimates()[1:]
+    frontal, lateral = of["frontal_area"], of["lateral_area"]
+    if frontal is not None and lateral is not None:
+        return frontal, lateral, ()
+    moulded = of["moulded_depth"] or MOULDED * of["draught"]
+    main = (of["length"], of["breadth"], of["draught"])
+    ship = of.telling.make(lambda: estimated_tanker("tanker", *main, moulded_depth=moulded))
+    of.telling.raise_if_any()
+    assert ship is not None
+    return frontal or ship.frontal_area, lateral or ship.lateral_area, estimates()[1:]
 
 
-def _sea(values: dict[str, float]) -> SeaState:
+def _sea(of: Known) -> SeaState:
     """Make the waves; none when no height is given."""
     from catopt.errors import InputError, Problem
     from catopt.loads import SeaState
 
-    height, largest = values.get("--hs"), values.get("--hmax")
-    if height is None and largest is None:
-        return SeaState(values.get("--period", 1.0), 0.0)
-    if "--period" not in values:
+    if of["hs"] is None and of["hmax"] is None:
+        return SeaState(of["period"] or 1.0, 0.0)
+    if of["period"] is None:
         raise InputError([Problem("period", "", 'missing; waves need it, such as "8 s"')], "waves")
-    return SeaState(values["--period"], height, largest)
-
-
-def _all(*makers: Callable[[], Any]) -> list[Any]:
-    """Make every value; what is wrong with any of them is told at once, by the options' names."""
-    from catopt.cli.gathered import Gathered
-    from catopt.cli.size_parts import NAMES
-
-    gathered = Gathered({**NAMES, **_NAMES})
-    made = [gathered.make(maker) for maker in makers]
-    gathered.raise_if_any()
-    return made
+    return SeaState(of["period"], of["hs"], of["hmax"])
 
 
 def _give(

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
-    from catopt.render.texts import Words
+    from catopt.render.texts import Language
     from catopt.report.page.sizing.note import Given
     from catopt.sizing import Sizing
 
-__all__ = ["check_places", "give", "sized"]
-
-Request = TypeVar("Request")
+__all__ = ["check_places", "give"]
 
 
 def check_places(out: Path | None, save: Path | None) -> None:
@@ -51,30 +48,10 @@ def _check_save(place: Path) -> None:
         raise InputError([Problem("--save", str(place), allowed)], "options")
 
 
-def sized(maker: Callable[[Request], Sizing], request: Request) -> Sizing:
-    """Size what is requested; what is wrong with it is told by the options' names.
-
-    Parameters
-    ----------
-    maker : callable
-        `catopt.sizing.size_buoy` or `size_tanker`.
-    request : BuoyRequest or TankerRequest
-        For it.
-    """
-    from catopt.cli.gathered import Gathered
-    from catopt.cli.size_parts import NAMES
-
-    gathered = Gathered(NAMES)
-    found = gathered.make(maker, request)
-    gathered.raise_if_any()
-    assert found is not None
-    return found
-
-
 def give(
     output: Output,
     of: Sizing,
-    words: Words,
+    language: Language,
     *,
     as_json: bool,
     out: Path | None,
@@ -89,8 +66,8 @@ def give(
         Where to.
     of : Sizing
         What came out.
-    words : Words
-        Language of view and workbook.
+    language : {"en", "vi"}
+        Of view and workbook.
     as_json : bool
         Whether to print the document.
     out, save : Path or None
@@ -106,8 +83,8 @@ def give(
         from catopt.report.bundle import size_files
         from catopt.report.files import write_files
 
-        files = files_of(answer, of.to_dict(), words.language)
-        written = write_files(out, files | size_files(of, words.language, given))
+        files = files_of(answer, of.to_dict(), language)
+        written = write_files(out, files | size_files(of, language, given))
         output.note(f"{len(written)} files written to {out}")
     if save is not None:
         from catopt.casefile import write_case
@@ -120,4 +97,4 @@ def give(
         return
     from catopt.render.terminal import show
 
-    show(output, answer, words.language)
+    show(output, answer, language)

@@ -1,211 +1,121 @@
-"""Options of ``catopt size`` and ``catopt loads``: what they are called and what they take."""
+"""The inputs of a sizing as options: made of their table (`catopt.sizing.inputs`)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from enum import StrEnum
-from pathlib import Path
+import inspect
+from collections.abc import Callable, Collection, Mapping
 from types import MappingProxyType
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
-__all__ = [
-    "DEFAULTS",
-    "MEASURES",
-    "BreadthOption",
-    "BuoysOption",
-    "ChainOption",
-    "CodeOption",
-    "CurrentOption",
-    "DensityOption",
-    "DepthOption",
-    "DiameterMaxOption",
-    "DiameterMinOption",
-    "FrictionOption",
-    "GrowthOption",
-    "HmaxOption",
-    "HsOption",
-    "LengthOption",
-    "LifeOption",
-    "LowWaterOption",
-    "Material",
-    "PeriodOption",
-    "PreferOption",
-    "Preference",
-    "RecalledOption",
-    "SaveOption",
-    "SinkerDensityOption",
-    "SinkerOption",
-    "StepOption",
-    "WearOption",
-    "WindOption",
-    "measure",
-]
+from catopt.sizing.inputs import Input, inputs_of
+from catopt.words import Message
 
-MEASURES: Mapping[str, str] = MappingProxyType(
-    {
-        "--depth": "LENGTH",
-        "--low-water": "LENGTH",
-        "--wind": "SPEED",
-        "--current": "SPEED",
-        "--hs": "LENGTH",
-        "--hmax": "LENGTH",
-        "--period": "TIME",
-        "--wind-angle": "ANGLE",
-        "--current-angle": "ANGLE",
-        "--wave-angle": "ANGLE",
-        "--friction": "NUMBER",
-        "--sinker-density": "DENSITY",
-        "--diameter-min": "LENGTH",
-        "--diameter-max": "LENGTH",
-        "--length-step": "LENGTH",
-        "--life": "TIME",
-        "--wear": "SPEED",
-        "--water-density": "DENSITY",
-        "--force": "FORCE",
-        "--reserve-buoyancy": "FORCE",
-        "--keel-depth": "LENGTH",
-        "--growth": "LENGTH",
-        "--pull": "FORCE",
-        "--length": "LENGTH",
-        "--waterline": "LENGTH",
-        "--breadth": "LENGTH",
-        "--draught": "LENGTH",
-        "--ballast-draught": "LENGTH",
-        "--moulded-depth": "LENGTH",
-        "--dwt": "MASS",
-        "--frontal-area": "AREA",
-        "--lateral-area": "AREA",
-        "--fairlead": "LENGTH",
-        "--hawser": "LENGTH",
-        "--pretension": "NUMBER",
-        "--clump-weight": "MASS",
-    }
-)
-"""Options with a unit, each with the name of its dimension."""
+if TYPE_CHECKING:
+    from catopt.casefile.sizing_file import Moored
 
-DEFAULTS: Mapping[str, str] = MappingProxyType(
-    {
-        "--wind": "25 m/s",
-        "--current": "1 m/s",
-        "--hs": "2 m",
-        "--life": "5 years",
-        "--wear": "0.4 mm/year",
-    }
-)
-"""What is taken when it is not given, as a user would write it."""
+__all__ = ["as_option", "by_option", "help_of", "typed", "with_inputs"]
+
+Command = TypeVar("Command", bound=Callable[..., None])
+
+_NOTHING: Mapping[str, str] = MappingProxyType({})
+_NO_OPTIONS = {"buoy": ("title", "source", "buoy"), "tanker": ("title", "source")}
+_METAVARS = {"code": "NAME", "soil": "SOIL", "buoy": "BUOY", "sinker": "MATERIAL", "lines": "N"}
 
 
-class Preference(StrEnum):
-    """Which of the best lines is recommended."""
-
-    BALANCED = "balanced"
-    LIGHTEST = "lightest"
-    LEAST_SWING = "least-swing"
+def as_option(name: str, index: int | None = None) -> str:
+    """Write an input as an option; one of several values is ``--clump-weight (2)``."""
+    flag = f"--{name.replace('_', '-')}"
+    return flag if index is None else f"{flag} ({index + 1})"
 
 
-class Material(StrEnum):
-    """Of a sinker."""
-
-    CONCRETE = "concrete"
-    STEEL = "steel"
+def by_option(name: str, index: int | None = None) -> str:
+    """Do the same where the name of a buoy stands alone."""
+    return "BUOY" if name == "buoy" else as_option(name, index)
 
 
-def measure(flag: str, text: str) -> Any:
-    """Declare an option with a unit.
+def help_of(each: Input, taken: str | None = None) -> str:
+    """Say what an option takes, and what is taken when it is left out.
 
     Parameters
     ----------
-    flag : str
-        One of `MEASURES`, which says what it takes.
-    text : str
-        Of its help.
+    each : Input
+        That it is of.
+    taken : str, optional
+        What is taken, where that is not what a sizing takes.
     """
-    return typer.Option(flag, metavar=MEASURES[flag], help=text)
+    flags = {name: as_option(name) for name in ("depth", "draught", "hs", "hmax", "soil")}
+    left_out = Message(each.left_out, **flags) if each.left_out else each.default
+    left_out = left_out if taken is None else taken
+    which = f": {', '.join(each.words)}" if each.words else ""
+    is_shown = each.required or each.name == "buoy"
+    example = f', such as "{each.example}"' if is_shown else ""
+    rest = f"; if left out, {left_out}" if left_out else ""
+    return f"{Message(f'inputs.{each.name}')}{which}{example}{rest}."
 
 
-def _option(flag: str, metavar: str, text: str) -> Any:
-    return typer.Option(flag, metavar=metavar, help=text)
+def with_inputs(
+    moored: Moored, names: Collection[str] = (), taken: Mapping[str, str] = _NOTHING
+) -> Callable[[Command], Command]:
+    """Give a command the options of inputs in place of its ``**inputs``.
+
+    Parameters
+    ----------
+    moored : {"buoy", "tanker"}
+        What they are of.
+    names : collection of str
+        Of the inputs; empty: all of them.
+    taken : mapping of str to str
+        What is taken of some that are left out, in place of what a sizing takes.
+    """
+
+    def decorate(command: Command) -> Command:
+        own = inspect.signature(command, eval_str=True).parameters.values()
+        first = [each for each in own if each.kind is each.POSITIONAL_OR_KEYWORD]
+        last = [each for each in own if each.kind is each.KEYWORD_ONLY]
+        options = [
+            _parameter(each, help_of(each, taken.get(name)))
+            for name, each in inputs_of(moored).items()
+            if (name in names or not names) and name not in _NO_OPTIONS[moored]
+        ]
+        command.__signature__ = inspect.Signature([*first, *options, *last])  # type: ignore[attr-defined]
+        return command
+
+    return decorate
 
 
-# ------------------------------------------------------------------ place and weather
+def _parameter(each: Input, words: str) -> inspect.Parameter:
+    is_flag = each.takes == "FLAG"
+    metavar = None if is_flag else _METAVARS.get(each.name, each.takes)
+    kind: Any = bool if is_flag else list[str] | None if each.several else str | None
+    return inspect.Parameter(
+        each.name,
+        inspect.Parameter.KEYWORD_ONLY,
+        default=False if is_flag else None,
+        annotation=Annotated[kind, typer.Option(as_option(each.name), metavar=metavar, help=words)],
+    )
 
-DepthOption = Annotated[str | None, measure("--depth", 'Water depth at high water, as "12 m".')]
-LowWaterOption = Annotated[
-    str | None, measure("--low-water", "Water depth at low water; --depth when left out.")
-]
-WindOption = Annotated[str | None, measure("--wind", "Wind at 10 m; 25 m/s when left out.")]
-CurrentOption = Annotated[str | None, measure("--current", "Tidal current; 1 m/s when left out.")]
-HsOption = Annotated[
-    str | None,
-    measure("--hs", "Significant wave height; 2 m when neither it nor --hmax is given."),
-]
-HmaxOption = Annotated[
-    str | None, measure("--hmax", "Height of the largest wave; 1.85 Hs when left out.")
-]
-PeriodOption = Annotated[
-    str | None,
-    measure("--period", "Wave period; 3.6 s times the root of Hs in m when left out."),
-]
-DensityOption = Annotated[str, measure("--water-density", "Density of the water.")]
 
-# ------------------------------------------------------------------ buoy and ship
+def typed(moored: Moored, options: Mapping[str, Any]) -> dict[str, object]:
+    """Take what was typed, by input.
 
-BuoysOption = Annotated[
-    Path | None, _option("--buoys", "FILE", "File of buoys of your own (TOML).")
-]
-GrowthOption = Annotated[str, measure("--growth", "Thickness of marine growth on hull and chain.")]
-LengthOption = Annotated[str | None, measure("--length", "Length over all.")]
-BreadthOption = Annotated[str | None, measure("--breadth", "Breadth.")]
+    Parameters
+    ----------
+    moored : {"buoy", "tanker"}
+        Of which.
+    options : mapping of str to object
+        Texts, lists of them or flags; None, empty or False: left out.
+    """
+    from catopt.sizing.kinds import from_text
 
-# ------------------------------------------------------------------ line and sinker
-
-FrictionOption = Annotated[
-    str | None,
-    measure("--friction", "Friction of the sinker on its soil, in place of --soil."),
-]
-SinkerOption = Annotated[
-    Material, _option("--sinker", "MATERIAL", "Of the sinker: concrete or steel.")
-]
-SinkerDensityOption = Annotated[
-    str | None, measure("--sinker-density", "Of the sinker; 2400 or 7850 kg/m^3 if left out.")
-]
-ChainOption = Annotated[
-    list[str] | None,
-    _option("--chain", "NAME", "Family with its grade; may be given several times."),
-]
-DiameterMinOption = Annotated[
-    str | None, measure("--diameter-min", "Smallest size of chain to look at.")
-]
-DiameterMaxOption = Annotated[
-    str | None, measure("--diameter-max", "Largest size of chain to look at.")
-]
-StepOption = Annotated[str | None, measure("--length-step", "Step of the length of the chain.")]
-CodeOption = Annotated[str | None, _option("--code", "NAME", "Profile of criteria to check by.")]
-PreferOption = Annotated[
-    Preference,
-    _option(
-        "--prefer",
-        "WHICH",
-        "Which of the best lines to recommend: balanced, lightest or least-swing.",
-    ),
-]
-LifeOption = Annotated[str | None, measure("--life", "Service life; 5 years when left out.")]
-WearOption = Annotated[
-    str | None,
-    measure("--wear", "Loss of nominal diameter; 0.4 mm/year when left out."),
-]
-RecalledOption = Annotated[
-    bool,
-    typer.Option("--recalled", help="Allow figures that were read in no document (R)."),
-]
-SaveOption = Annotated[
-    Path | None,
-    _option(
-        "--save",
-        "CASE",
-        "Write a case file of the recommended line here, which design, check and solve take. A "
-        "file that is already there is never overwritten.",
-    ),
-]
+    inputs = inputs_of(moored)
+    found: dict[str, object] = {}
+    for name, value in options.items():
+        if isinstance(value, list) and value:
+            found[name] = [from_text(inputs[name], text) for text in value]
+        elif isinstance(value, str):
+            found[name] = from_text(inputs[name], value)
+        elif value:
+            found[name] = value
+    return found

@@ -1,89 +1,110 @@
-"""Asks on a terminal for what a command was not told, each with its default."""
+"""Asks on a terminal for what a sizing needs and was not told, each with its default."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from catopt.errors import InputError, Problem
-from catopt.words import Message
+from catopt.sizing.inputs import Input, inputs_of
+from catopt.words import Message, say, term
 
 if TYPE_CHECKING:
-    from catopt.render.texts import Words
-    from catopt.units import Dimension
+    from catopt.casefile.sizing_file import Moored
+    from catopt.sizing.telling import Spelling
+    from catopt.words import Language
 
-__all__ = ["Question", "ask", "is_watched"]
+__all__ = ["asked"]
 
-
-class Question(NamedTuple):
-    """What is asked.
-
-    Attributes
-    ----------
-    option : str
-        Name of the option that it is an answer to.
-    words : str
-        The question, in English.
-    default : str
-        Taken at the return key; empty where an answer is needed.
-    dimension : Dimension or None
-        Of the value; None for a text.
-    choices : tuple of str
-        Texts to choose from; empty: any.
-    """
-
-    option: str
-    words: str
-    default: str
-    dimension: Dimension | None = None
-    choices: tuple[str, ...] = ()
+_OWN = "own"
+"""Answer of one whose buoy is not in the library."""
 
 
-def is_watched() -> bool:
-    """Say whether somebody can answer: standard input is a terminal."""
-    return bool(sys.stdin is not None and sys.stdin.isatty())
-
-
-def ask(
-    questions: Sequence[Question], given: Mapping[str, str | None], words: Words
-) -> dict[str, str]:
-    """Ask every question whose option was not given; on standard error.
+def asked(
+    moored: Moored,
+    typed: Mapping[str, object],
+    given: Mapping[str, object],
+    spell: Spelling,
+    language: Language,
+) -> dict[str, object]:
+    """Ask on standard error, when what is required was not given and somebody can answer.
 
     Parameters
     ----------
-    questions : sequence of Question
-        In order.
-    given : mapping of str to str or None
-        Options as they were given; None: left out.
-    words : Words
-        Language.
+    moored : {"buoy", "tanker"}
+        What is to be moored.
+    typed, given : mapping of str to object
+        Inputs as they were typed, and all that are known, those of a file among them.
+    spell : Spelling
+        How they are typed.
+    language : {"en", "vi"}
+        Of the questions.
 
     Returns
     -------
-    dict of str to str
-        Answers by option, defaults among them.
+    dict of str to object
+        What was typed and the answers, defaults among them.
     """
-    return {
-        each.option: _answer(each, words) for each in questions if given.get(each.option) is None
-    }
+    from catopt.sizing.known import is_needless
+
+    answers = dict(typed)
+    inputs = inputs_of(moored)
+    is_known = {**given, **answers}
+    missing = [
+        name
+        for name, each in inputs.items()
+        if each.required and name not in is_known and not is_needless(each, is_known)
+    ]
+    if not missing or sys.stdin is None or not sys.stdin.isatty():
+        return answers
+    for name, each in inputs.items():
+        is_known = {**given, **answers}
+        if each.asked and name not in is_known and not is_needless(each, is_known):
+            answers[name] = _answer(each, spell(name), _offered(each, is_known), language)
+            if answers[name] == _OWN:
+                del answers[name]
+    return answers
 
 
-def _answer(question: Question, words: Words) -> str:
+def _offered(each: Input, known: Mapping[str, object]) -> str:
+    """Return what the return key gives; empty where an answer is needed."""
+    if each.name == "low_water":
+        return str(known["depth"])
+    return str(each.example) if each.name == "buoy" else each.default
+
+
+def _choices(each: Input) -> tuple[str, ...]:
+    """List the texts to choose from; empty: any."""
+    if each.name == "buoy":
+        from catopt.loads import buoys
+
+        return (*(known.name for known in buoys()), _OWN)
+    if each.name == "soil":
+        from catopt.loads.sinker import SOIL_FRICTION
+
+        return tuple(SOIL_FRICTION)
+    return ()
+
+
+def _answer(each: Input, spelled: str, default: str, language: Language) -> object:
     """Ask until the answer can be read."""
-    if question.choices:
-        _say(f"  {words.name('one of')}: {'; '.join(question.choices)}\n")
-    offered = f" [{question.default}]" if question.default else ""
+    from catopt.sizing.kinds import from_text
+
+    choices = _choices(each)
+    if choices:
+        _say(f"  {say(term('one of'), language)}: {'; '.join(choices)}\n")
+    offered = f" [{default}]" if default else ""
     while True:
-        _say(f"{words.name(question.words)}{offered}: ")
+        _say(f"{say(Message(f'inputs.{each.name}'), language)}{offered}: ")
         line = sys.stdin.readline()
         if not line:
-            raise InputError([Problem(question.option, "", "missing; nobody answered")], "options")
-        answer = line.strip() or question.default
-        wrong = words.sentence(_wrong(question, answer)).text
+            raise InputError([Problem(spelled, "", "missing; nobody answered")], "options")
+        answer = from_text(each, line.strip() or default)
+        wrong = _wrong(each, spelled, answer, choices)
         if not wrong:
             return answer
-        _say(f"  {wrong}\n")
+        _say(f"  {say(wrong, language)}\n")
 
 
 def _say(words: str) -> None:
@@ -91,18 +112,17 @@ def _say(words: str) -> None:
     sys.stderr.flush()
 
 
-def _wrong(question: Question, answer: str) -> str:
+def _wrong(each: Input, spelled: str, answer: object, choices: tuple[str, ...]) -> str:
     """Say what is wrong with an answer; empty when nothing is."""
-    if not answer:
-        return "an answer is wanted"
-    if question.choices and answer not in question.choices:
-        return Message("answers.none_of_them", answer=answer)
-    if question.dimension is None:
-        return ""
-    from catopt.cli.values import in_si
+    if answer == "":
+        return term("an answer is wanted")
+    if choices:
+        return "" if answer in choices else Message("answers.none_of_them", answer=answer)
+    from catopt.sizing.kinds import kind_of
 
     try:
-        in_si({question.option: (answer, question.dimension)})
+        kind_of(each).read(answer)
     except InputError as error:
-        return "; ".join(str(problem) for problem in error.problems)
+        (problem,) = error.problems
+        return str(Problem(spelled, problem.found, problem.allowed))
     return ""

@@ -21,14 +21,14 @@ from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.words import Message
 
-__all__ = ["HIGH", "LOW", "pose_buoy", "size_buoy"]
+__all__ = ["HIGH", "LOW", "pose_buoy", "sized_buoy"]
 
 HIGH = "storm, high water"
 LOW = "storm, low water"
 """Load cases of a buoy."""
 
 
-def size_buoy(request: BuoyRequest) -> Sizing:
+def sized_buoy(request: BuoyRequest) -> Sizing:
     """Size the chain and the sinker of a buoy.
 
     The loads of wind, current and waves make a case with a storm at high and one at low water; the

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Final
 
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.environment import Environment
+from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
 
-__all__ = ["BUOY_CHAIN", "BUOY_CODE", "BuoyRequest", "GivenBuoy"]
-
-BUOY_CHAIN: Final = "chain open-link 4D Q2"
-"""Open-link buoy chain of IALA, whose figures were all read in CALMAR's own table (A)."""
-
-BUOY_CODE: Final = "IALA-CALMAR"
+__all__ = ["BuoyRequest", "GivenBuoy"]
 
 
 @dataclass(frozen=True)
@@ -76,7 +71,7 @@ class BuoyRequest:
 
     buoy: BuoyShape | GivenBuoy
     environment: Environment
-    line: LineChoice = field(default_factory=lambda: LineChoice((BUOY_CHAIN,), BUOY_CODE))
+    line: LineChoice = field(default_factory=lambda: LineChoice(usual("chain"), usual("code")))
     ground: SinkerGround = field(default_factory=SinkerGround)
     marine_growth: float = 0.0
     title: str = ""
@@ -88,11 +83,12 @@ class BuoyRequest:
         low = self.environment.levels.low
         keel = self.keel_depth(0.0)
         if keel >= low:
-            found.add(
-                "keel_depth",
-                f"{keel:.3g} m",
-                f"the water is {low:g} m deep at low water: the buoy would touch the bed",
-            )
+            allowed = f"the water is {low:g} m deep at low water: the buoy would touch the bed"
+            if isinstance(self.buoy, BuoyShape):
+                allowed = f"its chain is made fast {keel:.3g} m under water; {allowed}"
+                found.add("buoy", f'"{self.buoy.name}"', allowed)
+            else:
+                found.add("keel_depth", f"{keel:.3g} m", allowed)
         if isinstance(self.buoy, BuoyShape) and self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the buoy")
         found.raise_if_any()

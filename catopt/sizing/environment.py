@@ -8,23 +8,12 @@ from typing import Final
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
+from catopt.sizing.kinds import usual
 
 __all__ = [
-    "DEFAULT_CURRENT",
-    "DEFAULT_HEIGHT",
-    "DEFAULT_WIND",
     "Environment",
     "usual_period",
 ]
-
-DEFAULT_WIND: Final = 25.0
-"""m/s: the wind that IACS UR A1 designs anchoring equipment for."""
-
-DEFAULT_CURRENT: Final = 1.0
-"""m/s; catopt's own, to be replaced by that of the place."""
-
-DEFAULT_HEIGHT: Final = 2.0
-"""Hs, m; catopt's own, to be replaced by that of the place."""
 
 _PERIOD_OF_HEIGHT: Final = 3.6
 """s per root of m: 2 pi Hs/(g T^2) is then 1/20, the steepness of a growing sea; catopt's own."""
@@ -56,11 +45,9 @@ class Environment:
     """
 
     levels: WaterLevels
-    wind: Wind = field(default_factory=lambda: Wind(DEFAULT_WIND))
-    current: SurfaceCurrent = field(default_factory=lambda: SurfaceCurrent(DEFAULT_CURRENT))
-    sea: SeaState = field(
-        default_factory=lambda: SeaState(usual_period(DEFAULT_HEIGHT), DEFAULT_HEIGHT)
-    )
+    wind: Wind = field(default_factory=lambda: Wind(usual("wind")))
+    current: SurfaceCurrent = field(default_factory=lambda: SurfaceCurrent(usual("current")))
+    sea: SeaState = field(default_factory=lambda: SeaState(usual_period(usual("hs")), usual("hs")))
     water_density: float = SEA_WATER_DENSITY
 
     @property

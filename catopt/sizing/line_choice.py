@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal, get_args
 
 from catopt.checks.profiles import profiles_of
@@ -11,6 +11,7 @@ from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.model import Checks, SegmentChoice, Service
 from catopt.model.validity import Findings
+from catopt.sizing.kinds import usual
 from catopt.words import Message
 
 __all__ = ["PREFERENCES", "LineChoice", "Prefer"]
@@ -60,8 +61,8 @@ class LineChoice:
     diameters: tuple[float, ...] = ()
     length_step: float | None = None
     prefer: Prefer = "balanced"
-    life: float = 5.0 * YEAR
-    wear_rate: float = 0.4e-3 / YEAR
+    life: float = field(default_factory=lambda: usual("life"))
+    wear_rate: float = field(default_factory=lambda: usual("wear"))
     allow_recalled: bool = False
 
     def __post_init__(self) -> None:

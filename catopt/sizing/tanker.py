@@ -26,7 +26,7 @@ from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 from catopt.words import Message
 
-__all__ = ["EVERYDAY", "EVERYDAY_SHARE", "pose_tanker", "size_tanker"]
+__all__ = ["EVERYDAY", "EVERYDAY_SHARE", "pose_tanker", "sized_tanker"]
 
 EVERYDAY: Final = "everyday"
 EVERYDAY_SHARE: Final = 0.1
@@ -52,7 +52,7 @@ class _State(NamedTuple):
     rise: float
 
 
-def size_tanker(request: TankerRequest) -> Sizing:
+def sized_tanker(request: TankerRequest) -> Sizing:
     """Size the chain and the anchor of a tanker's mooring.
 
     The ship lies head to wind, current and waves. Of a single line the horizontal force is that of

@@ -3,32 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Final
 
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.environment import Environment
+from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
 
 __all__ = [
-    "HALF_A_SHOT",
-    "SHIP_CHAIN",
-    "SHIP_CODE",
-    "SHIP_SIZES",
     "MooredShip",
     "TankerRequest",
 ]
-
-SHIP_CHAIN: Final = "chain studless R3"
-SHIP_CODE: Final = "UFC-4-159-03"
-
-SHIP_SIZES: Final = (0.05, 0.12)
-"""Nominal diameters that are looked at, m; catopt's own bounds."""
-
-HALF_A_SHOT: Final = 13.75
-"""m, the step of a ship's chain."""
 
 
 @dataclass(frozen=True)
@@ -108,18 +95,18 @@ class TankerRequest:
     environment: Environment
     line: LineChoice = field(
         default_factory=lambda: LineChoice(
-            (SHIP_CHAIN,),
-            SHIP_CODE,
-            diameter_min=SHIP_SIZES[0],
-            diameter_max=SHIP_SIZES[1],
-            length_step=HALF_A_SHOT,
+            usual("chain", "tanker"),
+            usual("code", "tanker"),
+            diameter_min=usual("diameter_min", "tanker"),
+            diameter_max=usual("diameter_max", "tanker"),
+            length_step=usual("length_step", "tanker"),
         )
     )
     ground: DragGround | SinkerGround = field(default_factory=DragGround)
     buoy: BuoyShape | None = None
     hawser: float = 0.0
     lines: int = 1
-    pretension: float = 0.1
+    pretension: float = field(default_factory=lambda: usual("pretension", "tanker"))
     clump_masses: tuple[float, ...] = ()
     clump_density: float = 2400.0
     title: str = ""

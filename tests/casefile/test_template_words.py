@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import NamedTuple
 
 import pytest
@@ -11,11 +12,12 @@ import pytest
 from catopt.casefile import TEMPLATES, parse_case, template
 from catopt.casefile.fields import OneOf
 from catopt.casefile.schema import CaseTable, Table, entries
-from catopt.casefile.sizing_file import Moored, parse_sizing
-from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
+from catopt.casefile.sizing_file import Moored
+from catopt.sizing.file import read_file
+from catopt.sizing.schema import schema_of
 
 SIZED: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}
-TOPS: dict[str, type[Table]] = {"size-buoy": BuoySizingTable, "size-tanker": TankerSizingTable}
+TOPS: dict[str, type[Table]] = {name: schema_of(moored) for name, moored in SIZED.items()}
 """What the templates that are no cases are for, and their schema."""
 
 Keys = dict[str, list[str]]
@@ -90,11 +92,13 @@ def with_word(named: Named) -> str:
 
 
 @pytest.mark.parametrize("each", list(named()), ids=lambda each: ".".join(each[1:]))
-def test_a_named_alternative_is_read(each: Named) -> None:
+def test_a_named_alternative_is_read(each: Named, tmp_path: Path) -> None:
     text = with_word(each)
     assert f'"{each.word}"' in text
     if each.template in SIZED:
-        parse_sizing(text, SIZED[each.template])
+        path = tmp_path / "sizing.toml"
+        path.write_text(text, encoding="utf-8")
+        assert read_file(path, SIZED[each.template]).findings == ()
     else:
         parse_case(text)
 

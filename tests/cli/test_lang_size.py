@@ -10,7 +10,6 @@ import pytest
 import catopt.cli.size_answer
 from catopt.answers.size import size_answer
 from catopt.loads.drag_anchor import holding_capacity
-from catopt.render.texts import Words
 from catopt.render.workbook import workbook
 from catopt.sizing import Sizing
 from catopt.words import Message, say
@@ -47,9 +46,9 @@ def sized(monkeypatch: pytest.MonkeyPatch) -> list[Sizing]:
     kept: list[Sizing] = []
     show = catopt.cli.size_answer.give
 
-    def kept_and_given(output: object, of: Sizing, words: Words, **where: object) -> None:
+    def kept_and_given(output: object, of: Sizing, language: str, **where: object) -> None:
         kept.append(of)
-        show(output, of, words, **where)  # type: ignore[arg-type]
+        show(output, of, language, **where)  # type: ignore[arg-type]
 
     monkeypatch.setattr(catopt.cli.size_answer, "give", kept_and_given)
     return kept

@@ -7,24 +7,12 @@ begins with the command.
 from __future__ import annotations
 
 import json
-import re
 import sys
-import tomllib
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
 
 import pytest
-import typer.main
 
 from catopt import read_case
-from catopt.casefile.fields import Measured
-from catopt.casefile.schema import Table, entries
-from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
-from catopt.cli.size import size
-from catopt.cli.size_file import OPTIONS
-from catopt.cli.size_options import DEFAULTS
-from tests.casefile.test_schema import accepts, parse_value, range_of
 
 from .conftest import Run
 from .test_size import BUOY, OWN, SHIP, Terminal
@@ -71,74 +59,6 @@ draught = "12.4 m"
 moulded_depth = "16 m"
 """
 
-EVERY_BUOY_OPTION = (
-    *("--water-density", "1010 kg/m^3", "--growth", "50 mm", "--hmax", "3 m"),
-    *("--chain", "chain open-link 4D Q2", "--diameter-min", "30 mm", "--diameter-max", "60 mm"),
-    *("--length-step", "1 m", "--code", "break/5", "--prefer", "lightest", "--life", "3 years"),
-    *("--wear", "0.3 mm/year", "--sinker", "steel", "--sinker-density", "7800 kg/m^3"),
-    *("--friction", "0.5", "--recalled"),
-)
-EVERY_BUOY_KEY = (
-    BUOY_FILE.replace("low_water", 'water_density = "1010 kg/m^3"\nlow_water')
-    .replace("period", 'marine_growth = "50 mm"\nhmax = "3 m"\nperiod')
-    .replace('soil = "clean fine to medium sand"', "friction = 0.5")
-    + """
-material = "steel"
-density = "7.8 t/m^3"
-[line]
-components = ["chain open-link 4D Q2"]
-diameter_min = "30 mm"
-diameter_max = 0.06
-length_step = "1 m"
-prefer = "lightest"
-[checks]
-code = "break/5"
-allow_recalled = true
-[service]
-life = "3 years"
-wear_rate = "0.3 mm/year"
-"""
-)
-SHIP_OPTIONS = (
-    *("--ballast-draught", "6 m", "--dwt", "50000 t", "--frontal-area", "600 m^2"),
-    *("--lateral-area", "1300 m^2", "--fairlead", "4 m", "--buoy", "mooring buoy 5.0 m"),
-    *("--hawser", "60 m", "--clump-weight", "10 t", "--clump-weight", "20 t"),
-    *("--anchor", "sinker", "--soil", "hard clay"),
-)
-SHIP_KEYS = (
-    SHIP_FILE
-    + """
-ballast_draught = "6 m"
-deadweight = "50000 t"
-frontal_area = 600
-lateral_area = "1300 m^2"
-fairlead_above_water = "4 m"
-[buoy]
-name = "mooring buoy 5.0 m"
-hawser_length = "60 m"
-[line]
-clump_weights = ["10 t", 20000]
-[sinker]
-soil = "hard clay"
-"""
-)
-AROUND_OPTIONS = (
-    *("--lines", "6", "--pretension", "12 %", "--buoy", "mooring buoy 5.0 m"),
-    *("--anchor", "Bruce FFTS Mk4", "--soil", "sand"),
-)
-AROUND_KEYS = (
-    SHIP_FILE
-    + """
-[buoy]
-name = "mooring buoy 5.0 m"
-[system]
-lines = 6
-pretension = 0.12
-[anchor]
-name = "Bruce FFTS Mk4"
-soil = "sand"
-"""
-)
 WITHOUT_SOIL = BUOY[: BUOY.index("--soil")]
 
 
@@ -153,12 +73,9 @@ def written(tmp_path: Path) -> Path:
     [
         (BUOY_FILE, BUOY),
         (OWN_FILE, OWN),
-        (EVERY_BUOY_KEY, (*WITHOUT_SOIL, *EVERY_BUOY_OPTION)),
         (SHIP_FILE, SHIP),
-        (SHIP_KEYS, (*SHIP, *SHIP_OPTIONS)),
-        (AROUND_KEYS, (*SHIP, *AROUND_OPTIONS)),
     ],
-    ids=["buoy", "own", "every key of a buoy", "ship", "sinker", "around"],
+    ids=["buoy", "own", "ship"],
 )
 def test_a_file_gives_what_the_same_options_give(
     run: Run, written: Path, text: str, arguments: tuple[str, ...]
@@ -168,20 +85,6 @@ def test_a_file_gives_what_the_same_options_give(
     by_file = run(*arguments[:2], written, "--json")
     assert (by_file.status, by_file.err) == (by_options.status, by_options.err) == (0, "")
     assert by_file.out == by_options.out
-
-
-def test_the_files_above_have_every_key_but_the_texts_and_a_file_of_buoys() -> None:
-    given = {
-        "buoy": keys_in(EVERY_BUOY_KEY) | keys_in(OWN_FILE) | keys_in(BUOY_FILE),
-        "tanker": keys_in(SHIP_KEYS) | keys_in(AROUND_KEYS) | keys_in(EVERY_BUOY_KEY),
-    }
-    for moored, keys in given.items():
-        assert set(OPTIONS[moored]) - keys <= {"buoy.file", "buoy.keel_depth"}  # type: ignore[index]
-
-
-def keys_in(text: str) -> set[str]:
-    """Dotted keys of a file of sections."""
-    return {f"{name}.{key}" for name, table in tomllib.loads(text).items() for key in table}
 
 
 def test_an_option_goes_before_the_file(run: Run, written: Path) -> None:
@@ -340,94 +243,3 @@ def test_loads_tell_the_mistakes_of_a_file(
     assert (ran.status, ran.out) == (2, "")
     for each in words:
         assert each in ran.err
-
-
-# The page: every key, and none that is not there.
-
-
-class Row(NamedTuple):
-    si: str
-    default: str
-    range: str
-    meaning: str
-    example: str
-
-
-SCHEMAS: dict[str, type[Table]] = {"buoy": BuoySizingTable, "tanker": TankerSizingTable}
-
-
-def documented() -> dict[str, dict[str, Row]]:
-    """Rows of the tables of keys, by section; the top of the file by an empty name."""
-    part = PAGE.split("## From a file\n")[1].split("\n## ")[0]
-    sections = {}
-    for section in part.split("\n### ")[1:]:
-        title = section.splitlines()[0]
-        rows = re.findall(r"^\| `([^`]+)` \| (.+) \|$", section, re.MULTILINE)
-        name = "" if title == "Top of the file" else title.strip("`[]")
-        sections[name] = {key: Row(*cells.split(" | ")) for key, cells in rows}
-    return sections
-
-
-def tables(schema: type[Table]) -> dict[str, type[Table]]:
-    """Tables of a schema by section."""
-    inner = {key: entry.table for key, entry in entries(schema).items()}
-    return {"": schema} | {key: table for key, table in inner.items() if table is not None}
-
-
-def keys(schema: type[Table]) -> dict[str, list[str]]:
-    """Keys by section."""
-    return {
-        name: [key for key, entry in entries(table).items() if entry.kind is not None]
-        for name, table in tables(schema).items()
-    }
-
-
-@pytest.mark.parametrize("moored", SCHEMAS)
-def test_the_page_has_exactly_the_sections_and_keys_of_the_schema(moored: str) -> None:
-    other = {"buoy": "tanker: ", "tanker": "buoy: "}[moored]
-    on_page = {
-        name: sorted(key for key, row in rows.items() if not row.meaning.startswith(other))
-        for name, rows in documented().items()
-    }
-    found = {name: sorted(each) for name, each in keys(SCHEMAS[moored]).items()}
-    assert {name: each for name, each in on_page.items() if each} == found
-
-
-def documented_keys() -> Iterator[tuple[str, str, Row]]:
-    for name, rows in documented().items():
-        for key, row in rows.items():
-            yield name, key, row
-
-
-@pytest.mark.parametrize(("name", "key", "row"), list(documented_keys()))
-def test_unit_range_and_example_are_right(name: str, key: str, row: Row) -> None:
-    here = [each for each in (tables(s).get(name) for s in SCHEMAS.values()) if each is not None]
-    found = [entries(table)[key] for table in here if key in entries(table)]
-    assert found
-    for entry in found:
-        assert entry.kind is not None
-        unit = entry.kind.dimension.si_unit if isinstance(entry.kind, Measured) else ""
-        assert row.si == (unit or "-")
-        assert row.range == range_of(entry.kind) + (", each" if entry.array else "")
-        assert row.default
-        assert row.meaning
-        example = parse_value(row.example)
-        assert isinstance(example, list) == entry.array
-        for value in example if isinstance(example, list) else [example]:
-            assert accepts(entry.kind.read, value)
-
-
-@pytest.mark.parametrize("moored", SCHEMAS)
-def test_every_key_stands_for_an_option_and_has_its_default(moored: str) -> None:
-    options: dict[str, str] = dict(OPTIONS[moored])  # type: ignore[index]
-    dotted = {f"{name}.{key}" for name, each in keys(SCHEMAS[moored]).items() for key in each}
-    assert set(options) == dotted - {".title", ".source"}
-    group: Any = typer.main.get_command(size)
-    known: dict[str, Any] = {each.opts[0]: each for each in group.commands[moored].params}
-    assert set(options.values()) - {"BUOY"} <= set(known)
-    for dotted_key, option in options.items():
-        name, _, key = dotted_key.partition(".")
-        fixed = DEFAULTS.get(option) or (known[option].default if option in known else None)
-        if fixed not in (None, ()):
-            told = documented()[name][key].default
-            assert told == (str(fixed).lower() if isinstance(fixed, bool) else str(fixed)), option

@@ -12,8 +12,8 @@ import pytest
 
 from catopt import schemas
 from catopt.casefile.sizing_file import moored_in
-from catopt.cli.size_note import sizing_of_file
 from catopt.documents import parse_toml
+from catopt.sizing.file import size_file
 from tests.report.page_reader import read_page
 
 from .conftest import BUOY, CASES, Run
@@ -63,7 +63,7 @@ def test_what_a_file_is_for_follows_from_what_is_in_it(text: str, moored: str | 
 def test_a_sizing_out_of_a_file_is_that_of_the_command(run: Run) -> None:
     for path, moored in ((SIZE_BUOY, "buoy"), (SIZE_TANKER, "tanker")):
         ran = run("size", moored, path, "--json")
-        found = sizing_of_file(path, "buoy" if moored == "buoy" else "tanker")
+        found = size_file(path, "buoy" if moored == "buoy" else "tanker")
         assert json.loads(ran.out) == json.loads(json.dumps(found.to_dict()))
 
 

@@ -35,7 +35,7 @@ from catopt.sizing import (
 )
 from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.buoy import HIGH, LOW
-from catopt.sizing.buoy_request import BUOY_CHAIN, BUOY_CODE
+from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
 
 ROUNDING = 1e-9
@@ -57,7 +57,7 @@ def place(
 
 
 def chain(prefer: str = "balanced", **more: object) -> LineChoice:
-    return LineChoice((BUOY_CHAIN,), BUOY_CODE, prefer=prefer, **more)  # type: ignore[arg-type]
+    return LineChoice(usual("chain"), usual("code"), prefer=prefer, **more)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("name", ["pillar 1.8 m", "pillar 2.4 m", "pillar 3.0 m"])

@@ -5,18 +5,18 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.casefile.schema import Table as Schema
-from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
 from catopt.render.texts import Words
 from catopt.report.page.inputs import inputs_table
 from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table
+from catopt.sizing import schema
 
 __all__ = ["inputs", "schema_of"]
 
 
 def schema_of(note: SizeNote) -> type[Schema]:
     """Return what the file of the sizing may hold."""
-    return TankerSizingTable if note.sizing.kind == "tanker" else BuoySizingTable
+    return schema.schema_of(note.sizing.kind)
 
 
 def inputs(note: SizeNote, words: Words) -> dict[str, Any]:

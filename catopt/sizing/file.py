@@ -1,0 +1,248 @@
+"""Reads a file that ``catopt size`` takes: what it gives, and every mistake in it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path as FilePath
+from types import MappingProxyType
+from typing import Any, Final
+
+from pydantic import ValidationError
+
+from catopt.casefile.document import as_in_file, table
+from catopt.casefile.location import Finding, in_order_of, parts
+from catopt.casefile.names import stands_for
+from catopt.casefile.schema import Table, entries
+from catopt.casefile.sizing_file import OF_A_CASE, Moored, moored_in
+from catopt.casefile.structure import structure_findings
+from catopt.documents import Path, dotted, parse_toml, read_text
+from catopt.errors import InputError, Problem
+from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.inputs import SINKER, Input, inputs_of
+from catopt.sizing.known import Known, known
+from catopt.sizing.requests import request_of, size
+from catopt.sizing.result import Sizing
+from catopt.sizing.schema import schema_of
+from catopt.sizing.tanker_request import TankerRequest
+from catopt.sizing.telling import Spelling, as_keyword
+
+__all__ = ["SizingFile", "read_file", "read_sizing", "size_file"]
+
+_NOTHING: Final[Mapping[str, object]] = MappingProxyType({})
+
+
+@dataclass(frozen=True)
+class SizingFile:
+    """What a file gives.
+
+    Attributes
+    ----------
+    moored : {"buoy", "tanker"}
+        Which of the two kinds of file it is.
+    source : str
+        Its name, for messages.
+    folder : str
+        That paths in it count from.
+    document : dict
+        As the TOML reader returns it.
+    findings : tuple of Finding
+        What is wrong with it in itself.
+    """
+
+    moored: Moored
+    source: str
+    folder: str
+    document: dict[str, Any]
+    findings: tuple[Finding, ...]
+
+    def known(
+        self,
+        before: Mapping[str, object] = _NOTHING,
+        spell: Spelling = as_keyword,
+        *,
+        defaults: Mapping[str, object] | None = None,
+        called: Mapping[str, str] | None = None,
+    ) -> Known:
+        """Read what the file gives.
+
+        Parameters
+        ----------
+        before : mapping of str to object
+            Inputs by name that go before those of the file: before their own, and before what
+            stands in their place.
+        spell : Spelling
+            How those are written; the others are told by their keys.
+        defaults, called
+            As for `catopt.sizing.known.known`.
+        """
+        inputs = self.inputs(before)
+
+        def spelled(name: str, index: int | None = None) -> str:
+            if name in {*before, *(called or {}).values()} or name not in inputs:
+                return spell(name, index)
+            return dotted((*inputs[name].path, *(() if index is None else (index,))))
+
+        told = [name for name, each in inputs.items() if self._is_told(each.path)]
+        told += [dotted(finding.path) for finding in self.findings]
+        given = self.given(before)
+        return known(
+            self.moored, given, spelled, self.source, told=told, defaults=defaults, called=called
+        )
+
+    def inputs(self, before: Mapping[str, object] = _NOTHING) -> Mapping[str, Input]:
+        """List the inputs that count, by what holds the line."""
+        by_sinker = "sinker" in self.document
+        if "anchor" in before:
+            by_sinker = before["anchor"] == SINKER
+        return inputs_of(self.moored, held_by=SINKER if by_sinker else "anchor")
+
+    def given(self, before: Mapping[str, object] = _NOTHING) -> dict[str, object]:
+        """Return every input that is given, as the file has it; see `known`."""
+        found: dict[str, object] = {}
+        if "sinker" in self.document and self.moored == "tanker":
+            found["anchor"] = SINKER
+        for name, each in self.inputs(before).items():
+            place = table(self.document, each.section) if each.section else self.document
+            is_before = any(other in before for other in (name, *each.not_with))
+            if each.path[-1] in place and not is_before:
+                found.setdefault(name, place[each.path[-1]])
+        if isinstance(found.get("buoys"), str):
+            found["buoys"] = FilePath(self.folder) / str(found["buoys"])
+        return {**found, **before}
+
+    @contextmanager
+    def telling(self) -> Iterator[None]:
+        """Tell everything that is wrong at once, as it stands in the file and in its order."""
+        try:
+            yield
+        except InputError as error:
+            is_of_another = error.source != self.source
+            if is_of_another and not self.findings:
+                raise
+            raise self._error(() if is_of_another else error.problems) from None
+        if self.findings:
+            raise self._error(())
+
+    def _error(self, problems: tuple[Problem, ...]) -> InputError:
+        keys = {each.key for each in self.inputs().values()}
+        found, others = list(self.findings), []
+        for problem in problems:
+            path = parts(problem.key)
+            if dotted(tuple(part for part in path if isinstance(part, str))) in keys:
+                at = Finding(path, problem.found, problem.allowed)
+                found.append(as_in_file(self.document, at))
+            else:
+                others.append(problem)
+        ordered = in_order_of(self.document, list(dict.fromkeys(found)))
+        return InputError([*(each.as_problem() for each in ordered), *others], self.source)
+
+    def _is_told(self, path: Path) -> bool:
+        """Say whether a fault of a key, or of its table, is told already."""
+        told = [*(finding.path for finding in self.findings), *self._misspelt()]
+        return any(path[: len(each)] == each[: len(path)] for each in told)
+
+    def _misspelt(self) -> Iterator[Path]:
+        """List the keys that were meant by unknown ones."""
+        top = schema_of(self.moored)
+        for finding in self.findings:
+            *above, key = finding.path
+            schema: type[Table] | None = top
+            for part in above:
+                entry = None if schema is None else entries(schema).get(str(part))
+                schema = None if entry is None else entry.table
+            if schema is not None and str(key) not in entries(schema):
+                meant = stands_for(schema, str(key), top)
+                if meant is not None:
+                    yield (*above, meant)
+
+
+def read_file(path: str | os.PathLike[str], moored: Moored) -> SizingFile:
+    """Read a file.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, TOML in UTF-8.
+    moored : {"buoy", "tanker"}
+        Which of the two kinds of file it is.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, is no TOML or a file for something else. What else is wrong
+        stands in its ``findings``.
+    """
+    source = os.fspath(path)
+    document = parse_toml(read_text(FilePath(path), source), source)
+    other = _of_another_kind(document, moored)
+    if other:
+        raise InputError([other.as_problem()], source)
+    schema = schema_of(moored)
+    findings: list[Finding] = []
+    try:
+        schema.model_validate(document)
+    except ValidationError as error:
+        findings += structure_findings(error.errors(include_url=False), schema)
+    if moored == "tanker" and "anchor" in document and "sinker" in document:
+        advice = "leave out [sinker] or [anchor]: the line is held by one of them"
+        findings.append(Finding(("sinker",), "[anchor] beside it", advice))
+    return SizingFile(moored, source, str(FilePath(path).parent), document, tuple(findings))
+
+
+def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:
+    """Read a file for ``catopt size`` as what `size_buoy` or `size_tanker` takes.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, TOML in UTF-8.
+
+    Returns
+    -------
+    BuoyRequest or TankerRequest
+        What the file gives; what it leaves out is taken, and said in ``defaults``.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, or with every mistake in it, each by its key.
+    """
+    file = read_file(path, moored_in(path) or "buoy")
+    with file.telling():
+        return request_of(file.known())
+
+
+def size_file(path: str | os.PathLike[str], moored: Moored) -> Sizing:
+    """Size what a file describes: as ``catopt size`` does, but nothing is asked for.
+
+    Parameters
+    ----------
+    path : str or path
+        The file.
+    moored : {"buoy", "tanker"}
+        Which of the two kinds of file it is.
+
+    Raises
+    ------
+    InputError
+        With every mistake, each by its key; what is wanted and is not in the file is one.
+    NoAnswerError, NotConvergedError
+        As for `size_buoy` and `size_tanker`.
+    """
+    file = read_file(path, moored)
+    with file.telling():
+        return size(file.known())
+
+
+def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None:
+    """Say what the file is for, when it is not for this."""
+    if moored == "buoy" and "ship" in document:
+        return Finding(("ship",), "a ship", "this file is for catopt size tanker")
+    for key in OF_A_CASE:
+        if key in document:
+            allowed = "this is a case file, for catopt solve, check and design: its line is known"
+            return Finding((key,), f"[{key}]", allowed)
+    return None

@@ -1,0 +1,318 @@
+"""Everything that a sizing may be told, in one table.
+
+The options of ``catopt size``, its questions on a terminal, the keys of a sizing file, the keywords
+of `catopt.size_buoy` and `catopt.size_tanker`, the places that errors name and the reference in
+docs/sizing.md are all made of it. The words are in ``words/texts/inputs.toml``, and in
+``left_out.toml`` what is taken where no value can be written down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Final
+
+if TYPE_CHECKING:
+    from catopt.casefile.sizing_file import Moored
+
+__all__ = ["INPUTS", "SINKER", "Input", "inputs_of", "rows_of"]
+
+SINKER: Final = "sinker"
+"""As the anchor of a tanker: held by its weight."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One thing that a sizing may be told.
+
+    Attributes
+    ----------
+    name : str
+        Keyword in Python; the option is the same with dashes.
+    key : str
+        In a file, with its section.
+    takes : str
+        Name of a dimension (`catopt.units.Dimension`), or TEXT, NAME, FILE, WHICH, COUNT or FLAG.
+    example : object
+        As a file has it.
+    default : str
+        What is taken when it is left out, as a user would write it; empty where that is no value.
+    of : tuple of str
+        What has to be moored for it to count.
+    above, at_least : float or None
+        Bounds in SI, exclusive and inclusive.
+    most : str
+        What the model takes at most; it says why.
+    words : tuple of str
+        Of which WHICH takes one.
+    several : bool
+        Whether there may be several values.
+    required : bool
+        Whether it has to be known, or what stands in its place.
+    asked : bool
+        Whether a terminal is asked for it when something that is required is missing.
+    called : tuple of str
+        What the model calls it, where that differs: the place of its errors.
+    also : tuple of str
+        What a user may call it in a file, who is then told the key.
+    not_with : tuple of str
+        Inputs that stand in its place, or have it in them.
+    why : str
+        End of the message to one who gives it beside one of those; empty where the model tells it.
+    taken : str
+        Key of the text that tells that the default was taken.
+    left_out : str
+        Key of the text that says what is taken, where that is no fixed value.
+    tanker : tuple of (str, object)
+        Attributes that are others for a tanker.
+    """
+
+    name: str
+    key: str
+    takes: str
+    example: object
+    default: str = ""
+    of: tuple[Moored, ...] = ("buoy", "tanker")
+    above: float | None = None
+    at_least: float | None = None
+    most: str = ""
+    words: tuple[str, ...] = ()
+    several: bool = False
+    required: bool = False
+    asked: bool = False
+    called: tuple[str, ...] = ()
+    also: tuple[str, ...] = ()
+    not_with: tuple[str, ...] = ()
+    why: str = ""
+    taken: str = ""
+    left_out: str = ""
+    tanker: tuple[tuple[str, object], ...] = ()
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """Where it stands in a file."""
+        return tuple(self.key.split("."))
+
+    @property
+    def section(self) -> str:
+        """Of a file; empty at the top."""
+        return self.key.rpartition(".")[0]
+
+    @property
+    def is_measure(self) -> bool:
+        """Whether it has a dimension."""
+        return self.takes not in ("TEXT", "NAME", "FILE", "WHICH", "COUNT", "FLAG")
+
+
+_BUOY: Final[tuple[Moored, ...]] = ("buoy",)
+_TANKER: Final[tuple[Moored, ...]] = ("tanker",)
+_GIVEN: Final = ("force", "reserve_buoyancy")
+_FREE: Final = (("required", False), ("asked", False), ("not_with", ()))
+_IN_IT: Final = ", which has it all in it"
+
+INPUTS: Final = (
+    Input("title", "title", "TEXT", "Pillar buoy in 12 m", left_out="left_out.title"),
+    Input("source", "source", "TEXT", "Harbour survey of 2024", left_out="left_out.source"),
+    Input(
+        "length", "ship.length", "LENGTH", "234 m", of=_TANKER, above=0.0, most="600 m",
+        required=True, asked=True, called=("length_overall",), also=("LOA", "L"),
+    ),
+    Input(
+        "breadth", "ship.breadth", "LENGTH", "31.3 m", of=_TANKER, above=0.0, most="100 m",
+        required=True, asked=True, also=("B", "beam"),
+    ),
+    Input(
+        "draught", "ship.draught", "LENGTH", "12.4 m", of=_TANKER, above=0.0,
+        required=True, asked=True, also=("T", "draft"),
+    ),
+    Input(
+        "ballast_draught", "ship.ballast_draught", "LENGTH", "3.2 m", of=_TANKER, above=0.0,
+    ),
+    Input(
+        "moulded_depth", "ship.moulded_depth", "LENGTH", "16 m", of=_TANKER, above=0.0,
+        also=("D", "depth"), left_out="left_out.moulded_depth",
+    ),
+    Input(
+        "dwt", "ship.deadweight", "MASS", "50000 t", of=_TANKER, above=0.0,
+        called=("deadweight",), also=("DWT",),
+    ),
+    Input(
+        "frontal_area", "ship.frontal_area", "AREA", "580 m^2", of=_TANKER, above=0.0,
+        left_out="left_out.estimated",
+    ),
+    Input(
+        "lateral_area", "ship.lateral_area", "AREA", "1200 m^2", of=_TANKER, above=0.0,
+        left_out="left_out.estimated",
+    ),
+    Input(
+        "fairlead", "ship.fairlead_above_water", "LENGTH", "5 m", of=_TANKER, at_least=0.0,
+        most="100 m", also=("fairlead_height",), left_out="left_out.fairlead",
+    ),
+    Input(
+        "buoy", "buoy.name", "NAME", "pillar 1.8 m", required=True, asked=True, not_with=_GIVEN,
+        tanker=(("example", "mooring buoy 5.0 m"), *_FREE),
+    ),
+    Input("buoys", "buoy.file", "FILE", "buoys.toml"),
+    Input(
+        "force", "buoy.horizontal_force", "FORCE", "5 kN", of=_BUOY, above=0.0, required=True,
+        asked=True, called=("horizontal_force",), also=("H",), not_with=("buoy",),
+    ),
+    Input(
+        "reserve_buoyancy", "buoy.reserve_buoyancy", "FORCE", "12 kN", of=_BUOY, above=0.0,
+        required=True, asked=True, called=("pull",), not_with=("buoy",),
+    ),
+    Input(
+        "keel_depth", "buoy.keel_depth", "LENGTH", "1.2 m", "0 m", of=_BUOY, at_least=0.0,
+        also=("draught",), not_with=("buoy",), why=": it follows from the shape of the named buoy",
+    ),
+    Input(
+        "hawser", "buoy.hawser_length", "LENGTH", "60 m", "50 m", of=_TANKER, at_least=0.0,
+        most="1000 m",
+    ),
+    Input(
+        "depth", "site.water_depth", "LENGTH", "12 m", above=0.0, most="200 m", required=True,
+        asked=True, called=("high", "levels.high"), also=("d", "depth", "high_water"),
+        tanker=(("example", "22 m"), ("most", "12000 m")),
+    ),
+    Input(
+        "low_water", "site.low_water", "LENGTH", "10 m", above=0.0, asked=True,
+        called=("low", "levels.low"), left_out="left_out.low_water",
+    ),
+    Input(
+        "water_density", "site.water_density", "DENSITY", 1010, "1025 kg/m^3", above=0.0,
+        most="1100 kg/m^3", also=("rho",),
+    ),
+    # The wind that IACS UR A1 designs anchoring equipment for; current and Hs are catopt's own.
+    Input(
+        "wind", "environment.wind", "SPEED", "25 m/s", "25 m/s", at_least=0.0, most="100 m/s",
+        asked=True, called=("Wind.speed",), also=("wind_speed",), not_with=("force",), why=_IN_IT,
+        taken="sizing.taken_wind",
+    ),
+    Input(
+        "current", "environment.current", "SPEED", "1.2 m/s", "1 m/s", at_least=0.0,
+        most="10 m/s", asked=True, called=("SurfaceCurrent.speed", "current.speed"),
+        also=("current_speed",), not_with=("force",), why=_IN_IT, taken="sizing.taken_current",
+    ),
+    Input(
+        "hs", "environment.hs", "LENGTH", "1.5 m", "2 m", at_least=0.0, most="40 m", asked=True,
+        called=("significant_height",), also=("height",), taken="sizing.taken_hs",
+        left_out="left_out.hs",
+    ),
+    Input(
+        "hmax", "environment.hmax", "LENGTH", "3.5 m", at_least=0.0, most="40 m",
+        called=("maximum_height",), also=("H",), left_out="left_out.hmax",
+    ),
+    Input(
+        "period", "environment.period", "TIME", "8 s", above=0.0, most="30 s", also=("T", "Tp"),
+        left_out="left_out.period",
+    ),
+    Input(
+        "growth", "environment.marine_growth", "LENGTH", "50 mm", "0 mm", of=_BUOY, at_least=0.0,
+        most="0.5 m", called=("marine_growth",), not_with=("force",), why=_IN_IT,
+    ),
+    # Open-link buoy chain of IALA, whose figures were all read in CALMAR's own table (A). The sizes
+    # of a ship's chain are catopt's own bounds; its step is half a shot.
+    Input(
+        "chain", "line.components", "NAME", ("chain studless R3", "chain studless R4"),
+        "chain open-link 4D Q2", several=True, called=("components", "component"),
+        also=("component", "chain"), tanker=(("default", "chain studless R3"),),
+    ),
+    Input(
+        "diameter_min", "line.diameter_min", "LENGTH", "20 mm", above=0.0,
+        left_out="left_out.every_size", tanker=(("default", "50 mm"), ("left_out", "")),
+    ),
+    Input(
+        "diameter_max", "line.diameter_max", "LENGTH", "44 mm", above=0.0,
+        left_out="left_out.every_size", tanker=(("default", "120 mm"), ("left_out", "")),
+    ),
+    Input(
+        "length_step", "line.length_step", "LENGTH", "1 m", above=0.0,
+        left_out="left_out.length_step", tanker=(("default", "13.75 m"), ("left_out", "")),
+    ),
+    Input(
+        "prefer", "line.prefer", "WHICH", "lightest", "balanced",
+        words=("balanced", "lightest", "least-swing"),
+    ),
+    Input(
+        "clump_weight", "line.clump_weights", "MASS", ("5 t", "10 t"), of=_TANKER, above=0.0,
+        several=True, called=("clump_masses",),
+    ),
+    Input("lines", "system.lines", "COUNT", 6, "1", of=_TANKER),
+    Input(
+        "pretension", "system.pretension", "NUMBER", "10 %", "10 %", of=_TANKER, above=0.0,
+        most="0.9",
+    ),
+    Input(
+        "anchor", "anchor.name", "NAME", "Stevpris Mk5", "Stevpris Mk5", of=_TANKER,
+        also=("kind", "anchor"),
+    ),
+    Input("soil", "anchor.soil", "NAME", "sand", "sand", of=_TANKER, left_out="left_out.soil"),
+    Input(
+        "sinker", "sinker.material", "WHICH", "steel", "concrete", words=("concrete", "steel"),
+        called=("material",),
+    ),
+    Input(
+        "sinker_density", "sinker.density", "DENSITY", "2300 kg/m^3", above=0.0,
+        most="20000 kg/m^3", called=("density",), left_out="left_out.sinker_density",
+    ),
+    Input(
+        "soil", "sinker.soil", "NAME", "fine or silty sand", "fine or silty sand", asked=True,
+        not_with=("friction",), tanker=(("asked", False),),
+    ),
+    Input(
+        "friction", "sinker.friction", "NUMBER", 0.4, above=0.0, most="1.5", also=("mu",),
+        not_with=("soil",), left_out="left_out.friction",
+    ),
+    Input(
+        "code", "checks.code", "NAME", "break/5", "IALA-CALMAR",
+        tanker=(("default", "UFC-4-159-03"),),
+    ),
+    Input("recalled", "checks.allow_recalled", "FLAG", True),
+    Input(
+        "life", "service.life", "TIME", "10 years", "5 years", at_least=0.0, most="100 years",
+        taken="sizing.taken_life",
+    ),
+    Input(
+        "wear", "service.wear_rate", "SPEED", "0.4 mm/year", "0.4 mm/year", at_least=0.0,
+        most="10 mm/year", called=("wear_rate",), taken="sizing.taken_wear",
+    ),
+)  # fmt: skip
+"""In the order in which they are asked for and listed."""
+
+
+@cache
+def rows_of(moored: Moored) -> tuple[Input, ...]:
+    """List the rows of a buoy or a tanker.
+
+    Parameters
+    ----------
+    moored : {"buoy", "tanker"}
+        What is to be moored.
+    """
+    rows = [each for each in INPUTS if moored in each.of]
+    if moored == "buoy":
+        return tuple(rows)
+    changes: list[dict[str, Any]] = [dict(each.tanker) for each in rows]
+    return tuple(replace(each, **other) for each, other in zip(rows, changes, strict=True))
+
+
+@cache
+def inputs_of(moored: Moored, *, held_by: str = "") -> Mapping[str, Input]:
+    """List the inputs of a buoy or a tanker by name.
+
+    Parameters
+    ----------
+    moored : {"buoy", "tanker"}
+        What is to be moored.
+    held_by : str
+        Of a tanker: its anchor, which says what else counts; empty: all that may count.
+    """
+    is_open = moored == "buoy" or not held_by
+    other = "-" if is_open else "anchor" if held_by == SINKER else "sinker"
+    found: dict[str, Input] = {}
+    for each in rows_of(moored):
+        if each.section != other or each.name == "anchor":
+            found.setdefault(each.name, each)
+    return MappingProxyType(found)

@@ -1,0 +1,81 @@
+"""A sizing in one call: what is known as keywords, or as a request that is made already."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from catopt.casefile.sizing_file import Moored
+from catopt.errors import InputError, Problem
+from catopt.sizing.buoy import sized_buoy
+from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.known import known
+from catopt.sizing.requests import size
+from catopt.sizing.result import Sizing
+from catopt.sizing.tanker import sized_tanker
+from catopt.sizing.tanker_request import TankerRequest
+
+__all__ = ["size_buoy", "size_tanker"]
+
+
+def size_buoy(request: BuoyRequest | None = None, /, **inputs: Any) -> Sizing:
+    """Size the chain and the sinker of a buoy.
+
+    Parameters
+    ----------
+    request : BuoyRequest, optional
+        Buoy, place, weather and line as objects, or what `catopt.read_sizing` made of a file.
+    **inputs
+        In place of it, what is known, by the names in docs/sizing.md: numbers in SI, or texts with
+        units. What is left out is taken, and said in ``defaults``.
+
+    Returns
+    -------
+    Sizing
+        With the case that `catopt.design_case` and `catopt.check_case` take.
+
+    Raises
+    ------
+    InputError
+        With every mistake, each by its keyword.
+    NoFeasibleDesignError
+        Nothing that is sold passes every check.
+    """
+    return _sized("buoy", request, inputs)
+
+
+def size_tanker(request: TankerRequest | None = None, /, **inputs: Any) -> Sizing:
+    """Size the chain and the anchor of a tanker's mooring.
+
+    Parameters
+    ----------
+    request : TankerRequest, optional
+        Ship, place, weather and mooring as objects, or what `catopt.read_sizing` made of a file.
+    **inputs
+        In place of it, what is known, by the names in docs/sizing.md: numbers in SI, or texts with
+        units. What is left out is taken or estimated, and said in ``defaults``.
+
+    Returns
+    -------
+    Sizing
+        With the case of one line that `catopt.design_case` and `catopt.check_case` take.
+
+    Raises
+    ------
+    InputError
+        With every mistake, each by its keyword.
+    NoAnswerError
+        Nothing that is sold passes every check; the buoy does not carry all lines.
+    """
+    return _sized("tanker", request, inputs)
+
+
+def _sized(moored: Moored, request: object, inputs: dict[str, Any]) -> Sizing:
+    if isinstance(request, BuoyRequest) and moored == "buoy" and not inputs:
+        return sized_buoy(request)
+    if isinstance(request, TankerRequest) and moored == "tanker" and not inputs:
+        return sized_tanker(request)
+    source = f"size_{moored}"
+    if request is None:
+        return size(known(moored, inputs, source=source))
+    allowed = f"the request for a {moored} is wanted, or keywords, not both"
+    raise InputError([Problem("request", f"a {type(request).__name__}", allowed)], source)

@@ -1,0 +1,174 @@
+"""What is known before a sizing: every input that was given or is taken, in SI."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from catopt.casefile.sizing_file import Moored
+from catopt.catalogue.names import nearest
+from catopt.errors import InputError, Problem
+from catopt.sizing.inputs import SINKER, Input, inputs_of
+from catopt.sizing.kinds import default_of, kind_of
+from catopt.sizing.telling import Spelling, Telling, as_keyword
+from catopt.units import as_written
+
+__all__ = ["Known", "is_needless", "known"]
+
+
+@dataclass(frozen=True)
+class Known:
+    """Inputs of a sizing that have been read.
+
+    Attributes
+    ----------
+    moored : {"buoy", "tanker"}
+        What is to be moored.
+    values : mapping of str to object
+        By name, in SI: what was given without fault, and what is taken in its place.
+    given : frozenset of str
+        What was given, with faults or without.
+    telling : Telling
+        Keeps what is wrong.
+    """
+
+    moored: Moored
+    values: Mapping[str, Any]
+    given: frozenset[str]
+    telling: Telling
+
+    def __getitem__(self, name: str) -> Any:
+        """Return a value; None where it is not known."""
+        return self.values.get(name)
+
+    def want(self, *names: str) -> None:
+        """Tell which of some inputs are missing, each with an example."""
+        inputs = inputs_of(self.moored)
+        for name in names:
+            if name not in self.given:
+                allowed = f"missing; it is wanted, such as {as_written(inputs[name].example)}"
+                self.telling.add(name, "", allowed)
+
+    @property
+    def taken(self) -> list[Input]:
+        """What was taken, as far as it is told."""
+        inputs = inputs_of(self.moored)
+        return [inputs[name] for name in self.values if name not in self.given]
+
+
+def is_needless(each: Input, given: Collection[str]) -> bool:
+    """Say whether others that are given stand in the place of an input.
+
+    Parameters
+    ----------
+    each : Input
+        In question.
+    given : collection of str
+        Names of what is given.
+    """
+    follows = each.name == "hs" and "hmax" in given
+    return follows or any(other in given for other in each.not_with)
+
+
+def known(
+    moored: Moored,
+    given: Mapping[str, object],
+    spell: Spelling = as_keyword,
+    source: str = "",
+    *,
+    told: Collection[str] = (),
+    defaults: Mapping[str, object] | None = None,
+    called: Mapping[str, str] | None = None,
+) -> Known:
+    """Read what is given, and take what is not.
+
+    Parameters
+    ----------
+    moored : {"buoy", "tanker"}
+        What is to be moored.
+    given : mapping of str to object
+        By name: numbers in SI, or texts with units; None: left out.
+    spell, source, told, called
+        As for `Telling`.
+    defaults : mapping of str to object, optional
+        What is taken of what is left out, in place of the defaults of the table.
+    """
+    given = {name: value for name, value in given.items() if value is not None}
+    inputs = inputs_of(moored, held_by=_held_by(moored, given))
+    telling = Telling(inputs, spell, source, told, called)
+    values: dict[str, Any] = {}
+    for name, value in given.items():
+        if name not in inputs:
+            _refuse(telling, moored, name, value)
+        elif not telling.is_told(name):
+            read = telling.read(name, _reader(inputs[name]), value)
+            values |= {} if read is None else {name: read}
+    _contradictions(telling, inputs, given)
+    for name, each in inputs.items():
+        if name in values or is_needless(each, values):
+            continue
+        if defaults is None and each.default:
+            values[name] = default_of(each)
+        elif defaults and defaults.get(name):
+            values[name] = kind_of(each).read(defaults[name])
+    return Known(moored, values, frozenset(given), telling)
+
+
+def _held_by(moored: Moored, given: Mapping[str, object]) -> str:
+    """Name what holds the line, which says what else counts."""
+    if moored == "buoy":
+        return SINKER
+    return SINKER if given.get("anchor") == SINKER else inputs_of(moored)["anchor"].default
+
+
+def _reader(each: Input) -> Callable[[object], object]:
+    """Return what reads a value of an input; of several, their list or the only one."""
+    kind = kind_of(each)
+    if each.takes == "FILE":
+        return lambda value: kind.read(
+            os.fspath(value) if isinstance(value, os.PathLike) else value
+        )
+    return (lambda value: _several(kind.read, value)) if each.several else kind.read
+
+
+def _several(read: Callable[[object], object], value: object) -> tuple[object, ...]:
+    found, problems = [], []
+    for index, each in enumerate(value if isinstance(value, list | tuple) else [value]):
+        try:
+            found.append(read(each))
+        except InputError as error:
+            problems += [Problem(str(index), each.found, each.allowed) for each in error.problems]
+    if problems:
+        raise InputError(problems)
+    return tuple(found)
+
+
+def _refuse(telling: Telling, moored: Moored, name: str, value: object) -> None:
+    """Keep that something is given which nothing is made of."""
+    if name in inputs_of(moored):
+        allowed = f'leave it out, or give {telling.spell("anchor")} "{SINKER}": it is of a sinker'
+        telling.add(name, as_written(value), allowed)
+        return
+    inputs = inputs_of(moored).values()
+    aliases = {alias: each.name for each in inputs for alias in (*each.also, each.path[-1])}
+    meant = aliases.get(name) or nearest(name, tuple(inputs_of(moored)))
+    hint = f"did you mean {meant}?" if meant else f"allowed here: {', '.join(inputs_of(moored))}"
+    telling.add(name, "an unknown keyword", hint)
+    if meant:
+        telling.no_more_of(meant)
+
+
+def _contradictions(
+    telling: Telling, inputs: Mapping[str, Input], given: Mapping[str, object]
+) -> None:
+    """Keep what does not go together: one of the two would be left out of account."""
+    for name, value in given.items():
+        each = inputs.get(name)
+        if each is None or not each.why:
+            continue
+        for other in each.not_with:
+            if other in given and not is_needless(inputs[other], given):
+                allowed = f"leave it out, or {telling.spell(other)}{each.why}"
+                telling.add(name, as_written(value), allowed)

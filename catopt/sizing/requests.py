@@ -1,0 +1,286 @@
+"""From what is known to what is to be sized; every mistake at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
+from catopt.loads.buoy_library import buoy as look_up
+from catopt.loads.environment import HMAX_OVER_HS
+from catopt.loads.ship_estimate import MOULDED, estimated_tanker, estimates
+from catopt.sizing.anchorage import DragGround, SinkerGround
+from catopt.sizing.buoy import sized_buoy
+from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
+from catopt.sizing.components import sold
+from catopt.sizing.environment import Environment, usual_period
+from catopt.sizing.inputs import SINKER
+from catopt.sizing.kinds import usual
+from catopt.sizing.known import Known
+from catopt.sizing.line_choice import LineChoice
+from catopt.sizing.result import Sizing
+from catopt.sizing.tanker import sized_tanker
+from catopt.sizing.tanker_request import MooredShip, TankerRequest
+from catopt.words import Message, term
+
+__all__ = ["request_of", "sea_of", "shape_of", "size"]
+
+
+def size(of: Known) -> Sizing:
+    """Size what is known; what is wrong is told as the caller spells it.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs.
+
+    Raises
+    ------
+    InputError
+        With every mistake.
+    NoAnswerError, NotConvergedError
+        As for `catopt.size_buoy` and `size_tanker`.
+    """
+    maker: Callable[..., Sizing] = sized_buoy if of.moored == "buoy" else sized_tanker
+    found = of.telling.make(maker, request_of(of))
+    of.telling.raise_if_any()
+    assert found is not None
+    return found
+
+
+def request_of(of: Known) -> BuoyRequest | TankerRequest:
+    """Make the request for a buoy or a tanker.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs.
+
+    Raises
+    ------
+    InputError
+        With every mistake.
+    """
+    request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
+    of.telling.raise_if_any()
+    assert request is not None
+    return request
+
+
+def _of_a_buoy(of: Known) -> BuoyRequest | None:
+    of.want("depth")
+    body = _body(of)
+    place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
+    line = _line(of, of["diameter_min"], of["diameter_max"])
+    ground = _sinker_ground(of)
+    maker = partial(
+        BuoyRequest,
+        marine_growth=of["growth"] or 0.0,
+        title=of["title"] or "",
+        source=of["source"] or "",
+        defaults=_taken(of, place, ground),
+    )
+    return of.telling.make(maker, body, place, line, ground)
+
+
+def _of_a_tanker(of: Known) -> TankerRequest | None:
+    of.want("length", "breadth", "draught", "depth")
+    ships = _ships(of)
+    place = _environment(of)
+    shape = None if of["buoy"] is None else shape_of(of)
+    line = _line(of, *_sizes(of))
+    ground = _sinker_ground(of) if of["anchor"] == SINKER else _drag_ground(of)
+    words = _taken(of, place, ground)
+    if of.given.isdisjoint({"diameter_min", "diameter_max"}):
+        sizes = {"least": of["diameter_min"] * 1e3, "most": of["diameter_max"] * 1e3}
+        words = (*words, Message("sizing.sizes_from_to", **sizes))
+    maker = partial(
+        TankerRequest,
+        buoy=shape,
+        hawser=of["hawser"] if shape is not None or "hawser" in of.given else 0.0,
+        lines=of["lines"],
+        pretension=of["pretension"],
+        clump_masses=of["clump_weight"] or (),
+        title=of["title"] or "",
+        source=of["source"] or "",
+        defaults=words,
+        estimates=estimates(),
+    )
+    is_found = of["buoy"] is None or shape is not None
+    return of.telling.make(maker, ships, place, line, ground) if is_found else None
+
+
+# ------------------------------------------------------------------ place and weather
+
+
+def _environment(of: Known, *, is_pushed: bool = True) -> Environment | None:
+    """Make depths and weather; where the force is given, wind and current do not count."""
+    make = of.telling.make
+    high = of["depth"]
+    levels = make(WaterLevels, of["low_water"] or high, high)
+    wind = make(Wind, of["wind"] if is_pushed else 0.0)
+    current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
+    maker = partial(Environment, water_density=of["water_density"])
+    return make(maker, levels, wind, current, make(sea_of, of))
+
+
+def sea_of(of: Known) -> SeaState:
+    """Make the waves; the period follows from the height where it is not given.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs.
+    """
+    height, largest = of["hs"], of["hmax"]
+    significant = height if height is not None else (largest or 0.0) / HMAX_OVER_HS
+    return SeaState(of["period"] or usual_period(significant), height, largest)
+
+
+# ------------------------------------------------------------------ buoy and ship
+
+
+def _body(of: Known) -> BuoyShape | GivenBuoy | None:
+    """Look the buoy up, or take it by its force and its buoyancy."""
+    telling, pair = of.telling, ("force", "reserve_buoyancy")
+    by_force = [name for name in pair if name in of.given or telling.is_told(name)]
+    if "buoy" in of.given and by_force:
+        instead = " and ".join(map(telling.spell, by_force))
+        telling.add("buoy", f'"{of["buoy"]}"', f"leave it out, or {instead}")
+        return None
+    if "buoy" in of.given:
+        return shape_of(of)
+    if not by_force:
+        allowed = (
+            'missing; the name of a buoy is wanted, such as "pillar 1.8 m", or '
+            f"{telling.spell('force')} and {telling.spell('reserve_buoyancy')} of one of your own"
+        )
+        telling.add("buoy", "", allowed)
+        return None
+    of.want(*pair)
+    return telling.make(GivenBuoy, of["force"], of["reserve_buoyancy"], of["keel_depth"])
+
+
+def shape_of(of: Known) -> BuoyShape | None:
+    """Look a buoy up by its name, in the library and in a file of the user's own.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs.
+    """
+    own = of["buoys"]
+    among = (*buoys(), *(() if own is None else read_buoys(own)))
+    return of.telling.make(lambda name: look_up(name, among), of["buoy"])
+
+
+def _ships(of: Known) -> tuple[MooredShip, ...] | None:
+    """Make the ship in each condition, as far as its dimensions are known."""
+    if None in (of["length"], of["breadth"], of["draught"]):
+        return None
+    conditions = {"loaded": "draught", "ballast": "ballast_draught"}
+    ships = [
+        of.telling.make(lambda c=condition: _ship(of, c))
+        for condition, name in conditions.items()
+        if of[name] is not None
+    ]
+    made = tuple(ship for ship in ships if ship is not None)
+    low = of["low_water"] or of["depth"] or math.inf
+    for ship in made:
+        if ship.ship.draught >= low:
+            allowed = f"the water is {low:g} m deep at low water: the ship would be aground"
+            of.telling.add(conditions[ship.condition], f"{ship.ship.draught:g} m", allowed)
+    return made if len(made) == len(ships) else None
+
+
+def _ship(of: Known, condition: str) -> MooredShip:
+    is_loaded = condition == "loaded"
+    loaded = of["draught"]
+    draught = loaded if is_loaded else of["ballast_draught"]
+    moulded = of["moulded_depth"] or MOULDED * loaded
+    # Where the areas are given, they are those of the loaded ship: it rises by the difference.
+    risen = loaded - draught
+    frontal, lateral = of["frontal_area"], of["lateral_area"]
+    dwt = of["dwt"]
+    ship = estimated_tanker(
+        term("tanker") if dwt is None else Message("loads.tanker_of", mass=dwt / 1e3),
+        of["length"],
+        of["breadth"],
+        draught,
+        moulded_depth=moulded,
+        condition="loaded" if is_loaded else "ballast",
+        frontal_area=None if frontal is None else frontal + of["breadth"] * risen,
+        lateral_area=None if lateral is None else lateral + of["length"] * risen,
+    )
+    fairlead = moulded - loaded if of["fairlead"] is None else of["fairlead"]
+    return MooredShip(
+        condition, ship, f"tanker {condition}", fairlead + risen, dwt if is_loaded else None
+    )
+
+
+# ------------------------------------------------------------------ line, and what holds it
+
+
+def _sizes(of: Known) -> tuple[float, float]:
+    """Bound a ship's sizes of chain: what is given moves the other bound out of its way."""
+    least, most = of["diameter_min"], of["diameter_max"]
+    return (
+        least if "diameter_min" in of.given else min(least, most),
+        most if "diameter_max" in of.given else max(least, most),
+    )
+
+
+def _line(of: Known, least: float | None, most: float | None) -> LineChoice | None:
+    """Make what the line may be; its components have to be known."""
+    choice: dict[str, Any] = {
+        "diameter_min": least,
+        "diameter_max": most,
+        "length_step": of["length_step"],
+        "prefer": of["prefer"],
+        "life": of["life"],
+        "wear_rate": of["wear"],
+        "allow_recalled": bool(of["recalled"]),
+    }
+    make = of.telling.make
+    # With the usual code, so that a wrong code and a wrong chain are told at once.
+    usual_code = usual("code", of.moored)
+    usual_line = make(lambda: LineChoice(of["chain"], usual_code, **choice))
+    is_known = make(lambda each: bool(sold(each, of["water_density"])), usual_line)
+    line = make(lambda: LineChoice(of["chain"], of["code"], **choice))
+    return line if is_known else None
+
+
+def _sinker_ground(of: Known) -> SinkerGround | None:
+    return of.telling.make(
+        lambda: SinkerGround(
+            of["soil"],
+            of["friction"],
+            of["sinker"],
+            of["sinker_density"],
+            allow_recalled=bool(of["recalled"]),
+        )
+    )
+
+
+def _drag_ground(of: Known) -> DragGround | None:
+    recalled = bool(of["recalled"])
+    return of.telling.make(lambda: DragGround(of["anchor"], of["soil"], allow_recalled=recalled))
+
+
+def _taken(
+    of: Known, place: Environment | None, ground: DragGround | SinkerGround | None
+) -> tuple[str, ...]:
+    """Say what was taken because it was not given."""
+    words = [Message(each.taken, value=each.default) for each in of.taken if each.taken]
+    if "period" not in of.given and place is not None:
+        words.append(Message("sizing.taken_period", period=place.sea.period))
+    if "low_water" not in of.given:
+        words.append(Message("sizing.no_tide"))
+    if of.given.isdisjoint({"soil", "friction"}) and ground is not None:
+        words.append(Message("sizing.taken_soil", soil=term(str(ground.soil))))
+    taken_chain = () if "chain" in of.given else of["chain"]
+    if "code" not in of.given:
+        return (*words, *taken_chain, Message("sizing.taken_code", code=of["code"]))
+    return (*words, *taken_chain)

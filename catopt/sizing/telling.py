@@ -1,0 +1,127 @@
+"""What is wrong with inputs: kept until all have been tried, and told as the caller spells them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Mapping
+from typing import Any, Protocol, TypeVar
+
+from catopt.errors import InputError, Problem
+from catopt.sizing.inputs import Input
+
+__all__ = ["Spelling", "Telling", "as_keyword"]
+
+Made = TypeVar("Made")
+
+
+class Spelling(Protocol):
+    """How a caller writes the name of an input."""
+
+    def __call__(self, name: str, index: int | None = None) -> str:
+        """Write it; `index` counts several values from 0."""
+
+
+def as_keyword(name: str, index: int | None = None) -> str:
+    """Write an input as a keyword in Python."""
+    return name if index is None else f"{name}[{index}]"
+
+
+class Telling:
+    """Makes values out of inputs and keeps what is wrong with them until all have been tried.
+
+    Parameters
+    ----------
+    inputs : mapping of str to Input
+        By name.
+    spell : Spelling
+        How the caller writes a name.
+    source : str
+        Who is told, for the error.
+    told : collection of str
+        What is known to be wrong: of inputs that are among it no more is said.
+    called : mapping of str to str
+        Further names by what the model calls them: a key, or ``source.key``.
+    """
+
+    def __init__(
+        self,
+        inputs: Mapping[str, Input],
+        spell: Spelling = as_keyword,
+        source: str = "",
+        told: Collection[str] = (),
+        called: Mapping[str, str] | None = None,
+    ) -> None:
+        self.spell, self.source = spell, source
+        self._told = set(told)
+        self._names = {name: name for name in inputs}
+        self._names |= {each: row.name for row in inputs.values() for each in row.called}
+        self._names |= called or {}
+        self._problems: list[Problem] = []
+
+    def is_told(self, name: str) -> bool:
+        """Say whether something is wrong with an input."""
+        return name in self._told
+
+    def no_more_of(self, name: str) -> None:
+        """Keep no further problem of an input."""
+        self._told.add(name)
+
+    def add(self, name: str, found: str, allowed: str, index: int | None = None) -> None:
+        """Keep a problem of an input."""
+        if name not in self._told:
+            self._problems.append(Problem(self.spell(name, index), found, allowed))
+
+    def read(self, name: str, reader: Callable[[Any], Made], value: object) -> Made | None:
+        """Read a value of an input, or each of several; None, and no more told, when it is wrong.
+
+        Parameters
+        ----------
+        name : str
+            Of the input.
+        reader : callable
+            May raise InputError.
+        value : object
+            As it was given.
+        """
+        try:
+            return reader(value)
+        except InputError as error:
+            for each in error.problems:
+                index = int(each.key) if each.key.isdigit() else None
+                self.add(name, each.found, each.allowed, index)
+            self.no_more_of(name)
+        return None
+
+    def make(self, maker: Callable[..., Made], *parts: Any) -> Made | None:
+        """Make a value out of others; None when it cannot be made, or one of them was not.
+
+        Parameters
+        ----------
+        maker : callable
+            May raise InputError, which is kept.
+        *parts
+            What it is called with; None among them means that it was not made.
+        """
+        if any(part is None for part in parts):
+            return None
+        try:
+            return maker(*parts)
+        except InputError as error:
+            for each in error.problems:
+                self._keep(error.source, each)
+        return None
+
+    def raise_if_any(self) -> None:
+        """Raise InputError with all that was kept, each once; with nothing, if all is told."""
+        if self._problems or self._told:
+            raise InputError(tuple(dict.fromkeys(self._problems)), self.source)
+
+    def _keep(self, source: str, problem: Problem) -> None:
+        key, index = problem.key, None
+        if one_of_several := re.fullmatch(r"(.+)\[(\d+)\]", key):
+            key, index = one_of_several[1], int(one_of_several[2])
+        name = self._names.get(f"{source}.{key}", self._names.get(key))
+        if name is None:
+            self._problems.append(problem)
+        else:
+            self.add(name, problem.found, problem.allowed, index)

@@ -1,0 +1,246 @@
+"""The table of inputs, and that every face of a sizing is made of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import typer.main
+
+import catopt
+from catopt.casefile.fields import Measured
+from catopt.casefile.schema import entries
+from catopt.casefile.sizing_file import Moored
+from catopt.cli.size import size as size_commands
+from catopt.cli.size_options import as_option, by_option, typed
+from catopt.errors import InputError
+from catopt.loads.sinker import DENSITIES
+from catopt.sizing.file import read_file, read_sizing
+from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
+from catopt.sizing.kinds import from_text, kind_of
+from catopt.sizing.known import Known, known
+from catopt.sizing.line_choice import PREFERENCES
+from catopt.sizing.requests import request_of, size
+from catopt.sizing.schema import schema_of
+from catopt.units import as_written
+from catopt.words.texts import group
+from tests.sizing_page import PAGE, up_to_date
+
+KINDS: tuple[Moored, ...] = ("buoy", "tanker")
+ROWS = [(moored, each) for moored in KINDS for each in rows_of(moored)]
+IDS = [f"{moored} {each.key}" for moored, each in ROWS]
+MOST = [(moored, each) for moored, each in ROWS if each.most]
+SPELLED = {"buoy": by_option, "tanker": as_option}
+
+BASE: dict[Moored, dict[str, object]] = {
+    "buoy": {"buoy": "pillar 1.8 m", "depth": "12 m"},
+    "tanker": {
+        "length": "234 m",
+        "breadth": "31.3 m",
+        "draught": "12.4 m",
+        "depth": "22 m",
+        "buoy": "mooring buoy 5.0 m",
+    },
+}
+FULL: dict[str, tuple[Moored, dict[str, object]]] = {
+    "a buoy of the library": ("buoy", {"hs": "1.5 m"}),
+    "a buoy by its force": (
+        "buoy",
+        {"buoy": None, "force": "5 kN", "soil": None, "friction": 0.4},
+    ),
+    "a tanker on a drag anchor": ("tanker", {"low_water": "20 m"}),
+    "a tanker on a sinker": ("tanker", {"low_water": "20 m", "anchor": "sinker"}),
+    "a tanker on a sinker, by friction": (
+        "tanker",
+        {"low_water": "20 m", "anchor": "sinker", "soil": None, "friction": 0.4},
+    ),
+}
+"""What is given first, of sizings that are then given every input that may stand beside it."""
+
+
+def examples(name: str) -> tuple[Moored, dict[str, Any]]:
+    """Give everything there is an example for."""
+    moored, first = FULL[name]
+    held_by = "sinker" if first.get("anchor") == "sinker" else "anchor"
+    given: dict[str, Any] = {**first}
+    for each in inputs_of(moored, held_by=held_by).values():
+        if each.name not in (*given, "buoys") and not any(given.get(o) for o in each.not_with):
+            given[each.name] = each.example
+    return moored, {key: value for key, value in given.items() if value is not None}
+
+
+def as_file(moored: Moored, given: dict[str, Any]) -> str:
+    """Write inputs as a file; what holds a tanker follows from the section."""
+    held_by = str(given.get("anchor", "anchor"))
+    sections: dict[str, str] = {}
+    for name, value in given.items():
+        each = inputs_of(moored, held_by=held_by)[name]
+        *section, key = each.path
+        many = ", ".join(map(as_written, value)) if isinstance(value, tuple) else ""
+        if value != "sinker":
+            line = f"{key} = {f'[{many}]' if many else as_written(value)}\n"
+            sections[".".join(section)] = sections.get(".".join(section), "") + line
+    top = sections.pop("", "")
+    return top + "".join(f"[{name}]\n{lines}" for name, lines in sections.items())
+
+
+def by_options(moored: Moored, given: dict[str, Any]) -> Known:
+    """Type inputs as options."""
+    texts = {
+        name: list(value) if isinstance(value, tuple) else value if value is True else str(value)
+        for name, value in given.items()
+    }
+    return known(moored, typed(moored, texts), SPELLED[moored], "options")
+
+
+@pytest.mark.parametrize("name", FULL)
+def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path) -> None:
+    moored, given = examples(name)
+    path = tmp_path / "sizing.toml"
+    path.write_text(as_file(moored, given), encoding="utf-8")
+    request = request_of(known(moored, given))
+    assert read_sizing(path) == request
+    assert request_of(by_options(moored, given)) == request
+
+
+def test_the_examples_are_all_inputs_but_a_file_of_buoys() -> None:
+    given = {"buoy": {"buoys"}, "tanker": {"buoys"}}
+    for name in FULL:
+        moored, examples_of_it = examples(name)
+        given[moored] |= set(examples_of_it)
+    assert given == {moored: set(inputs_of(moored)) for moored in BASE}
+
+
+@pytest.mark.parametrize("moored", BASE)
+def test_every_face_has_exactly_the_inputs_of_the_table(moored: Moored) -> None:
+    group_of_commands: Any = typer.main.get_command(size_commands)
+    found = {each.name: each for each in group_of_commands.commands[moored].params}
+    for name, each in inputs_of(moored).items():
+        if name in ("title", "source") or (moored, name) == ("buoy", "buoy"):
+            assert name not in found
+        else:
+            assert found[name].opts == [as_option(name)]
+            assert each.takes in (found[name].metavar, "WHICH", "NAME", "COUNT", "FLAG")
+    keys = {each.key for row, each in ROWS if row == moored}
+    tables = {key: entry.table for key, entry in entries(schema_of(moored)).items()}
+    inside = {f"{name}.{key}" for name, of in tables.items() if of for key in entries(of)}
+    assert inside | {name for name, of in tables.items() if not of} == keys
+
+
+def told(of: Known) -> dict[str, str]:
+    """Return what is wrong, by its place."""
+    with pytest.raises(InputError) as caught:
+        size(of)
+    return {each.key: each.allowed for each in caught.value.problems}
+
+
+def told_of_a_file(path: Path, moored: Moored) -> dict[str, str]:
+    """Return what is wrong with a file, by its place."""
+    file = read_file(path, moored)
+    with pytest.raises(InputError) as caught, file.telling():
+        size(file.known())
+    return {each.key: each.allowed for each in caught.value.problems}
+
+
+def faults(
+    moored: Moored, each: Input, value: object, folder: Path
+) -> tuple[dict[str, str], dict[str, str], dict[str, str]]:
+    """Give a value that is wrong to each face."""
+    given: dict[str, Any] = {**BASE[moored], each.name: value}
+    if each.name in ("force", "reserve_buoyancy"):
+        given = {"depth": "12 m", "force": "5 kN", "reserve_buoyancy": "12 kN"} | {each.name: value}
+    if moored == "tanker" and each.key.startswith("sinker."):
+        given["anchor"] = "sinker"
+    path = folder / "sizing.toml"
+    path.write_text(as_file(moored, given), encoding="utf-8")
+    by_keyword, of_file = told(known(moored, given)), told_of_a_file(path, moored)
+    is_option = each.name not in ("title", "source")
+    return by_keyword, told(by_options(moored, given)) if is_option else {}, of_file
+
+
+@pytest.mark.parametrize(("moored", "each"), ROWS, ids=IDS)
+def test_what_is_no_such_value_is_told_by_every_face(
+    moored: Moored, each: Input, tmp_path: Path
+) -> None:
+    """In its own spelling, and with nothing else: what hangs on it goes on with the default."""
+    is_text = each.takes in ("TEXT", "NAME", "FILE")
+    value: object = 2.4 if is_text else "porridge"
+    index = 0 if each.several else None
+    if each.several:
+        value = (value,)
+    by_keyword, option, file = faults(moored, each, value, tmp_path)
+    place = "" if index is None else "[0]"
+    assert list(by_keyword) == [f"{each.name}{place}"]
+    assert list(file) == [f"{each.key}{place}"]
+    if not is_text:
+        assert list(option) == [SPELLED[moored](each.name, index)]
+
+
+@pytest.mark.parametrize(("moored", "each"), MOST, ids=[f"{m} {e.key}" for m, e in MOST])
+def test_more_than_the_most_is_refused_by_every_face(
+    moored: Moored, each: Input, tmp_path: Path
+) -> None:
+    most: Any = kind_of(each).read(from_text(each, each.most))
+    by_keyword, option, file = faults(moored, each, 1.01 * most, tmp_path)
+    assert each.name in by_keyword
+    assert as_option(each.name) in option
+    assert each.key in file
+
+
+@pytest.mark.parametrize("each", INPUTS, ids=lambda each: each.key)
+def test_example_default_and_words_are_right(each: Input) -> None:
+    kind = kind_of(each)
+    many = each.example if isinstance(each.example, tuple) else (each.example,)
+    assert isinstance(each.example, tuple) == each.several
+    for value in many:
+        kind.read(value)
+    if each.default:
+        kind.read(from_text(each, each.default))
+    assert each.name in group("inputs")
+    assert set(each.not_with) <= {other.name for other in INPUTS}
+    assert isinstance(kind, Measured) == each.is_measure
+
+
+def test_one_of_several_words_is_one_of_the_model() -> None:
+    words = {each.name: each.words for each in INPUTS if each.words}
+    assert words == {"prefer": PREFERENCES, "sinker": tuple(DENSITIES)}
+
+
+def test_the_page_shows_the_table() -> None:
+    """When it does not: python -m tests.sizing_page writes it anew."""
+    page = PAGE.read_text("utf-8")
+    assert up_to_date(page) == page
+
+
+def test_what_is_not_evaluated_is_refused_by_its_keyword() -> None:
+    given = {"buoy": "pillar 1.8 m", "dept": "12 m", "keel_depth": 1.0, "mu": 0.5}
+    assert told(known("buoy", given)) == {
+        "dept": "did you mean depth?",
+        "keel_depth": "leave it out, or buoy: it follows from the shape of the named buoy",
+        "mu": "did you mean friction?",
+    }
+    by_force = {"depth": 12.0, "force": "5 kN", "reserve_buoyancy": 12e3, "wind": "20 m/s"}
+    assert told(known("buoy", by_force)) == {
+        "wind": "leave it out, or force, which has it all in it"
+    }
+    held = {**BASE["tanker"], "friction": 0.4}
+    assert told(known("tanker", held, as_option, "options")) == {
+        "--friction": 'leave it out, or give --anchor "sinker": it is of a sinker'
+    }
+
+
+def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
+    """Of docs/sizing.md, a buoy by hand: 38 mm, 54.5 m, to the digits that it prints."""
+    sizing = catopt.size_buoy(
+        buoy="pillar 2.4 m", depth=12, low_water="10 m", current=1.5, hs=1.5, period="6 s",
+        soil="clean fine to medium sand",
+    )  # fmt: skip
+    assert sizing.point.line.length == 54.5
+    assert sizing.point.line.segments[0].nominal_diameter == pytest.approx(0.038, abs=1e-12)
+    assert "wind 25 m/s" in sizing.defaults
+    request = catopt.read_sizing(Path(__file__).parents[2] / "cases/size-buoy/sizing.toml")
+    assert request.title == "Pillar buoy in 12 m"
+    assert catopt.size_buoy(request).point.line == sizing.point.line  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="the request for a tanker is wanted"):
+        catopt.size_tanker(request)  # type: ignore[arg-type]
