@@ -10,9 +10,11 @@ go slack, each beside such a run: how many the proof lets pass, and how far thos
 from __future__ import annotations
 
 import argparse
+import csv
+import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -213,17 +215,32 @@ def friction_table() -> Iterator[str]:
             )
 
 
-def random_lines(count: int) -> Iterator[str]:
+def judged_lines(count: int, kept: Path) -> Iterator[tuple[int, Judged | None]]:
+    """Judge random lines until so many go slack; the row of each seed is kept and not redone."""
+    rows = list(csv.reader(kept.open(encoding="utf-8")))[1:] if kept.exists() else []
+    if not rows:
+        kept.write_text(f"seed,{','.join(f.name for f in fields(Judged))}\n", encoding="utf-8")
+    slack = 0
+    for seed in itertools.count(FIRST):
+        if slack == count:
+            return
+        if seed - FIRST < len(rows):
+            row = rows[seed - FIRST]
+            one = Judged(row[1], *map(float, row[2:7]), int(row[7])) if row[1] else None
+        else:
+            one = judged(random_case(seed))
+            cells = astuple(one) if one is not None else ("",) * len(fields(Judged))
+            with kept.open("a", encoding="utf-8", newline="") as file:
+                csv.writer(file, lineterminator="\n").writerow([seed, *cells])
+        slack += one is not None
+        yield seed, one
+
+
+def random_lines(count: int, kept: Path) -> Iterator[str]:
     """Tabulate random lines by their verdict."""
-    found: list[tuple[int, Judged]] = []
-    seed = FIRST
-    while len(found) < count:
-        one = judged(random_case(seed))
-        if one is not None:
-            found.append((seed, one))
-            print(len(found), seed, one, flush=True)
-        seed += 1
-    yield f"{count} lines that go slack, of {seed - FIRST} drawn."
+    drawn = list(judged_lines(count, kept))
+    found = [(seed, one) for seed, one in drawn if one is not None]
+    yield f"{len(found)} lines that go slack, of {len(drawn)} drawn."
     yield ""
     yield "| verdict | lines | within 5 % | beyond | furthest off | numerical, at most |"
     yield "|---|---|---|---|---|---|"

@@ -18,6 +18,7 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Moving, MovingLines, WaterAt
 from catopt.fem.moving_load import book_loads, load_works
+from catopt.fem.seabed import across_bed, along_bed
 
 __all__ = ["EnergyBalance", "add_works", "begin_works", "fill_forces", "own_kinetic_energy"]
 
@@ -245,8 +246,10 @@ def add_works(
                     by_drag -= (seen + turned) * way
                     by_water += (seen + booked_0[1, n, i] + booked[1, n, i]) * way
                     by_damping += (turned + booked_0[2, n, i] + booked[2, n, i]) * way
-            by_bed += (R_0[n] + R[n]) * (x[n, 2] - x_0[n, 2])
-            by_friction += (rub_0[n, 0] + rub[n, 0]) * (x[n, 0] - x_0[n, 0])
+            rise = across_bed(x, n, lines) - across_bed(x_0, n, lines)
+            by_bed += (R_0[n] + R[n]) * rise
+            slip = along_bed(x, n, lines) - along_bed(x_0, n, lines)
+            by_friction += (rub_0[n, 0] + rub[n, 0]) * slip
             by_friction += (rub_0[n, 1] + rub[n, 1]) * (x[n, 1] - x_0[n, 1])
         taken, viscous = _bar_works(k, lines, before, now, room.viscous)
         by_drag += taken

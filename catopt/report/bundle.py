@@ -162,13 +162,14 @@ def verification_bundle(
     from catopt.report.workbook.books import verification_workbook
     from catopt.verify.result import Verification
 
-    frames = verify.frames(found)
-    sheets = verify.said_frames(frames, Words(language))
-    document = found.to_dict()
-    files = {
-        "verify.xlsx": verification_workbook(verify.title_of(found), sheets, language),
-        **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
-    }
+    document, files = found.to_dict(), {}
+    if not isinstance(found, Verification) or found.parts:
+        frames = verify.frames(found)
+        sheets = verify.said_frames(frames, Words(language))
+        files = {
+            "verify.xlsx": verification_workbook(verify.title_of(found), sheets, language),
+            **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
+        }
     if isinstance(found, Verification):
         files |= _compared(found)
     if dynamic is not None:
