@@ -26,6 +26,8 @@ from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.proof import LIMIT, Proof
 
+_KEPT = Path(__file__).parent / "results" / "slack-lines.csv"
+
 FIRST = 1000
 """First seed of the random lines: those below 1000 were looked at when the proof was made."""
 
@@ -226,7 +228,7 @@ def judged_lines(count: int, kept: Path) -> Iterator[tuple[int, Judged | None]]:
             return
         if seed - FIRST < len(rows):
             row = rows[seed - FIRST]
-            one = Judged(row[1], *map(float, row[2:7]), int(row[7])) if row[1] else None
+            one = _read(row[1:]) if row[1] else None
         else:
             one = judged(random_case(seed))
             cells = astuple(one) if one is not None else ("",) * len(fields(Judged))
@@ -234,6 +236,11 @@ def judged_lines(count: int, kept: Path) -> Iterator[tuple[int, Judged | None]]:
                 csv.writer(file, lineterminator="\n").writerow([seed, *cells])
         slack += one is not None
         yield seed, one
+
+
+def _read(row: list[str]) -> Judged:
+    off, tension, finer, change, lost = map(float, row[1:6])
+    return Judged(row[0], off, tension, finer, change, lost, int(row[6]))
 
 
 def random_lines(count: int, kept: Path) -> Iterator[str]:
@@ -267,6 +274,7 @@ def main() -> None:
     """Print the tables; write them, too, where --out says."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--lines", type=int, default=200)
+    parser.add_argument("--kept", type=Path, default=_KEPT, help="a row a line, to go on from")
     parser.add_argument("--out", type=Path)
     asked = parser.parse_args()
     import tempfile
@@ -296,7 +304,7 @@ def main() -> None:
             "",
             "## Random lines",
             "",
-            *random_lines(asked.lines),
+            *random_lines(asked.lines, asked.kept),
         ]
     text = "\n".join(lines) + "\n"
     print(text)

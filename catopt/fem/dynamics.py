@@ -163,6 +163,7 @@ def _on_slope(
 
     Under a horizontal pull, N, its fairlead goes along x to where it balances that.
     """
+    _check_above_bed(level[-1], seabed.slope)
     if pull is None:
         simulation = Simulation(lines, level, sea=sea)
         settle_on_slope(simulation, seabed.initial_friction)
@@ -172,13 +173,18 @@ def _on_slope(
         simulation = Simulation(lines, level, body=free, load=load, sea=sea)
         settle_on_slope(simulation, seabed.initial_friction)
         simulation.hold_ends()
-    x, _, z = simulation.state.x[-1]
-    bed = x * math.tan(seabed.slope)
-    if not z > bed:
-        found = Findings("run_dynamics")
-        found.add("height", f"{z:g} m", f"the bed rises to {bed:.4g} m under the fairlead")
-        found.raise_if_any()
+    _check_above_bed(simulation.state.x[-1], seabed.slope)
     return simulation
+
+
+def _check_above_bed(fairlead: Array, slope: float) -> None:
+    """Refuse a fairlead that is not above the bed."""
+    bed = float(fairlead[0]) * math.tan(slope)
+    if not fairlead[2] > bed:
+        found = Findings("run_dynamics")
+        allowed = f"the bed rises to {bed:.4g} m under the fairlead"
+        found.add("height", f"{fairlead[2]:g} m", allowed)
+        found.raise_if_any()
 
 
 def run_system_dynamics(
@@ -357,6 +363,7 @@ def _history(
         fairlead=record.fairlead,
         grounded_length=record.grounded,
         nodes=record.place,
+        at_rest=record.rest,
         energy=record.energy,
         first_bar=simulation.lines.start,
         arc=np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),

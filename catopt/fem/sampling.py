@@ -118,7 +118,7 @@ class Room(NamedTuple):
     and `change` that of the accelerations, m/s2;
     `booked` and `booked_before` are the forces whose work is booked, shape (4, nodes, 3), N, `ends`
     and `ends_before` those at the ends, shape (lines, 2, 3), at a step's end and at its start, and
-    `viscous` and `wet_before` the bars' damping, N, and what is in the water, at its start.
+    `wet_before` what is in the water at its start.
     """
 
     now: Moving
@@ -132,7 +132,6 @@ class Room(NamedTuple):
     change: Array
     booked: Array
     booked_before: Array
-    viscous: Array
     ends: Array
     ends_before: Array
     wet_before: Array

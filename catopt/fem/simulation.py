@@ -134,7 +134,6 @@ class Simulation:
             change=np.zeros((nodes, 3)),
             booked=np.zeros((4, nodes, 3)),
             booked_before=np.zeros((4, nodes, 3)),
-            viscous=np.zeros(bars),
             ends=np.zeros((ends.size, 2, 3)),
             ends_before=np.zeros((ends.size, 2, 3)),
             wet_before=np.ones((bars, 2)),
@@ -454,7 +453,7 @@ class Simulation:
         room = self._room
         self._form(begin_works)(
             self.lines, self.state, room.water, self.sea is not None, room.booked_before,
-            room.viscous, record.works,
+            record.works,
         )  # fmt: skip
         room.ends_before[:] = record.end_force[0]
         room.wet_before[:] = room.water.wet

@@ -1,8 +1,9 @@
 """A line that comes to rest on a bed that is not level.
 
 From its shape on a level bed it lies down without friction first. Friction is then brought in as
-the pull of springs that do not slip: each is drawn out to what friction takes there, the lines come
-to rest again, and so on until no pull changes.
+the pull of springs that do not slip and are soft, so that it hardly changes as the line stretches:
+each is drawn out to what friction takes there, the lines come to rest again, and so on until no
+pull changes.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import Final
 import numpy as np
 
 from catopt.errors import NotConvergedError
+from catopt.fem.moving import MovingLines
 from catopt.fem.seabed import along_bed
 from catopt.fem.simulation import Simulation
 from catopt.model.dynamics import InitialFriction
@@ -22,6 +24,8 @@ __all__ = ["settle_on_slope"]
 
 _NO_SLIP: Final = 10.0
 """Factor on the friction at which springs slip while they are drawn out."""
+_SOFT: Final = 1e-2
+"""Factor on their stiffness meanwhile."""
 _MOST: Final = 200
 """Times that they are drawn out."""
 _SAME: Final = 1e-5
@@ -49,7 +53,9 @@ def settle_on_slope(simulation: Simulation, initial_friction: InitialFriction) -
     simulation.settle()
     _check_slide(simulation)
     if initial_friction != "none" and friction.any():
-        simulation.lines = lines._replace(friction=_NO_SLIP * friction)
+        simulation.lines = lines._replace(
+            friction=_NO_SLIP * friction, drag_spring=_SOFT * lines.drag_spring
+        )
         is_pulled = initial_friction == "pulled"
         for _ in range(_MOST):
             change = _draw_out(simulation, friction, is_pulled=is_pulled)
@@ -58,8 +64,16 @@ def settle_on_slope(simulation: Simulation, initial_friction: InitialFriction) -
                 break
         else:
             raise NotConvergedError(Message("truss.friction_changes", part=change))
+        _take_over(simulation, lines)
     simulation.lines = lines
     simulation.slip_feet()
+
+
+def _take_over(simulation: Simulation, lines: MovingLines) -> None:
+    """Put the feet of springs as stiff as they are to where they pull as much as the soft ones."""
+    at = simulation.state
+    for n in map(int, np.flatnonzero(at.reaction > 0.0)):
+        at.foot[n] = (along_bed(at.x, n, lines), at.x[n, 1]) + at.rub[n] / lines.drag_spring[n]
 
 
 def _check_slide(simulation: Simulation) -> None:
@@ -83,13 +97,14 @@ def _draw_out(
     """
     at, lines = simulation.state, simulation.lines
     largest, pull = 0.0, math.nan
-    for n in range(lines.length.size - 1, 0, -1):
+    for n in range(lines.length.size - 1, -1, -1):
         if at.reaction[n] <= 0.0:
             pull = math.nan
             continue
         if math.isnan(pull):
             pull = at.tension[n]
-        others = along_bed(at.force, n, lines) - at.rub[n, 0] - (at.tension[n] - at.tension[n - 1])
+        below = at.tension[n - 1] if n > 0 else 0.0
+        others = along_bed(at.force, n, lines) - at.rub[n, 0] - (at.tension[n] - below)
         most = friction[n] * at.reaction[n]
         rubs = min(max(pull + others, -most), most) if is_pulled else -most
         largest = max(largest, abs(rubs + at.rub[n, 0]))

@@ -255,7 +255,7 @@ def _ways(proof: Proof, runs: Sequence[DynamicRun]) -> list[Way]:
 
 
 def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> list[Again]:
-    """Run once more at half the step or with twice the bars, in the same sea."""
+    """Run once more at half the step, or so with twice the bars, in the same sea."""
     finer, more = _PARTS[way]
     elements = more * lines.drive.dynamics.bars
     sea = lines.drive.sea(number)
@@ -310,7 +310,7 @@ def _run(
     return runs, said
 
 
-_PARTS: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars": (1, 2)})
+_PARTS: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars": (2, 2)})
 """Steps in place of one, and bars in place of one, by the way in which a run is made again."""
 
 
