@@ -10,9 +10,11 @@ go slack, each beside such a run: how many the proof lets pass, and how far thos
 from __future__ import annotations
 
 import argparse
+import csv
+import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +25,8 @@ from catopt.model.dynamics import BARS
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.proof import LIMIT, Proof
+
+_KEPT = Path(__file__).parent / "results" / "slack-lines.csv"
 
 FIRST = 1000
 """First seed of the random lines: those below 1000 were looked at when the proof was made."""
@@ -213,17 +217,37 @@ def friction_table() -> Iterator[str]:
             )
 
 
-def random_lines(count: int) -> Iterator[str]:
+def judged_lines(count: int, kept: Path) -> Iterator[tuple[int, Judged | None]]:
+    """Judge random lines until so many go slack; the row of each seed is kept and not redone."""
+    rows = list(csv.reader(kept.open(encoding="utf-8")))[1:] if kept.exists() else []
+    if not rows:
+        kept.write_text(f"seed,{','.join(f.name for f in fields(Judged))}\n", encoding="utf-8")
+    slack = 0
+    for seed in itertools.count(FIRST):
+        if slack == count:
+            return
+        if seed - FIRST < len(rows):
+            row = rows[seed - FIRST]
+            one = _read(row[1:]) if row[1] else None
+        else:
+            one = judged(random_case(seed))
+            cells = astuple(one) if one is not None else ("",) * len(fields(Judged))
+            with kept.open("a", encoding="utf-8", newline="") as file:
+                csv.writer(file, lineterminator="\n").writerow([seed, *cells])
+        slack += one is not None
+        yield seed, one
+
+
+def _read(row: list[str]) -> Judged:
+    off, tension, finer, change, lost = map(float, row[1:6])
+    return Judged(row[0], off, tension, finer, change, lost, int(row[6]))
+
+
+def random_lines(count: int, kept: Path) -> Iterator[str]:
     """Tabulate random lines by their verdict."""
-    found: list[tuple[int, Judged]] = []
-    seed = FIRST
-    while len(found) < count:
-        one = judged(random_case(seed))
-        if one is not None:
-            found.append((seed, one))
-            print(len(found), seed, one, flush=True)
-        seed += 1
-    yield f"{count} lines that go slack, of {seed - FIRST} drawn."
+    drawn = list(judged_lines(count, kept))
+    found = [(seed, one) for seed, one in drawn if one is not None]
+    yield f"{len(found)} lines that go slack, of {len(drawn)} drawn."
     yield ""
     yield "| verdict | lines | within 5 % | beyond | furthest off | numerical, at most |"
     yield "|---|---|---|---|---|---|"
@@ -250,6 +274,7 @@ def main() -> None:
     """Print the tables; write them, too, where --out says."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--lines", type=int, default=200)
+    parser.add_argument("--kept", type=Path, default=_KEPT, help="a row a line, to go on from")
     parser.add_argument("--out", type=Path)
     asked = parser.parse_args()
     import tempfile
@@ -279,7 +304,7 @@ def main() -> None:
             "",
             "## Random lines",
             "",
-            *random_lines(asked.lines),
+            *random_lines(asked.lines, asked.kept),
         ]
     text = "\n".join(lines) + "\n"
     print(text)

@@ -268,8 +268,9 @@ def _system(document: dict[str, Any]) -> Iterator[Finding]:
     if "system" not in document:
         return
     others: dict[str, object] = {k: 1 for k in ("load", "load_cases", "find") if k in document}
+    others["site.seabed_slope"] = number(SiteTable, "seabed_slope", table(document, "site"))
     for problem in system_misfits(others):
-        yield Finding((problem.key,), problem.found, problem.allowed)
+        yield Finding(parts(problem.key), problem.found, problem.allowed)
     system = table(document, "system")
     if misspelt(SystemTable, entries(SystemTable), system):
         return

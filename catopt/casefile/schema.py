@@ -25,6 +25,7 @@ from catopt.model.dynamics import BROKEN_ENDS, INITIAL_FRICTION, TIME_SCHEMES
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
+from catopt.model.site import STEEPEST
 from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 from catopt.units import Dimension
 
@@ -125,6 +126,13 @@ class SiteTable(Table):
     water_depth: Length
     seabed_friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
     water_density: Density | None = None
+    seabed_slope: (
+        Annotated[
+            float,
+            Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"'),
+        ]
+        | None
+    ) = None
 
 
 DRAG_AREAS = ("D", "pi D")

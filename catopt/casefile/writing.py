@@ -85,6 +85,8 @@ def _site(case: Case) -> Iterator[str]:
     yield from measured("water_depth", case.site.water_depth, "m")
     yield from measured("seabed_friction", case.site.seabed_friction)
     yield from measured("water_density", case.site.water_density, "kg/m^3")
+    if case.site.seabed_slope:
+        yield from measured("seabed_slope", case.site.seabed_slope, "rad")
 
 
 def _ends(case: Case) -> Iterator[str]:

@@ -38,6 +38,7 @@ def solve_case(
     progress : callable, optional
         Called after each run of the swarm with the number of runs done.
     """
+    case.site.check_level()
     case, warnings = under_a_load(case)
     return _solved(case, method, progress).with_warnings(warnings)
 

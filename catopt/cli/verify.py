@@ -132,7 +132,12 @@ def verify(
         read = _case_of_front(case)
     else:
         read = _read(case, design, with_motion=with_motion)
-        found = _case(read, output, load_case, elements, tolerance)
+        if with_motion and read.site.seabed_slope != 0.0:
+            from catopt.verify.result import Verification
+
+            found = Verification(read, ())  # there is no closed form to compare with
+        else:
+            found = _case(read, output, load_case, elements, tolerance)
         proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
         dynamic = _dynamic(read, output, load_case, proof, workers) if with_motion else None
     if out is not None:

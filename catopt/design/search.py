@@ -69,6 +69,7 @@ def design_case(
     NoFeasibleDesignError
         No design passes every check; it names the one that fails by the least.
     """
+    case.site.check_level()
     problem = DesignProblem.of(_with_settings(case, method, seed, evaluations))
     design = problem.case.design
     assert design is not None

@@ -117,6 +117,7 @@ def lay_out_moving(
         reach = seabed.grounded_length
         held = np.concatenate([m.arc <= reach * (1.0 + _SAME_PLACE) for m in meshes])
     bed = _bed_rows(seabed, carried, pressing, heavy, held)
+    rise = float(seabed.slope) if isinstance(seabed, Seabed) else 0.0
     near, far = _SHARES[mass_matrix]
     return MovingLines(
         start=start,
@@ -147,6 +148,8 @@ def lay_out_moving(
         held=held,
         drag_spring=bed[3].copy(),
         drag_dashpot=bed[4].copy(),
+        bed_cos=math.cos(rise),
+        bed_sin=math.sin(rise),
         friction=_friction(meshes, seabed, pressing),
         mass_factor=float(damping.mass_factor),
         stiffness_factor=float(damping.stiffness_factor),

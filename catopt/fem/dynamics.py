@@ -5,6 +5,7 @@ Static equilibrium comes first, in the current; then motion, force and waves gro
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -29,6 +30,7 @@ from catopt.fem.series import (
     series_rows,
 )
 from catopt.fem.simulation import Break, Simulation
+from catopt.fem.sloped_rest import settle_on_slope
 from catopt.fem.solve import Leg, solve_line, solve_system
 from catopt.model import Line
 from catopt.model.validity import Findings
@@ -147,9 +149,42 @@ def line_at_rest(
         mesh.line, height=height, span=span, horizontal_force=horizontal_force, mesh=mesh, bed=bed,
         anchor_height=anchor_height, seabed_friction=friction,
     )  # fmt: skip
+    if isinstance(with_what.seabed, Seabed) and with_what.seabed.slope != 0.0:
+        return _on_slope(lines, rest.nodes, with_what.seabed, horizontal_force, sea)
     simulation = Simulation(lines, rest.nodes, sea=sea)
     simulation.settle(rubbed=_begins_rubbed(with_what.seabed))
     return simulation
+
+
+def _on_slope(
+    lines: MovingLines, level: Array, seabed: Seabed, pull: float | None, sea: Sea | None
+) -> Simulation:
+    """Bring a line to rest on a sloped bed, from its nodes on a level one.
+
+    Under a horizontal pull, N, its fairlead goes along x to where it balances that.
+    """
+    _check_above_bed(level[-1], seabed.slope)
+    if pull is None:
+        simulation = Simulation(lines, level, sea=sea)
+        settle_on_slope(simulation, seabed.initial_friction)
+    else:
+        free = BodyNode(np.array([1.0, 0.0, 0.0]), np.zeros(3), np.zeros(3))
+        load = series_rows(np.array([[pull, 0.0, 0.0]]), [None], 0.0)
+        simulation = Simulation(lines, level, body=free, load=load, sea=sea)
+        settle_on_slope(simulation, seabed.initial_friction)
+        simulation.hold_ends()
+    _check_above_bed(simulation.state.x[-1], seabed.slope)
+    return simulation
+
+
+def _check_above_bed(fairlead: Array, slope: float) -> None:
+    """Refuse a fairlead that is not above the bed."""
+    bed = float(fairlead[0]) * math.tan(slope)
+    if not fairlead[2] > bed:
+        found = Findings("run_dynamics")
+        allowed = f"the bed rises to {bed:.4g} m under the fairlead"
+        found.add("height", f"{fairlead[2]:g} m", allowed)
+        found.raise_if_any()
 
 
 def run_system_dynamics(
@@ -205,6 +240,7 @@ def run_system_dynamics(
     with_what = properties or LineProperties()
     is_led = position is not None
     _check_system(is_led, motion, force, mean_force)
+    _check_level(with_what.seabed)
     cuts = [mesh_line(leg.line, elements) for leg in legs] if meshes is None else list(meshes)
     lines = lay_out_moving(
         cuts, with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,
@@ -327,6 +363,7 @@ def _history(
         fairlead=record.fairlead,
         grounded_length=record.grounded,
         nodes=record.place,
+        at_rest=record.rest,
         energy=record.energy,
         first_bar=simulation.lines.start,
         arc=np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
@@ -372,7 +409,7 @@ def _static_bed(seabed: Seabed | HeldBed | None, lines: MovingLines) -> tuple[Be
     length = float(lines.length.sum())
     stiffness = float(lines.bed_stiffness.sum()) / length
     softest = float((np.abs(lines.weight) * lines.length).sum()) / length / _SHALLOW
-    if seabed.initial_friction == "none":
+    if seabed.initial_friction == "none" or seabed.slope != 0.0:
         return Bed(normal_stiffness=min(stiffness, softest)), 0.0
     bed = Bed(min(stiffness, softest), friction_law=seabed.initial_friction)
     return bed, seabed.friction
@@ -387,6 +424,14 @@ def _ramped(sea: Sea | None, stepping: TimeStepping) -> Sea | None:
     if sea is None or sea.waves is None or sea.ramp_time > 0.0:
         return sea
     return replace(sea, ramp_time=stepping.ramp_time)
+
+
+def _check_level(seabed: Seabed | HeldBed | None) -> None:
+    """Refuse a slope, which rises along the line: those of a body have no direction in common."""
+    if isinstance(seabed, Seabed) and seabed.slope != 0.0:
+        found = Findings("run_system_dynamics")
+        found.add("seabed.slope", f"{seabed.slope:g} rad", "a bed that slopes is for one line")
+        found.raise_if_any()
 
 
 def _check_system(

@@ -6,7 +6,9 @@ left over in the sum of all is numerical: a scheme's damping, and forces that ch
 the step. Added mass works as a force of the water, since its direction turns with the bar.
 
 Drag is what all forces on the nodes do beyond those that are booked by themselves. What is stored
-is a difference of two states, taken once.
+is a difference of two states, taken once. The damping of a bar takes what its mean rate of strain
+in a step takes at its mean length: in a step over which a snap rises and dies, the forces at its
+start and its end say nothing of it.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Moving, MovingLines, WaterAt
 from catopt.fem.moving_load import book_loads, load_works
+from catopt.fem.seabed import across_bed, along_bed
 
 __all__ = ["EnergyBalance", "add_works", "begin_works", "fill_forces", "own_kinetic_energy"]
 
@@ -108,7 +111,7 @@ def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, t
                 own = -alpha * (masses[e] + added)
                 _add_inertia(damped, v, a, b, tx, ty, tz, near, far, own, -alpha * more)
             if beta > 0.0:
-                elastic = at.tension[e] - _viscous_force(e, a, lines, at)
+                elastic = _elastic_force(e, a, lines, at)
                 if elastic > 0.0:
                     _add_turning(e, a, beta * elastic, at, turned)
         for n in range(lines.start[k] + k, lines.start[k + 1] + k + 1 if alpha > 0.0 else 0):
@@ -117,15 +120,18 @@ def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, t
 
 
 @inlined
-def _viscous_force(e: int, a: int, lines: MovingLines, at: Moving) -> float:
-    """Part of a bar's force that its damping makes, N; `a` is its first node."""
+def _bar_length(e: int, a: int, at: Moving) -> float:
+    """Length of a bar, m; `a` is its first node."""
     x, axis, b = at.x, at.axis, a + 1
     size = (x[b, 0] - x[a, 0]) * axis[e, 0] + (x[b, 1] - x[a, 1]) * axis[e, 1]
-    size += (x[b, 2] - x[a, 2]) * axis[e, 2]
-    elastic = lines.EA[e] * (size / lines.length[e] - 1.0)
-    if not lines.pushes and elastic < 0.0:
-        elastic = 0.0
-    return float(at.tension[e] - elastic)
+    return float(size + (x[b, 2] - x[a, 2]) * axis[e, 2])
+
+
+@inlined
+def _elastic_force(e: int, a: int, lines: MovingLines, at: Moving) -> float:
+    """Part of a bar's force that its strain makes, N; `a` is its first node."""
+    elastic = lines.EA[e] * (_bar_length(e, a, at) / lines.length[e] - 1.0)
+    return float(elastic) if lines.pushes else max(float(elastic), 0.0)
 
 
 @inlined
@@ -162,9 +168,8 @@ def _add_turning(e: int, a: int, force: float, at: Moving, to: Any) -> None:
 
 
 def begin_works(
-    lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, booked: Any, viscous: Any,
-    works: Any,
-) -> None:  # fmt: skip
+    lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, booked: Any, works: Any
+) -> None:
     """Write what `add_works` needs of the first moment.
 
     Parameters
@@ -173,15 +178,10 @@ def begin_works(
         As for `fill_forces`.
     booked : array, shape (4, nodes, 3)
         Its forces.
-    viscous : array, shape (bars,)
-        Part of each bar's force that its damping makes, N.
     works : array, shape (8,)
         Kinetic energy counts from here.
     """
     fill_forces(lines, at, water, has_sea, booked)
-    for k in range(lines.start.shape[0] - 1):
-        for e in range(lines.start[k], lines.start[k + 1]):
-            viscous[e] = _viscous_force(e, e + k, lines, at)
     works[6] = -own_kinetic_energy(lines, at)
 
 
@@ -204,13 +204,15 @@ def own_kinetic_energy(lines: MovingLines, at: Moving) -> float:
 
 
 def add_works(
-    lines: MovingLines, before: Moving, now: Moving, water: WaterAt, is_booked: bool, room: Any,
-    works: Any,
+    h: float, lines: MovingLines, before: Moving, now: Moving, water: WaterAt, is_booked: bool,
+    room: Any, works: Any,
 ) -> None:  # fmt: skip
     """Add what the forces did in a step.
 
     Parameters
     ----------
+    h : float
+        Length of the step, s.
     lines, before, now
         What moves, at the step's start and at its end.
     water : WaterAt
@@ -218,8 +220,8 @@ def add_works(
     is_booked : bool
         Whether there are forces of `fill_forces`.
     room : Room
-        These and the forces at the ends, at the start and at the end; damping of the bars and what
-        was in the water, at the start. The damping is brought to the end.
+        These and the forces at the ends, at the start and at the end; what was in the water, at the
+        start.
     works : array, shape (8,)
         Of the ends, the water, drag, bed, friction and line damping on the line; kinetic energy
         (not written to); what ends, water and drag put in, J.
@@ -245,12 +247,14 @@ def add_works(
                     by_drag -= (seen + turned) * way
                     by_water += (seen + booked_0[1, n, i] + booked[1, n, i]) * way
                     by_damping += (turned + booked_0[2, n, i] + booked[2, n, i]) * way
-            by_bed += (R_0[n] + R[n]) * (x[n, 2] - x_0[n, 2])
-            by_friction += (rub_0[n, 0] + rub[n, 0]) * (x[n, 0] - x_0[n, 0])
+            rise = across_bed(x, n, lines) - across_bed(x_0, n, lines)
+            by_bed += (R_0[n] + R[n]) * rise
+            slip = along_bed(x, n, lines) - along_bed(x_0, n, lines)
+            by_friction += (rub_0[n, 0] + rub[n, 0]) * slip
             by_friction += (rub_0[n, 1] + rub[n, 1]) * (x[n, 1] - x_0[n, 1])
-        taken, viscous = _bar_works(k, lines, before, now, room.viscous)
+        taken, damped = _bar_works(k, h, lines, before, now)
         by_drag += taken
-        by_damping -= viscous
+        by_damping -= 2.0 * damped
         by_water -= 2.0 * _added_mass_works(k, lines, before, now, water.wet, room.wet_before)
     by_drag -= by_bed + by_friction
     by_water -= 2.0 * load_works(lines, before, now, water.surface)
@@ -264,12 +268,9 @@ def add_works(
 
 
 def _bar_works(
-    line: int, lines: MovingLines, before: Moving, now: Moving, viscous: Any
+    line: int, h: float, lines: MovingLines, before: Moving, now: Moving
 ) -> tuple[float, float]:
-    """Twice the work in a step on the bars of a line: with their weight, and by their damping, J.
-
-    `viscous` is their damping at the step's start, and then at its end.
-    """
+    """Twice the work in a step on the bars of a line, with their weight; what damping takes, J."""
     x, x_0, axis, axis_0 = now.x, before.x, now.axis, before.axis
     tension, tension_0, weight, length = now.tension, before.tension, lines.weight, lines.length
     taken = damping = 0.0
@@ -282,10 +283,19 @@ def _bar_works(
             apart += axis[e, i] * by
         rise = (x[b, 2] - x_0[b, 2]) + (x[a, 2] - x_0[a, 2])
         taken += tension_0[e] * apart_0 + tension[e] * apart + weight[e] * length[e] * rise
-        late = _viscous_force(e, a, lines, now)
-        damping += viscous[e] * apart_0 + late * apart
-        viscous[e] = late
+        damping += _damped(e, a, h, lines, before, now)
     return taken, damping
+
+
+@inlined
+def _damped(e: int, a: int, h: float, lines: MovingLines, before: Moving, now: Moving) -> float:
+    """Energy that a bar's damping takes in a step, J; `a` is its first node."""
+    size_0, size, l0 = _bar_length(e, a, before), _bar_length(e, a, now), lines.length[e]
+    elastic = lines.EA[e] * (0.5 * (size_0 + size) / l0 - 1.0)
+    whole = elastic + lines.damping[e] * (size - size_0) / (h * l0)
+    if not lines.pushes:
+        elastic, whole = max(elastic, 0.0), max(whole, 0.0)
+    return float((whole - elastic) * (size - size_0))
 
 
 def _added_mass_works(

@@ -37,6 +37,8 @@ class History:
         Unstretched length carried by the nodes on the bed, m.
     nodes : ndarray, shape (samples, chosen nodes, 3)
         Places of the nodes asked for, m.
+    at_rest : ndarray, shape (all nodes, 3)
+        Where they start, m; of each line from its anchor.
     energy : ndarray, shape (samples or 0, 4)
         When asked for: kinetic with added mass, and of strain, weight and bed over the state at
         rest, J.
@@ -75,6 +77,7 @@ class History:
     fairlead: Array
     grounded_length: Array
     nodes: Array
+    at_rest: Array
     energy: Array
     first_bar: npt.NDArray[np.int64]
     arc: Array
@@ -105,6 +108,7 @@ class History:
         return replace(
             self,
             first_bar=np.array([0, bars.stop - bars.start]),
+            at_rest=self.at_rest[bars.start + line : bars.stop + line + 1],
             **{key: getattr(self, key)[:, only] for key in by_line},
             **{key: getattr(self, key)[bars] for key in by_bar},
             **{key: getattr(self, key)[only] for key in ends},

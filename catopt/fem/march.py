@@ -211,7 +211,7 @@ def accept(
     fill_forces(lines, now, water, has_sea, room.booked)
     fill_end_forces(lines, now, at_end, room, room.ends)
     is_booked = has_sea or lines.mass_factor > 0.0 or lines.stiffness_factor > 0.0
-    add_works(lines, before, now, water, is_booked, room, record.works)
+    add_works(h, lines, before, now, water, is_booked, room, record.works)
     tension, over, reaction, rub, rub_0 = now.tension, 1.0 / h, now.reaction, now.rub, before.rub
     latest, water_0 = water.latest, room.water_before
     for n in range(v.shape[0]):

@@ -56,6 +56,8 @@ class MovingLines(NamedTuple):
         Whether the bed also holds the node down, as source S4 has it.
     drag_spring, drag_dashpot : array, shape (nodes,)
         Of the friction along the bed before it slips, N/m and N s/m.
+    bed_cos, bed_sin : float
+        Of the angle by which the bed rises along x; it passes through x = z = 0.
     friction : array, shape (nodes,)
         Coulomb coefficient; of a point load and the half bars beside it by their weights.
     mass_factor, stiffness_factor : float
@@ -99,6 +101,8 @@ class MovingLines(NamedTuple):
     held: npt.NDArray[np.bool_]
     drag_spring: Array
     drag_dashpot: Array
+    bed_cos: float
+    bed_sin: float
     friction: Array
     mass_factor: float
     stiffness_factor: float
@@ -139,11 +143,12 @@ class Moving(NamedTuple):
     force : array, shape (nodes, 3)
         All forces on the nodes but inertia, N.
     reaction : array, shape (nodes,)
-        Upward force of the bed, N.
+        Force of the bed away from it, N.
     rub : array, shape (nodes, 2)
-        Friction of the bed on the nodes, N.
+        Friction of the bed on the nodes, along the bed and along y, N.
     foot : array, shape (nodes, 2)
-        Where the friction springs have their feet, m; nan for a node that does not lie.
+        Where the friction springs have their feet, along the bed and along y, m; nan for a node
+        that does not lie.
     body_force : array, shape (3,)
         All forces on the body but inertia and those of the lines, N.
     """

@@ -8,7 +8,7 @@ from typing import Any
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import add_bars
 from catopt.fem.moving_load import add_loads
-from catopt.fem.seabed import push_and_rub
+from catopt.fem.seabed import across_bed, push_and_rub
 
 __all__ = ["assemble_moving"]
 
@@ -50,7 +50,8 @@ def assemble_moving(
         first, last = start[k] + k, start[k + 1] + k
         largest = max(largest, add_bars(k, lines, now, before, water, blend, to))
         for n in range(first, last + 1):
-            low = min(x[n, 2] + ahead * min(v[n, 2], 0.0), old_x[n, 2])
+            falls = ahead * min(across_bed(v, n, lines), 0.0)
+            low = min(across_bed(x, n, lines) + falls, across_bed(old_x, n, lines))
             if (low < 0.0 and bed[n] > 0.0) or held[n]:
                 push_and_rub(n, lines, now, before, blend, to)
         held_end = first if not lines.lower_free[k] else -1

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import inertia_of_half
 from catopt.fem.moving_load import immersion
+from catopt.fem.seabed import across_bed
 from catopt.fem.series import SeriesRows, fill_series
 
 __all__ = ["Record", "Room", "Rules", "fill_end_forces", "take_sample"]
@@ -117,7 +118,7 @@ class Room(NamedTuple):
     and `change` that of the accelerations, m/s2;
     `booked` and `booked_before` are the forces whose work is booked, shape (4, nodes, 3), N, `ends`
     and `ends_before` those at the ends, shape (lines, 2, 3), at a step's end and at its start, and
-    `viscous` and `wet_before` the bars' damping, N, and what is in the water, at its start.
+    `wet_before` what is in the water at its start.
     """
 
     now: Moving
@@ -131,7 +132,6 @@ class Room(NamedTuple):
     change: Array
     booked: Array
     booked_before: Array
-    viscous: Array
     ends: Array
     ends_before: Array
     wet_before: Array
@@ -250,7 +250,8 @@ def fill_energy(lines: MovingLines, at: Moving, room: Room, rest: Any, energy: A
             for i in range(3):
                 energy[0] += 0.5 * lines.node_mass[n] * at.v[n, i] ** 2
                 energy[2] -= lines.node_force[n, i] * (at.x[n, i] - rest[n, i])
-            deep, deep_0 = max(-at.x[n, 2], 0.0), max(-rest[n, 2], 0.0)
+            deep = max(-across_bed(at.x, n, lines), 0.0)
+            deep_0 = max(-across_bed(rest, n, lines), 0.0)
             energy[3] += 0.5 * lines.bed_stiffness[n] * (deep * deep - deep_0 * deep_0)
     for j in range(lines.load_node.shape[0]):
         n = lines.load_node[j]

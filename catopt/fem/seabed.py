@@ -11,6 +11,8 @@ what brings a node to rest on a bed much stiffer than the step resolves; without
 bounce off it for ever. It begins to act half a step before the node is down. Along the bed a spring
 and a dashpot, likewise, hold the node to where it lies until they pull with mu R; then it slips
 and drags the spring's foot along (Coulomb).
+
+The bed is a plane that rises along x. Depth and sinking are counted across it, friction acts in it.
 """
 
 from __future__ import annotations
@@ -19,16 +21,18 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from catopt.compiled import inlined
 from catopt.fem.moving import Blend, Equations, Moving, MovingLines
 from catopt.model.dynamics import INITIAL_FRICTION, InitialFriction
+from catopt.model.site import STEEPEST
 from catopt.model.validity import Findings
 
-__all__ = ["Seabed", "drag_feet", "push_and_rub"]
+__all__ = ["Seabed", "across_bed", "along_bed", "drag_feet", "push_and_rub"]
 
 
 @dataclass(frozen=True)
 class Seabed:
-    """A flat bed at height 0.
+    """A plane bed, at height 0 where x is 0.
 
     Attributes
     ----------
@@ -45,6 +49,8 @@ class Seabed:
         At rest: as in a line that was last ``"pulled"`` towards the fairlead, whose tension falls
         towards the anchor; ``"none"``; or as in one that was ``"laid"`` under a greater tension
         and slackened, in which it grows. The last are the bounds, with friction mobilised fully.
+    slope : float
+        Angle by which the bed rises along x, rad; up to 45 degrees either way.
     """
 
     normal_stiffness: float | None = None
@@ -52,6 +58,7 @@ class Seabed:
     friction: float = 0.0
     tangential_stiffness: float | None = None
     initial_friction: InitialFriction = "pulled"
+    slope: float = 0.0
 
     def __post_init__(self) -> None:
         found = Findings("Seabed")
@@ -65,51 +72,100 @@ class Seabed:
         if self.initial_friction not in INITIAL_FRICTION:
             wanted = "one of " + ", ".join(INITIAL_FRICTION)
             found.add("initial_friction", repr(self.initial_friction), wanted)
+        found.number("slope", self.slope, "rad", at_least=-STEEPEST, at_most=STEEPEST)
         found.raise_if_any()
+
+
+@inlined
+def across_bed(rows: Any, n: int, lines: MovingLines) -> float:
+    """Part of the vector of node n across the bed; of a place, its height above it."""
+    return float(lines.bed_cos * rows[n, 2] - lines.bed_sin * rows[n, 0])
+
+
+@inlined
+def along_bed(rows: Any, n: int, lines: MovingLines) -> float:
+    """Part of the vector of node n along the bed, up its slope."""
+    return float(lines.bed_cos * rows[n, 0] + lines.bed_sin * rows[n, 2])
 
 
 def push_and_rub(
     n: int, lines: MovingLines, now: Moving, before: Moving, blend: Blend, to: Equations
 ) -> None:
     """Add the bed's force on node n, which is at the bed or about to be, and its derivatives."""
-    depth, sinking = -now.x[n, 2], -now.v[n, 2]
+    depth, sinking = -across_bed(now.x, n, lines), -across_bed(now.v, n, lines)
     k = lines.bed_stiffness[n]
-    c = lines.bed_damping[n] * min(max(-before.x[n, 2], 0.0) / lines.bed_depth[n], 1.0)
+    had = max(-across_bed(before.x, n, lines), 0.0)
+    c = lines.bed_damping[n] * min(had / lines.bed_depth[n], 1.0)
     c = max(c, 0.5 * blend.step * k)
     R = k * depth + c * sinking
     if R <= 0.0 and not lines.held[n]:
         return
     slope = blend.by_x * k + blend.by_v * c
     now.reaction[n] = R
-    now.force[n, 2] += R
-    to.diagonal[n, 2, 2] += slope
-    foot = now.foot[n]
-    if lines.friction[n] == 0.0 or math.isnan(foot[0]):
+    cos, sin = lines.bed_cos, lines.bed_sin
+    now.force[n, 0] -= sin * R
+    now.force[n, 2] += cos * R
+    stiff = to.diagonal
+    stiff[n, 0, 0] += slope * sin * sin
+    stiff[n, 0, 2] -= slope * sin * cos
+    stiff[n, 2, 0] -= slope * sin * cos
+    stiff[n, 2, 2] += slope * cos * cos
+    if lines.friction[n] == 0.0 or math.isnan(now.foot[n, 0]):
         return
-    stiffness = lines.drag_spring[n]
-    dashpot = max(lines.drag_dashpot[n], 0.5 * blend.step * stiffness)
-    px = stiffness * (now.x[n, 0] - foot[0]) + dashpot * now.v[n, 0]
-    py = stiffness * (now.x[n, 1] - foot[1]) + dashpot * now.v[n, 1]
-    held = blend.by_x * stiffness + blend.by_v * dashpot
+    px, py, held = _pull_of_foot(n, lines, now, blend)
     pull, most = math.sqrt(px * px + py * py), lines.friction[n] * R
     if pull <= most:
-        now.rub[n, 0], now.rub[n, 1] = -px, -py
-        now.force[n, 0] -= px
-        now.force[n, 1] -= py
-        to.diagonal[n, 0, 0] += held
-        to.diagonal[n, 1, 1] += held
+        _rub_with(n, lines, now, -px, -py)
+        _add_along(stiff, n, lines, held, 0.0, held)
         return
     nx, ny = px / pull, py / pull
-    now.rub[n, 0], now.rub[n, 1] = -most * nx, -most * ny
-    now.force[n, 0] -= most * nx
-    now.force[n, 1] -= most * ny
+    _rub_with(n, lines, now, -most * nx, -most * ny)
     turn = most / pull * held
-    to.diagonal[n, 0, 0] += turn * ny * ny
-    to.diagonal[n, 0, 1] -= turn * nx * ny
-    to.diagonal[n, 1, 0] -= turn * nx * ny
-    to.diagonal[n, 1, 1] += turn * nx * nx
-    to.diagonal[n, 0, 2] -= lines.friction[n] * slope * nx
-    to.diagonal[n, 1, 2] -= lines.friction[n] * slope * ny
+    _add_along(stiff, n, lines, turn * ny * ny, -turn * nx * ny, turn * nx * nx)
+    by_R = lines.friction[n] * slope
+    stiff[n, 0, 0] += by_R * nx * cos * sin
+    stiff[n, 1, 0] += by_R * ny * sin
+    stiff[n, 2, 0] += by_R * nx * sin * sin
+    stiff[n, 0, 2] -= by_R * nx * cos * cos
+    stiff[n, 1, 2] -= by_R * ny * cos
+    stiff[n, 2, 2] -= by_R * nx * sin * cos
+
+
+@inlined
+def _pull_of_foot(
+    n: int, lines: MovingLines, now: Moving, blend: Blend
+) -> tuple[float, float, float]:
+    """Pull of spring and dashpot along the bed and along y, N, and its derivative, N/m."""
+    stiffness = lines.drag_spring[n]
+    dashpot = max(lines.drag_dashpot[n], 0.5 * blend.step * stiffness)
+    px = stiffness * (along_bed(now.x, n, lines) - now.foot[n, 0])
+    px += dashpot * along_bed(now.v, n, lines)
+    py = stiffness * (now.x[n, 1] - now.foot[n, 1]) + dashpot * now.v[n, 1]
+    return px, py, blend.by_x * stiffness + blend.by_v * dashpot
+
+
+@inlined
+def _rub_with(n: int, lines: MovingLines, now: Moving, along: float, aside: float) -> None:
+    """Add a friction along the bed and along y."""
+    now.rub[n, 0], now.rub[n, 1] = along, aside
+    now.force[n, 0] += along * lines.bed_cos
+    now.force[n, 1] += aside
+    now.force[n, 2] += along * lines.bed_sin
+
+
+@inlined
+def _add_along(stiff: Any, n: int, lines: MovingLines, xx: float, xy: float, yy: float) -> None:
+    """Add a symmetric derivative along the bed and along y."""
+    cos, sin = lines.bed_cos, lines.bed_sin
+    stiff[n, 0, 0] += xx * cos * cos
+    stiff[n, 0, 1] += xy * cos
+    stiff[n, 0, 2] += xx * cos * sin
+    stiff[n, 1, 0] += xy * cos
+    stiff[n, 1, 1] += yy
+    stiff[n, 1, 2] += xy * sin
+    stiff[n, 2, 0] += xx * cos * sin
+    stiff[n, 2, 1] += xy * sin
+    stiff[n, 2, 2] += xx * sin * sin
 
 
 def drag_feet(lines: MovingLines, now: Moving, h: float) -> None:
@@ -133,14 +189,15 @@ def drag_feet(lines: MovingLines, now: Moving, h: float) -> None:
             foot[n, 0] = foot[n, 1] = math.nan
             continue
         if math.isnan(foot[n, 0]):
-            foot[n, 0], foot[n, 1] = now.x[n, 0], now.x[n, 1]
+            foot[n, 0], foot[n, 1] = along_bed(now.x, n, lines), now.x[n, 1]
             continue
         stiffness = lines.drag_spring[n]
         dashpot = max(lines.drag_dashpot[n], 0.5 * h * stiffness)
-        px = stiffness * (now.x[n, 0] - foot[n, 0]) + dashpot * now.v[n, 0]
+        along, speed = along_bed(now.x, n, lines), along_bed(now.v, n, lines)
+        px = stiffness * (along - foot[n, 0]) + dashpot * speed
         py = stiffness * (now.x[n, 1] - foot[n, 1]) + dashpot * now.v[n, 1]
         pull, most = math.sqrt(px * px + py * py), lines.friction[n] * now.reaction[n]
         if pull > most:
             part = most / pull
-            foot[n, 0] = now.x[n, 0] - (part * px - dashpot * now.v[n, 0]) / stiffness
+            foot[n, 0] = along - (part * px - dashpot * speed) / stiffness
             foot[n, 1] = now.x[n, 1] - (part * py - dashpot * now.v[n, 1]) / stiffness

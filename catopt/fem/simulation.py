@@ -31,6 +31,7 @@ Array = npt.NDArray[np.float64]
 
 _HELD = BodyNode(np.zeros(3), np.zeros(3), np.zeros(3))
 _STILL = Sea(1.0)
+_AT_REST = Blend(0.0, 0.0, 1.0, 0.0, 0.0)
 _REST_LIMIT = 500
 _REST_TOLERANCE = 1e-9
 _FEW_STEPS = 20
@@ -133,7 +134,6 @@ class Simulation:
             change=np.zeros((nodes, 3)),
             booked=np.zeros((4, nodes, 3)),
             booked_before=np.zeros((4, nodes, 3)),
-            viscous=np.zeros(bars),
             ends=np.zeros((ends.size, 2, 3)),
             ends_before=np.zeros((ends.size, 2, 3)),
             wet_before=np.ones((bars, 2)),
@@ -190,24 +190,46 @@ class Simulation:
         NotConvergedError
             With the node and the force left over there.
         """
-        at, blend = self.state, Blend(0.0, 0.0, 1.0, 0.0, 0.0)
-        at.v[:] = 0.0
-        at.a[:] = 0.0
-        at.foot[:] = np.nan
-        # A softer bed than this one may have been laid under the shape that is given.
-        at.x[:, 2] = np.where(
-            (self.lines.bed_stiffness > 0.0) & ~self.lines.held,
-            np.maximum(at.x[:, 2], -self.lines.bed_depth),
-            at.x[:, 2],
-        )
-        worst, node = self.assemble(blend)
+        at = self.state
+        self._stand_still()
+        self.assemble(_AT_REST)
         if rubbed and self.lines.friction.any():
             lies = at.reaction > 0.0
             at.foot[lies] = (
                 at.x[lies, :2] - at.force[lies, :2] / self.lines.drag_spring[lies, np.newaxis]
             )
             self._form(drag_feet)(self.lines, at, 0.0)
-            worst, node = self.assemble(blend)
+        self.find_rest()
+
+    def hold_ends(self) -> None:
+        """Hold the last nodes where they are now, whatever they were free to do or pushed by."""
+        ends = self.state.x[self.lines.start[1:] + np.arange(self.lines.start.size - 1)]
+        self.body = _HELD
+        self.led = series_rows(ends, [None] * len(ends), 0.0)
+        self.load = series_rows(np.zeros((1, 3)), [None], 0.0)
+        self.assemble(_AT_REST)
+
+    def _stand_still(self) -> None:
+        """Take all speed and friction away, and lift what is below the bed."""
+        at, lines = self.state, self.lines
+        at.v[:] = 0.0
+        at.a[:] = 0.0
+        at.foot[:] = np.nan
+        # A softer bed than this one, or a level one, may have been laid under the shape given.
+        bed = (at.x[:, 0] * lines.bed_sin - lines.bed_depth) / lines.bed_cos
+        has_bed = (lines.bed_stiffness > 0.0) & ~lines.held
+        at.x[:, 2] = np.where(has_bed, np.maximum(at.x[:, 2], bed), at.x[:, 2])
+
+    def find_rest(self) -> None:
+        """Find the place at which no force is left over, from the one at hand and its friction.
+
+        Raises
+        ------
+        NotConvergedError
+            With the node and the force left over there.
+        """
+        at = self.state
+        worst, node = self.assemble(_AT_REST)
         spring = self.lines.force_scale / float(self.lines.length.sum())
         hold = 1.0
         for _ in range(_REST_LIMIT):
@@ -215,7 +237,7 @@ class Simulation:
                 break
             self._hold_nodes(spring * hold * min(worst, 1.0))
             solved = self._form(solve_moving)(
-                self.lines, self.body, at, at, blend, self.equations, self._room.small
+                self.lines, self.body, at, at, _AT_REST, self.equations, self._room.small
             )
             move = self.equations.rest.copy()
             move[self._anchors] = 0.0
@@ -223,21 +245,25 @@ class Simulation:
             part = self._part_of(move, longest)
             if not solved or not np.isfinite(longest):
                 hold *= 10.0
-                worst, node = self.assemble(blend)
+                worst, node = self.assemble(_AT_REST)
                 continue
             at.x[:] += part * move
             last = worst
-            worst, node = self.assemble(blend)
+            worst, node = self.assemble(_AT_REST)
             if worst > 10.0 * last and part == 1.0:
                 at.x[:] -= move
                 hold *= 10.0
-                worst, node = self.assemble(blend)
+                worst, node = self.assemble(_AT_REST)
             else:
                 hold = max(0.3 * hold, 1e-6)
         else:
             raise _not_closed("the lines did not come to rest", self, worst, node, None)
-        self._form(drag_feet)(self.lines, at, 0.0)
-        self.assemble(blend)
+        self.slip_feet()
+
+    def slip_feet(self) -> None:
+        """Let the friction springs slip as far as they must, and take stock of the forces."""
+        self._form(drag_feet)(self.lines, self.state, 0.0)
+        self.assemble(_AT_REST)
 
     def _part_of(self, move: Array, longest: float) -> float:
         """Part of a Newton step by which no node moves half a bar, or else no bar turns far."""
@@ -427,7 +453,7 @@ class Simulation:
         room = self._room
         self._form(begin_works)(
             self.lines, self.state, room.water, self.sea is not None, room.booked_before,
-            room.viscous, record.works,
+            record.works,
         )  # fmt: skip
         room.ends_before[:] = record.end_force[0]
         room.wet_before[:] = room.water.wet

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from catopt.figures.chart import Area, Axis, Chart, Level, Mark, Point, Series, axis, span_of
-from catopt.figures.line import capacities
+from catopt.figures.line import capacities, room_around
 from catopt.figures.mooring import from_above
 from catopt.quantities import Quantity
 from catopt.units import lasting
@@ -25,6 +25,7 @@ __all__ = [
     "envelope_chart",
     "exceedance",
     "history",
+    "on_slope",
     "spectrum",
     "track",
     "whole_history",
@@ -296,6 +297,45 @@ def exceedance(part: DynamicPart) -> Chart | None:
             Point(T, n, Message("figures.peak", T=Measure("tension", T), number=n, time=time))
             for T, n in counted
         ),
+    )
+
+
+def on_slope(part: DynamicPart, depth: float, slope: float) -> Chart:
+    """Draw a line at rest on a bed that slopes, to scale.
+
+    Parameters
+    ----------
+    part : DynamicPart
+        One load case.
+    depth, slope : float
+        Of the water at the anchor, m, and of the bed, rad.
+    """
+    places = part.runs[0].history.at_rest
+    x, z = places[:, 0].tolist(), places[:, 2].tolist()
+    left, right = min(x), max(x)
+    unit = room_around(right - left, max(depth, *z))
+    ends = (left - 60.0 * unit, right + 60.0 * unit)
+    bed = [each * math.tan(slope) for each in ends]
+    low, top = min(*bed, *z) - 16.0 * unit, max(depth, *z)
+    return Chart(
+        "line",
+        Message("figures.on_slope", angle=math.degrees(slope), span=Measure("span", x[-1])),
+        axis("x", ends, within=(left, right)),
+        axis("z", (low, top + 44.0 * unit), within=(min(0.0, *bed), top)),
+        series=(
+            Series("bed-edge", ends, bed, Message("figures.bed")),
+            Series("mooring", x, z, Message("figures.mooring_line")),
+        ),
+        marks=(
+            Mark("anchor", x[0], z[0], Message("figures.anchor")),
+            Mark("fairlead", x[-1], z[-1], Message("figures.fairlead")),
+        ),
+        levels=(Level("surface", "y", depth, Message("figures.water_level")),),
+        areas=(
+            Area("water", bed, (depth, depth), ends),
+            Area("bed", (low, low), bed, ends),
+        ),
+        to_scale=1.0,
     )
 
 

@@ -176,7 +176,12 @@ class Case:
         )
         if self.system is not None:
             found.problems += system_misfits(
-                {"load": self.load, "load_cases": self.load_cases, "find": self.find}
+                {
+                    "load": self.load,
+                    "load_cases": self.load_cases,
+                    "find": self.find,
+                    "site.seabed_slope": self.site.seabed_slope,
+                }
             )
         found.problems += dynamics_misfits(
             [k for k in _FOR_MOTION if getattr(self, k) is not None],

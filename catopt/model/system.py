@@ -274,12 +274,17 @@ def system_misfits(others: Mapping[str, object]) -> list[Problem]:
     Parameters
     ----------
     others : mapping of str to object
-        ``load``, ``load_cases`` and ``find``, empty or None where the case has none.
+        ``load``, ``load_cases``, ``find`` and ``site.seabed_slope``, empty or None where the case
+        has none.
     """
     return [
-        Problem(
-            key, "beside a system", f"leave out {key} or system: a system has a load of its own"
-        )
+        Problem(key, "beside a system", f"leave out {key} or system: {_reason(key)}")
         for key, value in others.items()
         if value
     ]
+
+
+def _reason(key: str) -> str:
+    if key == "site.seabed_slope":
+        return "a bed slopes along one line"
+    return "a system has a load of its own"

@@ -162,13 +162,14 @@ def verification_bundle(
     from catopt.report.workbook.books import verification_workbook
     from catopt.verify.result import Verification
 
-    frames = verify.frames(found)
-    sheets = verify.said_frames(frames, Words(language))
-    document = found.to_dict()
-    files = {
-        "verify.xlsx": verification_workbook(verify.title_of(found), sheets, language),
-        **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
-    }
+    document, files = found.to_dict(), {}
+    if not isinstance(found, Verification) or found.parts:
+        frames = verify.frames(found)
+        sheets = verify.said_frames(frames, Words(language))
+        files = {
+            "verify.xlsx": verification_workbook(verify.title_of(found), sheets, language),
+            **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
+        }
     if isinstance(found, Verification):
         files |= _compared(found)
     if dynamic is not None:
@@ -214,12 +215,27 @@ def _moved(found: DynamicVerification) -> dict[str, bytes]:
     if found.case.system is not None:
         part = found.governing
         return _in_motion("dynamic", part, f"{title}, {part.where}")
+    files = _on_slope(found)
     if len(found.parts) == 1:
-        return _in_motion("dynamic", found.parts[0], title)
-    files: dict[str, bytes] = {}
+        return files | _in_motion("dynamic", found.parts[0], title)
     for number, part in enumerate(found.parts, start=1):
         files |= _in_motion(f"dynamic_{number}", part, f"{title}, {part.name}".strip(", "))
     return files
+
+
+def _on_slope(found: DynamicVerification) -> dict[str, bytes]:
+    """Draw the line at rest on a bed that slopes, under its first load."""
+    from catopt.figures.motion import on_slope
+    from catopt.render.picture import pictures
+
+    site = found.case.site
+    if site.seabed_slope == 0.0:
+        return {}
+    part = found.parts[0]
+    levels = {each.name: each.water_level for each in found.case.load_cases}
+    depth = site.water_depth + levels.get(part.name, 0.0)
+    chart = on_slope(part, depth, site.seabed_slope)
+    return pictures("line", chart, found.case.title)
 
 
 def _in_motion(name: str, part: DynamicPart, title: str) -> dict[str, bytes]:

@@ -75,6 +75,7 @@ def verify_case(
     2.0
     """
     check_settings(elements, tolerance, source="verify_case")
+    case.site.check_level()
     states = load_states(case, load_case)
     parts = []
     for done, (name, state) in enumerate(states):

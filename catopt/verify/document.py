@@ -26,7 +26,7 @@ def verification_document(verification: Verification) -> dict[str, Any]:
         "schema": _SCHEMA,
         "title": verification.case.title,
         "verdict": verification.verdict,
-        "static": static_document(verification.static),
+        "static": static_document(verification.static) if verification.parts else None,
         "dynamic": None,
         "load_cases": [static_document(part) for part in verification.parts],
     }

@@ -255,7 +255,7 @@ def _ways(proof: Proof, runs: Sequence[DynamicRun]) -> list[Way]:
 
 
 def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> list[Again]:
-    """Run once more at half the step or with twice the bars, in the same sea."""
+    """Run once more at half the step, or so with twice the bars, in the same sea."""
     finer, more = _PARTS[way]
     elements = more * lines.drive.dynamics.bars
     sea = lines.drive.sea(number)
@@ -300,16 +300,17 @@ def _run(
     runs = []
     for k, leg in enumerate(lines.legs):
         of_line = history.of_line(k)
-        still = quasi_static(leg, of_line, drive.case.site.seabed_friction)
-        if drive.anchor_motion is not None:
-            still[:] = np.nan
+        site = drive.case.site
+        still = np.full(of_line.time.size, np.nan)
+        if drive.anchor_motion is None and site.seabed_slope == 0.0:
+            still = quasi_static(leg, of_line, site.seabed_friction)
         if drive.dynamics.broken_line == k + 1:
             still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
         runs.append(DynamicRun(of_line, still, number, track=track))
     return runs, said
 
 
-_PARTS: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars": (1, 2)})
+_PARTS: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars": (2, 2)})
 """Steps in place of one, and bars in place of one, by the way in which a run is made again."""
 
 
@@ -322,7 +323,8 @@ def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
     remarks = []
     if any(run.history.counted.sum() < 2 for run in runs):
         remarks.append(Message("motion.within_ramp"))
-    if drive.anchor_motion is None and any(np.isnan(run.quasi_static).all() for run in runs):
+    has_still = drive.anchor_motion is None and drive.case.site.seabed_slope == 0.0
+    if has_still and any(np.isnan(run.quasi_static).all() for run in runs):
         remarks.append(Message("motion.no_amplification"))
     elif drive.case.current is not None:
         remarks.append(Message("motion.still_without_current"))

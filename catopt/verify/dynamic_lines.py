@@ -12,11 +12,14 @@ import numpy.typing as npt
 
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
+from catopt.errors import InputError, Problem
 from catopt.fem.dynamics import TimeStepping, line_at_rest, run_dynamics, run_system_dynamics
 from catopt.fem.history import History
 from catopt.fem.mesh import mesh_line
 from catopt.fem.run_settings import BodyInertia
+from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
+from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.model import Load
 from catopt.model.dynamics import InitialFriction
@@ -91,13 +94,37 @@ class OneLine:
 
     @classmethod
     def at_rest(cls, drive: Drive) -> OneLine:
-        """Solve the line in closed form."""
+        """Solve the line in closed form; on a bed that slopes, by the truss model."""
         load = drive.case.load
         assert load is not None
+        if drive.case.site.seabed_slope != 0.0:
+            return cls._on_slope(drive, load)
         closed = solve_case(drive.case)
         if load.fairlead_tension is not None:
             load = Load(horizontal_force=closed.horizontal_force)
         return cls(drive, load, closed.span)
+
+    @classmethod
+    def _on_slope(cls, drive: Drive, load: Load) -> OneLine:
+        if load.fairlead_tension is not None:
+            allowed = "give horizontal_force or span: site.seabed_slope is not 0"
+            found = f"{load.fairlead_tension:g} N"
+            raise InputError([Problem("load.fairlead_tension", found, allowed)], "--dynamic")
+        rest = cls(drive, load, 0.0)._at_rest(drive.seabed)
+        return cls(drive, load, float(rest.state.x[-1, 0]))
+
+    def _at_rest(self, seabed: Seabed) -> Simulation:
+        """Bring the truss model to rest, in the current, of the same bars as in the run."""
+        case = self.drive.case
+        return line_at_rest(
+            mesh_line(case.line, self.drive.dynamics.bars),
+            height=case.fairlead_height,
+            span=self.load.span,
+            horizontal_force=self.load.horizontal_force,
+            anchor_height=case.anchor_height,
+            properties=replace(self.drive.properties, seabed=seabed),
+            sea=replace(self.drive.sea(0), waves=None),
+        )
 
     @property
     def legs(self) -> Sequence[Leg]:
@@ -137,21 +164,10 @@ class OneLine:
 
         In the current, of the same bars and under the same load as in the run.
         """
-        case, properties = self.drive.case, self.drive.properties
-        mesh = mesh_line(case.line, self.drive.dynamics.bars)
         states: tuple[InitialFriction, ...] = get_args(InitialFriction)
         found: dict[InitialFriction, float] = {}
         for state in states:
-            seabed = replace(self.drive.seabed, initial_friction=state)
-            simulation = line_at_rest(
-                mesh,
-                height=case.fairlead_height,
-                span=self.load.span,
-                horizontal_force=self.load.horizontal_force,
-                anchor_height=case.anchor_height,
-                properties=replace(properties, seabed=seabed),
-                sea=replace(self.drive.sea(0), waves=None),
-            )
+            simulation = self._at_rest(replace(self.drive.seabed, initial_friction=state))
             if not simulation.lines.friction.any() or not (simulation.state.reaction > 0.0).any():
                 return {}
             found[state] = float(np.linalg.norm(simulation.state.force[0]))
@@ -163,6 +179,9 @@ class OneLine:
             yield Message("motion.lower_end_led")
         if self.drive.dynamics.broken_at is not None:
             yield Message("motion.the_line_lost", time=self.drive.dynamics.broken_at)
+        slope = self.drive.case.site.seabed_slope
+        if slope != 0.0:
+            yield Message("motion.sloped_bed", angle=math.degrees(slope))
 
 
 @dataclass(frozen=True)

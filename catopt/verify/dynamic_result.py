@@ -112,7 +112,8 @@ class DynamicRun:
     number : int
         From 0; with the case's seed it gives the sea.
     again : tuple of Again
-        The same run again, at half the step and with twice the bars; empty when it was run once.
+        The same run again, at half the step and then with twice the bars, too; empty when it was
+        run once.
     track : ndarray or None
         Place of the origin of the body that the line moors with others, shape (samples, 3), m.
     """
@@ -157,23 +158,24 @@ class DynamicRun:
         return {**maxima, "largest_tension": max(along, *ends)}
 
     def changes(self, line_length: float) -> Iterator[Change]:
-        """Yield how far each maximum moved in each run again that has an answer.
+        """Yield how far each maximum moved from one run to the next that has an answer.
 
         Parameters
         ----------
         line_length : float
             m.
         """
-        own = self.maxima
+        before: Mapping[str, float] = self.maxima
         for again in self.again:
             for quantity, value in again.maxima.items():
-                over = max(own[quantity], value)
+                over = value or before[quantity]
                 if quantity.endswith("tension"):
-                    over = max(over, LEAST_TENSION * own["largest_tension"])
+                    over = max(over, LEAST_TENSION * again.maxima["largest_tension"])
                 elif quantity == "grounded_length":
                     over = line_length
                 if over > 0.0:
-                    yield Change(quantity, again.way, abs(value - own[quantity]) / over)
+                    yield Change(quantity, again.way, abs(value - before[quantity]) / over)
+            before = again.maxima or before
 
     def tension_spectrum(self) -> tuple[Array, Array]:
         """Spectrum of the tension at the fairlead: rad/s, and N^2 s/rad."""

@@ -272,6 +272,7 @@ class Drive:
             normal_damping=dynamics.seabed_damping,
             friction=self.case.site.seabed_friction,
             initial_friction=dynamics.initial_friction,
+            slope=self.case.site.seabed_slope,
         )
 
     @property

@@ -1,4 +1,8 @@
-"""A line in motion run again, at half the step and with twice the bars: what its maxima hang on."""
+"""A line in motion run again, at half the step and then with twice the bars, too.
+
+So the last run is finer in both. Snaps may differ by nothing at half the step, and by nothing with
+twice the bars, and still by half their size with both (benchmarks/results/slack.md).
+"""
 
 from __future__ import annotations
 
@@ -19,7 +23,7 @@ Proof = Literal["none", "step", "bars"]
 twice the bars; with both in any case."""
 
 Way = Literal["step", "bars"]
-"""How it is run again: at half the step, or with twice the bars."""
+"""How it is run again: at half the step, or at half the step with twice the bars."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +33,7 @@ class Again:
     Attributes
     ----------
     way : {"step", "bars"}
-        At half the step, or with twice the bars.
+        At half the step, or at half the step with twice the bars.
     step : float
         s.
     elements : int
@@ -49,7 +53,7 @@ class Again:
 
 @dataclass(frozen=True)
 class Change:
-    """How far a maximum moved when a run was made again.
+    """How far a maximum moved when a run was made again, from that of the run before.
 
     Attributes
     ----------
@@ -58,7 +62,7 @@ class Change:
     way : {"step", "bars", "both"}
         How it was run again; "both" where the changes by the two are added.
     size : float
-        Over the maximum; over the line's length of a grounded length.
+        Over the maximum of the finer run; over the line's length of a grounded length.
     """
 
     quantity: str

@@ -26,7 +26,7 @@ __all__ = [
     "least_agreeing",
 ]
 
-Verdict = Literal["agrees", "differs", "not resolved"]
+Verdict = Literal["agrees", "differs", "not resolved", "not compared"]
 VERDICTS: tuple[Verdict, ...] = ("differs", "not resolved", "agrees")
 """From the one that outweighs all others."""
 
@@ -188,7 +188,7 @@ class Verification:
     case : Case
         What was verified.
     parts : tuple of StaticComparison
-        One a load case.
+        One a load case; none where there is no closed form to compare with.
     """
 
     case: Case
@@ -203,7 +203,7 @@ class Verification:
     def verdict(self) -> Verdict:
         """The one of a load case that outweighs the others; ``"agrees"`` where all do."""
         verdicts = [part.verdict for part in self.parts]
-        return next(v for v in VERDICTS if v in verdicts)
+        return next((v for v in VERDICTS if v in verdicts), "not compared")
 
     @property
     def is_settled(self) -> bool:
