@@ -59,7 +59,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "_version"},
-    "answers": SOLVING | DESIGNING | {"mooring", "loads", "catalogue", "reproduce", "sizing"},
+    "answers": SOLVING
+    | DESIGNING
+    | {"mooring", "loads", "catalogue", "reproduce", "sizing", "fem", "verify"},
     "render": BASE | {"answers", "figures", "_version"},
     "figures": BASE | RESULTS,
     "report": SOLVING

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
 from typing import Protocol
@@ -29,6 +30,8 @@ _TEXT = 12
 """Characters that a column of words needs at least; longer ones fold."""
 _HEADING, _TEXT_HEADING = 11, 24
 """Characters to which headings over words are folded at least, and at most over long ones."""
+_NO_BREAK = "\u00a0"
+"""Between a number and its unit."""
 _SEEN = {"all", "people", "not csv"}
 """For whom tables and lists are that a terminal shows."""
 
@@ -177,17 +180,18 @@ def _width(columns: Sequence[Column], cells: Sequence[Sequence[str]], language: 
 
 
 def _longest_word(text: str) -> int:
-    return max(map(len, text.split()), default=0)
+    return max(map(len, re.split(r"[ \n]", text)), default=0)
 
 
 def _heading(
     column: Column, cells: Sequence[str], language: Language, *, tight: bool = False
 ) -> str:
     """Say what a column holds in few characters, folded to what stands below it."""
-    name = say(column.name, language)
     quantity = column.quantity
+    name = say(column.name, language)
     if quantity is not None and quantity.symbol:
         name = quantity.symbol
+    name = re.sub(r"(?<=\d) ", _NO_BREAK, name)
     room = max(map(len, cells), default=0)
     if not column.is_number:
         room = max(min(room, _TEXT_HEADING), _HEADING)
@@ -195,4 +199,4 @@ def _heading(
     lines = wrap(name, room, break_long_words=tight)
     if quantity is not None and quantity.field_unit != "-":
         lines.append(f"({quantity.field_unit})")
-    return "\n".join(lines)
+    return "\n".join(lines).replace(_NO_BREAK, " ")

@@ -10,13 +10,13 @@ from typing import Any
 import openpyxl
 import pytest
 
+from catopt.answers.verification import part_sentence
 from catopt.casefile import read_case
 from catopt.errors import NotConvergedError
 from catopt.model import Case
 from catopt.render.texts import LANGUAGES, Language, Words
 from catopt.report.page.note import Note, note_of, read_note
 from catopt.report.page.render import render_page
-from catopt.report.tables.verify import part_sentence
 from catopt.report.workbook.note import note_workbook
 from catopt.verify import case as verify_module
 from catopt.verify.case import verify_case

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from catopt import schemas
+from catopt.answers.motion import dynamic_sentences
 from catopt.casefile import parse_case, read_case
 from catopt.catenary.solve import solve
 from catopt.errors import InputError
@@ -32,7 +33,6 @@ from catopt.model import (
     WaveState,
 )
 from catopt.model.dynamics import INITIAL_FRICTION
-from catopt.report.tables.dynamic import dynamic_sentences
 from catopt.verify.case import verify_case
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_document import dynamic_document

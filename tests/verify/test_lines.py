@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import catopt
+from catopt.answers.verification import part_sentence
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
 from catopt.fem import mesh_line, solve_line
 from catopt.model import Case, Line, Load, Segment
 from catopt.render.texts import Words
-from catopt.report.tables.verify import part_sentence
 from catopt.verify import line as line_module
 from catopt.verify.line import Moored, compare_line, on_meshes, verify_line
 from catopt.verify.result import StaticComparison

@@ -7,10 +7,10 @@ from functools import cache
 
 import pytest
 
+from catopt.answers.motion import proof_sentences
 from catopt.errors import NotConvergedError
 from catopt.fem import run_dynamics
 from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site
-from catopt.report.tables.dynamic import proof_sentences
 from catopt.verify import dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart

@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from catopt.answers.motion import stopped_sentence
 from catopt.errors import CatoptError, InputError, NoEquilibriumError, NotConvergedError
 from catopt.model import Case, Motion, WaveState
-from catopt.report.tables.dynamic import stopped_sentence
 from catopt.verify import dynamic
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
