@@ -212,7 +212,7 @@ def _end(
     from catopt.verify.front import FrontVerification
 
     if dynamic is not None and not dynamic.is_complete:
-        from catopt.answers.motion import stopped_sentence
+        from catopt.verify.motion_words import stopped_sentence
 
         output.note(f"catopt: {say(stopped_sentence(dynamic), lang.value)}")
         raise typer.Exit(INTERRUPTED)
@@ -234,7 +234,7 @@ def _end(
 def stop_if_not_converged(output: Output, found: DynamicVerification, lang: ReportLanguage) -> None:
     """Leave with the status of a solver that did not converge, where a line in motion has not."""
     if found.verdict == "not converged":
-        from catopt.answers.motion import not_converged_sentence
+        from catopt.verify.motion_words import not_converged_sentence
 
         output.note(f"catopt: {say(not_converged_sentence(found), lang.value)}")
         raise typer.Exit(STOPPED)

@@ -115,16 +115,6 @@ class Compared:
         return abs(self.difference_before) / self.scale
 
     @property
-    def is_rounding(self) -> bool:
-        """Whether the gap is below the tolerance of the truss model."""
-        return self.gap < ROUNDING
-
-    @property
-    def is_to_a_bar(self) -> bool:
-        """Whether the truss model knows it to a bar, as of a slack line; so may be its scale."""
-        return self.theory != ORDER
-
-    @property
     def is_resolved(self) -> bool:
         """Whether a difference is more than what the truss model itself may still be off by.
 

@@ -325,11 +325,6 @@ class DynamicPart:
         """Largest part of the work put into a run that its steps lost."""
         return max(run.history.balance.numerical_part for run in self.runs)
 
-    @property
-    def limit(self) -> float:
-        """Change of a maximum, or part of the work lost, above which it has not converged."""
-        return LIMIT
-
     @cached_property
     def envelope(self) -> Envelope:
         """Largest and smallest tension of each bar over all runs, and how long it was slack."""

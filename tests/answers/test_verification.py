@@ -10,13 +10,8 @@ import pytest
 import catopt
 from catopt.answers.verification import (
     GAP,
-    QUANTITY_OF,
     front_answer,
     front_sentence,
-    in_parts,
-    name_of,
-    part_sentence,
-    rough_sentence,
     verdict_sentence,
     verification_answer,
 )
@@ -26,6 +21,7 @@ from catopt.verify.case import verify_case
 from catopt.verify.compared import ROUNDING
 from catopt.verify.front import Design, verify_front
 from catopt.verify.result import StaticComparison, Verification
+from catopt.verify.truss_words import QUANTITY_OF, in_parts, name_of, part_sentence, rough_sentence
 from tests.verify.cases import CASES
 
 from .tables import tables_of

@@ -16,7 +16,7 @@ import openpyxl
 import pytest
 
 from catopt import read_case, verify_case
-from catopt.answers.verification import part_sentence, rough_sentence, verification_answer
+from catopt.answers.verification import verification_answer
 from catopt.catenary.pieces import cut
 from catopt.catenary.refusal import refusal
 from catopt.catenary.setting import Setting
@@ -34,6 +34,7 @@ from catopt.render.workbook import workbook
 from catopt.verify.compared import Compared, Unit
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.result import StaticComparison, Verification
+from catopt.verify.truss_words import part_sentence, rough_sentence
 from catopt.waves import Sea, jonswap, random_waves
 from catopt.words import Message, Several, say
 

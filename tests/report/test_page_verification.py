@@ -10,7 +10,6 @@ from typing import Any
 import openpyxl
 import pytest
 
-from catopt.answers.verification import part_sentence
 from catopt.casefile import read_case
 from catopt.errors import NotConvergedError
 from catopt.model import Case
@@ -22,6 +21,7 @@ from catopt.verify import case as verify_module
 from catopt.verify.case import verify_case
 from catopt.verify.compared import Compared
 from catopt.verify.result import StaticComparison
+from catopt.verify.truss_words import part_sentence
 from catopt.words import Message
 from tests.verify.cases import TOUCHES_TWICE
 

@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 
 from catopt import schemas
-from catopt.answers.motion import dynamic_sentences
 from catopt.casefile import parse_case, read_case
 from catopt.catenary.solve import solve
 from catopt.errors import InputError
@@ -38,6 +37,7 @@ from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_document import dynamic_document
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Drive, read_drive
+from catopt.verify.motion_words import dynamic_sentences
 from catopt.waves import Waves
 
 EXAMPLE = Path(__file__).parents[2] / "cases" / "dynamic-chain-56m" / "case.toml"

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import catopt
-from catopt.answers.verification import part_sentence
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
@@ -20,6 +19,7 @@ from catopt.verify import line as line_module
 from catopt.verify.line import Moored, compare_line, on_meshes, verify_line
 from catopt.verify.result import StaticComparison
 from catopt.verify.shape import closed_form_at, largest_distances
+from catopt.verify.truss_words import part_sentence
 
 from .cases import CASES, EA, TOUCHES_TWICE, force, moored
 

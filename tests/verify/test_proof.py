@@ -7,7 +7,6 @@ from functools import cache
 
 import pytest
 
-from catopt.answers.motion import proof_sentences
 from catopt.errors import NotConvergedError
 from catopt.fem import run_dynamics
 from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site
@@ -15,6 +14,7 @@ from catopt.verify import dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import Drive
+from catopt.verify.motion_words import proof_sentences
 from catopt.verify.proof import LIMIT, Proof
 
 # 38 mm studless chain, to three digits, in 20 m of water.

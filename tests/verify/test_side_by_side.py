@@ -15,12 +15,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from catopt.answers.motion import stopped_sentence
 from catopt.errors import CatoptError, InputError, NoEquilibriumError, NotConvergedError
 from catopt.model import Case, Motion, WaveState
 from catopt.verify import dynamic
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
+from catopt.verify.motion_words import stopped_sentence
 from catopt.verify.side_by_side import Progress, side_by_side
 
 from .test_dynamic import EXAMPLE, chain

@@ -1,6 +1,6 @@
-"""What notes say of a line in motion: `catopt.answers.motion`."""
+"""What notes say of a line in motion: `catopt.verify.motion_words`."""
 
-from catopt.answers.motion import (
+from catopt.verify.motion_words import (
     DYNAMIC_QUANTITY_OF,
     doubts,
     dynamic_sentences,
