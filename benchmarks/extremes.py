@@ -26,9 +26,9 @@ from catopt.casefile import read_case
 from catopt.fem.extremes import Extreme, gumbel, weibull_tail
 from catopt.fem.statistics import peaks_above_mean
 from catopt.model import Case
-from catopt.report.tables.dynamic import interval
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
+from catopt.verify.motion_words import interval
 
 Array = npt.NDArray[np.float64]
 
@@ -238,7 +238,7 @@ def _line(many: int, few: int) -> Iterator[str]:
 
 
 def _found(part: DynamicPart, quantity: str) -> list[str]:
-    from catopt.report.tables.dynamic import DYNAMIC_QUANTITY_OF
+    from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF
 
     found, shown = part.of(quantity), DYNAMIC_QUANTITY_OF[quantity]
     assert found.tail is not None

@@ -33,6 +33,8 @@ class Quantity:
     notation : {"fixed", "scientific", "shortest"}
         Scientific for what goes down to rounding error; shortest for what is written in as few
         digits as it has, such as the diameter of a chain.
+    floor : float
+        What is smaller, in SI, is rounding, and printed as less than this.
     """
 
     key: str
@@ -43,6 +45,7 @@ class Quantity:
     factor: float
     digits: int
     notation: Literal["fixed", "scientific", "shortest"] = "fixed"
+    floor: float = 0.0
 
     @property
     def label(self) -> str:
@@ -83,6 +86,8 @@ class Quantity:
             return "-"
         places = self.digits if digits is None else digits
         value = self.to_field(si)
+        if abs(si) < self.floor:
+            return f"<{self.to_field(self.floor):.0e}"
         if self.notation == "scientific" and value != 0.0:
             text = f"{value:.{places}e}"
         elif self.notation == "shortest":

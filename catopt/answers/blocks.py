@@ -6,12 +6,12 @@ A renderer (`catopt.render`) knows these blocks and nothing of what they are abo
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.words import Language, Message, heading, quantity_name, say, term
+from catopt.words import Language, Message, Told, heading, quantity_name, say, term
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,13 +30,20 @@ __all__ = [
     "Value",
     "Verdict",
     "Warnings",
+    "bare",
     "fact",
+    "in_si",
     "in_tonne_force",
+    "keyed",
     "measured",
     "named",
     "of_row",
     "texts",
+    "where_known",
 ]
+
+_Thing = TypeVar("_Thing")
+_Known = TypeVar("_Known")
 
 Value = float | str | None
 """A number in SI, a count, a message, the user's own words, or None where it is not known."""
@@ -333,6 +340,16 @@ def named(key: str, symbol: str | None = None) -> Quantity:
     return quantity if symbol is None else replace(quantity, symbol=symbol)
 
 
+def in_si(quantity: Quantity, digits: int) -> Quantity:
+    """Take a quantity in its SI unit."""
+    return replace(quantity, field_unit=quantity.si_unit, factor=1.0, digits=digits)
+
+
+def bare(quantity: Quantity) -> Quantity:
+    """Take a quantity whose unit stands in another place than behind its value."""
+    return replace(quantity, field_unit="-")
+
+
 def in_tonne_force(quantity: Quantity) -> Quantity:
     """Take a force in tf; a decimal more than in kN, for a tf is about 10 kN."""
     from catopt.constants import STANDARD_GRAVITY
@@ -408,10 +425,22 @@ def texts(
     return Column(Message(f"columns.{name}"), tuple(values), priority=priority, only=only)
 
 
+def keyed(key: str, name: str) -> Message:
+    """Take a key of documents, which English files have as it is; other languages have its name."""
+    return Told({"en": key, "vi": say(name, "vi")})
+
+
 def of_row(name: str, values: Iterable[Value], *, only: For = "all") -> Column:
     """Make a column of values in the units of a column beside it, as they are."""
     heading = Message("columns.of_row", name=Message(f"columns.{name}"))
     return Column(heading, tuple(values), only=only)
+
+
+def where_known(
+    things: Iterable[_Thing | None], value: Callable[[_Thing], _Known]
+) -> list[_Known | None]:
+    """Take a value of each thing; None where there is none."""
+    return [None if each is None else value(each) for each in things]
 
 
 def _series(column: Column) -> pd.Series:

@@ -236,7 +236,7 @@ def segments_table(solution: Solution) -> Table:
     """Tabulate the segments under load, from the anchor to the fairlead."""
     parts, factor = solution.segments, solution.safety_factor
     tensions = [each.max_tension for each in parts]
-    largest = measured("tension", tensions, "largest_tension", symbol="max. T", only="people")
+    largest = measured("tension", tensions, "largest_tension", only="people")
     files = measured("tension", tensions, "largest_tension", only="files")
     return Table(
         "segments",

@@ -169,7 +169,7 @@ def _first_of_three(tell: Progress | None) -> Progress | None:
 def _stop_if_interrupted(moved: DynamicVerification | None, output: Output) -> None:
     """Write nothing after Ctrl-C: a note of half a run is none, and an older one is worth more."""
     if moved is not None and not moved.is_complete:
-        from catopt.report.tables.dynamic import stopped_words
+        from catopt.verify.motion_words import stopped_words
 
         output.note(
             f"catopt: {stopped_words(moved)}; no note was written. "

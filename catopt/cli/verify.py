@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -20,12 +21,16 @@ from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.words import say
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
     from catopt.cli.output import Output
     from catopt.model import Case
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.front import Design, FrontVerification
     from catopt.verify.proof import Proof
     from catopt.verify.result import Verification
+    from catopt.words import Language
+
+    _Found = Verification | FrontVerification
 
 __all__ = ["stop_if_not_converged", "verify"]
 
@@ -124,7 +129,7 @@ def verify(
         workers, with_motion=with_motion, once=once, twice_the_bars=twice_the_bars
     )
     check_settings(elements, tolerance, source="options", prefix="--")
-    found: Verification | FrontVerification
+    found: _Found
     dynamic: DynamicVerification | None = None
     if every:
         _refuse(load_case, design, with_motion=with_motion)
@@ -142,40 +147,77 @@ def verify(
         dynamic = _dynamic(read, output, load_case, proof, workers) if with_motion else None
     if out is not None:
         from catopt.cli.result_files import write_result
-        from catopt.report.bundle import verification_bundle
 
-        files = verification_bundle(found, dynamic, lang.value)
+        files = _files(found, dynamic, lang.value)
         write_result(output, out, files, read, front=case if every else None)
     if as_json:
-        document = found.to_dict()
-        output.json(document if dynamic is None else document | {"dynamic": dynamic.to_dict()})
+        output.json(_document(found, dynamic))
     else:
-        from catopt.cli.verify_view import show_verification
-        from catopt.render.texts import Words
-
-        words = Words(lang.value)
-        show_verification(output, found, words)
-        if dynamic is not None:
-            from catopt.cli.verify_dynamic_view import show_dynamic
-
-            show_dynamic(output, dynamic, words)
+        _show(output, found, dynamic, lang.value)
     _end(output, found, dynamic, lang, strict=strict)
+
+
+def _document(found: _Found, dynamic: DynamicVerification | None) -> dict[str, Any]:
+    document = found.to_dict()
+    return document if dynamic is None else document | {"dynamic": dynamic.to_dict()}
+
+
+def _answer(found: _Found) -> Answer:
+    from catopt.answers.verification import front_answer, verification_answer
+    from catopt.verify.front import FrontVerification
+
+    if isinstance(found, FrontVerification):
+        return front_answer(found)
+    return verification_answer(found)
+
+
+def _show(
+    output: Output, found: _Found, dynamic: DynamicVerification | None, language: Language
+) -> None:
+    """Print the line at rest, and below it the line in motion."""
+    from catopt.render.terminal import show
+
+    answer = _answer(found)
+    if dynamic is not None:
+        from catopt.answers.motion import motion_answer
+
+        answer = replace(answer, sections=(*answer.sections, *motion_answer(dynamic).sections))
+    show(output, answer, language)
+
+
+def _files(
+    found: _Found, dynamic: DynamicVerification | None, language: Language
+) -> dict[str, bytes]:
+    """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
+    from catopt.render.files import files_of
+    from catopt.report.bundle import motion_pictures, verification_pictures
+    from catopt.verify.result import Verification
+
+    files = files_of(_answer(found), _document(found, dynamic), language)
+    if isinstance(found, Verification):
+        files |= verification_pictures(found)
+    if dynamic is not None:
+        from catopt.answers.motion import motion_answer
+
+        moved = motion_answer(dynamic, with_series=True)
+        files |= files_of(moved, None, language) | motion_pictures(dynamic)
+    return files
 
 
 def _end(
     output: Output,
-    found: Verification | FrontVerification,
+    found: _Found,
     dynamic: DynamicVerification | None,
     lang: ReportLanguage,
     *,
     strict: bool,
 ) -> None:
     """Leave with the exit status that the answer asks for."""
-    from catopt.report.tables.verify import verdict_sentence
+    from catopt.answers.verification import front_sentence, verdict_sentence
     from catopt.verify.front import FrontVerification
 
     if dynamic is not None and not dynamic.is_complete:
-        from catopt.report.tables.dynamic import stopped_sentence
+        from catopt.verify.motion_words import stopped_sentence
 
         output.note(f"catopt: {say(stopped_sentence(dynamic), lang.value)}")
         raise typer.Exit(INTERRUPTED)
@@ -185,14 +227,19 @@ def _end(
         output.note("catopt: for a design a solver did not converge")
         raise typer.Exit(STOPPED)
     if strict and not found.is_settled:
-        output.note(f"catopt: {verdict_sentence(found)}")
+        sentence = (
+            front_sentence(found)
+            if isinstance(found, FrontVerification)
+            else verdict_sentence(found)
+        )
+        output.note(f"catopt: {sentence}")
         raise typer.Exit(DIFFERS)
 
 
 def stop_if_not_converged(output: Output, found: DynamicVerification, lang: ReportLanguage) -> None:
     """Leave with the status of a solver that did not converge, where a line in motion has not."""
     if found.verdict == "not converged":
-        from catopt.report.tables.dynamic import not_converged_sentence
+        from catopt.verify.motion_words import not_converged_sentence
 
         output.note(f"catopt: {say(not_converged_sentence(found), lang.value)}")
         raise typer.Exit(STOPPED)

@@ -183,10 +183,8 @@ def spectrum(part: DynamicPart) -> Chart:
 
 def envelope(part: DynamicPart) -> tuple[list[float], list[float], list[float]]:
     """Find arc lengths, and the largest and the smallest tension of each bar over all runs, N."""
-    histories = [run.history for run in part.runs]
-    high = np.fmax.reduce([each.max_tension for each in histories])
-    low = np.fmin.reduce([each.min_tension for each in histories])
-    return histories[0].arc.tolist(), high.tolist(), low.tolist()
+    found = part.envelope
+    return found.arc.tolist(), found.largest.tolist(), found.smallest.tolist()
 
 
 def envelope_chart(

@@ -12,7 +12,7 @@ __all__ = ["files_of"]
 
 
 def files_of(
-    answer: Answer, document: dict[str, Any], language: Language = "en"
+    answer: Answer, document: dict[str, Any] | None, language: Language = "en"
 ) -> dict[str, bytes]:
     """Write an answer as files.
 
@@ -20,8 +20,8 @@ def files_of(
     ----------
     answer : Answer
         What its tables hold.
-    document : dict
-        What ``--json`` prints.
+    document : dict or None
+        What ``--json`` prints; None where it is part of another answer's.
     language : {"en", "vi"}
         Of the workbook; the tables (CSV) stay in English.
 
@@ -33,8 +33,7 @@ def files_of(
     from catopt.render.csv import csv_files
     from catopt.render.workbook import workbook
 
-    return {
-        f"{answer.name}.json": document_bytes(document),
-        f"{answer.name}.xlsx": workbook(answer, language),
-        **csv_files(answer),
-    }
+    files = {f"{answer.name}.xlsx": workbook(answer, language), **csv_files(answer)}
+    if document is not None:
+        files[f"{answer.name}.json"] = document_bytes(document)
+    return files

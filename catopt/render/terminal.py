@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
 from typing import Protocol
@@ -17,6 +18,7 @@ from catopt.answers.blocks import (
     Verdict,
     Warnings,
 )
+from catopt.quantities import QUANTITIES
 from catopt.render.values import cell, shown
 from catopt.words import Language, Message, Sentence, Several, say
 
@@ -27,8 +29,12 @@ _GAP = 3
 """Columns between two columns of a table."""
 _TEXT = 12
 """Characters that a column of words needs at least; longer ones fold."""
+_LEAST = 6
+"""Characters to which words of a heading are broken at least."""
 _HEADING, _TEXT_HEADING = 11, 24
 """Characters to which headings over words are folded at least, and at most over long ones."""
+_NO_BREAK = "\u00a0"
+"""Between a number and its unit."""
 _SEEN = {"all", "people", "not csv"}
 """For whom tables and lists are that a terminal shows."""
 
@@ -150,15 +156,13 @@ def _table(
         worst = max(range(len(columns)), key=lambda k: columns[k].priority)
         left_out.append(columns.pop(worst).name)
         cells.pop(worst)
-    tight = _width(columns, cells, language) > _WIDTH
-    headings = [
-        _heading(each, below, language, tight=tight)
-        for each, below in zip(columns, cells, strict=True)
-    ]
+    rooms = _rooms(columns, cells, language)
+    headings = [_heading(each, room, language) for each, room in zip(columns, rooms, strict=True)]
     numbers = [k for k, each in enumerate(columns) if each.is_number]
     if table.marked is not None and table.marked in rows:
         place = list(rows).index(table.marked)
         cells[0][place] = f"*{cells[0][place]}"
+    _fold(columns, headings, cells)
     printed = list(zip(*cells, strict=True))
     output.table(headings, printed, title=say(caption, language), numbers=numbers)
     if left_out:
@@ -167,32 +171,96 @@ def _table(
         output.line()
 
 
+def _rooms(
+    columns: Sequence[Column], cells: Sequence[Sequence[str]], language: Language
+) -> list[int]:
+    """Choose to how many characters each heading folds: whole words, where 80 have room for them.
+
+    Where not, words of headings that are widest over what stands below them are broken.
+    """
+    names = [_name(each, language) for each in columns]
+    rooms = [
+        _room(each, name, below) for each, name, below in zip(columns, names, cells, strict=True)
+    ]
+    spare = [
+        room - max(map(len, below), default=0) if each.is_number and room > _LEAST else 0
+        for each, room, below in zip(columns, rooms, cells, strict=True)
+    ]
+    over = _width(columns, cells, language) - _WIDTH
+    while over > 0 and any(each > 0 for each in spare):
+        widest = max(range(len(columns)), key=lambda k: spare[k])
+        rooms[widest] -= 1
+        spare[widest] = spare[widest] - 1 if rooms[widest] > _LEAST else 0
+        over -= 1
+    return rooms
+
+
+def _room(column: Column, name: str, cells: Sequence[str]) -> int:
+    room = max(map(len, cells), default=0)
+    if not column.is_number:
+        room = max(min(room, _TEXT_HEADING), _HEADING)
+    return max(room, _longest_word(name), 1)
+
+
 def _width(columns: Sequence[Column], cells: Sequence[Sequence[str]], language: Language) -> int:
+    """Count the characters of a row whose headings keep their words whole."""
     total = 0
     for column, below in zip(columns, cells, strict=True):
-        heading = _heading(column, below, language)
+        room = _room(column, _name(column, language), below)
+        heading = _heading(column, room, language)
         widest = max(map(len, (*heading.split("\n"), *below)), default=0)
         total += widest if column.is_number else min(widest, max(_TEXT, _longest_word(heading)))
     return total + _GAP * (len(columns) - 1)
 
 
 def _longest_word(text: str) -> int:
-    return max(map(len, text.split()), default=0)
+    return max(map(len, re.split(r"[ \n]", text)), default=0)
 
 
-def _heading(
-    column: Column, cells: Sequence[str], language: Language, *, tight: bool = False
-) -> str:
-    """Say what a column holds in few characters, folded to what stands below it."""
-    name = say(column.name, language)
-    quantity = column.quantity
+def _name(column: Column, language: Language) -> str:
+    """Name a column; a quantity's own name gives way to its symbol, one that says more does not."""
+    name, quantity = say(column.name, language), column.quantity
     if quantity is not None and quantity.symbol:
-        name = quantity.symbol
-    room = max(map(len, cells), default=0)
-    if not column.is_number:
-        room = max(min(room, _TEXT_HEADING), _HEADING)
-    room = max(room, 6) if tight else max(room, _longest_word(name), 1)
-    lines = wrap(name, room, break_long_words=tight)
+        own = QUANTITIES.get(quantity.key, quantity).name.lower()
+        says_more = not own.endswith(column.name.lower())
+        name = f"{name} {quantity.symbol}" if says_more else quantity.symbol
+    return re.sub(r"(?<=\d) ", _NO_BREAK, name)
+
+
+def _heading(column: Column, room: int, language: Language) -> str:
+    """Say what a column holds, folded to so many characters."""
+    words = [part for word in _name(column, language).split(" ") for part in _broken(word, room)]
+    lines = wrap(" ".join(words), room, break_long_words=False, break_on_hyphens=False)
+    quantity = column.quantity
     if quantity is not None and quantity.field_unit != "-":
         lines.append(f"({quantity.field_unit})")
-    return "\n".join(lines)
+    return "\n".join(lines).replace(_NO_BREAK, " ")
+
+
+def _broken(word: str, room: int) -> Iterator[str]:
+    """Break a word that is too long into parts of about the same length."""
+    if len(word) <= room:
+        yield word
+        return
+    half = min(-(-len(word) // 2), room - 1)
+    yield f"{word[:half]}-"
+    yield from _broken(word[half:], room)
+
+
+def _fold(columns: Sequence[Column], headings: Sequence[str], cells: list[list[str]]) -> None:
+    """Fold the one column of words that a table has; a number keeps its unit beside it."""
+    words = [k for k, each in enumerate(columns) if not each.is_number]
+    if len(words) != 1:
+        return
+    widths = [
+        max(map(len, (*heading.split("\n"), *below)))
+        for heading, below in zip(headings, cells, strict=True)
+    ]
+    (place,) = words
+    room = _WIDTH - _GAP * (len(columns) - 1) - sum(widths) + widths[place]
+    if room < widths[place]:
+        joined = (re.sub(r"(?<=\d) (?=[^\W\d])", _NO_BREAK, cell) for cell in cells[place])
+        folded = (
+            "\n".join(wrap(cell, max(room, _TEXT), break_on_hyphens=False)) for cell in joined
+        )
+        cells[place] = [each.replace(_NO_BREAK, " ") for each in folded]

@@ -26,6 +26,8 @@ __all__ = ["workbook"]
 
 _WIDTHS = (44.0, 24.0)
 """Of a list of facts, in characters."""
+_MOST_ROWS = 100_000
+"""Of a table that a workbook holds; the CSV file has all of them."""
 
 
 def workbook(answer: Answer, language: Language = "en") -> bytes:
@@ -77,9 +79,13 @@ def _block(sheet: Sheet, block: Table | Facts, caption: str, language: Language)
     if isinstance(block, Facts):
         return _facts(sheet, block, title, language)
     columns = list(block.for_files())
-    cells = [[_cell(each, row, language) for row in range(block.length)] for each in columns]
+    rows = range(min(block.length, _MOST_ROWS))
+    cells = [[_cell(each, row, language) for row in rows] for each in columns]
     headings = [each.said_heading(language) for each in columns]
-    return sheet.grid(headings, list(zip(*cells, strict=True)), title=title)
+    top = sheet.grid(headings, list(zip(*cells, strict=True)), title=title)
+    if block.length > _MOST_ROWS:
+        _tell(sheet, Message("answers.first_rows", shown=_MOST_ROWS, count=block.length), language)
+    return top
 
 
 def _facts(sheet: Sheet, block: Facts, title: str, language: Language) -> int:
@@ -120,8 +126,12 @@ def _said(sheet: Sheet, section: Section, language: Language) -> None:
     """Write what is said in words below the tables."""
     for block in section.blocks:
         for each in _words_of(block):
-            sheet.write(sheet.row, 0, Words(say(each, language), "text"))
-            sheet.row += 1
+            _tell(sheet, each, language)
+
+
+def _tell(sheet: Sheet, said: str, language: Language) -> None:
+    sheet.write(sheet.row, 0, Words(say(said, language), "text"))
+    sheet.row += 1
 
 
 def _words_of(block: Block) -> tuple[str, ...]:

@@ -1,11 +1,11 @@
-"""Everything that ``--out`` writes, as file names and contents."""
+"""What ``--out`` writes beside document, tables and workbook, as file names and contents."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from catopt.casefile.design_directory import DESIGN_CASE
-from catopt.render.plain import csv_of, document_bytes
+from catopt.render.plain import csv_of
 from catopt.ties import first_largest
 from catopt.words import Message
 
@@ -21,17 +21,17 @@ if TYPE_CHECKING:
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
-    from catopt.verify.front import FrontVerification
     from catopt.verify.result import Verification
 
 __all__ = [
     "curve_pictures",
     "design_pictures",
+    "motion_pictures",
     "reproduction_pictures",
     "size_files",
     "solution_pictures",
     "system_pictures",
-    "verification_bundle",
+    "verification_pictures",
 ]
 
 
@@ -148,37 +148,7 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
     return files
 
 
-def verification_bundle(
-    found: Verification | FrontVerification,
-    dynamic: DynamicVerification | None = None,
-    language: Language = "en",
-) -> dict[str, bytes]:
-    """Make the files of ``catopt verify ... --out DIR``: document, tables, workbook and figures.
-
-    A front has no figures. A line in motion has tables, a workbook and figures of its own.
-    """
-    from catopt.render.texts import Words
-    from catopt.report.tables import verify
-    from catopt.report.workbook.books import verification_workbook
-    from catopt.verify.result import Verification
-
-    document, files = found.to_dict(), {}
-    if not isinstance(found, Verification) or found.parts:
-        frames = verify.frames(found)
-        sheets = verify.said_frames(frames, Words(language))
-        files = {
-            "verify.xlsx": verification_workbook(verify.title_of(found), sheets, language),
-            **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
-        }
-    if isinstance(found, Verification):
-        files |= _compared(found)
-    if dynamic is not None:
-        document["dynamic"] = dynamic.to_dict()
-        files |= _dynamic(dynamic, language)
-    return {"verify.json": document_bytes(document), **files}
-
-
-def _compared(found: Verification) -> dict[str, bytes]:
+def verification_pictures(found: Verification) -> dict[str, bytes]:
     """Draw every load case; of a body the most loaded line."""
     from catopt.figures.verification import comparison
     from catopt.render.picture import pictures
@@ -195,21 +165,7 @@ def _compared(found: Verification) -> dict[str, bytes]:
     return files
 
 
-def _dynamic(found: DynamicVerification, language: Language) -> dict[str, bytes]:
-    from catopt.render.texts import Words
-    from catopt.report.tables import dynamic
-    from catopt.report.workbook.books import verification_workbook
-
-    frames = dynamic.frames(found)
-    sheets = dynamic.workbook_frames(frames, Words(language))
-    files = {
-        "dynamic.xlsx": verification_workbook(found.case.title, sheets, language),
-        **{f"{name}.csv": csv_of(frame) for name, frame in frames.items()},
-    }
-    return files | _moved(found)
-
-
-def _moved(found: DynamicVerification) -> dict[str, bytes]:
+def motion_pictures(found: DynamicVerification) -> dict[str, bytes]:
     """Draw every load case in motion, or the governing line of a body."""
     title = found.case.title
     if found.case.system is not None:

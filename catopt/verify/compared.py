@@ -110,6 +110,11 @@ class Compared:
         return abs(self.difference) / self.scale
 
     @property
+    def gap_before(self) -> float:
+        """Size of the difference of the finest mesh over the scale."""
+        return abs(self.difference_before) / self.scale
+
+    @property
     def is_resolved(self) -> bool:
         """Whether a difference is more than what the truss model itself may still be off by.
 

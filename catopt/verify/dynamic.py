@@ -135,7 +135,8 @@ def _with_twice_the_bars(
     bars = 2 * drive.dynamics.bars
     case = replace(drive.case, dynamics=replace(drive.dynamics, elements=bars))
     try:
-        finer = _parts(name, replace(drive, case=case), proof, workers, progress, announce)
+        share = _going_on(progress)
+        finer = _parts(name, replace(drive, case=case), proof, workers, share, announce)
     except NotConvergedError:
         return found
     if not finer or not all(part.is_complete for part in finer):
@@ -336,6 +337,11 @@ def _share(progress: Progress | None, done: int, total: int) -> Progress:
     if progress is None:
         return lambda *_: None
     return lambda at, end: progress(done * end + at, total * end)
+
+
+def _going_on(progress: Progress) -> Progress:
+    """Tell of a run with twice the bars, and twice the work, as of what follows the first run."""
+    return lambda at, end: progress(end + 2 * at, 3 * end)
 
 
 def _telling(progress: Progress, ask: Callable[[], None]) -> Progress:

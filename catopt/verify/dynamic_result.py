@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +27,7 @@ __all__ = [
     "DynamicPart",
     "DynamicRun",
     "DynamicVerification",
+    "Envelope",
     "Extreme",
     "OverRuns",
     "TailFit",
@@ -220,6 +221,26 @@ def over_runs(
     )
 
 
+class Envelope(NamedTuple):
+    """What the bars of a line see over all runs.
+
+    Attributes
+    ----------
+    arc : ndarray, shape (bars,)
+        Unstretched arc length of each, m.
+    largest, smallest : ndarray, shape (bars,)
+        Tensions, N.
+    slack, longest_slack : ndarray, shape (bars,)
+        Time without tension of a run in all, and at a stretch, s.
+    """
+
+    arc: Array
+    largest: Array
+    smallest: Array
+    slack: Array
+    longest_slack: Array
+
+
 @dataclass(frozen=True)
 class DynamicPart:
     """A line in motion under one load.
@@ -305,6 +326,18 @@ class DynamicPart:
     def numerical_part(self) -> float:
         """Largest part of the work put into a run that its steps lost."""
         return max(run.history.balance.numerical_part for run in self.runs)
+
+    @cached_property
+    def envelope(self) -> Envelope:
+        """Largest and smallest tension of each bar over all runs, and how long it was slack."""
+        histories = [run.history for run in self.runs]
+        return Envelope(
+            histories[0].arc,
+            np.fmax.reduce([each.max_tension for each in histories]),
+            np.fmin.reduce([each.min_tension for each in histories]),
+            np.max([each.slack_time for each in histories], axis=0),
+            np.max([each.longest_slack for each in histories], axis=0),
+        )
 
     @property
     def verdict(self) -> Verdict:

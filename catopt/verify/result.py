@@ -86,6 +86,10 @@ class LinePair:
         """Return the nodes of the finest mesh in the line's own plane: x and z, m."""
         return flat(self.finest)
 
+    def closed_form_there(self) -> Array:
+        """Return x, z (m) and tension (N) of the closed form at the nodes of the finest mesh."""
+        return closed_form_at(self.closed, self.finest.arc)
+
     def gaps(self) -> list[Gap]:
         """Compare place and tension with the closed form along the line, for each mesh."""
         return [self._gap(truss) for truss in self.trusses]
@@ -132,6 +136,10 @@ class StaticComparison:
     def worst(self) -> Compared:
         """The quantity with the largest gap over its tolerance; of those alike the first."""
         return worst_of(self.quantities)
+
+    def worst_of(self, line: int) -> Compared:
+        """Return the same of one line of a system, from 0."""
+        return worst_of(each for each in self.quantities if each.line == line)
 
     @property
     def rough(self) -> tuple[Compared, ...]:

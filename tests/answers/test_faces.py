@@ -6,6 +6,7 @@ import csv
 import io
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -13,16 +14,19 @@ import openpyxl
 import pytest
 
 from catopt import catalogue, check_case, read_case
-from catopt.answers.blocks import Answer, Facts, Table, Value
+from catopt.answers.blocks import Answer, Facts, Table, Text, Value, Verdict
 from catopt.answers.catalogue import catalogue_answer
 from catopt.answers.check import check_answer
 from catopt.answers.curve import curve_answer
 from catopt.answers.design import design_answer
 from catopt.answers.loads import loads_answer
+from catopt.answers.motion import motion_answer
 from catopt.answers.reproduction import reproduction_answer
 from catopt.answers.size import size_answer
 from catopt.answers.solution import solution_answer
 from catopt.answers.system import system_answer
+from catopt.answers.verification import front_answer, verification_answer
+from catopt.casefile import parse_case
 from catopt.catalogue.document import Answer as Found
 from catopt.catenary.case import solve_case
 from catopt.catenary.case_curve import curve_case
@@ -33,11 +37,15 @@ from catopt.render.csv import csv_files
 from catopt.render.terminal import show
 from catopt.render.workbook import workbook
 from catopt.reproduce import reproduce
+from catopt.verify.case import verify_case
+from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.front import Design, verify_front
 from catopt.words import LANGUAGES, Language, Message
 
 from .sizings import around, by_force
 
 CASES = Path(__file__).parents[2] / "cases"
+DESIGN = CASES / "design-buoy-9.5m" / "case.toml"
 
 
 def _solution() -> Answer:
@@ -63,7 +71,7 @@ def _system() -> Answer:
 
 
 def _design() -> Answer:
-    return design_answer(design_case(read_case(CASES / "design-buoy-9.5m" / "case.toml")))
+    return design_answer(design_case(read_case(DESIGN)))
 
 
 def _loads() -> Answer:
@@ -114,11 +122,79 @@ def _size_by_force() -> Answer:
     return size_answer(by_force())
 
 
+def _verification() -> Answer:
+    """Three load cases."""
+    return verification_answer(verify_case(read_case(DESIGN), elements=20))
+
+
+def _verified_body() -> Answer:
+    case = read_case(CASES / "fso-rang-dong" / "case.toml")
+    return verification_answer(verify_case(case, elements=40))
+
+
+def _front() -> Answer:
+    """Two designs, of which one has no answer."""
+    case = read_case(CASES / "buoy-9.5m" / "case.toml")
+    too_short = replace(case, fairlead_height=30.0)
+    designs = [Design(1, case), Design(2, too_short)]
+    return front_answer(verify_front("Front", designs, elements=20))
+
+
+MOVING = """
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "120 m"
+submerged_weight = "1110 N/m"
+mass = "130 kg/m"
+EA = "400 MN"
+drag_diameter = "76 mm"
+drag_normal = 2.4
+[motion]
+period = "8 s"
+surge = "0.5 m"
+[dynamics]
+duration = "24 s"
+elements = 10
+"""
+AT_SEA = """
+duration_of_interest = "1 h"
+runs = 5
+[waves]
+spectrum = "jonswap"
+height = "2 m"
+period = "6 s"
+components = 20
+[load]
+horizontal_force = "300 kN"
+"""
+ON_THREE = """
+[system]
+anchor_radius = "117 m"
+fairlead_radius = "4 m"
+azimuths = ["180 deg", "60 deg", "-60 deg"]
+force = ["30 kN", "0 kN"]
+"""
+
+
+def _motion() -> Answer:
+    """Five short runs in random waves."""
+    case = parse_case(MOVING.replace("24 s", "60 s") + AT_SEA)
+    return motion_answer(verify_dynamic(case, proof="none"), with_series=True)
+
+
+def _body_in_motion() -> Answer:
+    return motion_answer(verify_dynamic(parse_case(MOVING + ON_THREE)), with_series=True)
+
+
 KINDS: dict[str, Callable[[], Answer]] = {
     "solution": _solution, "check": _check, "curve": _curve, "system": _system,
     "loads": _loads, "component": _component, "sizes": _sizes, "search": _search,
     "list": _list, "design": _design, "reproduction": _reproduction, "size": _size,
-    "size by force": _size_by_force,
+    "size by force": _size_by_force, "verification": _verification,
+    "verified body": _verified_body, "verified front": _front, "motion": _motion,
+    "body in motion": _body_in_motion,
 }  # fmt: skip
 
 
@@ -241,12 +317,15 @@ OWN = {
     "Confidence", "Confidence of MBL", "Confidence of the sizes", "Sources of the sizes",
     "Quantity", "Study", "Recalled, read in no document", "Also published: --variant",
     "Reference point (SI units)",
-    "Chain", "On",
+    "Chain", "On", "Governing load case",
 }  # fmt: skip
 """Columns that may hold the user's own words, keys of documents, or what is cited."""
 
 
 def test_all_other_words_are_messages(answer: Answer) -> None:
+    for block in answer.blocks:
+        if isinstance(block, Text | Verdict):
+            assert isinstance(block.said, Message), block.said
     for table in tables(answer):
         assert isinstance(table.caption, Message) or not table.caption
         for column in table.columns:

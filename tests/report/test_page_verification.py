@@ -16,12 +16,12 @@ from catopt.model import Case
 from catopt.render.texts import LANGUAGES, Language, Words
 from catopt.report.page.note import Note, note_of, read_note
 from catopt.report.page.render import render_page
-from catopt.report.tables.verify import part_sentence
 from catopt.report.workbook.note import note_workbook
 from catopt.verify import case as verify_module
 from catopt.verify.case import verify_case
 from catopt.verify.compared import Compared
 from catopt.verify.result import StaticComparison
+from catopt.verify.truss_words import part_sentence
 from catopt.words import Message
 from tests.verify.cases import TOUCHES_TWICE
 

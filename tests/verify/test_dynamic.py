@@ -32,12 +32,12 @@ from catopt.model import (
     WaveState,
 )
 from catopt.model.dynamics import INITIAL_FRICTION
-from catopt.report.tables.dynamic import dynamic_sentences
 from catopt.verify.case import verify_case
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_document import dynamic_document
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Drive, read_drive
+from catopt.verify.motion_words import dynamic_sentences
 from catopt.waves import Waves
 
 EXAMPLE = Path(__file__).parents[2] / "cases" / "dynamic-chain-56m" / "case.toml"

@@ -15,11 +15,11 @@ from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
 from catopt.fem import mesh_line, solve_line
 from catopt.model import Case, Line, Load, Segment
 from catopt.render.texts import Words
-from catopt.report.tables.verify import part_sentence
 from catopt.verify import line as line_module
 from catopt.verify.line import Moored, compare_line, on_meshes, verify_line
 from catopt.verify.result import StaticComparison
 from catopt.verify.shape import closed_form_at, largest_distances
+from catopt.verify.truss_words import part_sentence
 
 from .cases import CASES, EA, TOUCHES_TWICE, force, moored
 

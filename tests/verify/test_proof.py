@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import pytest
 
 from catopt.errors import NotConvergedError
 from catopt.fem import run_dynamics
 from catopt.model import Case, Dynamics, Line, Load, Motion, Segment, Site
-from catopt.report.tables.dynamic import proof_sentences
-from catopt.verify import dynamic_lines
+from catopt.verify import dynamic, dynamic_lines
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart
 from catopt.verify.dynamic_setup import Drive
+from catopt.verify.motion_words import proof_sentences
 from catopt.verify.proof import LIMIT, Proof
 
 # 38 mm studless chain, to three digits, in 20 m of water.
@@ -121,6 +122,23 @@ def test_line_damping_is_critical_unless_something_is_said(
     of = replace(TAUT, dynamics=Dynamics(30.0, **given))  # type: ignore[arg-type]
     damping = Drive(of).properties.damping
     assert (damping.critical_ratio, damping.stiffness_time) == (ratio, time)
+
+
+def test_twice_the_bars_go_on_from_where_the_first_run_ended(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def run(*given: Any) -> list[DynamicPart]:
+        tell = given[4]
+        for at in (0, 5, 10):
+            tell(at, 10)
+        return [proven(TAUT)]
+
+    monkeypatch.setattr(dynamic, "_parts", run)
+    monkeypatch.setattr(dynamic, "_wants_more_bars", lambda _: True)
+    of = replace(TAUT, dynamics=Dynamics(30.0, ramp=12.0))
+    told: list[float] = []
+    verify_dynamic(of, progress=lambda at, end: told.append(at / end))
+    assert told == pytest.approx([0.0, 0.5, 1.0, 1 / 3, 2 / 3, 1.0])
 
 
 def test_changes_by_step_and_bars_are_added() -> None:

@@ -17,10 +17,10 @@ import pytest
 
 from catopt.errors import CatoptError, InputError, NoEquilibriumError, NotConvergedError
 from catopt.model import Case, Motion, WaveState
-from catopt.report.tables.dynamic import stopped_sentence
 from catopt.verify import dynamic
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
+from catopt.verify.motion_words import stopped_sentence
 from catopt.verify.side_by_side import Progress, side_by_side
 
 from .test_dynamic import EXAMPLE, chain

@@ -73,7 +73,7 @@ def test_every_text_is_there_in_both_languages_with_the_same_holes(key: str) -> 
     assert len(named) == 1
 
 
-COMPOSED = {"inputs", "kinds", "columns", "solution", "curve", "answers", "quantities"}
+COMPOSED = {"inputs", "kinds", "columns", "captions", "solution", "curve", "answers", "quantities"}
 """Groups whose keys are put together where they are used, of the group and a name."""
 
 

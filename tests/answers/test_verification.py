@@ -8,21 +8,23 @@ from pathlib import Path
 import pytest
 
 import catopt
-from catopt.figures.verification import comparison
-from catopt.report.bundle import verification_bundle
-from catopt.report.tables.verify import (
-    QUANTITY_OF,
-    frames,
-    in_parts,
-    name_of,
-    part_sentence,
-    rough_sentence,
+from catopt.answers.verification import (
+    GAP,
+    front_answer,
+    front_sentence,
     verdict_sentence,
+    verification_answer,
 )
+from catopt.figures.verification import comparison
+from catopt.report.bundle import verification_pictures
 from catopt.verify.case import verify_case
+from catopt.verify.compared import ROUNDING
 from catopt.verify.front import Design, verify_front
 from catopt.verify.result import StaticComparison, Verification
+from catopt.verify.truss_words import QUANTITY_OF, in_parts, name_of, part_sentence, rough_sentence
 from tests.verify.cases import CASES
+
+from .tables import tables_of
 
 FSO = Path(__file__).parents[2] / "cases" / "fso-rang-dong" / "case.toml"
 
@@ -80,6 +82,7 @@ def test_what_is_not_smooth_is_named(found: Verification) -> None:
 
 
 def test_rounding_is_shown_as_such() -> None:
+    assert GAP.floor == ROUNDING
     assert [in_parts(value) for value in (0.0, 3e-14, 2.5e-7)] == ["<1e-10", "<1e-10", "2.5e-07"]
 
 
@@ -97,22 +100,17 @@ def test_several_load_cases_add_up_to_a_sentence(found: Verification) -> None:
 def test_a_front_adds_up_to_a_sentence() -> None:
     too_short = replace(CASES["hanging"], fairlead_height=30.0)
     front = verify_front("F", [Design(1, CASES["hanging"]), Design(2, too_short)])
-    assert verdict_sentence(front) == "Of 2 designs the two models have no answer for 1."
-    made = frames(front)
-    assert list(made) == ["designs", "verdicts", "quantities", "meshes"]
-    assert made["designs"]["Verdict"].tolist() == ["agrees", "no answer"]
+    assert front_sentence(front) == "Of 2 designs the two models have no answer for 1."
+    designs = tables_of(front_answer(front))["designs"]
+    assert designs["Verdict"].tolist() == ["agrees", "no answer"]
 
 
-def test_the_tables_have_every_number_in_si(found: Verification) -> None:
-    made = frames(found)
-    part = found.static
-    span = made["quantities"].iloc[0]
-    assert span["Quantity"] == "span"
-    assert span["Truss on mesh 3 (unit of the row)"] == part.of("span").fem[2]
-    assert made["meshes"]["Bars"].tolist() == [200, 400, 800]
-    shapes = made["shapes"]
+def test_shapes_stand_beside_each_other(found: Verification) -> None:
+    shapes = tables_of(verification_answer(found))["shapes"]
     assert len(shapes) == 801
-    assert shapes["Truss x (m)"].iloc[-1] == pytest.approx(part.of("span").fem[2], rel=1e-15)
+    assert shapes["Truss x (m)"].iloc[-1] == pytest.approx(
+        found.static.of("span").fem[2], rel=1e-15
+    )
     # Second order: what a bar of half a metre leaves.
     assert shapes["Closed form z (m)"].to_numpy() == pytest.approx(
         shapes["Truss z (m)"].to_numpy(), abs=1e-3
@@ -120,11 +118,10 @@ def test_the_tables_have_every_number_in_si(found: Verification) -> None:
 
 
 def test_a_figure_for_every_load_case(found: Verification) -> None:
-    assert {name for name in verification_bundle(found) if name.endswith("png")} == {
-        "comparison.png"
-    }
+    drawn = verification_pictures(found)
+    assert {name for name in drawn if name.endswith("png")} == {"comparison.png"}
     two = Verification(found.case, (found.static, found.static))
-    named = {name for name in verification_bundle(two) if name.endswith("svg")}
+    named = {name for name in verification_pictures(two) if name.endswith("svg")}
     assert named == {"comparison_1.svg", "comparison_2.svg"}
 
 
