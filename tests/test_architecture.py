@@ -27,7 +27,7 @@ ALL_BUT_CLI = (
     | READING
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "export", "report"}
-    | {"answers", "figures", "render"}
+    | {"answers", "figures", "notes", "render"}
 )
 RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce"}
 """Parts whose results are drawn: only a type checker reads them there."""
@@ -59,7 +59,11 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "_version"},
-    "answers": SOLVING | DESIGNING | {"mooring", "loads", "catalogue", "reproduce", "sizing"},
+    "notes": SOLVING | READING | DESIGNING | {"mooring", "schemas", "verify", "sizing", "_version"},
+    "answers": SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "loads", "verify", "reproduce", "sizing", "notes", "figures"},
     "render": BASE | {"answers", "figures", "_version"},
     "figures": BASE | RESULTS,
     "report": SOLVING
@@ -67,7 +71,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | READING
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "_version"}
-    | {"figures", "render"},
+    | {"figures", "notes", "render"},
     "cli": ALL_BUT_CLI | {"_version"},
     "__main__": {"cli", "errors", "interrupt", "_version"},
     "__init__": SOLVING

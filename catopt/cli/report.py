@@ -13,9 +13,9 @@ from catopt.cli.verify import INTERRUPTED, stop_if_not_converged
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output, Progress
-    from catopt.report.page.note import Note
+    from catopt.notes.line import Note
+    from catopt.notes.system import SystemNote
     from catopt.report.page.sections import AnyNote
-    from catopt.report.page.system.note import SystemNote
     from catopt.verify.dynamic_result import DynamicVerification
 
 __all__ = ["report"]
@@ -112,9 +112,9 @@ def report(
     with native charts. The same case gives the same files to the last byte.
     """
     from catopt.cli.note_kind import Wanted, note_of_file, workbook_of
+    from catopt.notes.line import Note
+    from catopt.notes.origin import file_name
     from catopt.report.files import write_files
-    from catopt.report.page.note import Note
-    from catopt.report.page.origin import file_name
     from catopt.report.page.render import render_page
 
     output: Output = context.obj
@@ -147,8 +147,8 @@ def report(
 
 def _moved(note: AnyNote) -> DynamicVerification | None:
     """Return what is in motion in a note: a line, or all of a body's."""
-    from catopt.report.page.note import Note
-    from catopt.report.page.system.note import SystemNote
+    from catopt.notes.line import Note
+    from catopt.notes.system import SystemNote
 
     if isinstance(note, SystemNote):
         return note.motion
@@ -203,10 +203,10 @@ def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
 def _document(note: AnyNote, language: str, written: list[tuple[Path, bytes]]) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
     from catopt.cli.note_kind import line_of
+    from catopt.notes.document import motion_document, swarm_document
+    from catopt.notes.system import SystemNote
     from catopt.render.texts import Words
-    from catopt.report.page.further_document import motion_document, swarm_document
     from catopt.report.page.render import sections_of
-    from catopt.report.page.system.note import SystemNote
 
     words = Words("vi" if language == "vi" else "en")
     line = line_of(note)

@@ -11,8 +11,8 @@ if TYPE_CHECKING:
 
     from catopt.casefile.sizing_file import Moored
     from catopt.cli.size_file import Filled
-    from catopt.report.page.result_directory import Asked
-    from catopt.report.page.sizing.note import Given, SizeNote
+    from catopt.notes.directory import Asked
+    from catopt.notes.size import Given, SizeNote
     from catopt.sizing import Sizing
 
 __all__ = ["given_to_size", "note_of_file", "sizing_of_file"]
@@ -44,8 +44,8 @@ def note_of_file(
     InputError, NoAnswerError, NotConvergedError
         As for `sizing_of_file` and `size_note`.
     """
-    from catopt.report.page.origin import read_source
-    from catopt.report.page.sizing.note import Given, size_note
+    from catopt.notes.origin import read_source
+    from catopt.notes.size import Given, size_note
 
     given = Given(read_source(path))
     sizing = sizing_of_file(path, moored)
@@ -130,8 +130,8 @@ def given_to_size(context: typer.Context, filled: Filled, given: dict[str, Any])
     given : dict
         The same with what was answered on a terminal.
     """
-    from catopt.report.page.origin import read_source
-    from catopt.report.page.sizing.note import Given
+    from catopt.notes.origin import read_source
+    from catopt.notes.size import Given
 
     source = None if filled.file is None else read_source(Path(filled.file.source))
     return Given(source, tuple(_by_hand(context, filled, given)))

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from catopt.design.result import DesignResult
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
+    from catopt.notes.size import Given
     from catopt.render.texts import Language
-    from catopt.report.page.sizing.note import Given
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
@@ -264,8 +264,8 @@ def size_files(
         ),
     }
     if given is not None:
+        from catopt.notes.size import size_note
         from catopt.report.page.render import render_page
-        from catopt.report.page.sizing.note import size_note
 
         files["note.html"] = render_page(size_note(of, given), language)
     if of.pattern is not None:

@@ -9,8 +9,8 @@ from tempfile import TemporaryDirectory
 
 import openpyxl
 
+from catopt.notes.line import Note, read_note
 from catopt.render.texts import Language
-from catopt.report.page.note import Note, read_note
 from catopt.report.page.render import render_page
 from catopt.report.workbook.note import note_workbook
 

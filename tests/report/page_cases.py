@@ -7,8 +7,8 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from catopt.notes.line import Note, read_note
 from catopt.render.texts import Language
-from catopt.report.page.note import Note, read_note
 from catopt.report.page.render import render_page
 
 from .page_reader import ReadPage, read_page

@@ -8,9 +8,9 @@ from tempfile import TemporaryDirectory
 
 from catopt.casefile.sizing_file import Moored
 from catopt.cli.size_note import note_of_file
+from catopt.notes.size import SizeNote
 from catopt.render.texts import Language
 from catopt.report.page.render import render_page
-from catopt.report.page.sizing.note import SizeNote
 
 from .page_cases import CASES
 from .page_reader import ReadPage, read_page

@@ -6,9 +6,9 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from catopt.notes.system import SystemNote, read_system_note
 from catopt.render.texts import Language
 from catopt.report.page.render import render_page
-from catopt.report.page.system.note import SystemNote, read_system_note
 
 from .page_cases import CASES
 from .page_reader import ReadPage, read_page

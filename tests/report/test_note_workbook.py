@@ -18,9 +18,9 @@ import pytest
 from openpyxl.utils import range_boundaries
 
 from catopt.design.document import design_document
+from catopt.notes.line import Note, read_note
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import LANGUAGES, Language
-from catopt.report.page.note import Note, read_note
 from catopt.report.workbook.note import note_workbook
 
 from .page_cases import CASES, EVERY, design_directory, known_note

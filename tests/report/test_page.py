@@ -15,11 +15,11 @@ from catopt import catalogue
 from catopt.answers.check import QUANTITY_OF
 from catopt.catenary import case_curve
 from catopt.errors import NotConvergedError
+from catopt.notes.line import Note, note_of, read_note
+from catopt.notes.origin import SourceFile, file_name
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Words
 from catopt.report.page.components import components
-from catopt.report.page.note import Note, note_of, read_note
-from catopt.report.page.origin import SourceFile, file_name
 from catopt.report.page.render import render_page, sections_of
 from catopt.report.page.sections import SECTIONS
 from catopt.report.tables.load_curve import at_points

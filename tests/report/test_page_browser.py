@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from catopt.report.page.note import read_note
+from catopt.notes.line import read_note
 from catopt.report.page.render import render_page
 
 from .browser import BEYOND, CHROMIUM, CLASHES, FONTS, OFF_PAPER, Tab, assert_nothing_sticks_out

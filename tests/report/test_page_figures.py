@@ -7,11 +7,11 @@ import re
 
 import pytest
 
+from catopt.notes.line import Note
 from catopt.render.svg import WIDTH, Figure, breadth
 from catopt.render.texts import Words
 from catopt.report.page.curve_figure import curve_figure
 from catopt.report.page.figures import capacities, line_drawing, tension_figure
-from catopt.report.page.note import Note
 from tests.reports import NOTES
 
 from .page_cases import EVERY, known_note

@@ -17,12 +17,12 @@ import pytest
 from catopt.errors import InputError
 from catopt.figures.chart import legend
 from catopt.figures.motion import around_the_largest, envelope, history
+from catopt.notes.line import read_note
+from catopt.notes.motion import InMotion, motion_warnings
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Words
 from catopt.report.page.closing import warnings
-from catopt.report.page.in_motion import InMotion, motion_warnings
 from catopt.report.page.motion import motion
-from catopt.report.page.note import read_note
 from catopt.report.page.render import render_page
 from catopt.report.workbook.note import note_workbook
 from tests.cli.vietnamese import gathered, untranslated

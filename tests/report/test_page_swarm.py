@@ -140,9 +140,9 @@ def test_many_runs_are_left_out_and_none_converged_is_said() -> None:
 
 
 def test_a_line_that_the_swarm_refuses_is_refused() -> None:
-    from catopt.report.page.note import note_of
-    from catopt.report.page.origin import SourceFile
-    from catopt.report.page.result_directory import Asked
+    from catopt.notes.directory import Asked
+    from catopt.notes.line import note_of
+    from catopt.notes.origin import SourceFile
 
     case = replace(buoy_case(), load=type(buoy_case().load)(span=17.4))  # type: ignore[misc]
     source = SourceFile("case.toml", "title = 'x'", "0" * 64)

@@ -11,7 +11,7 @@ import pytest
 
 from catopt.catenary.solve import solve
 from catopt.model import Line, PointLoad, Segment
-from catopt.report.page.note import Note
+from catopt.notes.line import Note
 from catopt.report.page.trail import Trail, is_uniform, trail_of
 
 from .page_cases import EVERY, known_note, known_page

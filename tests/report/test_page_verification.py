@@ -13,8 +13,8 @@ import pytest
 from catopt.casefile import read_case
 from catopt.errors import NotConvergedError
 from catopt.model import Case
+from catopt.notes.line import Note, note_of, read_note
 from catopt.render.texts import LANGUAGES, Language, Words
-from catopt.report.page.note import Note, note_of, read_note
 from catopt.report.page.render import render_page
 from catopt.report.tables.verify import part_sentence
 from catopt.report.workbook.note import note_workbook

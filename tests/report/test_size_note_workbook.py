@@ -14,8 +14,8 @@ from typing import Any
 import openpyxl
 import pytest
 
+from catopt.notes.size import Given, size_note
 from catopt.render.texts import LANGUAGES, Language
-from catopt.report.page.sizing.note import Given, size_note
 from catopt.report.workbook.note_size import size_note_workbook
 
 from .size_page_cases import EVERY, known_size_note

@@ -12,9 +12,9 @@ from typing import Any
 import pytest
 
 from catopt.loads.component import Number
+from catopt.notes.size import Given, SizeNote, size_note
 from catopt.render.texts import Words
 from catopt.report.page.render import render_page
-from catopt.report.page.sizing.note import Given, SizeNote, size_note
 from catopt.report.page.sizing.put_in import put_in, typeset_formula, typeset_unit
 from catopt.words import Message
 

@@ -13,12 +13,12 @@ import pandas as pd
 import pytest
 
 from catopt.__main__ import main
+from catopt.notes.directory import Asked
+from catopt.notes.system import SystemNote, read_system_note
 from catopt.render.texts import Language, Words
 from catopt.report.page.closing import warnings
 from catopt.report.page.render import render_page
-from catopt.report.page.result_directory import Asked
 from catopt.report.page.system.motion import motion
-from catopt.report.page.system.note import SystemNote, read_system_note
 from catopt.report.workbook.note_system import system_note_workbook
 from tests.cli.test_json import validate
 from tests.cli.test_lang_verify import FORCE, LED, PUSHED, SHIP

@@ -10,16 +10,16 @@ from pathlib import Path
 import pytest
 
 from catopt.errors import NotConvergedError
+from catopt.notes.checking import BODY, line_name
+from catopt.notes.rounding import heading_of
+from catopt.notes.system import SystemNote, directions_of, read_system_note
 from catopt.quantities import QUANTITIES
 from catopt.render.svg import WIDTH, Figure
 from catopt.render.texts import Words
 from catopt.report.page.render import render_page, sections_of
 from catopt.report.page.sections import SECTIONS
-from catopt.report.page.system.checking import BODY, line_name
 from catopt.report.page.system.drawings import elevation, plan_section
-from catopt.report.page.system.note import SystemNote, directions_of, read_system_note
 from catopt.report.page.system.restoring import restoring
-from catopt.report.page.system.rounding import heading_of
 from catopt.report.page.system.watch_circle import watch_circle
 from catopt.verify.compared import ROUNDING
 

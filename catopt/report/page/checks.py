@@ -6,8 +6,8 @@ from typing import Any
 
 from catopt.answers.check import QUANTITY_OF, governing_sentence
 from catopt.checks.result import CheckResult
+from catopt.notes.line import Note
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said
 
 __all__ = ["check_cells", "check_headings", "checks"]

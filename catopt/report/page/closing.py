@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+from catopt.notes.origin import Origin
 from catopt.render.texts import Words
-from catopt.report.page.origin import Origin
 
 __all__ = ["Made", "case_file", "warnings"]
 

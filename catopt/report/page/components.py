@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from catopt.notes.line import Note
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, called, measured, units
 
 if TYPE_CHECKING:

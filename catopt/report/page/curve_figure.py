@@ -6,9 +6,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from catopt.figures.curve import load_curve
+from catopt.notes.line import Note
 from catopt.render.svg import svg
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
 from catopt.report.tables.load_curve import at_marks, at_points
 

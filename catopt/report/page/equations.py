@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from catopt.notes.line import Note
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table
 from catopt.report.page.trail import Row, Step, digits, trail_of
 

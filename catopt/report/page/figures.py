@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.figures.line import line_in_water, tension_along
+from catopt.notes.capacity import allowed_tensions
+from catopt.notes.line import Note
 from catopt.render.svg import svg
 from catopt.render.texts import Words
-from catopt.report.page.capacity import allowed_tensions
-from catopt.report.page.note import Note
 
 __all__ = ["capacities", "line_drawing", "tension_figure"]
 

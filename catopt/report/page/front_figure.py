@@ -7,10 +7,10 @@ from typing import Any
 
 from catopt.answers.design import OBJECTIVES, shown_designs
 from catopt.figures.front import composition, front
+from catopt.notes.line import Chosen, Note
 from catopt.quantities import Quantity
 from catopt.render.svg import svg
 from catopt.render.texts import Words
-from catopt.report.page.note import Chosen, Note
 from catopt.report.page.table import Cell, Heading, Table, measured, said, units
 
 __all__ = [

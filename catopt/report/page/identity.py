@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from catopt.answers.check import verdict_sentence
+from catopt.notes.line import Note
+from catopt.notes.origin import Origin
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
-from catopt.report.page.origin import Origin
 from catopt.report.page.table import Cell, Heading, Table, said
 from catopt.report.wording.names import METHODS, how_it_hangs
 

@@ -8,8 +8,8 @@ from typing import Any
 from catopt.casefile.fields import Kind, Measured
 from catopt.casefile.schema import CaseTable, Table, entries
 from catopt.documents import Path, dotted
+from catopt.notes.line import Note
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, shown_si
 from catopt.report.page.table import Table as ShownTable
 from catopt.units import as_written

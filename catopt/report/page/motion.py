@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from catopt.figures.motion import envelope_chart, exceedance, history
+from catopt.notes.line import Note
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.svg import svg
 from catopt.render.texts import Words
@@ -17,7 +18,6 @@ from catopt.report.page.motion_drive import (
     segments_table,
 )
 from catopt.report.page.motion_extremes import extremes_table
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured, number_heading, units
 from catopt.report.tables.dynamic import (
     DYNAMIC_QUANTITY_OF,
@@ -29,7 +29,7 @@ from catopt.units import lasting
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.report.page.in_motion import InMotion, SegmentUse
+    from catopt.notes.motion import InMotion, SegmentUse
     from catopt.verify.dynamic_result import DynamicPart, DynamicRun
 
 __all__ = ["STATISTICS", "at_rest", "change_cell", "known_of", "motion", "outcome_rows", "run_rows"]

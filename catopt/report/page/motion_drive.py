@@ -12,7 +12,7 @@ from catopt.report.page.table import Cell, Heading, Table, measured, units
 
 if TYPE_CHECKING:
     from catopt.model import CurrentProfile, Motion, Segment, WaveState, WaveTrain
-    from catopt.report.page.in_motion import InMotion
+    from catopt.notes.motion import InMotion
     from catopt.verify.dynamic_result import DynamicRun
     from catopt.verify.motion_file import Raos
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from catopt.notes.line import Note
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured, shown_si, units
 from catopt.report.tables.summary import Entry, found, named, residuals
 from catopt.report.tables.summary import results as entries

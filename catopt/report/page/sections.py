@@ -6,6 +6,9 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from catopt.notes.line import Note
+from catopt.notes.size import SizeNote
+from catopt.notes.system import SystemNote
 from catopt.render.texts import Words
 from catopt.report.page.checks import checks
 from catopt.report.page.closing import case_file, warnings
@@ -17,12 +20,9 @@ from catopt.report.page.front_figure import front_figure
 from catopt.report.page.identity import identity
 from catopt.report.page.inputs import inputs
 from catopt.report.page.motion import motion
-from catopt.report.page.note import Note
 from catopt.report.page.results import load_cases, results
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.parts import OF_A_SIZING
 from catopt.report.page.swarm import swarm
-from catopt.report.page.system.note import SystemNote
 from catopt.report.page.system.parts import OF_A_BODY
 from catopt.report.page.verification import verification
 

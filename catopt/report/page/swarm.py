@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from catopt.figures.swarm import fitness
+from catopt.notes.line import Note
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.svg import svg
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured
 from catopt.report.tables.summary import named, results
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from catopt.notes.line import Note
 from catopt.render.texts import Words
-from catopt.report.page.note import Note
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured
 from catopt.report.tables.verify import QUANTITY_OF, in_parts, part_sentence
 from catopt.verify.compared import ROUNDING

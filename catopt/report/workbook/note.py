@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from catopt.answers.check import governing_sentence, verdict_sentence
 from catopt.casefile.schema import CaseTable
+from catopt.notes.line import Note
 from catopt.render.sheet import Book, Cell, Sheet, Style, Text
 from catopt.render.texts import Language, Words
 from catopt.report.page.identity import identity
-from catopt.report.page.note import Note
 from catopt.report.page.table import label_of
 from catopt.report.tables.summary import Entry, found, given, residuals, results
 from catopt.report.workbook.note_cells import number_of, unit_of

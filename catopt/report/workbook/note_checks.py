@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from catopt.answers.check import QUANTITY_OF, load_case_table
 from catopt.answers.design import OBJECTIVES
 from catopt.figures.front import composition
+from catopt.notes.line import Chosen, Note
 from catopt.quantities import QUANTITIES
 from catopt.render.sheet import Book, Cell, Chart, Number, Series, Sheet, Text
 from catopt.render.texts import Words
@@ -15,7 +16,6 @@ from catopt.report.page.front_figure import (
     further_objectives,
     verdict_cell,
 )
-from catopt.report.page.note import Chosen, Note
 from catopt.report.page.verification import rough_words
 from catopt.report.tables.verify import QUANTITY_OF as COMPARED
 from catopt.report.tables.verify import part_sentence

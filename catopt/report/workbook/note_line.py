@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Literal
 from catopt.answers.curve import points_table
 from catopt.answers.solution import profile_table
 from catopt.figures.line import FAR, touchdowns
+from catopt.notes.line import Note
 from catopt.quantities import QUANTITIES
 from catopt.render.sheet import Book, Cell, Chart, Series, Sheet, Text
 from catopt.report.page.figures import capacities
-from catopt.report.page.note import Note
 from catopt.report.page.table import called, in_unit
 from catopt.report.tables.load_curve import FAIRLEAD_TENSION, FORCE, OFFSET, SPAN, at_marks
 from catopt.report.workbook.note_cells import headed, number_of

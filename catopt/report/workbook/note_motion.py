@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from catopt.figures.motion import around_the_largest, envelope
+from catopt.notes.line import Note
 from catopt.quantities import QUANTITIES
 from catopt.render.sheet import Book, Cell, Chart, Number, Series, Sheet, Text
 from catopt.render.texts import Words
 from catopt.report.page.motion import STATISTICS, at_rest, known_of, outcome_rows, run_rows
 from catopt.report.page.motion_drive import Row, drive_rows, model_rows, segment_rows
 from catopt.report.page.motion_extremes import extreme_headings, extreme_rows
-from catopt.report.page.note import Note
 from catopt.report.tables.dynamic import DYNAMIC_QUANTITY_OF, dynamic_sentences
 from catopt.report.tables.summary import named
 from catopt.report.workbook.note_cells import headed, number_of, unit_of
@@ -22,7 +22,7 @@ from catopt.units import lasting
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.report.page.in_motion import InMotion
+    from catopt.notes.motion import InMotion
     from catopt.verify.dynamic_result import DynamicPart
 
 __all__ = ["motion_sheet"]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from catopt.answers.check import verdict_sentence
+from catopt.notes.size import SizeNote
 from catopt.render.sheet import Book, Cell, Text
 from catopt.render.texts import Language, Words
 from catopt.report.page.sizing.identity import found, governing, identity, recommendation
 from catopt.report.page.sizing.inputs import schema_of
 from catopt.report.page.sizing.load_case import load_case_words, said_line
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.workbook.note_checks import (
     checks_sheet,
     front_sheet,

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from catopt.answers.check import QUANTITY_OF
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.sheet import (
     Book,
@@ -22,7 +23,6 @@ from catopt.render.texts import Words
 from catopt.report.page.sizing.candidates import ROLES, candidate_verdict, failing_words
 from catopt.report.page.sizing.hold import held, steps
 from catopt.report.page.sizing.load_case import load_case_words
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.pattern import line_rows
 from catopt.report.page.sizing.put_in import typeset_unit
 from catopt.report.page.sizing.swing import PARTS

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES
 from catopt.render.sheet import (
     Book,
@@ -14,7 +15,6 @@ from catopt.render.sheet import (
 )
 from catopt.report.page.sizing.load_case import load_case_words
 from catopt.report.page.sizing.loads import forces, what_is_pushed
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.put_in import put_in, typeset_formula, typeset_unit
 from catopt.report.page.table import in_unit
 from catopt.report.workbook.note_cells import headed, number_of

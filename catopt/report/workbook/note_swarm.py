@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 
 from catopt.catenary.solution import SwarmReport
+from catopt.notes.line import Note
 from catopt.render.sheet import Book, Cell, Chart, Number, Series, Sheet, Text
-from catopt.report.page.note import Note
 from catopt.report.page.swarm import CONVERGED, result_rows, setting_rows
 from catopt.report.page.table import in_unit, label_of
 from catopt.report.tables.summary import named

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from catopt.casefile.schema import CaseTable
 from catopt.figures.line import grounded_ends
+from catopt.notes.system import SystemNote
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.sheet import Book, Cell, Chart, Number, Series, Sheet, Style, Text
 from catopt.render.texts import Language, Words
 from catopt.report.page.system.checks import governing_words, of_what
 from catopt.report.page.system.identity import identity
 from catopt.report.page.system.motion import body_table, lines_table, said_of
-from catopt.report.page.system.note import SystemNote
 from catopt.report.page.system.results import rule_words, values_of
 from catopt.report.page.table import in_unit
 from catopt.report.tables.summary import named

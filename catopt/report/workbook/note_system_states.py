@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from catopt.notes.system import SystemNote
 from catopt.quantities import QUANTITIES
 from catopt.render.sheet import Book, Cell, Chart, Number, Series, Text
 from catopt.render.texts import Words
-from catopt.report.page.system.note import SystemNote
 from catopt.report.page.table import in_unit
 from catopt.report.workbook.note_cells import number_of
 

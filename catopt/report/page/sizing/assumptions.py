@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from catopt.notes.size import SizeNote
 from catopt.render.texts import Phrase, Words
-from catopt.report.page.sizing.note import SizeNote
 from catopt.words import say
 
 __all__ = ["assumptions"]

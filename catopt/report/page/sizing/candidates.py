@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.answers.check import QUANTITY_OF
 from catopt.answers.design import OBJECTIVES
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Phrase, Words
 from catopt.report.page.sizing.load_case import load_case_words
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table, measured, number_heading, said, units
 
 if TYPE_CHECKING:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from catopt.notes.size import SizeNote
 from catopt.render.texts import Words
 from catopt.report.page.front_figure import front_figure
 from catopt.report.page.sizing.load_case import said_line
-from catopt.report.page.sizing.note import SizeNote
 
 __all__ = ["front"]
 

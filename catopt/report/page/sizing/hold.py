@@ -12,9 +12,9 @@ from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR, SinkerSize
 from catopt.loads.source import CALMAR, OWN, LoadSource
 from catopt.model.anchor import sinker_needed
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.texts import Words
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.put_in import typeset_unit
 from catopt.report.page.table import Cell, Heading, Table, measured
 

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from catopt.answers.check import governing_sentence, verdict_sentence
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.texts import Phrase, Words
 from catopt.report.page.identity import made_from, title_block
 from catopt.report.page.sizing.candidates import failing_words
 from catopt.report.page.sizing.hold import held
 from catopt.report.page.sizing.load_case import load_case_words, said_line
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table, measured
 from catopt.ties import largest
 

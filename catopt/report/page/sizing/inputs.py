@@ -6,9 +6,9 @@ from typing import Any
 
 from catopt.casefile.schema import Table as Schema
 from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
+from catopt.notes.size import SizeNote
 from catopt.render.texts import Words
 from catopt.report.page.inputs import inputs_table
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table
 
 __all__ = ["inputs", "schema_of"]

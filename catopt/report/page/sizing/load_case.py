@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from catopt.checks.result import CheckSource
+from catopt.notes.line import Chosen, Note
 from catopt.render.texts import Words
-from catopt.report.page.note import Chosen, Note
 from catopt.words import term
 
 __all__ = ["load_case_words", "said_line", "said_names"]

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Phrase, Words
 from catopt.report.page.sizing.load_case import load_case_words
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.put_in import put_in, typeset_formula, typeset_unit
 from catopt.report.page.table import Cell, Heading, Table, measured
 from catopt.ties import first_largest

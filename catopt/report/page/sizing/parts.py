@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from catopt.notes.size import SizeNote
 from catopt.render.texts import Words
 from catopt.report.page.checks import checks
 from catopt.report.page.closing import case_file, warnings
@@ -21,7 +22,6 @@ from catopt.report.page.sizing.identity import identity
 from catopt.report.page.sizing.inputs import inputs
 from catopt.report.page.sizing.load_case import said_line
 from catopt.report.page.sizing.loads import loads
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.sizing.pattern import pattern
 from catopt.report.page.sizing.swing import swing
 from catopt.report.page.swarm import swarm

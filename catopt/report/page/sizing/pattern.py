@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Words
 from catopt.report.page.sizing.load_case import load_case_words
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.system.drawings import plan_of
 from catopt.report.page.table import Cell, Heading, Table, measured, number_heading, units
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from catopt.notes.size import SizeNote
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Words
 from catopt.report.page.sizing.load_case import load_case_words
-from catopt.report.page.sizing.note import SizeNote
 from catopt.report.page.table import Cell, Heading, Table, measured, number_heading
 
 __all__ = ["PARTS", "swing"]

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
+from catopt.notes.rounding import without_rounding
+from catopt.notes.system import SystemNote
 from catopt.render.texts import Words
 from catopt.report.page.equations import followed, steps_table
-from catopt.report.page.system.note import SystemNote
-from catopt.report.page.system.rounding import without_rounding
 from catopt.report.page.table import Cell, Heading, Table
 from catopt.report.page.trail import Step, digits, within
 

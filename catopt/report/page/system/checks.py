@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.answers.check import QUANTITY_OF
+from catopt.notes.checking import BODY, line_name
+from catopt.notes.system import SystemNote
 from catopt.render.texts import Words
 from catopt.report.page.checks import check_cells, check_headings
-from catopt.report.page.system.checking import BODY, line_name
-from catopt.report.page.system.note import SystemNote
 from catopt.report.page.table import Cell, Heading, Table
 
 __all__ = ["checks", "governing_words", "of_what"]

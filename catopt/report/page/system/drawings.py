@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.figures.line import line_in_water, magnified
 from catopt.figures.mooring import near, plan
+from catopt.notes.system import SystemNote
 from catopt.render.svg import Figure, svg
 from catopt.render.texts import Words
-from catopt.report.page.system.note import SystemNote
 
 if TYPE_CHECKING:
     from catopt.figures.chart import Chart

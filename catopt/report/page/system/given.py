@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.casefile.schema import CaseTable
+from catopt.notes.system import SystemNote
 from catopt.render.texts import Words
 from catopt.report.page.components import parts_of
 from catopt.report.page.inputs import inputs_table
-from catopt.report.page.system.note import SystemNote
 
 __all__ = ["components", "inputs"]
 

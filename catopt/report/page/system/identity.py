@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from catopt.answers.check import verdict_sentence
+from catopt.notes.rounding import heading_of
+from catopt.notes.system import SystemNote
 from catopt.quantities import QUANTITIES
 from catopt.render.texts import Phrase, Words
 from catopt.report.page.identity import made_from, title_block
-from catopt.report.page.system.note import SystemNote
-from catopt.report.page.system.rounding import heading_of
 from catopt.report.page.table import Cell
 from catopt.report.wording.names import METHODS
 from catopt.ties import first_largest

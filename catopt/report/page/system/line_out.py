@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from catopt.notes.system import SystemNote
 from catopt.render.texts import Words
-from catopt.report.page.system.note import SystemNote
 from catopt.report.page.system.watch_circle import response_cells, response_headings
 from catopt.report.page.table import Cell, Heading, Table
 from catopt.ties import first_largest

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from catopt.figures.motion import history, track
+from catopt.notes.system import SystemNote
 from catopt.render.svg import svg
 from catopt.render.texts import Phrase, Words
 from catopt.report.page.motion import STATISTICS
-from catopt.report.page.system.note import SystemNote
 from catopt.report.page.table import Cell, Heading, Table, label_of, measured, number_heading
 from catopt.report.tables.dynamic import (
     DYNAMIC_QUANTITY_OF,

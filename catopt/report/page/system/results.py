@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from catopt.notes.rounding import without_rounding
+from catopt.notes.system import SystemNote
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.texts import Words
-from catopt.report.page.system.note import SystemNote
-from catopt.report.page.system.rounding import without_rounding
 from catopt.report.page.table import Cell, Heading, Table, measured, number_heading, shown_si
 
 __all__ = ["Value", "lines", "results", "values_of"]

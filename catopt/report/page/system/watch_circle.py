@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from catopt.figures.mooring import watch_round, watch_track
+from catopt.notes.system import SystemNote
 from catopt.quantities import QUANTITIES
 from catopt.render.svg import svg
 from catopt.render.texts import Words
-from catopt.report.page.system.note import SystemNote
 from catopt.report.page.table import Cell, Heading, Table, measured, number_heading
 
 if TYPE_CHECKING:

@@ -11,9 +11,9 @@ from catopt.casefile import write_case
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.design.document import design_document
 from catopt.mooring.solve import solve_system
-from catopt.report.page.note import Chosen, Note, note_of
-from catopt.report.page.origin import Origin, SourceFile, origin_of
-from catopt.report.page.result_directory import Asked
+from catopt.notes.directory import Asked
+from catopt.notes.line import Chosen, Note, note_of
+from catopt.notes.origin import Origin, SourceFile, origin_of
 
 if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution

@@ -13,13 +13,13 @@ from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.mooring.solve import solve_system
+from catopt.notes.checking import checks_of
+from catopt.notes.directory import Asked
+from catopt.notes.motion import Progress, motion_files
+from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
+from catopt.notes.rounding import heading_of
 from catopt.quantities import QUANTITIES
-from catopt.report.page.in_motion import Progress, motion_files
-from catopt.report.page.origin import Origin, SourceFile, origin_of, read_source
-from catopt.report.page.result_directory import Asked
-from catopt.report.page.system.checking import checks_of
-from catopt.report.page.system.rounding import heading_of
-from catopt.report.tables.dynamic import doubts, stopped_sentence
+from catopt.verify.motion_words import doubts, stopped_sentence
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from catopt.report.page.capacity import allowed_tensions
-from catopt.report.page.origin import SourceFile, read_source
+from catopt.notes.capacity import allowed_tensions
+from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
 
 if TYPE_CHECKING:
@@ -142,7 +142,7 @@ def _uses(part: DynamicPart, solution: Solution, checks: CheckReport) -> Iterato
 
 def motion_warnings(moved: InMotion) -> Iterator[str]:
     """Yield what is to be known before the note is used: what fails, and what was remarked on."""
-    from catopt.report.tables.dynamic import stopped_sentence
+    from catopt.verify.motion_words import stopped_sentence
 
     if not moved.found.is_complete:
         yield Message("notes.motion_incomplete", where=stopped_sentence(moved.found))
@@ -161,7 +161,7 @@ def motion_warnings(moved: InMotion) -> Iterator[str]:
 def _of_part(
     part: DynamicPart, uses: tuple[SegmentUse, ...], of_all: Sequence[str]
 ) -> Iterator[str]:
-    from catopt.report.tables.dynamic import doubts
+    from catopt.verify.motion_words import doubts
 
     yield from _beyond(uses)
     yield from doubts(part)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from catopt.report.page.in_motion import InMotion
-from catopt.report.page.note import Note
-from catopt.report.page.system.note import SystemNote
+from catopt.notes.line import Note
+from catopt.notes.motion import InMotion
+from catopt.notes.system import SystemNote
 
 __all__ = ["motion_document", "swarm_document"]
 

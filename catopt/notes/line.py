@@ -13,9 +13,9 @@ from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import NO_CHECK, check_case, is_of_load
 from catopt.errors import CatoptError
-from catopt.report.page.in_motion import InMotion, in_motion, motion_files, motion_warnings
-from catopt.report.page.origin import Origin, SourceFile, origin_of, read_source
-from catopt.report.page.result_directory import Asked, asked_in, case_path
+from catopt.notes.directory import Asked, asked_in, case_path
+from catopt.notes.motion import InMotion, in_motion, motion_files, motion_warnings
+from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
 from catopt.words import is_said
 
 if TYPE_CHECKING:

@@ -1,0 +1,195 @@
+"""What is said of a line in motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.units import lasting
+from catopt.verify.proof import LIMIT
+from catopt.words import Message, Several
+
+if TYPE_CHECKING:
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Extreme
+
+__all__ = [
+    "DYNAMIC_QUANTITY_OF",
+    "doubts",
+    "dynamic_sentences",
+    "interval",
+    "motion_sentences",
+    "not_converged_sentence",
+    "proof_sentences",
+    "stopped_sentence",
+    "stopped_words",
+]
+
+
+def _named(key: str, name: str, symbol: str | None = None) -> Quantity:
+    of = QUANTITIES[key]
+    return replace(of, name=name, symbol=of.symbol if symbol is None else symbol)
+
+
+DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
+    {
+        "fairlead_tension": _named("tension", "Fairlead tension"),
+        "anchor_tension": _named("tension", "Anchor tension", "TA"),
+        "grounded_length": QUANTITIES["grounded_length"],
+        "offset": _named("offset", "Fairlead offset"),
+        "body_x": _named("offset", "Body x", ""),
+        "body_y": _named("offset", "Body y", ""),
+        "body_offset": _named("offset", "Body's way from rest", ""),
+    }
+)
+"""What each quantity of a line in motion is in tables."""
+
+_HOW = {
+    "step": "motion.how_step",
+    "bars": "motion.how_bars",
+    "both": "motion.how_both",
+}
+
+_LARGEST = {
+    "fairlead_tension": "motion.largest_fairlead_tension",
+    "anchor_tension": "motion.largest_anchor_tension",
+    "largest_tension": "motion.largest_tension",
+    "grounded_length": "motion.largest_grounded_length",
+    "offset": "motion.largest_offset",
+}
+
+_OF = {
+    "fairlead_tension": "motion.of_fairlead_tension",
+    "anchor_tension": "motion.of_anchor_tension",
+    "offset": "motion.of_offset",
+}
+
+_TENSION = DYNAMIC_QUANTITY_OF["fairlead_tension"]
+
+
+def dynamic_sentences(part: DynamicPart) -> list[str]:
+    """Say what the motion does to the line, and how far that hangs on step and bars."""
+    return [*motion_sentences(part), *proof_sentences(part)]
+
+
+def motion_sentences(part: DynamicPart) -> list[str]:
+    """Say what the motion does to the line: amplification, most probable maximum, slack."""
+    largest = part.of("fairlead_tension").maximum
+    reached = _TENSION.format(largest, unit=True)
+    told = Message("motion.reaches", tension=reached)
+    if part.amplification is not None:
+        still = _TENSION.format(part.quasi_static_max, unit=True)
+        values = {"tension": reached, "times": part.amplification, "still": still}
+        told = Message("motion.reaches_times", **values)
+    slack = Message("motion.no_slack")
+    if part.slack_time > 0.0:
+        slack = Message("motion.goes_slack", time=part.slack_time, longest=part.longest_slack)
+    return [told, *_extremes(part), slack, *_friction_sentences(part)]
+
+
+def _friction_sentences(part: DynamicPart) -> list[str]:
+    """Say between what the anchor's tension at rest lies, by what friction was left in the line."""
+    if not part.anchor_at_rest:
+        return []
+    values = {
+        state: _TENSION.format(tension, unit=True) for state, tension in part.anchor_at_rest.items()
+    }
+    return [Message("motion.friction_at_rest", **values)]
+
+
+def _extremes(part: DynamicPart) -> Iterator[str]:
+    """Say what the largest values are in the duration of interest, and how far that is known."""
+    if not part.is_random:
+        yield Message("motion.not_random")
+        return
+    for each in part.quantities:
+        quantity, tail, runs = DYNAMIC_QUANTITY_OF[each.quantity], each.tail, each.gumbel
+        if not part.varies_at_random(each.quantity):
+            continue
+        what = Message(_OF[each.quantity])
+        if tail is None:
+            yield Message("motion.few_peaks", what=what)
+            continue
+        yield Message(
+            "motion.weibull",
+            duration=lasting(tail.extreme.duration),
+            what=what,
+            interval=interval(quantity, tail.extreme),
+            expected=quantity.format(tail.extreme.expected, unit=True),
+            count=len(tail.clusters),
+            threshold=quantity.format(tail.threshold, unit=True),
+            time=lasting(tail.time),
+        )
+        if runs is not None:
+            found = interval(quantity, runs.extreme)
+            yield Message("motion.gumbel", runs=runs.runs, interval=found)
+
+
+def interval(quantity: Quantity, extreme: Extreme) -> Message:
+    """Write a most probable maximum with its interval, in the unit of the field."""
+    return Message(
+        "motion.interval",
+        value=quantity.format(extreme.most_probable, unit=True),
+        part=extreme.confidence,
+        low=quantity.format(extreme.low),
+        high=quantity.format(extreme.high, unit=True),
+    )
+
+
+def proof_sentences(part: DynamicPart) -> list[Message]:
+    """Say how far the maxima hang on step and bars, and how much of the work is numerical."""
+    worst, failed, lost = part.worst_change, part.failure, part.numerical_part
+    if failed is not None:
+        said = Message("motion.no_answer_again", how=Message(_HOW[failed.way]))
+    elif worst is None:
+        said = Message("motion.not_proven")
+    else:
+        values = {"how": Message(_HOW[worst.way]), "change": worst.size, "limit": LIMIT}
+        said = Message("motion.converged", **values)
+        if worst.size > LIMIT:
+            what = Message(_LARGEST[worst.quantity])
+            said = Message("motion.changes", what=what, **values)
+    if lost > LIMIT:
+        return [said, Message("motion.too_numerical", part=lost, limit=LIMIT)]
+    return [said, Message("motion.numerical", part=lost)]
+
+
+def doubts(part: DynamicPart) -> list[Message]:
+    """Say what of a run has not converged, or is not proven."""
+    doubtful = (*_NOT_CONVERGED, "motion.not_proven")
+    return [each for each in proof_sentences(part) if each.key in doubtful]
+
+
+_NOT_CONVERGED = ("motion.no_answer_again", "motion.changes", "motion.too_numerical")
+"""Keys of what is wrong."""
+
+
+def not_converged_sentence(found: DynamicVerification) -> Message:
+    """Say which load case or line has not converged, and why."""
+    part = found.least_proven
+    why = next(each for each in proof_sentences(part) if each.key in _NOT_CONVERGED)
+    return Message("motion.why_of", where=part.where, why=why)
+
+
+def stopped_sentence(found: DynamicVerification) -> Message:
+    """Say how far a run came that was stopped, and that it is kept."""
+    return Several((stopped_words(found), Message("motion.kept")))
+
+
+def stopped_words(found: DynamicVerification) -> Message:
+    """Say how far a run came that was stopped."""
+    dynamics, part = found.case.dynamics, found.parts[-1]
+    assert dynamics is not None
+    done, runs = len(part.runs), dynamics.runs
+    if part.is_complete:
+        return Message("motion.stopped_case", name=part.name, done=done, runs=runs)
+    return Message(
+        "motion.stopped_run",
+        name=part.name,
+        run=done,
+        runs=runs,
+        reached=float(part.runs[-1].history.time[-1]),
+        duration=dynamics.duration,
+    )

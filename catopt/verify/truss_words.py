@@ -1,0 +1,150 @@
+"""What is said of closed form and truss model beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.verify.compared import ROUNDING
+from catopt.verify.richardson import ORDER
+from catopt.words import Message, Several
+
+if TYPE_CHECKING:
+    from catopt.verify.compared import Compared
+    from catopt.verify.result import StaticComparison
+
+__all__ = [
+    "QUANTITY_OF",
+    "gap_words",
+    "in_parts",
+    "name_of",
+    "part_sentence",
+    "rough_sentence",
+]
+
+
+def _named(key: str, name: str, symbol: str | None = None) -> Quantity:
+    of = QUANTITIES[key]
+    return replace(of, name=name, symbol=of.symbol if symbol is None else symbol)
+
+
+QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
+    {
+        "span": QUANTITIES["span"],
+        "horizontal_force": QUANTITIES["horizontal_force"],
+        "fairlead_tension": _named("tension", "Fairlead tension"),
+        "fairlead_vertical_force": _named("vertical_force", "Fairlead vertical force"),
+        "fairlead_angle": _named("angle", "Fairlead inclination", ""),
+        "anchor_tension": _named("tension", "Anchor tension", "TA"),
+        "anchor_vertical_force": _named("vertical_force", "Anchor vertical force", "VA"),
+        "anchor_angle": _named("angle", "Anchor inclination", ""),
+        "grounded_length": QUANTITIES["grounded_length"],
+        "shape": _named("length", "Distance of the shapes", ""),
+        "position_x": _named("offset", "Position of the body", "x"),
+        "position_y": _named("offset", "Position of the body", "y"),
+        "moment_of_lines": _named("moment", "Moment of the lines", ""),
+    }
+)
+"""What each compared quantity is in tables."""
+
+_SCALE_WORDS = MappingProxyType(
+    {
+        "N": "truss.of_the_tension",
+        "m": "truss.of_the_length",
+        "rad": "truss.of_a_rad",
+        "Nm": "truss.of_moment",
+    }
+)
+
+_NAMES = MappingProxyType(
+    {
+        "span": "truss.span",
+        "horizontal_force": "truss.horizontal_force",
+        "fairlead_tension": "truss.fairlead_tension",
+        "fairlead_vertical_force": "truss.fairlead_vertical_force",
+        "fairlead_angle": "truss.fairlead_angle",
+        "anchor_tension": "truss.anchor_tension",
+        "anchor_vertical_force": "truss.anchor_vertical_force",
+        "anchor_angle": "truss.anchor_angle",
+        "grounded_length": "truss.grounded_length",
+        "shape": "truss.shape",
+        "position_x": "truss.position_x",
+        "position_y": "truss.position_y",
+        "moment_of_lines": "truss.moment_of_lines",
+    }
+)
+"""What each compared quantity is in a sentence."""
+
+_MOST_NAMED = 4
+"""Quantities that a sentence names."""
+
+
+def in_parts(value: float) -> str:
+    """Write a difference over its scale; below the truss's own tolerance even a 0 is chance."""
+    return f"{value:.1e}" if value >= ROUNDING else f"<{ROUNDING:.0e}"
+
+
+def name_of(each: Compared) -> Message:
+    """Name a quantity, with its line in a system: ``"fairlead tension of line 2"``."""
+    name = Message(_NAMES[each.quantity])
+    if each.line is None or each.quantity.startswith("position"):
+        return name
+    return Message("truss.quantity_of_line", quantity=name, number=each.line + 1)
+
+
+def gap_words(each: Compared) -> Message:
+    """Say how large a gap is: ``"3.1e-09 of the tension"``."""
+    gap = in_parts(each.gap)
+    if each.theory != ORDER:
+        # Of a slack line the scale may be that of a bar, over the tolerance.
+        return Message("truss.of_its_scale", gap=gap)
+    if each.quantity.startswith("position"):
+        return Message("truss.of_the_offset", gap=gap)
+    return Message(_SCALE_WORDS[each.unit], gap=gap)
+
+
+def part_sentence(part: StaticComparison) -> Message:
+    """Say what came of one load case."""
+    worst = part.worst
+    allowed = f"{part.tolerance:.0e}"
+    if part.verdict == "agrees":
+        told = Message("truss.largest", quantity=name_of(worst), gap=gap_words(worst))
+        if worst.gap < ROUNDING:
+            told = Message("truss.below_scale", limit=f"{ROUNDING:.0e}")
+        return Message("truss.agree", largest=told, allowed=allowed)
+    others = [each for each in part.quantities if not each.agrees]
+    differences = [
+        Message(
+            "truss.differs_by", quantity=name_of(each), amount=_amount(each), gap=gap_words(each)
+        )
+        for each in others[:_MOST_NAMED]
+    ]
+    if len(others) > _MOST_NAMED:
+        differences.append(Message("truss.and_more", more=len(others) - _MOST_NAMED))
+    key = "truss.not_resolved" if part.verdict == "not resolved" else "truss.differ"
+    return Message(key, differences=Several(differences), allowed=allowed)
+
+
+def _amount(each: Compared) -> str:
+    quantity = QUANTITY_OF[each.quantity]
+    return quantity.format(each.difference, unit=True, digits=quantity.digits + 1)
+
+
+def rough_sentence(part: StaticComparison) -> str:
+    """Name what does not close up smoothly; empty where everything does."""
+    if not part.rough:
+        return ""
+    told: Message = Several(
+        (
+            Message("truss.rough_quantity", quantity=name_of(each), order=each.order)
+            for each in part.rough[:_MOST_NAMED]
+        ),
+        ", ",
+    )
+    if len(part.rough) > _MOST_NAMED:
+        more = len(part.rough) - _MOST_NAMED
+        told = Message("truss.rough_more", quantities=told, more=more)
+    return Message("truss.rough", quantities=told)
