@@ -30,9 +30,9 @@ class Quantity:
         SI units in one field unit: 1000 for kN.
     digits : int
         Digits after the decimal point, in the field unit.
-    notation : {"fixed", "scientific", "shortest"}
+    notation : {"fixed", "scientific", "shortest", "significant"}
         Scientific for what goes down to rounding error; shortest for what is written in as few
-        digits as it has, such as the diameter of a chain.
+        digits as it has, such as the diameter of a chain; significant where `digits` are those.
     """
 
     key: str
@@ -42,7 +42,7 @@ class Quantity:
     field_unit: str
     factor: float
     digits: int
-    notation: Literal["fixed", "scientific", "shortest"] = "fixed"
+    notation: Literal["fixed", "scientific", "shortest", "significant"] = "fixed"
 
     @property
     def label(self) -> str:
@@ -85,6 +85,8 @@ class Quantity:
         value = self.to_field(si)
         if self.notation == "scientific" and value != 0.0:
             text = f"{value:.{places}e}"
+        elif self.notation == "significant":
+            text = f"{value:.{places}g}"
         elif self.notation == "shortest":
             text = f"{round(value, places):.15g}"
         else:

@@ -13,6 +13,7 @@ from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import NO_CHECK, check_case, is_of_load
 from catopt.errors import CatoptError
+from catopt.notes.capacity import allowed_tensions
 from catopt.notes.directory import Asked, asked_in, case_path
 from catopt.notes.motion import InMotion, in_motion, motion_files, motion_warnings
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
@@ -106,6 +107,11 @@ class Note:
     def title(self) -> str:
         """Title of the case; empty when it has none."""
         return self.case.title
+
+    @property
+    def allowed(self) -> list[float | None]:
+        """Least tension that each segment is allowed in the load case drawn, N."""
+        return allowed_tensions(self.checks, self.solution, self.load_case)
 
 
 def read_note(

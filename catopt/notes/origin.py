@@ -9,8 +9,10 @@ from typing import Any
 
 from catopt._version import __version__
 from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.schema import CaseTable, Table
 from catopt.casefile.sizing_file import SIZING
 from catopt.documents import MOST_BYTES_OF_DATA, parse_toml, read_text
+from catopt.notes.inputs import Input, inputs_of
 
 __all__ = ["Origin", "SourceFile", "file_name", "origin_of", "read_source"]
 
@@ -34,6 +36,8 @@ class Origin:
         The case file first.
     inputs : dict
         The case file as the TOML reader returns it.
+    given : tuple of Input
+        Every value of it.
     date : str
         As it was given; empty when none was.
     version : str
@@ -44,11 +48,15 @@ class Origin:
     inputs: dict[str, Any]
     date: str = ""
     version: str = __version__
+    given: tuple[Input, ...] = ()
 
 
-def origin_of(files: tuple[SourceFile, ...], date: str = "") -> Origin:
-    """Say where a note comes from; the first of the files has its inputs."""
-    return Origin(files, parse_toml(files[0].text, files[0].name), _writable(date))
+def origin_of(
+    files: tuple[SourceFile, ...], date: str = "", schema: type[Table] = CaseTable
+) -> Origin:
+    """Say where a note comes from; the first of the files, as its schema has it, has its inputs."""
+    document = parse_toml(files[0].text, files[0].name)
+    return Origin(files, document, _writable(date), given=inputs_of(document, schema))
 
 
 def read_source(path: Path) -> SourceFile:

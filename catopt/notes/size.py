@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from catopt.casefile import write_case
 from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.casefile.schema import Table
+from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
 from catopt.design.document import design_document
 from catopt.mooring.solve import solve_system
 from catopt.notes.directory import Asked
@@ -113,7 +115,11 @@ def size_note(
         verify=verify,
         asked=asked,
     )
-    origin = Origin((), {}, date) if given.file is None else origin_of((given.file,), date)
+    origin = (
+        Origin((), {}, date)
+        if given.file is None
+        else origin_of((given.file,), date, _schema(sizing))
+    )
     return SizeNote(
         sizing,
         line,
@@ -122,6 +128,11 @@ def size_note(
         tuple(_warnings(sizing, line)),
         None if sizing.pattern is None else solve_system(sizing.pattern.system),
     )
+
+
+def _schema(sizing: Sizing) -> type[Table]:
+    """Return what the file of a sizing may hold."""
+    return TankerSizingTable if sizing.kind == "tanker" else BuoySizingTable
 
 
 def _case_file(sizing: Sizing) -> SourceFile:

@@ -530,6 +530,8 @@ def number_pattern(of: str | Quantity) -> str:
     if isinstance(of, Quantity):
         if of.notation == "scientific":
             return "0.00E+00"
+        if of.notation == "significant":
+            return _COUNT
         return f"0.{'0' * of.digits}" if of.digits else "0"
     if any(name in of.lower() for name in _SCIENTIFIC):
         return "0.00E+00"

@@ -8,6 +8,7 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING
 
+from catopt.notes.line import Note
 from catopt.render.looks import stylesheet
 from catopt.render.texts import Language, Words
 from catopt.report.page.sections import SECTIONS, AnyNote
@@ -35,6 +36,11 @@ def render_page(note: AnyNote, language: Language = "en") -> bytes:
     bytes
         HTML in UTF-8, complete: it refers to no other file and to no network.
     """
+    if isinstance(note, Note):
+        from catopt.answers.note_line import line_note_answer
+        from catopt.render.page import page as new_page
+
+        return new_page(line_note_answer(note), language)
     words = Words(language)
     script = _file("script.js")
     page = environment().get_template("page.html").render(
@@ -50,6 +56,10 @@ def render_page(note: AnyNote, language: Language = "en") -> bytes:
 
 def sections_of(note: AnyNote, words: Words) -> list[tuple[str, dict[str, object]]]:
     """Build every section that has something to show, by its key."""
+    if isinstance(note, Note):
+        from catopt.answers.note_line import line_note_answer
+
+        return [(each.name, {}) for each in line_note_answer(note).sections]
     built = ((section.key, section.build(note, words)) for section in SECTIONS[type(note)])
     return [(key, shown) for key, shown in built if shown is not None]
 
@@ -70,7 +80,7 @@ def environment() -> Environment:
 
 
 def _file(name: str) -> str:
-    return files("catopt.report.page").joinpath(name).read_text("utf-8")
+    return files("catopt.render").joinpath(name).read_text("utf-8")
 
 
 def _hash(script: str) -> str:
