@@ -14,6 +14,10 @@ GREEK = MappingProxyType({"theta0": "θ₀", "theta1": "θ₁", "theta": "θ", "
 """Symbols of quantities that are Greek letters."""
 
 
+_ROUNDING = 1e-9
+"""In SI, of forces, lengths and angles that are put into a calculation: less is rounding."""
+
+
 @dataclass(frozen=True)
 class Quantity:
     """How one quantity is called and printed.
@@ -32,7 +36,8 @@ class Quantity:
         Digits after the decimal point, in the field unit.
     notation : {"fixed", "scientific", "shortest", "significant"}
         Scientific for what goes down to rounding error; shortest for what is written in as few
-        digits as it has, such as the diameter of a chain; significant where `digits` are those.
+        digits as it has, such as the diameter of a chain; significant where `digits` are
+        those, of what is not rounding.
     """
 
     key: str
@@ -86,7 +91,7 @@ class Quantity:
         if self.notation == "scientific" and value != 0.0:
             text = f"{value:.{places}e}"
         elif self.notation == "significant":
-            text = f"{value:.{places}g}"
+            text = f"{value if abs(value) >= _ROUNDING else 0.0:.{places}g}"
         elif self.notation == "shortest":
             text = f"{round(value, places):.15g}"
         else:

@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.catenary.stretch import Stretch
 
-__all__ = ["Piece", "equation_trail", "is_uniform", "pieces_of", "steps_of"]
+__all__ = ["DEGREES", "Piece", "equation_trail", "is_uniform", "pieces_of", "steps_of"]
 
 _FLAT = 0.1
 """Below this |y| a piece is so nearly straight that the printed logarithm loses its digits."""
 _M, _N, _KG, _NUMBER = (exact(unit) for unit in ("m", "N", "kg", ""))
-_DEGREES = Quantity("exact", "", "", "rad", "deg", math.pi / 180.0, 9, "significant")
+DEGREES = Quantity("exact", "", "", "rad", "deg", math.pi / 180.0, 9, "significant")
 
 
 @dataclass(frozen=True)
@@ -293,7 +293,7 @@ def _sums(solution: Solution, pieces: tuple[Piece, ...]) -> Iterator[Step]:
     H, V = solution.anchor.horizontal_force, solution.anchor.vertical_force
     if H > 0.0:
         yield _step(
-            "anchor_angle", math.atan(V / H), _DEGREES, "atan({V} / {H})", symbol="θ₀",
+            "anchor_angle", math.atan(V / H), DEGREES, "atan({V} / {H})", symbol="θ₀",
             numbers={"V": V, "H": H}, stated=solution.anchor.angle,
         )  # fmt: skip
 

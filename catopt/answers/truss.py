@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from catopt.answers.blocks import Block, Column, Section, Table, Text, Verdict, Warnings
 from catopt.answers.note import column, note_section
 from catopt.quantities import QUANTITIES
-from catopt.verify.compared import ROUNDING
+from catopt.verify.compared import ROUNDING, worst_of
 from catopt.verify.truss_words import QUANTITY_OF, part_sentence
 from catopt.words import Message, Several, term
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from catopt.verify.compared import Compared
     from catopt.verify.result import StaticComparison, Verification
 
-__all__ = ["compared_table", "differences", "truss_closing", "truss_section"]
+__all__ = ["compared_table", "differences", "largest_table", "truss_closing", "truss_section"]
 
 _PART = replace(QUANTITIES["residual"], si_unit="-", field_unit="-", digits=1)
 """A difference over its scale."""
@@ -84,6 +84,25 @@ def _verdicts(agree: Iterable[bool]) -> Column:
     passes = tuple(agree)
     words = ("note.verification_agrees" if each else "note.verification_differs" for each in passes)
     return Column(Message("columns.verdict"), tuple(map(Message, words)), passes=passes)
+
+
+def largest_table(part: StaticComparison, caption: str) -> Table:
+    """Tabulate the largest difference of each line."""
+    every = [
+        [each for each in part.quantities if each.line == index] for index in range(len(part.lines))
+    ]
+    worst = [worst_of(own) for own in every]
+    return Table(
+        "compared_lines",
+        (
+            column("columns.line", range(1, len(every) + 1)),
+            column("columns.quantity", (term(QUANTITY_OF[of.quantity].name) for of in worst)),
+            differences("note.verification_gap", [each.gap for each in worst]),
+            _verdicts([all(each.agrees for each in own) for own in every]),
+        ),
+        caption,
+        only="not csv",
+    )
 
 
 def truss_closing(part: StaticComparison) -> Iterator[Block]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
@@ -19,11 +19,14 @@ from catopt.notes.motion import Progress, motion_files
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
 from catopt.notes.rounding import heading_of
 from catopt.quantities import QUANTITIES
+from catopt.ties import first_largest
 from catopt.verify.motion_words import doubts, stopped_sentence
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
+    from catopt.mooring.line_out import LineOut
+    from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import StaticComparison, Verification
@@ -93,6 +96,51 @@ class SystemNote:
     def loaded(self) -> LegState:
         """The most loaded line."""
         return self.solution.lines[self.solution.most_loaded]
+
+    @property
+    def used(self) -> float | None:
+        """Largest utilisation of any line; None where no breaking load is known."""
+        factor = self.solution.safety_factor
+        used = [line.utilisation(factor) for line in self.solution.lines]
+        return max((each for each in used if each is not None), default=None)
+
+    @property
+    def force_towards(self) -> float:
+        """Where the force on the body acts to, rad."""
+        return heading_of(*self.solution.system.force)
+
+    @property
+    def offset_towards(self) -> float:
+        """Where the body has gone, rad."""
+        return heading_of(*self.solution.offset)
+
+    @property
+    def hardest_out(self) -> int | None:
+        """Which of the lines gone, counted as in the report, leaves the largest tension."""
+        return self._worst_out(lambda response: response.largest_tension)
+
+    @property
+    def farthest_out(self) -> int | None:
+        """Which of them lets the body go farthest."""
+        return self._worst_out(lambda response: response.offset)
+
+    def _worst_out(self, of: Callable[[Response], float]) -> int | None:
+        found = [None if gone.response is None else of(gone.response) for gone in self.line_out]
+        known = [-math.inf if each is None else each for each in found]
+        return first_largest(known) if any(each is not None for each in found) else None
+
+    @property
+    def line_out(self) -> tuple[LineOut, ...]:
+        """The body with each of its lines gone in turn."""
+        return self.report.line_out
+
+    @property
+    def allowed_at_fairlead(self) -> float | None:
+        """Tension that the weakest line is allowed at its fairlead: MBL over the factor, N."""
+        known = [leg.line.segments[-1].MBL for leg in self.solution.system.legs]
+        if any(each is None for each in known):
+            return None
+        return min(each for each in known if each is not None) / self.solution.safety_factor
 
     @property
     def compared(self) -> StaticComparison | None:

@@ -258,8 +258,14 @@ def _fact(fact: Fact, language: Language, *, has_si: bool) -> tuple[_Cell, ...]:
     if not has_si:
         return laid
     quantity = fact.quantity
-    in_si = "" if si is None or quantity is None else exact(quantity.si_unit).format(si, unit=True)
+    in_si = "" if si is None or quantity is None else _in_si(quantity, si)
     return (*laid, _Cell((_Value(in_si),)))
+
+
+def _in_si(quantity: Quantity, si: float) -> str:
+    """Write a value in SI; where it is printed as zero, what rounding left is none, too."""
+    is_zero = quantity.notation == "fixed" and quantity.format(si) == quantity.format(0.0)
+    return exact(quantity.si_unit).format(0.0 if is_zero else si, unit=True)
 
 
 # ------------------------------------------------------------------ trails

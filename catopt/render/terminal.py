@@ -100,14 +100,18 @@ def _show(output: Printer, block: Block, language: Language) -> None:
     elif isinstance(block, Verdict):
         output.text(say(block.said, language), bold=True)
     elif isinstance(block, Points):
-        if block.caption:
-            output.text(say(block.caption, language), bold=True)
-        for said in block.said:
-            output.text(say(said, language))
+        _points(output, block, language)
     elif isinstance(block, Warnings):
         for said in block.said:
             warning = Sentence(Message("answers.warning", warning=said))
             output.text(say(warning, language), bold=True)
+
+
+def _points(output: Printer, block: Points, language: Language) -> None:
+    if block.caption:
+        output.text(say(block.caption, language), bold=True)
+    for said in block.said:
+        output.text(say(said, language))
 
 
 def _text(output: Printer, block: Text, language: Language) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from catopt.answers.blocks import Step
+from catopt.answers.blocks import Step, exact
 
 __all__ = ["digits", "in_numbers", "in_symbols"]
 
@@ -33,7 +33,7 @@ class _Number(float):
 
 def digits(value: float) -> str:
     """Write a number with nine digits, enough to be put in again."""
-    return f"{value:.9g}".replace("-", "−")
+    return exact("").format(value).replace("-", "−")
 
 
 def in_symbols(step: Step) -> str:

@@ -9,6 +9,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING
 
 from catopt.notes.line import Note
+from catopt.notes.system import SystemNote
 from catopt.render.looks import stylesheet
 from catopt.render.texts import Language, Words
 from catopt.report.page.sections import SECTIONS, AnyNote
@@ -41,6 +42,11 @@ def render_page(note: AnyNote, language: Language = "en") -> bytes:
         from catopt.render.page import page as new_page
 
         return new_page(line_note_answer(note), language)
+    if isinstance(note, SystemNote):
+        from catopt.answers.note_system import system_note_answer
+        from catopt.render.page import page as new_page
+
+        return new_page(system_note_answer(note), language)
     words = Words(language)
     script = _file("script.js")
     page = environment().get_template("page.html").render(
@@ -60,6 +66,10 @@ def sections_of(note: AnyNote, words: Words) -> list[tuple[str, dict[str, object
         from catopt.answers.note_line import line_note_answer
 
         return [(each.name, {}) for each in line_note_answer(note).sections]
+    if isinstance(note, SystemNote):
+        from catopt.answers.note_system import system_note_answer
+
+        return [(each.name, {}) for each in system_note_answer(note).sections]
     built = ((section.key, section.build(note, words)) for section in SECTIONS[type(note)])
     return [(key, shown) for key, shown in built if shown is not None]
 
