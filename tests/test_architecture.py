@@ -59,7 +59,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "sizing": SOLVING | DESIGNING | {"catalogue", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "_version"},
-    "notes": SOLVING | READING | DESIGNING | {"mooring", "schemas", "verify", "sizing", "_version"},
+    "notes": SOLVING | READING | DESIGNING | {"mooring", "loads", "schemas", "verify", "sizing", "_version"},
     "answers": SOLVING
     | READING
     | DESIGNING

@@ -341,9 +341,12 @@ class Step:
         The same in SI.
     quantity : Quantity
         What it is.
-    symbol, formula : str
-        Its symbol, and what it is by others, in braces: ``"{H} / {w}"``. Behind a colon stands how
-        a number is written: ``{t:()}`` in brackets where it is negative, ``{b:°}`` with its sign.
+    symbol : str
+        Its symbol.
+    formula : str, or tuple of str
+        What it is by others, in braces: ``"{H} / {w}"``; of several that are multiplied each by
+        itself. Behind a colon stands how a number is written: ``{t:()}`` in brackets where it is
+        negative, ``{b:°}`` with its sign, ``{V:2}`` with its power.
     numbers : mapping of str to float
         What goes into the braces, by symbol.
     terms : tuple of tuple of float
@@ -358,7 +361,7 @@ class Step:
     value: float | None
     quantity: Quantity
     symbol: str = ""
-    formula: str = ""
+    formula: str | tuple[str, ...] = ""
     numbers: Mapping[str, float] = field(default_factory=dict)
     terms: tuple[tuple[float, ...], ...] = ()
     stated: float | None = None

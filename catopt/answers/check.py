@@ -77,16 +77,16 @@ def check_answer(report: CheckReport) -> Answer:
         (
             Section(
                 Message("captions.checks"),
-                (*checked(report), *said, Warnings(report.warnings)),
+                (*checked(report), *_confidence(report), *said, Warnings(report.warnings)),
             ),
             Section(Message("captions.load_cases"), (load_case_table(report),)),
         ),
     )
 
 
-def checked(report: CheckReport) -> tuple[Block, ...]:
-    """Tabulate the checks by load case, and once each criterion; say what confidence is."""
-    return _checks(report), _criteria(report), *_confidence(report)
+def checked(report: CheckReport) -> tuple[Table, Table]:
+    """Tabulate the checks by load case, and once each criterion."""
+    return _checks(report), _criteria(report)
 
 
 def check_columns(results: Sequence[CheckResult]) -> tuple[Column, ...]:

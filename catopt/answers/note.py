@@ -97,7 +97,7 @@ def inputs_section(origin: Origin, design: int | None = None) -> Section:
 
 def inputs_table(origin: Origin) -> Table:
     """Tabulate every value of a file, as it stands there and in SI."""
-    every = origin.given
+    every = origin.inputs
     in_si = Column(
         Message("page.si"),
         tuple(each.si if isinstance(each.si, float) else Cited(each.si or "") for each in every),

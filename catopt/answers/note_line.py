@@ -152,11 +152,9 @@ def _checks(note: Note) -> Iterator[Block]:
     if governing is not None:
         yield Verdict(governing_sentence(report), report.passes)
     marked = next((k for k, each in enumerate(report.results) if each is governing), None)
-    for block in checked(report):
-        if isinstance(block, Table) and block.name == "checks":
-            yield replace(block, marked=marked)
-        else:
-            yield block
+    checks, criteria = checked(report)
+    yield replace(checks, marked=marked)
+    yield criteria
     yield Text(Message("note.checks_legend"), is_small=True)
 
 

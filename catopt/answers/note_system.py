@@ -308,7 +308,7 @@ def _checks(note: SystemNote) -> Iterator[Block]:
     lines = column("columns.line", (_of_what(each.load_case) for each in results))
     marked = next(index for index, each in enumerate(results) if each is governing)
     yield Table("checks", (lines, *columns), marked=marked)
-    yield from checked(report)[1:]
+    yield checked(report)[1]
     yield Text(Message("note.checks_legend"), is_small=True)
 
 

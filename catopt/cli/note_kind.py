@@ -8,14 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
     from catopt.casefile.sizing_file import Moored
     from catopt.cli.output import Progress
     from catopt.errors import Problem
     from catopt.notes.line import Note
-    from catopt.render.texts import Language
-    from catopt.report.page.sections import AnyNote
+    from catopt.notes.size import SizeNote
+    from catopt.notes.system import SystemNote
 
-__all__ = ["Wanted", "is_of_a_body", "line_of", "note_of_file", "workbook_of"]
+    AnyNote = Note | SizeNote | SystemNote
+
+__all__ = ["AnyNote", "Wanted", "answer_of", "is_of_a_body", "line_of", "note_of_file"]
 
 
 @dataclass(frozen=True)
@@ -152,19 +155,19 @@ def line_of(note: AnyNote) -> Note | None:
     return note if isinstance(note, Note) else None
 
 
-def workbook_of(note: AnyNote, language: Language) -> bytes:
-    """Lay the workbook of a note out."""
+def answer_of(note: AnyNote) -> Answer:
+    """Lay a note out."""
     from catopt.notes.size import SizeNote
     from catopt.notes.system import SystemNote
 
     if isinstance(note, SizeNote):
-        from catopt.report.workbook.note_size import size_note_workbook
+        from catopt.answers.note_size import size_note_answer
 
-        return size_note_workbook(note, language)
+        return size_note_answer(note)
     if isinstance(note, SystemNote):
-        from catopt.report.workbook.note_system import system_note_workbook
+        from catopt.answers.note_system import system_note_answer
 
-        return system_note_workbook(note, language)
-    from catopt.report.workbook.note import note_workbook
+        return system_note_answer(note)
+    from catopt.answers.note_line import line_note_answer
 
-    return note_workbook(note, language)
+    return line_note_answer(note)

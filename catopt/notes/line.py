@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 from catopt.casefile import read_case
 from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
@@ -96,12 +96,6 @@ class Note:
     verification_failure: str = ""
     swarm: Solution | None = None
     motion: InMotion | None = None
-
-    kind: ClassVar[str] = "page.kind"
-    """Key of the text that says what kind of note it is."""
-
-    untitled: ClassVar[str] = "page.untitled"
-    """Key of the title of a case without one."""
 
     @property
     def title(self) -> str:

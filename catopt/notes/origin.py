@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from catopt._version import __version__
 from catopt.casefile.design_directory import DESIGN_CASE
@@ -34,10 +33,8 @@ class Origin:
     ----------
     files : tuple of SourceFile
         The case file first.
-    inputs : dict
-        The case file as the TOML reader returns it.
-    given : tuple of Input
-        Every value of it.
+    inputs : tuple of Input
+        Every value of the case file.
     date : str
         As it was given; empty when none was.
     version : str
@@ -45,10 +42,9 @@ class Origin:
     """
 
     files: tuple[SourceFile, ...]
-    inputs: dict[str, Any]
+    inputs: tuple[Input, ...] = ()
     date: str = ""
     version: str = __version__
-    given: tuple[Input, ...] = ()
 
 
 def origin_of(
@@ -56,7 +52,7 @@ def origin_of(
 ) -> Origin:
     """Say where a note comes from; the first of the files, as its schema has it, has its inputs."""
     document = parse_toml(files[0].text, files[0].name)
-    return Origin(files, document, _writable(date), given=inputs_of(document, schema))
+    return Origin(files, inputs_of(document, schema), _writable(date))
 
 
 def read_source(path: Path) -> SourceFile:

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 import hashlib
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 from catopt.casefile import write_case
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.casefile.schema import Table
 from catopt.casefile.sizing_schema import BuoySizingTable, TankerSizingTable
 from catopt.design.document import design_document
+from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
+from catopt.loads.source import CALMAR, OWN, LoadSource
 from catopt.mooring.solve import solve_system
 from catopt.notes.directory import Asked
 from catopt.notes.line import Chosen, Note, note_of
 from catopt.notes.origin import Origin, SourceFile, origin_of
+from catopt.words import Cited, term
 
 if TYPE_CHECKING:
+    from catopt.checks.result import CheckSource
+    from catopt.loads.sinker import SinkerSize
     from catopt.mooring.solution import SystemSolution
     from catopt.sizing import Sizing
 
@@ -67,16 +73,27 @@ class SizeNote:
     warnings: tuple[str, ...] = ()
     around: SystemSolution | None = None
 
-    kind: ClassVar[str] = "page.kind_size"
-    """Key of the text that says what kind of note it is."""
-
-    untitled: ClassVar[str] = "page.untitled"
-    """Key of the title of a case without one."""
-
     @property
     def title(self) -> str:
         """Title of the file, or what is moored and where."""
         return self.sizing.case.title
+
+    @property
+    def sources(self) -> dict[str, str]:
+        """Where friction, safety factor and density of what holds the line are from."""
+        sinker, drag = self.sizing.sinker, self.sizing.drag_anchor
+        given = term("this note")
+        if drag is not None:
+            return {"factor": given if drag.factor_source is None else drag.factor_source.text}
+        if sinker is None:
+            return {}
+        is_usual = math.isclose(sinker.safety_factor, SAFETY_FACTOR)
+        friction = sinker.friction_source
+        return {
+            "friction": given if friction is None else Cited(friction.text),
+            "factor": Cited(FACTOR_SOURCE.text) if is_usual else given,
+            "density": _density_source(sinker),
+        }
 
 
 def size_note(
@@ -116,18 +133,52 @@ def size_note(
         asked=asked,
     )
     origin = (
-        Origin((), {}, date)
+        Origin((), (), date)
         if given.file is None
         else origin_of((given.file,), date, _schema(sizing))
     )
     return SizeNote(
         sizing,
-        line,
+        _fitted(line),
         origin,
         given.options,
         tuple(_warnings(sizing, line)),
         None if sizing.pattern is None else solve_system(sizing.pattern.system),
     )
+
+
+def _density_source(of: SinkerSize) -> str:
+    """Cite where the density of a sinker is from."""
+    if not math.isclose(of.density, DENSITIES[of.material]):
+        return term("this note")
+    if of.material == "steel":
+        return Cited(LoadSource(CALMAR, "7.2", "A").text)
+    return Cited(LoadSource(OWN, "recalled", "R").text)
+
+
+def _fitted(line: Note) -> Note:
+    """Fit a line's note into that of its sizing.
+
+    Its load cases, which no user named, are said in every language; and a limit that no document
+    has is from this note: of a sizing there is no case file.
+    """
+    names = {state.name: term(state.name) for state in line.checks.load_cases}
+    of = line.checks
+    checks = replace(
+        of,
+        results=tuple(
+            replace(each, load_case=names[each.load_case], source=_said_source(each.source))
+            for each in of.results
+        ),
+        solutions=tuple((names[name], solution) for name, solution in of.solutions),
+        load_cases=tuple(replace(each, name=names[each.name]) for each in of.load_cases),
+    )
+    load_case = names.get(line.load_case, line.load_case)
+    return replace(line, checks=checks, load_case=load_case)
+
+
+def _said_source(source: CheckSource) -> CheckSource:
+    return replace(source, document=term("this note")) if source.confidence is None else source
 
 
 def _schema(sizing: Sizing) -> type[Table]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 from catopt.casefile import read_case
 from catopt.errors import CatoptError, NoEquilibriumError
@@ -75,12 +75,6 @@ class SystemNote:
     verification: Verification | None = None
     verification_failure: str = ""
     motion: DynamicVerification | None = None
-
-    kind: ClassVar[str] = "page.kind_system"
-    """Key of the text that says what kind of note it is."""
-
-    untitled: ClassVar[str] = "page.untitled_system"
-    """Key of the title of a case without one."""
 
     @property
     def title(self) -> str:

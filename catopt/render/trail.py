@@ -5,49 +5,55 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from catopt.answers.blocks import Step, exact
+from catopt.quantities import GREEK
 
-__all__ = ["digits", "in_numbers", "in_symbols"]
+__all__ = ["in_numbers", "in_symbols"]
 
 _MOST = 12
 """Terms of a sum that are all written out; of more, its first two and its last are."""
+_POWERS = {"2": "²", "3": "³"}
+_TIMES = "\N{NO-BREAK SPACE}· "
+"""Does not begin a line."""
 
 
 class _Symbol(str):
-    """A symbol, however its number is written."""
+    """A symbol, Greek letters as such; of how its number is written its power counts alone."""
 
     __slots__ = ()
 
     def __format__(self, spec: str) -> str:
-        return str(self)
+        return GREEK.get(self, str(self)) + _POWERS.get(spec, "")
 
 
 class _Number(float):
-    """A number as it is put in: ``()`` in brackets where it is negative, ``°`` with its sign."""
+    """A number as it is put in."""
 
     def __format__(self, spec: str) -> str:
-        shown = digits(0.0 + self)
-        if spec == "()" and (self < 0.0 or "e" in shown):
-            return f"({shown})"
-        return f"{shown}°" if spec == "°" else shown
-
-
-def digits(value: float) -> str:
-    """Write a number with nine digits, enough to be put in again."""
-    return exact("").format(value).replace("-", "−")
+        shown = _digits(0.0 + self)
+        if (spec == "()" or spec in _POWERS) and (self < 0.0 or "e" in shown):
+            shown = f"({shown})"
+        return shown + ("°" if spec == "°" else _POWERS.get(spec, ""))
 
 
 def in_symbols(step: Step) -> str:
     """Write the formula: ``"a = H / w"``."""
-    formula = step.formula.format(**{symbol: _Symbol(symbol) for symbol in step.numbers})
-    return " = ".join(each for each in (step.symbol, formula) if each)
+    formula = step.formula if isinstance(step.formula, str) else " ".join(step.formula)
+    said = formula.format(**{symbol: _Symbol(symbol) for symbol in step.numbers})
+    return " = ".join(each for each in (step.symbol, said) if each)
 
 
 def in_numbers(step: Step) -> str:
     """Put the numbers in: ``"4000 / 245"``; empty where there are none."""
     if step.terms:
-        return _sum([" · ".join(map(digits, each)) for each in step.terms])
+        return _sum([" · ".join(map(_digits, each)) for each in step.terms])
     numbers = {symbol: _Number(value) for symbol, value in step.numbers.items()}
-    return step.formula.format(**numbers) if numbers else ""
+    formula = step.formula if isinstance(step.formula, str) else _TIMES.join(step.formula)
+    return formula.format(**numbers) if numbers else ""
+
+
+def _digits(value: float) -> str:
+    """Write a number with nine digits, enough to be put in again."""
+    return exact("").format(value).replace("-", "−")
 
 
 def _sum(terms: Sequence[str]) -> str:

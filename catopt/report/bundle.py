@@ -264,10 +264,11 @@ def size_files(
         ),
     }
     if given is not None:
+        from catopt.answers.note_size import size_note_answer
         from catopt.notes.size import size_note
-        from catopt.report.page.render import render_page
+        from catopt.render.page import page
 
-        files["note.html"] = render_page(size_note(of, given), language)
+        files["note.html"] = page(size_note_answer(size_note(of, given)), language)
     if of.pattern is not None:
         files[SYSTEM_CASE] = write_case(system_case(of.case, of.pattern)).encode()
     return files
