@@ -396,10 +396,16 @@ class Sheet:
             self.widths[column] = width
             self.worksheet.set_column(column, column, width)
 
+    def widen(self, least: float) -> None:
+        """Give texts across the sheet room, by an empty column where the others are narrow."""
+        missing = least - sum(self.widths.values())
+        if missing > 0.0:
+            column = max(self.widths, default=-1) + 1
+            self.widths[column] = missing
+            self.worksheet.set_column(column, column, missing)
+
     def across(self, text: str, style: Style = "wrapped") -> None:
         """Write a text over all columns whose widths are set, folded to them."""
-        if not self.widths:
-            self.set_widths([float(_WIDEST)])
         self._merged(text, style, 0)
         self.row += 1
 

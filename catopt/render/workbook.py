@@ -33,6 +33,8 @@ __all__ = ["workbook"]
 
 _WIDTHS = (44.0, 24.0)
 """Of a list of facts, in characters."""
+_READABLE = 90.0
+"""Least width of what is said in words, in characters."""
 _STEPS = (40.0, 12.0, 56.0, 18.0, 9.0, 18.0, 40.0)
 """Of the columns of a trail."""
 
@@ -194,8 +196,10 @@ def _graph(
 
 def _said(sheet: Sheet, section: Section, language: Language) -> None:
     """Write what is said in words below the tables."""
+    if any(map(_words_of, section.blocks)):
+        sheet.widen(_READABLE)
     for block in section.blocks:
-        style: Style = "text"
+        style: Style = "wrapped"
         if isinstance(block, Verdict):
             style = "grey" if block.passes is None else "good" if block.passes else "bad"
         for each in _words_of(block):
