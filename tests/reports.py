@@ -13,16 +13,16 @@ from tempfile import TemporaryDirectory
 
 from catopt.casefile import read_case, write_case
 from catopt.casefile.sizing_file import SIZING, moored_in
+from catopt.cli.note_kind import answer_of
 from catopt.cli.size_note import note_of_file
 from catopt.design.search import design_case
 from catopt.notes.line import Note, read_note
 from catopt.notes.size import SizeNote
 from catopt.notes.system import SystemNote, read_system_note
+from catopt.render.page import page
 from catopt.render.plain import document_bytes
 from catopt.report.bundle import reproduction_pictures
 from catopt.report.files import write_files
-from catopt.cli.note_kind import answer_of
-from catopt.render.page import page
 from catopt.reproduce import book, reproduce
 
 __all__ = ["CASES", "NOTES", "REPORTS", "SIZINGS", "note_of_case", "note_page"]

@@ -446,15 +446,18 @@ def steps_of(note: SystemNote) -> Iterator[Step]:
     solution = note.solution
     system = solution.system
     pulls = [_pull(line) for line in solution.lines]
-    for axis, letter, function in ((0, "x", "cos"), (1, "y", "sin")):
+    for axis, letter, function, summed, left in (
+        (0, "x", "cos", "sum_x", "left_x"),
+        (1, "y", "sin", "sum_y", "left_y"),
+    ):
         terms, force = [pull[axis] for pull in pulls], system.force[axis]
         total, sum_of = math.fsum(terms), f"Σ H {function} φ"
         yield _step(
-            f"sum_{letter}", total, _N, sum_of,
+            summed, total, _N, sum_of,
             terms=tuple((each,) for each in terms), stated=0.0 - force,
         )  # fmt: skip
         yield _step(
-            f"left_{letter}", force + total, _N, f"{{F{letter}}} + {{{sum_of}:()}}",
+            left, force + total, _N, f"{{F{letter}}} + {{{sum_of}:()}}",
             numbers={f"F{letter}": force, sum_of: total},
         )  # fmt: skip
     if system.turns:

@@ -197,7 +197,7 @@ def _grounded(solution: Solution) -> Iterator[Step]:
     )  # fmt: skip
     yield _step(
         "lift_force", 0.5 * w * (L * L / h - h), _N, "({w} / 2) ({L}² / {h} − {h})", symbol="H₁",
-        numbers={"w": w, "L": L, "h": h}, equation="S2, (4)",
+        numbers={"w": w, "L": L, "h": h}, equation="S2, below (4)",
     )  # fmt: skip
 
 

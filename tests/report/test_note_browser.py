@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 
 from catopt.notes.line import read_note
-from catopt.report.page.render import render_page
 
 from .browser import BEYOND, CHROMIUM, CLASHES, FONTS, OFF_PAPER, Tab, assert_nothing_sticks_out
 from .page_cases import design_directory, known_note
+from .rendered import page_of
 
 pytestmark = [
     pytest.mark.slow,
@@ -33,7 +33,7 @@ def page(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     name = str(request.param)
     note = read_note(design_directory(tmp_path)) if name == "result" else known_note(name)
     path = tmp_path / f"{name}.html"
-    path.write_bytes(render_page(note, "vi" if name == "leg" else "en"))
+    path.write_bytes(page_of(note, "vi" if name == "leg" else "en"))
     return path
 
 
@@ -180,6 +180,6 @@ def test_a_message_and_a_box_that_sticks_out_are_noticed(tab: Tab, tmp_path: Pat
 def test_a_page_is_shown_in_one_font(tab: Tab, font: str, tmp_path: Path) -> None:
     """All three are wanted: Debian's fonts-dejavu-core, fonts-liberation and fonts-noto-core."""
     path = tmp_path / "leg.html"
-    path.write_bytes(render_page(known_note("leg")))
+    path.write_bytes(page_of(known_note("leg")))
     tab.open(path, 800)
     assert tab.fonts() == {font}
