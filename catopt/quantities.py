@@ -14,6 +14,10 @@ GREEK = MappingProxyType({"theta0": "θ₀", "theta1": "θ₁", "theta": "θ", "
 """Symbols of quantities that are Greek letters."""
 
 
+_ROUNDING = 1e-9
+"""In SI, of forces, lengths and angles that are put into a calculation: less is rounding."""
+
+
 @dataclass(frozen=True)
 class Quantity:
     """How one quantity is called and printed.
@@ -30,9 +34,10 @@ class Quantity:
         SI units in one field unit: 1000 for kN.
     digits : int
         Digits after the decimal point, in the field unit.
-    notation : {"fixed", "scientific", "shortest"}
+    notation : {"fixed", "scientific", "shortest", "significant"}
         Scientific for what goes down to rounding error; shortest for what is written in as few
-        digits as it has, such as the diameter of a chain.
+        digits as it has, such as the diameter of a chain; significant where `digits` are
+        those, of what is not rounding.
     floor : float
         What is smaller, in SI, is rounding, and printed as less than this.
     """
@@ -44,7 +49,7 @@ class Quantity:
     field_unit: str
     factor: float
     digits: int
-    notation: Literal["fixed", "scientific", "shortest"] = "fixed"
+    notation: Literal["fixed", "scientific", "shortest", "significant"] = "fixed"
     floor: float = 0.0
 
     @property
@@ -90,6 +95,8 @@ class Quantity:
             return f"<{self.to_field(self.floor):.0e}"
         if self.notation == "scientific" and value != 0.0:
             text = f"{value:.{places}e}"
+        elif self.notation == "significant":
+            text = f"{value if abs(value) >= _ROUNDING else 0.0:.{places}g}"
         elif self.notation == "shortest":
             text = f"{round(value, places):.15g}"
         else:

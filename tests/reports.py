@@ -13,15 +13,16 @@ from tempfile import TemporaryDirectory
 
 from catopt.casefile import read_case, write_case
 from catopt.casefile.sizing_file import SIZING, moored_in
+from catopt.cli.note_kind import answer_of
 from catopt.cli.size_note import note_of_file
 from catopt.design.search import design_case
+from catopt.notes.line import Note, read_note
+from catopt.notes.size import SizeNote
+from catopt.notes.system import SystemNote, read_system_note
+from catopt.render.page import page
 from catopt.render.plain import document_bytes
 from catopt.report.bundle import reproduction_pictures
 from catopt.report.files import write_files
-from catopt.report.page.note import Note, read_note
-from catopt.report.page.render import render_page
-from catopt.report.page.sizing.note import SizeNote
-from catopt.report.page.system.note import SystemNote, read_system_note
 from catopt.reproduce import book, reproduce
 
 __all__ = ["CASES", "NOTES", "REPORTS", "SIZINGS", "note_of_case", "note_page"]
@@ -53,9 +54,8 @@ def note_of_case(name: str) -> Note | SystemNote:
 
 def note_page(name: str) -> bytes:
     """Make the page of a case's note, or of a sizing's."""
-    if name in SIZINGS:
-        return render_page(size_note_of_case(name))
-    return render_page(note_of_case(name))
+    note = size_note_of_case(name) if name in SIZINGS else note_of_case(name)
+    return page(answer_of(note))
 
 
 def size_note_of_case(name: str) -> SizeNote:

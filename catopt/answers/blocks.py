@@ -6,10 +6,11 @@ A renderer (`catopt.render`) knows these blocks and nothing of what they are abo
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal, TypeVar
 
+from catopt.figures.chart import Chart
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Language, Message, Told, heading, quantity_name, say, term
 
@@ -22,15 +23,21 @@ __all__ = [
     "Column",
     "Fact",
     "Facts",
+    "Figure",
+    "FileText",
     "For",
     "Graph",
+    "Points",
     "Section",
+    "Step",
     "Table",
     "Text",
+    "Trail",
     "Value",
     "Verdict",
     "Warnings",
     "bare",
+    "exact",
     "fact",
     "in_si",
     "in_tonne_force",
@@ -71,6 +78,10 @@ class Column:
         Columns above 0 are left out, the highest first, where a terminal has no room for them.
     only : For
         For whom it is.
+    passes : tuple of bool or None
+        What each row comes to, where the column says so: good and bad look different.
+    formula : tuple of Column and str, optional
+        ``(demand, "/", capacity)``: what a spreadsheet computes it by, of columns beside it.
     """
 
     name: str
@@ -79,6 +90,8 @@ class Column:
     units: tuple[Quantity, ...] = ()
     priority: int = 0
     only: For = "all"
+    passes: tuple[bool | None, ...] = ()
+    formula: tuple[Column, Literal["/", "-"], Column] | None = None
 
     @property
     def is_number(self) -> bool:
@@ -237,19 +250,22 @@ class Text:
         Above it.
     only : {"all", "people", "files", "workbook"}
         For whom it is.
+    is_small : bool
+        Whether it only says how to read what is above it.
     """
 
     said: str
     caption: str = ""
     only: For = "all"
+    is_small: bool = False
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an answer comes to."""
+    """What an answer comes to; neither good nor bad where that is None."""
 
     said: str
-    passes: bool
+    passes: bool | None
 
 
 @dataclass(frozen=True)
@@ -288,7 +304,110 @@ class Graph:
     points: bool = False
 
 
-Block = Table | Facts | Text | Verdict | Warnings | Graph
+@dataclass(frozen=True)
+class Points:
+    """Sentences of equal weight, one below the other.
+
+    Attributes
+    ----------
+    said : tuple of str
+        Messages.
+    caption : str
+        Above them.
+    """
+
+    said: tuple[str, ...]
+    caption: str = ""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A drawing.
+
+    Attributes
+    ----------
+    chart : Chart
+        What it shows.
+    caption : str
+        Above it, a message.
+    """
+
+    chart: Chart
+    caption: str = ""
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step of a calculation by hand.
+
+    Attributes
+    ----------
+    name : str
+        What comes out, a message.
+    value : float or None
+        The same in SI.
+    quantity : Quantity
+        What it is.
+    symbol : str
+        Its symbol.
+    formula : str, or tuple of str
+        What it is by others, in braces: ``"{H} / {w}"``; of several that are multiplied each by
+        itself. Behind a colon stands how a number is written: ``{t:()}`` in brackets where it is
+        negative, ``{b:°}`` with its sign, ``{V:2}`` with its power.
+    numbers : mapping of str to float
+        What goes into the braces, by symbol.
+    terms : tuple of tuple of float
+        In place of numbers, products that are added up.
+    stated : float or None
+        The same as somebody else has it.
+    equation, source : str
+        Number of its equation, and where a figure is from.
+    """
+
+    name: str
+    value: float | None
+    quantity: Quantity
+    symbol: str = ""
+    formula: str | tuple[str, ...] = ""
+    numbers: Mapping[str, float] = field(default_factory=dict)
+    terms: tuple[tuple[float, ...], ...] = ()
+    stated: float | None = None
+    equation: str = ""
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class Trail:
+    """A calculation by hand, step by step.
+
+    Attributes
+    ----------
+    name : str
+        Its key within a page.
+    steps : tuple of Step
+        In their order.
+    stated : str
+        What stands beside each value, a message; empty where nothing does.
+    caption : str
+        Above it.
+    """
+
+    name: str
+    steps: tuple[Step, ...]
+    stated: str = ""
+    caption: str = ""
+
+
+@dataclass(frozen=True)
+class FileText:
+    """A file that an answer rests on, in full."""
+
+    name: str
+    sha256: str
+    text: str
+
+
+Block = Table | Facts | Text | Verdict | Warnings | Graph | Points | Figure | Trail | FileText
 
 
 @dataclass(frozen=True)
@@ -301,10 +420,13 @@ class Section:
         A message.
     blocks : tuple of Block
         In their order.
+    name : str
+        Its key within a page; none where it is on no page.
     """
 
     title: str
     blocks: tuple[Block, ...]
+    name: str = ""
 
 
 @dataclass(frozen=True)
@@ -319,11 +441,14 @@ class Answer:
         The user's own, or a message.
     sections : tuple of Section
         In their order.
+    kind : str
+        What kind of note it is, a message; empty where it is none.
     """
 
     name: str
     title: str
     sections: tuple[Section, ...]
+    kind: str = ""
 
     @property
     def blocks(self) -> tuple[Block, ...]:
@@ -357,6 +482,11 @@ def in_tonne_force(quantity: Quantity) -> Quantity:
     return replace(
         quantity, field_unit="tf", factor=1000.0 * STANDARD_GRAVITY, digits=quantity.digits + 1
     )
+
+
+def exact(unit: str) -> Quantity:
+    """Take what is written in SI with the digits of a hand calculation."""
+    return Quantity("exact", "", "", unit or "-", unit or "-", 1.0, 9, "significant")
 
 
 def measured(

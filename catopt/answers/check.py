@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -28,6 +29,7 @@ __all__ = [
     "QUANTITY_OF",
     "check_answer",
     "check_columns",
+    "checked",
     "governing_sentence",
     "kind_name",
     "load_case_table",
@@ -69,15 +71,22 @@ def check_answer(report: CheckReport) -> Answer:
     said: list[Block] = [Verdict(verdict_sentence(report), report.passes)]
     if report.results:
         said.append(Text(governing_sentence(report)))
-    checked: list[Block] = [_checks(report), _criteria(report), *_confidence(report)]
     return Answer(
         "check",
         report.title or Message("captions.mooring_line"),
         (
-            Section(Message("captions.checks"), (*checked, *said, Warnings(report.warnings))),
+            Section(
+                Message("captions.checks"),
+                (*checked(report), *_confidence(report), *said, Warnings(report.warnings)),
+            ),
             Section(Message("captions.load_cases"), (load_case_table(report),)),
         ),
     )
+
+
+def checked(report: CheckReport) -> tuple[Table, Table]:
+    """Tabulate the checks by load case, and once each criterion."""
+    return _checks(report), _criteria(report)
 
 
 def check_columns(results: Sequence[CheckResult]) -> tuple[Column, ...]:
@@ -93,7 +102,12 @@ def check_columns(results: Sequence[CheckResult]) -> tuple[Column, ...]:
         texts("check", [each.name for each in results]),
         *_use(results),
         texts("passes", [_yes(each.passes, "yes", "no") for each in results], only="files"),
-        texts("verdict", [_yes(each.passes, "passes", "fails") for each in results], only="people"),
+        Column(
+            Message("columns.verdict"),
+            tuple(_yes(each.passes, "passes", "fails") for each in results),
+            only="people",
+            passes=tuple(each.passes for each in results),
+        ),
         texts("by", [_by(each.source) for each in results], only="people"),
         texts("code", [each.source.code for each in results], only="files"),
         texts("source", [each.source.text for each in results], only="files"),
@@ -106,11 +120,10 @@ def _use(results: Sequence[CheckResult]) -> tuple[Column, Column, Column]:
     units = tuple(QUANTITY_OF[each.kind] for each in results)
     demands = tuple(each.demand for each in results)
     capacities = tuple(each.capacity for each in results)
-    return (
-        Column(Message("columns.demand"), demands, units=units),
-        Column(Message("columns.capacity"), capacities, units=units),
-        measured("utilisation", [each.utilisation for each in results]),
-    )
+    demand = Column(Message("columns.demand"), demands, units=units)
+    capacity = Column(Message("columns.capacity"), capacities, units=units)
+    used = measured("utilisation", [each.utilisation for each in results])
+    return demand, capacity, replace(used, formula=(demand, "/", capacity))
 
 
 def kind_name(kind: str) -> Message:

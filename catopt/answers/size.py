@@ -29,8 +29,9 @@ if TYPE_CHECKING:
     from catopt.loads.component import Loads
     from catopt.sizing import Sizing
     from catopt.sizing.candidates import Candidate
+    from catopt.sizing.pattern import Pattern
 
-__all__ = ["size_answer"]
+__all__ = ["candidates_table", "pattern_table", "size_answer"]
 
 
 class _Row(NamedTuple):
@@ -55,7 +56,7 @@ def size_answer(of: Sizing) -> Answer:
         of.case.title,
         (
             Section(term("Sizing"), (_summary(of), *_why(of))),
-            Section(term("Candidates"), (_candidates(of),)),
+            Section(term("Candidates"), (candidates_table(of),)),
             Section(Message("captions.checks"), (tightest_table(of.point.checks), _checks(of))),
             *_pattern(of),
             Section(term("Forces"), tuple(_forces(of))),
@@ -194,7 +195,7 @@ def _governing(of: Sizing) -> Iterator[Message]:
         yield Message("sizing.nearest", **values)
 
 
-def _candidates(of: Sizing) -> Table:
+def candidates_table(of: Sizing) -> Table:
     """Tabulate the recommended size between its neighbours."""
     every = of.candidates
     points = [None if each.settled is None else each.settled.point for each in every]
@@ -231,10 +232,13 @@ def _checks(of: Sizing) -> Table:
 
 
 def _pattern(of: Sizing) -> Iterator[Section]:
+    if of.pattern is not None:
+        yield Section(term("Pattern"), (pattern_table(of.pattern),))
+
+
+def pattern_table(of: Pattern) -> Table:
     """Tabulate the body on its lines in each load case."""
-    if of.pattern is None:
-        return
-    states = of.pattern.states
+    states = of.states
 
     def force(name: str, values: Iterator[float | None], priority: int = 0) -> Column:
         return measured("horizontal_force", values, name, symbol="", priority=priority)
@@ -254,7 +258,7 @@ def _pattern(of: Sizing) -> Iterator[Section]:
         ),
         force("pull_of_all_lines", (each.pull for each in states), 1),
     )  # fmt: skip
-    yield Section(term("Pattern"), (Table("pattern", columns, Message("captions.pattern")),))
+    return Table("pattern", columns, Message("captions.pattern"))
 
 
 # ------------------------------------------------------------------ loads and notes

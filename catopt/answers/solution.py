@@ -29,13 +29,14 @@ from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution, SwarmReport
-    from catopt.model import Case, Line, Load
+    from catopt.model import Case, Line, Load, SwarmSettings
 
 __all__ = [
     "found_facts",
     "given_facts",
     "given_tables",
     "how_it_hangs",
+    "method_name",
     "point_loads_table",
     "profile_table",
     "regime_name",
@@ -43,6 +44,7 @@ __all__ = [
     "result_facts",
     "segments_table",
     "solution_answer",
+    "swarm_settings",
     "swarm_tables",
 ]
 
@@ -69,8 +71,8 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
         results.append(Text(Message("solution.utilisation", factor=solution.safety_factor)))
     if solution.point_loads:
         results.append(point_loads_table(solution))
-    method = "solution.closed_form" if solution.method == "closed-form" else "solution.swarm"
-    solved = Message("solution.solved", method=Message(method), hangs=how_it_hangs(solution))
+    method = method_name(solution.method)
+    solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
     return Answer(
         "solution",
         case.title or Message("captions.mooring_line"),
@@ -309,6 +311,11 @@ def how_it_hangs(solution: Solution) -> Message:
     return Message(f"solution.{solution.regime.replace('-', '_')}")
 
 
+def method_name(method: str) -> Message:
+    """Name how a line was solved."""
+    return Message("solution.closed_form" if method == "closed-form" else "solution.swarm")
+
+
 def regime_name(regime: str) -> str:
     """Name a regime in one word."""
     return term(regime)
@@ -333,8 +340,21 @@ def _swarm(case: Case, solution: Solution) -> Iterator[Section]:
     swarm = solution.swarm
     if swarm is None:
         return
-    settings = case.swarm
-    given = Facts(
+    history, runs = swarm_tables(swarm)
+    objective = swarm.best_objective_history
+    graphs = (
+        Graph(history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)),
+        Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
+    )
+    facts = Facts("swarm", tuple(_flown(swarm)), Message("captions.particle_swarm"), only="people")
+    yield Section(
+        Message("captions.swarm"), (history, runs, swarm_settings(case.swarm), facts, *graphs)
+    )
+
+
+def swarm_settings(settings: SwarmSettings) -> Facts:
+    """List the settings of a swarm, in workbooks."""
+    return Facts(
         "swarm_settings",
         (
             Fact(Message("columns.particles"), settings.particles),
@@ -349,14 +369,6 @@ def _swarm(case: Case, solution: Solution) -> Iterator[Section]:
         Message("captions.swarm"),
         only="workbook",
     )
-    history, runs = swarm_tables(swarm)
-    objective = swarm.best_objective_history
-    graphs = (
-        Graph(history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)),
-        Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
-    )
-    facts = Facts("swarm", tuple(_flown(swarm)), Message("captions.particle_swarm"), only="people")
-    yield Section(Message("captions.swarm"), (history, runs, given, facts, *graphs))
 
 
 def swarm_tables(swarm: SwarmReport) -> tuple[Table, Table]:

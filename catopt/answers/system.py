@@ -26,8 +26,9 @@ if TYPE_CHECKING:
     from catopt.mooring.case import SystemReport
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
+    from catopt.mooring.watch_circle import WatchCircle
 
-__all__ = ["system_answer"]
+__all__ = ["circle_table", "curve_table", "line_out_table", "lines_table", "system_answer"]
 
 _EVERY = 10
 """One direction of the watch circle in so many is shown: 30 degrees."""
@@ -48,7 +49,7 @@ def system_answer(report: SystemReport) -> Answer:
         report.case.title or Message("captions.moored_body"),
         (
             Section(Message("captions.body"), opening),
-            Section(Message("captions.lines"), (_lines(report),)),
+            Section(Message("captions.lines"), (lines_table(report),)),
             *_line_out(report),
             *_circle(report),
             *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
@@ -93,7 +94,7 @@ def _body(report: SystemReport) -> Facts:
     return Facts("body", tuple(facts), Message("captions.body"))
 
 
-def _lines(report: SystemReport) -> Table:
+def lines_table(report: SystemReport) -> Table:
     """Tabulate what each line carries."""
     solution = report.solution
     lines = solution.lines
@@ -113,45 +114,55 @@ def _lines(report: SystemReport) -> Table:
     return Table("lines", tuple(columns), Message("captions.lines"))
 
 
-def _line_out(report: SystemReport) -> Iterator[Section]:
+def line_out_table(report: SystemReport) -> Table:
     """Tabulate what happens when each line is gone."""
+    gone = report.line_out
+    return Table(
+        "line_out",
+        (
+            texts("line_out", [each.missing + 1 for each in gone]),
+            *_responses([each.response for each in gone]),
+            texts("refusal", [each.refusal for each in gone], only="files"),
+        ),
+        Message("captions.one_line_out"),
+    )
+
+
+def _line_out(report: SystemReport) -> Iterator[Section]:
     if not report.line_out:
         return
-    columns = (
-        texts("line_out", [each.missing + 1 for each in report.line_out]),
-        *_responses([each.response for each in report.line_out]),
-        texts("refusal", [each.refusal for each in report.line_out], only="files"),
-    )
     lost = tuple(
         Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
         for each in report.line_out
         if each.response is None
     )
     title = Message("captions.one_line_out")
-    yield Section(title, (Table("line_out", columns, title), *lost))
+    yield Section(title, (line_out_table(report), *lost))
+
+
+def circle_table(circle: WatchCircle) -> Table:
+    """Tabulate where the force takes the body as it goes round."""
+    return Table(
+        "watch_circle",
+        (
+            measured("angle", circle.directions, "direction", symbol=""),
+            *_responses(circle.responses),
+        ),
+        Message("captions.circle", force=Measure("horizontal_force", circle.force)),
+        tuple(range(0, len(circle.directions), _EVERY)),
+    )
 
 
 def _circle(report: SystemReport) -> Iterator[Section]:
-    """Tabulate where the force takes the body as it goes round."""
-    circle = report.circle
-    if circle is None:
-        return
-    columns = (
-        measured("angle", circle.directions, "direction", symbol=""),
-        *_responses(circle.responses),
-    )
-    force = Measure("horizontal_force", circle.force)
-    shown = tuple(range(0, len(circle.directions), _EVERY))
-    table = Table("watch_circle", columns, Message("captions.circle", force=force), shown)
-    yield Section(Message("captions.watch_circle"), (table,))
+    if report.circle is not None:
+        yield Section(Message("captions.watch_circle"), (circle_table(report.circle),))
 
 
-def _curve(number: int, curve: RestoringCurve) -> Section:
+def curve_table(number: int, curve: RestoringCurve) -> Table:
     """Tabulate force and offset along one direction."""
     rows = len(curve.offset)
-    name = f"restoring_{number}"
-    table = Table(
-        name,
+    return Table(
+        f"restoring_{number}",
         (
             measured("angle", [curve.direction] * rows, "direction", symbol="", only="files"),
             measured("offset", curve.offset),
@@ -168,8 +179,11 @@ def _curve(number: int, curve: RestoringCurve) -> Section:
         Message("captions.held", angle=Measure("angle", curve.direction)),
         tuple(range(0, rows, _CURVE_EVERY)),
     )
-    title = Message("captions.restoring", number=number)
-    return Section(title, (table, Graph(title, name, x=1, y=(2,))))
+
+
+def _curve(number: int, curve: RestoringCurve) -> Section:
+    table, title = curve_table(number, curve), Message("captions.restoring", number=number)
+    return Section(title, (table, Graph(title, table.name, x=1, y=(2,))))
 
 
 def _levels(report: SystemReport) -> Iterator[Section]:

@@ -193,7 +193,7 @@ def _sources(path: Path, design: int | None) -> tuple[Source, ...]:
     """Name the files that the case was read from."""
     from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
     from catopt.export.exported import Source
-    from catopt.report.page.origin import read_source
+    from catopt.notes.origin import read_source
 
     names = [path] if design is None else [path / DESIGN_CASE, path / DESIGN_DOCUMENT]
     files = [read_source(name) for name in names]
@@ -202,8 +202,8 @@ def _sources(path: Path, design: int | None) -> tuple[Source, ...]:
 
 def _write(found: Exported, out: Path, case: Path, design: int | None, to: Target) -> str:
     """Write the file, whole or not at all, and return where."""
+    from catopt.notes.origin import file_name
     from catopt.report.files import write_files
-    from catopt.report.page.origin import file_name
 
     folder, name = out.parent, out.name
     if out.is_dir() or not out.suffix:

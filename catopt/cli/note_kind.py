@@ -8,14 +8,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
     from catopt.casefile.sizing_file import Moored
     from catopt.cli.output import Progress
     from catopt.errors import Problem
-    from catopt.render.texts import Language
-    from catopt.report.page.note import Note
-    from catopt.report.page.sections import AnyNote
+    from catopt.notes.line import Note
+    from catopt.notes.size import SizeNote
+    from catopt.notes.system import SystemNote
 
-__all__ = ["Wanted", "is_of_a_body", "line_of", "note_of_file", "workbook_of"]
+    AnyNote = Note | SizeNote | SystemNote
+
+__all__ = ["AnyNote", "Wanted", "answer_of", "is_of_a_body", "line_of", "note_of_file"]
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,7 @@ def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -
         return _of_a_sizing(path, moored, wanted)
     if is_of_a_body(path):
         return _of_a_body(path, wanted, progress)
-    from catopt.report.page.note import read_note
+    from catopt.notes.line import read_note
 
     return read_note(
         path,
@@ -102,7 +105,7 @@ def is_of_a_body(path: Path) -> bool:
 def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
     from catopt.cli.size_note import note_of_file as note_of_sizing
     from catopt.errors import InputError
-    from catopt.report.page.result_directory import Asked
+    from catopt.notes.directory import Asked
 
     why = (
         f"it is of a line that is known; this file is for catopt size {moored}, which writes the "
@@ -117,8 +120,8 @@ def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
 
 def _of_a_body(path: Path, wanted: Wanted, progress: Progress | None) -> AnyNote:
     from catopt.errors import InputError
-    from catopt.report.page.result_directory import asked_in, case_path
-    from catopt.report.page.system.note import read_system_note
+    from catopt.notes.directory import asked_in, case_path
+    from catopt.notes.system import read_system_note
 
     why = "it is for one line with a load; this file is of a body moored by several"
     problems = list(_of_a_line_alone(replace(wanted, motion=None), why, swarm=True))
@@ -144,27 +147,27 @@ def _of_a_line_alone(wanted: Wanted, why: str, *, swarm: bool) -> Iterator[Probl
 
 def line_of(note: AnyNote) -> Note | None:
     """Return the note of a line: the note itself, or that of the line that a sizing recommends."""
-    from catopt.report.page.note import Note
-    from catopt.report.page.sizing.note import SizeNote
+    from catopt.notes.line import Note
+    from catopt.notes.size import SizeNote
 
     if isinstance(note, SizeNote):
         return note.line
     return note if isinstance(note, Note) else None
 
 
-def workbook_of(note: AnyNote, language: Language) -> bytes:
-    """Lay the workbook of a note out."""
-    from catopt.report.page.sizing.note import SizeNote
-    from catopt.report.page.system.note import SystemNote
+def answer_of(note: AnyNote) -> Answer:
+    """Lay a note out."""
+    from catopt.notes.size import SizeNote
+    from catopt.notes.system import SystemNote
 
     if isinstance(note, SizeNote):
-        from catopt.report.workbook.note_size import size_note_workbook
+        from catopt.answers.note_size import size_note_answer
 
-        return size_note_workbook(note, language)
+        return size_note_answer(note)
     if isinstance(note, SystemNote):
-        from catopt.report.workbook.note_system import system_note_workbook
+        from catopt.answers.note_system import system_note_answer
 
-        return system_note_workbook(note, language)
-    from catopt.report.workbook.note import note_workbook
+        return system_note_answer(note)
+    from catopt.answers.note_line import line_note_answer
 
-    return note_workbook(note, language)
+    return line_note_answer(note)

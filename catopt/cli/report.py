@@ -12,10 +12,10 @@ from catopt.cli.solve import Method
 from catopt.cli.verify import INTERRUPTED, stop_if_not_converged
 
 if TYPE_CHECKING:
+    from catopt.cli.note_kind import AnyNote
     from catopt.cli.output import Output, Progress
-    from catopt.report.page.note import Note
-    from catopt.report.page.sections import AnyNote
-    from catopt.report.page.system.note import SystemNote
+    from catopt.notes.line import Note
+    from catopt.notes.system import SystemNote
     from catopt.verify.dynamic_result import DynamicVerification
 
 __all__ = ["report"]
@@ -111,11 +111,11 @@ def report(
     equation and its numbers put in, and the same line by a truss model. The workbook has its tables
     with native charts. The same case gives the same files to the last byte.
     """
-    from catopt.cli.note_kind import Wanted, note_of_file, workbook_of
+    from catopt.cli.note_kind import Wanted, answer_of, note_of_file
+    from catopt.notes.line import Note
+    from catopt.notes.origin import file_name
+    from catopt.render.page import page
     from catopt.report.files import write_files
-    from catopt.report.page.note import Note
-    from catopt.report.page.origin import file_name
-    from catopt.report.page.render import render_page
 
     output: Output = context.obj
     _check_place(out)
@@ -130,14 +130,18 @@ def report(
             number = None if note.chosen is None else note.chosen.number
         _tell(tell, 1)
         folder, name, is_folder = _place(out, file_name(case, number))
-        files = {name: render_page(note, lang.value)}
+        answer = answer_of(note)
+        files = {name: page(answer, lang.value)}
         _tell(tell, 2)
         if with_workbook or is_folder:
-            files[str(Path(name).with_suffix(".xlsx"))] = workbook_of(note, lang.value)
+            from catopt.render.workbook import workbook
+
+            files[str(Path(name).with_suffix(".xlsx"))] = workbook(answer, lang.value)
     places = write_files(folder, files, keep=[case])
     written = list(zip(places, files.values(), strict=True))
     if as_json:
-        output.json(_document(note, lang.value, written))
+        sections = [section.name for section in answer.sections]
+        output.json(_document(note, sections, lang.value, written))
     else:
         for path, _ in written:
             output.text(str(path))
@@ -147,8 +151,8 @@ def report(
 
 def _moved(note: AnyNote) -> DynamicVerification | None:
     """Return what is in motion in a note: a line, or all of a body's."""
-    from catopt.report.page.note import Note
-    from catopt.report.page.system.note import SystemNote
+    from catopt.notes.line import Note
+    from catopt.notes.system import SystemNote
 
     if isinstance(note, SystemNote):
         return note.motion
@@ -200,15 +204,14 @@ def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
     return out, name, True
 
 
-def _document(note: AnyNote, language: str, written: list[tuple[Path, bytes]]) -> dict[str, Any]:
+def _document(
+    note: AnyNote, sections: list[str], language: str, written: list[tuple[Path, bytes]]
+) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
     from catopt.cli.note_kind import line_of
-    from catopt.render.texts import Words
-    from catopt.report.page.further_document import motion_document, swarm_document
-    from catopt.report.page.render import sections_of
-    from catopt.report.page.system.note import SystemNote
+    from catopt.notes.document import motion_document, swarm_document
+    from catopt.notes.system import SystemNote
 
-    words = Words("vi" if language == "vi" else "en")
     line = line_of(note)
     of = note if isinstance(note, SystemNote) else line
     assert of is not None
@@ -226,7 +229,7 @@ def _document(note: AnyNote, language: str, written: list[tuple[Path, bytes]]) -
         "sources": [{"name": file.name, "sha256": file.sha256} for file in note.origin.files],
         "design": None if line is None or line.chosen is None else line.chosen.number,
         "load_case": "" if line is None else line.load_case,
-        "sections": [key for key, _ in sections_of(note, words)],
+        "sections": sections,
         "passes": checks.passes if checks.results else None,
         "governing": "" if governing is None else f"{governing.name} ({governing.load_case})",
         "verification": _verification(of),

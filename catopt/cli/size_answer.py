@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
+    from catopt.notes.size import Given
     from catopt.render.texts import Language
-    from catopt.report.page.sizing.note import Given
     from catopt.sizing import Sizing
 
 __all__ = ["check_places", "give"]

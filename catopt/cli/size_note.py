@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
-    from catopt.report.page.result_directory import Asked
-    from catopt.report.page.sizing.note import Given, SizeNote
+    from catopt.notes.directory import Asked
+    from catopt.notes.size import Given, SizeNote
     from catopt.sizing.telling import Spelling
 
 __all__ = ["given_to_size", "note_of_file"]
@@ -38,8 +38,8 @@ def note_of_file(
     InputError, NoAnswerError, NotConvergedError
         As for `size_file` and `size_note`.
     """
-    from catopt.report.page.origin import read_source
-    from catopt.report.page.sizing.note import Given, size_note
+    from catopt.notes.origin import read_source
+    from catopt.notes.size import Given, size_note
     from catopt.sizing.file import size_file
 
     given = Given(read_source(path))
@@ -58,8 +58,8 @@ def given_to_size(place: str | None, options: Mapping[str, object], spell: Spell
     spell : Spelling
         How they are typed.
     """
-    from catopt.report.page.origin import read_source
-    from catopt.report.page.sizing.note import Given
+    from catopt.notes.origin import read_source
+    from catopt.notes.size import Given
 
     source = None if place is None else read_source(Path(place))
     rows = [

@@ -42,6 +42,15 @@ class Number:
         return f"{self.symbol} = {self.value:.4g} {self.unit}".rstrip()
 
 
+class _Symbol(str):
+    """A symbol, with its power where it has one."""
+
+    __slots__ = ()
+
+    def __format__(self, spec: str) -> str:
+        return f"{self}^{spec}" if spec else str(self)
+
+
 @dataclass(frozen=True)
 class LoadComponent:
     """One force.
@@ -54,8 +63,9 @@ class LoadComponent:
         For sums by cause. The current on a buoy includes the motion of the water in waves.
     axis : {"along", "surge", "sway"}
         See `Axis`.
-    formula : str
-        In the symbols of `numbers`.
+    factors : tuple of str
+        What is multiplied, the symbols of `numbers` in braces and a power behind a colon:
+        ``("1/2", "{rho}", "{V:2}", "{A}", "{Cd}")``; g is gravity.
     numbers : tuple of Number
         What was put in.
     force : float
@@ -69,11 +79,17 @@ class LoadComponent:
     name: str
     kind: Literal["wind", "current", "wave drift"]
     axis: Axis
-    formula: str
+    factors: tuple[str, ...]
     numbers: tuple[Number, ...]
     force: float
     source: LoadSource
     note: str = ""
+
+    @property
+    def formula(self) -> str:
+        """The product in symbols: ``"1/2 rho V^2 A Cd"``."""
+        symbols = {symbol: _Symbol(symbol) for symbol in ("g", *(n.symbol for n in self.numbers))}
+        return " ".join(self.factors).format(**symbols)
 
     @property
     def numbers_text(self) -> str:

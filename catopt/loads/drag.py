@@ -75,5 +75,5 @@ def drag_component(
         area,
         coefficient,
     )
-    formula = f"1/2 rho V^2 {area.symbol} {coefficient.symbol}"
-    return LoadComponent(name, kind, axis, formula, numbers, force, source, note)
+    factors = ("1/2", "{rho}", "{V:2}", f"{{{area.symbol}}}", f"{{{coefficient.symbol}}}")
+    return LoadComponent(name, kind, axis, factors, numbers, force, source, note)

@@ -175,12 +175,12 @@ def ship_drift(
         Number("D", depth_factor(sea.wave_number(depth), depth), "", Message("loads.depth_factor")),
         Number("W", width, "m", Message("loads.width")),
     )
-    formula = "rho g R^2 m D W"
+    factors = ("{rho}", "{g}", "{R:2}", "{m}", "{D}", "{W}")
     note = Message("loads.waves_note", kind=term(of), angle=math.degrees(angle))
 
     def component(name: str, axis: Literal["surge", "sway"], share: float) -> LoadComponent:
         force = per_metre * width * share
-        return LoadComponent(name, "wave drift", axis, formula, numbers, force, _SOURCE, note)
+        return LoadComponent(name, "wave drift", axis, factors, numbers, force, _SOURCE, note)
 
     return (
         component(Message("loads.drift_along"), "surge", -cosine),

@@ -15,6 +15,7 @@ import xlsxwriter
 
 from catopt._version import __version__
 from catopt.quantities import GREEK, QUANTITIES, Quantity
+from catopt.render.looks import COLOURS, LOOKS, Look, Sign
 from catopt.render.texts import Words
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ _PIXELS = 7.0
 """Of one character of a column's width."""
 _NO_DATE = datetime(2000, 1, 1)
 """In place of the hour of writing: the same data make the same file."""
-_MOST_FOOTER = 120
+_MOST_FOOTER, _MOST_NAME = 120, 31
 _OF_THE_USER = {
     "Title",
     "Source",
@@ -58,6 +59,10 @@ _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#7F7F7F")
 _DASHES = ("solid", "dash", "long_dash", "dash_dot", "square_dot", "solid")
 _RING = 9
 """Size from which a point is a ring."""
+_SIGNS: dict[Sign, str] = {
+    "circle": "circle", "square": "square", "diamond": "diamond", "triangle": "triangle",
+    "cross": "plus", "tick": "short_dash",
+}  # fmt: skip
 _MARKERS = ("circle", "diamond", "triangle", "square", "x", "plus")
 
 
@@ -99,7 +104,8 @@ Cell = str | float | Number | Text | None
 class Series:
     """A curve or a set of points: rows and columns of its cells, the ends among them, from 0.
 
-    Large points are rings: whatever a program draws over them, they stay in sight.
+    Large points are rings: whatever a program draws over them, they stay in sight. A role has its
+    own look; cells may be on another sheet.
     """
 
     name: str
@@ -109,6 +115,8 @@ class Series:
     style: Literal["line", "points"] = "line"
     colour: int = 0
     size: int = 7
+    role: str = ""
+    sheet: str = ""
 
 
 @dataclass(frozen=True)
@@ -224,7 +232,7 @@ class Book:
         said : str
             In the book's language, where the table has the name for something else.
         """
-        worksheet = self.workbook.add_worksheet((said or self.words.sentence(name).text)[:31])
+        worksheet = self.workbook.add_worksheet(self._free(said or self.words.sentence(name).text))
         worksheet.freeze_panes(1, 0)
         worksheet.set_landscape()
         worksheet.set_paper(9)  # A4
@@ -236,6 +244,15 @@ class Book:
         sheet = Sheet(self, worksheet)
         self._sheets.append(sheet)
         return sheet
+
+    def _free(self, name: str) -> str:
+        """Shorten a name for a tab; with a number where another one is so called."""
+        used = {sheet.name.casefold() for sheet in self._sheets}
+        short, number = name[:_MOST_NAME], 1
+        while short.casefold() in used:
+            number += 1
+            short = f"{name[: _MOST_NAME - 3]} {number}"
+        return short
 
     def close(self) -> bytes:
         """Finish the file."""
@@ -379,6 +396,14 @@ class Sheet:
             self.widths[column] = width
             self.worksheet.set_column(column, column, width)
 
+    def widen(self, least: float) -> None:
+        """Give texts across the sheet room, by an empty column where the others are narrow."""
+        missing = least - sum(self.widths.values())
+        if missing > 0.0:
+            column = max(self.widths, default=-1) + 1
+            self.widths[column] = missing
+            self.worksheet.set_column(column, column, missing)
+
     def across(self, text: str, style: Style = "wrapped") -> None:
         """Write a text over all columns whose widths are set, folded to them."""
         self._merged(text, style, 0)
@@ -455,12 +480,13 @@ class Sheet:
         drawn = self.book.workbook.add_chart({"type": "scatter", "subtype": "straight"})
         for series in chart.series:
             first, last = series.rows
+            place = series.sheet or self.name
             drawn.add_series(
                 {
                     "name": series.name,
-                    "categories": [self.name, first, series.x, last, series.x],
-                    "values": [self.name, first, series.y, last, series.y],
-                    **_look(series),
+                    "categories": [place, first, series.x, last, series.x],
+                    "values": [place, first, series.y, last, series.y],
+                    **(_look_of(LOOKS[series.role]) if series.role else _look(series)),
                 }
             )
         axis: dict[str, Any] = {"name": chart.y, "major_gridlines": {"visible": True}}
@@ -530,6 +556,8 @@ def number_pattern(of: str | Quantity) -> str:
     if isinstance(of, Quantity):
         if of.notation == "scientific":
             return "0.00E+00"
+        if of.notation == "significant":
+            return _COUNT
         return f"0.{'0' * of.digits}" if of.digits else "0"
     if any(name in of.lower() for name in _SCIENTIFIC):
         return "0.00E+00"
@@ -558,6 +586,20 @@ def _look(series: Series) -> dict[str, Any]:
         "fill": {"none": True} if series.size >= _RING else {"color": colour},
     }
     return {"line": {"none": True}, "marker": marker}
+
+
+def _look_of(look: Look) -> dict[str, Any]:
+    """Look as in every other drawing."""
+    colour = COLOURS[look.stroke or look.fill][0]
+    fill = {"color": COLOURS[look.fill][0]} if look.fill else {"none": True}
+    if look.sign in _SIGNS:
+        border = {"color": COLOURS["ink"][0] if look.stroke == "paper" else colour}
+        size = max(5, round(look.size))
+        marker = {"type": _SIGNS[look.sign], "size": size, "border": border, "fill": fill}
+        return {"line": {"none": True}, "marker": marker}
+    dash = "dash" if look.dash else "solid"
+    line = {"color": colour, "width": 0.75 * look.width, "dash_type": dash}
+    return {"line": line, "marker": {"type": "none"}}
 
 
 def _lines(text: str, width: float) -> int:

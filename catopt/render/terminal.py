@@ -12,7 +12,7 @@ from catopt.answers.blocks import (
     Block,
     Column,
     Facts,
-    Graph,
+    Points,
     Table,
     Text,
     Verdict,
@@ -84,13 +84,15 @@ def show(output: Printer, answer: Answer, language: Language = "en") -> None:
 
 
 def _is_seen(block: Block) -> bool:
-    if isinstance(block, Graph) or (isinstance(block, Table) and block.length == 0):
+    if isinstance(block, Table) and block.length == 0:
         return False
-    return isinstance(block, Verdict) or block.only in _SEEN
+    if isinstance(block, Table | Facts | Text | Warnings):
+        return block.only in _SEEN
+    return isinstance(block, Verdict | Points)
 
 
 def _caption(block: Block) -> str:
-    return block.caption if isinstance(block, Text) else ""
+    return block.caption if isinstance(block, Text | Points) else ""
 
 
 def _show(output: Printer, block: Block, language: Language) -> None:
@@ -103,10 +105,19 @@ def _show(output: Printer, block: Block, language: Language) -> None:
         _text(output, block, language)
     elif isinstance(block, Verdict):
         output.text(say(block.said, language), bold=True)
+    elif isinstance(block, Points):
+        _points(output, block, language)
     elif isinstance(block, Warnings):
         for said in block.said:
             warning = Sentence(Message("answers.warning", warning=said))
             output.text(say(warning, language), bold=True)
+
+
+def _points(output: Printer, block: Points, language: Language) -> None:
+    if block.caption:
+        output.text(say(block.caption, language), bold=True)
+    for said in block.said:
+        output.text(say(said, language))
 
 
 def _text(output: Printer, block: Text, language: Language) -> None:

@@ -35,7 +35,7 @@ def shown(
         return f"{value:,}" if isinstance(value, int) and value > 9999 else f"{value}"
     if quantity.key == "EA" and math.isinf(value):
         return say(Message("answers.inextensible"), language)
-    return quantity.format(value, unit=unit)
+    return "∞" if math.isinf(value) else quantity.format(value, unit=unit)
 
 
 def cell(column: Column, row: int, language: Language) -> str:

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from catopt.design.result import DesignResult
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
+    from catopt.notes.size import Given
     from catopt.render.texts import Language
-    from catopt.report.page.sizing.note import Given
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
@@ -236,10 +236,11 @@ def size_files(
         ),
     }
     if given is not None:
-        from catopt.report.page.render import render_page
-        from catopt.report.page.sizing.note import size_note
+        from catopt.answers.note_size import size_note_answer
+        from catopt.notes.size import size_note
+        from catopt.render.page import page
 
-        files["note.html"] = render_page(size_note(of, given), language)
+        files["note.html"] = page(size_note_answer(size_note(of, given)), language)
     if of.pattern is not None:
         files[SYSTEM_CASE] = write_case(system_case(of.case, of.pattern)).encode()
     return files

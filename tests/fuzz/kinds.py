@@ -251,7 +251,7 @@ def _numbers(path: Path) -> object:
 def _result(path: Path) -> object:
     """Read what a result directory says, as ``catopt report`` does before it computes anything."""
     from catopt.casefile.design_directory import read_case_or_design
-    from catopt.report.page.result_directory import asked_in, case_path
+    from catopt.notes.directory import asked_in, case_path
 
     has_front = (path.parent / "design.json").is_file()
     return asked_in(path.parent), read_case_or_design(

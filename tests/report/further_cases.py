@@ -9,12 +9,11 @@ from tempfile import TemporaryDirectory
 
 import openpyxl
 
-from catopt.render.texts import Language
-from catopt.report.page.note import Note, read_note
-from catopt.report.page.render import render_page
-from catopt.report.workbook.note import note_workbook
+from catopt.notes.line import Note, read_note
+from catopt.words import Language
 
 from .page_reader import ReadPage, read_page
+from .rendered import page_of, workbook_of
 
 __all__ = [
     "HARMONIC",
@@ -157,7 +156,7 @@ def further_note(name: str) -> Note:
 @cache
 def further_page(name: str, language: Language = "en") -> ReadPage:
     """Read the page of a case back, once."""
-    return read_page(render_page(further_note(name), language))
+    return read_page(page_of(further_note(name), language))
 
 
 def same_words(name: str, english: str, vietnamese: str) -> set[str]:
@@ -172,7 +171,7 @@ def same_words(name: str, english: str, vietnamese: str) -> set[str]:
     """
     found = []
     for language, sheet in (("en", english), ("vi", vietnamese)):
-        book = openpyxl.load_workbook(BytesIO(note_workbook(further_note(name), language)))  # type: ignore[arg-type]
+        book = openpyxl.load_workbook(BytesIO(workbook_of(further_note(name), language)))  # type: ignore[arg-type]
         cells = (cell for row in book[sheet].iter_rows(values_only=True) for cell in row)
         found.append(
             {cell for cell in cells if isinstance(cell, str) and not cell.lstrip("-")[:1].isdigit()}

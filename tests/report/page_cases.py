@@ -7,11 +7,11 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from catopt.render.texts import Language
-from catopt.report.page.note import Note, read_note
-from catopt.report.page.render import render_page
+from catopt.notes.line import Note, read_note
+from catopt.words import Language
 
 from .page_reader import ReadPage, read_page
+from .rendered import page_of
 
 __all__ = [
     "CASES",
@@ -150,7 +150,7 @@ def known_note(name: str) -> Note:
 @cache
 def known_page(name: str, language: Language = "en") -> ReadPage:
     """Read the page of a case back, once."""
-    return read_page(render_page(known_note(name), language))
+    return read_page(page_of(known_note(name), language))
 
 
 def case_path(folder: Path, name: str) -> Path:

@@ -8,12 +8,12 @@ from tempfile import TemporaryDirectory
 
 from catopt.casefile.sizing_file import Moored
 from catopt.cli.size_note import note_of_file
-from catopt.render.texts import Language
-from catopt.report.page.render import render_page
-from catopt.report.page.sizing.note import SizeNote
+from catopt.notes.size import SizeNote
+from catopt.words import Language
 
 from .page_cases import CASES
 from .page_reader import ReadPage, read_page
+from .rendered import page_of
 
 __all__ = ["EVERY", "FILES", "TEXTS", "known_size_note", "known_size_page", "sizing_path"]
 
@@ -96,7 +96,7 @@ def known_size_note(name: str) -> SizeNote:
 @cache
 def known_size_page(name: str, language: Language = "en") -> ReadPage:
     """Read the page of a sizing back, once."""
-    return read_page(render_page(known_size_note(name), language))
+    return read_page(page_of(known_size_note(name), language))
 
 
 def sizing_path(folder: Path, name: str) -> tuple[Path, Moored]:

@@ -6,12 +6,12 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from catopt.render.texts import Language
-from catopt.report.page.render import render_page
-from catopt.report.page.system.note import SystemNote, read_system_note
+from catopt.notes.system import SystemNote, read_system_note
+from catopt.words import Language
 
 from .page_cases import CASES
 from .page_reader import ReadPage, read_page
+from .rendered import page_of
 
 __all__ = ["EVERY", "TEXTS", "TURRET", "known_note", "known_page", "system_path"]
 
@@ -147,7 +147,7 @@ def known_note(name: str) -> SystemNote:
 @cache
 def known_page(name: str, language: Language = "en") -> ReadPage:
     """Read the page of a case back, once."""
-    return read_page(render_page(known_note(name), language))
+    return read_page(page_of(known_note(name), language))
 
 
 def system_path(folder: Path, name: str) -> Path:

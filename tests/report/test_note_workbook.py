@@ -18,12 +18,12 @@ import pytest
 from openpyxl.utils import range_boundaries
 
 from catopt.design.document import design_document
+from catopt.notes.line import Note, read_note
 from catopt.quantities import QUANTITIES
-from catopt.render.texts import LANGUAGES, Language
-from catopt.report.page.note import Note, read_note
-from catopt.report.workbook.note import note_workbook
+from catopt.words import LANGUAGES, Language
 
 from .page_cases import CASES, EVERY, design_directory, known_note
+from .rendered import workbook_of
 
 ROUNDING = 1e-15
 """Relative: the workbook keeps 16 significant digits, JSON 17; plus one change of unit."""
@@ -41,7 +41,7 @@ def workbook(name: str, language: Language = "en") -> Any:
 
 
 def opened(note: Note, language: Language = "en") -> Any:
-    return openpyxl.load_workbook(BytesIO(note_workbook(note, language)), data_only=True)
+    return openpyxl.load_workbook(BytesIO(workbook_of(note, language)), data_only=True)
 
 
 def table(sheet: Any, first: str, number: int = 0) -> list[dict[str, Any]]:
@@ -395,7 +395,7 @@ def test_every_sheet_is_laid_out_for_a_reader(name: str, language: Language) -> 
 
 @pytest.mark.parametrize("name", NOTES)
 def test_no_cell_is_an_error_or_a_stray_formula(name: str) -> None:
-    data = note_workbook(note_named(name))
+    data = workbook_of(note_named(name))
     values = openpyxl.load_workbook(BytesIO(data), data_only=True)
     formulas = openpyxl.load_workbook(BytesIO(data))
     for sheet in values:
@@ -413,12 +413,12 @@ def test_no_cell_is_an_error_or_a_stray_formula(name: str) -> None:
 def test_charts_are_native_and_lie_within_the_print_area(name: str) -> None:
     note = note_named(name)
     wanted = 2 + (note.curve is not None) + (note.chosen is not None)
-    with zipfile.ZipFile(BytesIO(note_workbook(note))) as package:
+    with zipfile.ZipFile(BytesIO(workbook_of(note))) as package:
         charts = [each for each in package.namelist() if "charts/chart" in each]
         assert len(charts) == wanted
         for chart in charts:
             assert b"<c:scatterChart>" in package.read(chart)
-    book = openpyxl.load_workbook(BytesIO(note_workbook(note)))
+    book = openpyxl.load_workbook(BytesIO(workbook_of(note)))
     seen = 0
     sheet: Any
     for sheet in book:
@@ -432,21 +432,21 @@ def test_charts_are_native_and_lie_within_the_print_area(name: str) -> None:
 
 
 def test_numbers_have_the_digits_of_their_quantity() -> None:
-    sheet = openpyxl.load_workbook(BytesIO(note_workbook(known_note("leg"))))["Line"]
+    sheet = openpyxl.load_workbook(BytesIO(workbook_of(known_note("leg"))))["Line"]
     assert [cell.number_format for cell in sheet[2][:4]] == ["0.000"] * 4
     assert QUANTITIES["tension"].digits == 3
 
 
 def test_the_same_note_gives_the_same_bytes() -> None:
     note = known_note("leg")
-    assert note_workbook(note) == note_workbook(note)
+    assert workbook_of(note) == workbook_of(note)
 
 
 def test_texts_of_the_user_stay_texts(tmp_path: Path) -> None:
     path = tmp_path / "case.toml"
     source = (CASES / "buoy-9.5m" / "case.toml").read_text("utf-8")
     path.write_text(source.replace("Marker buoy, 9.5 m", "=1+1"), "utf-8")
-    cell = openpyxl.load_workbook(BytesIO(note_workbook(read_note(path))))["Summary"]["A1"]
+    cell = openpyxl.load_workbook(BytesIO(workbook_of(read_note(path))))["Summary"]["A1"]
     assert (cell.value, cell.data_type) == ("=1+1", "s")
 
 
@@ -493,7 +493,7 @@ def test_libreoffice_opens_recalculates_and_prints_it(tmp_path: Path) -> None:
     """No cell is an error there, its numbers are ours, and every sheet has a page."""
     names = ("leg", "states", "design")
     for name in names:
-        (tmp_path / f"{name}.xlsx").write_bytes(note_workbook(note_named(name)))
+        (tmp_path / f"{name}.xlsx").write_bytes(workbook_of(note_named(name)))
     for target in ("xlsx", "pdf"):
         made = converted(tmp_path, target)
     for name in names:

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from catopt.report.page.motion_drive import drive_rows
 
 from catopt.errors import InputError
 from catopt.model import CurrentProfile, Motion, WaveState, WaveTrain
+from catopt.notes.motion import InMotion
 from catopt.render.texts import Language, Words
-from catopt.report.page.in_motion import InMotion
-from catopt.report.page.motion_drive import drive_rows
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.dynamic_setup import Drive, read_drive

@@ -77,16 +77,33 @@ COMPOSED = {"inputs", "kinds", "columns", "captions", "solution", "curve", "answ
 """Groups whose keys are put together where they are used, of the group and a name."""
 
 
+def composed_in_code() -> Iterator[re.Pattern[str]]:
+    """Yield every key that is put together, as ``note.{key}``, with a group for each part."""
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.JoinedStr):
+                parts = [
+                    re.escape(str(part.value)) if isinstance(part, ast.Constant) else "(.+)"
+                    for part in node.values
+                ]
+                if re.match(r"[a-z_]+\\\.", parts[0]):
+                    yield re.compile("".join(parts))
+
+
 def test_every_text_is_used() -> None:
     used = {*QUANTITIES}
     for key in keys_in_code():
         used |= {key, key.replace("-", "_")}
-    unused = [
-        key
-        for key in TEXTS
-        if key not in used
-        and not (key.partition(".")[0] in COMPOSED and key.partition(".")[2] in used)
-    ]
+    composed = list(composed_in_code())
+
+    def is_composed(key: str) -> bool:
+        group_of, _, name = key.partition(".")
+        if group_of in COMPOSED and name in used:
+            return True
+        found = (pattern.fullmatch(key) for pattern in composed)
+        return any(each is not None and used.issuperset(each.groups()) for each in found)
+
+    unused = [key for key in TEXTS if key not in used and not is_composed(key)]
     # Headings are being taken over kind by kind.
     assert not [key for key in unused if not key.startswith(("columns.", "terms."))]
 

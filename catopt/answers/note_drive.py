@@ -1,0 +1,335 @@
+"""What drives a line in motion, and the model that it is run with, in a note."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from catopt.answers.blocks import Block, Column, Fact, Facts, Table, Text, Value, measured, texts
+from catopt.answers.note import column
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.words import Cited, Message, Several
+
+if TYPE_CHECKING:
+    from catopt.model import CurrentProfile, Motion, Segment, WaveState, WaveTrain
+    from catopt.notes.motion import InMotion
+    from catopt.verify.motion_file import Raos
+
+__all__ = [
+    "COUNT",
+    "SECONDS",
+    "drive_blocks",
+    "drive_facts",
+    "fixed",
+    "segment_rows",
+    "significant",
+]
+
+
+def significant(unit: str, digits: int = 6) -> Quantity:
+    """Take what is written with some significant digits, in an SI unit."""
+    return Quantity("", "", "", unit, unit, 1.0, digits, "significant")
+
+
+def fixed(unit: str, digits: int) -> Quantity:
+    """Take what is written with some digits after the point, in an SI unit."""
+    return Quantity("", "", "", unit, unit, 1.0, digits)
+
+
+COUNT = Quantity("count", "", "", "-", "-", 1.0, 0)
+SECONDS = fixed("s", 1)
+_DEGREES = Quantity("", "", "", "rad", "deg", math.pi / 180.0, 4, "significant")
+_S, _M, _NUMBER, _SPEED = (significant(unit) for unit in ("s", "m", "-", "m/s"))
+_PERCENT = Quantity("", "", "", "-", "%", 0.01, 2)
+_MOST_RAOS, _MOST_SEEDS = 40, 4
+_SEVENTH = 1.0 / 7.0
+
+
+class _Axis(NamedTuple):
+    """Keys of what is said of a motion along an axis."""
+
+    name: str
+    recorded: str
+
+
+_AXES = {
+    "surge": _Axis("note_motion.surge_of", "note_motion.record_surge"),
+    "sway": _Axis("note_motion.sway_of", "note_motion.record_sway"),
+    "heave": _Axis("note_motion.heave_of", "note_motion.record_heave"),
+}
+_SPECTRA = {
+    "jonswap": "note_motion.jonswap",
+    "pierson-moskowitz": "note_motion.pierson_moskowitz",
+    "regular": "note_motion.regular",
+}
+_STRETCHINGS = {
+    "none": "note_motion.stretching_none",
+    "wheeler": "note_motion.stretching_wheeler",
+}
+_FRICTION = {
+    "pulled": "note_motion.friction_pulled",
+    "none": "note_motion.friction_none",
+    "laid": "note_motion.friction_laid",
+}
+_PROFILES = {
+    "power": "note_motion.current_power",
+    "wind": "note_motion.current_wind",
+    "table": "note_motion.current_table",
+}
+
+
+def drive_blocks(moved: InMotion) -> Iterator[Block]:
+    """Lay out what drives the line, the model, and inertia and drag of its segments."""
+    drive = tuple(drive_facts(moved))
+    yield Facts("motion_drive", drive, Message("note_motion.drive"), only="not csv")
+    if moved.drive.raos is not None:
+        yield _raos(moved.drive.raos)
+    model = tuple(_model(moved))
+    yield Facts("motion_model", model, Message("note_motion.model"), only="not csv")
+    yield _segments(moved)
+    yield Text(Message("note_motion.coefficients"), is_small=True)
+
+
+def _fact(key: str, value: Value, quantity: Quantity | None = None) -> Fact:
+    return Fact(Message(f"note_motion.{key}"), value, quantity)
+
+
+def drive_facts(moved: InMotion) -> Iterator[Fact]:
+    """List what drives the line: waves, current, motion of the fairlead, each with its figures."""
+    case = moved.found.case
+    if case.waves is not None:
+        yield from _waves(case.waves, moved)
+    if case.current is not None:
+        yield from _current(case.current, moved)
+    if case.motion is not None:
+        yield from _motion(case.motion, moved)
+
+
+def _waves(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
+    if waves.elevation_file:
+        yield from _recorded(waves, moved)
+    for train, gamma in zip(waves.all_trains, moved.drive.gammas, strict=True):
+        yield from _train(train, gamma)
+    if waves.is_random:
+        runs = moved.drive.dynamics.runs
+        seeds = [f"({waves.seed}, {k})" for k in range(min(runs, _MOST_SEEDS))]
+        if runs > _MOST_SEEDS:
+            seeds.append(f"… ({waves.seed}, {runs - 1})")
+        yield _fact("seeds", ", ".join(seeds))
+    yield _fact("stretching", Message(_STRETCHINGS[waves.stretching]))
+
+
+def _recorded(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
+    record, kept = moved.drive.elevation, moved.drive.recorded_waves
+    assert record is not None
+    four = significant("m", 4)
+    name = Cited(Path(waves.elevation_file).name)
+    yield _fact("waves", Message("note_motion.recorded_surface", file=name))
+    yield _fact("surface_length", record.duration, _S)
+    yield _fact("recorded_at", waves.elevation_x, _M)
+    yield _fact("significant_height", kept.significant_height, four)
+    yield _fact("wave_direction", waves.direction, _DEGREES)
+    yield _fact("components", kept.count)
+    shortest = 2.0 * math.pi / float(kept.omega[-1])
+    yield _fact("shortest_kept", shortest, significant("s", 4))
+    yield _fact("variance_left_out", record.left_out(kept), _PERCENT)
+    yield _fact("mean_taken_off", record.mean, four)
+
+
+def _train(train: WaveTrain, gamma: float | None) -> Iterator[Fact]:
+    is_regular = train.spectrum == "regular"
+    yield _fact("waves", Message(_SPECTRA[train.spectrum]))
+    yield _fact("wave_height" if is_regular else "significant_height", train.height, _M)
+    yield _fact("wave_period" if is_regular else "peak_period", train.period, _S)
+    if gamma is not None:
+        by_rule = "gamma_by_rule" if train.peak_enhancement is None else "gamma"
+        yield _fact(by_rule, gamma, significant("-", 4))
+    yield _fact("wave_direction", train.direction, _DEGREES)
+    if train.spreading_exponent is not None:
+        n, count = f"{train.spreading_exponent:g}", train.directions
+        yield _fact("spreading", Message("note_motion.cosine_power", n=n, count=count))
+    if not is_regular:
+        yield _fact("components", train.components)
+
+
+def _current(current: CurrentProfile, moved: InMotion) -> Iterator[Fact]:
+    yield _fact("current", Message(_PROFILES[current.profile]))
+    if current.series_file:
+        yield from _current_series(current, moved)
+    if current.speed is not None:
+        yield _fact("surface_speed", current.speed, _SPEED)
+    if current.profile == "power":
+        given = current.exponent
+        yield _fact("exponent", _SEVENTH if given is None else given, _NUMBER)
+    if current.depth is not None:
+        yield _fact("current_depth", current.depth, _M)
+    if current.depths:
+        pairs = zip(current.speeds, current.depths, strict=True)
+        at = (Message("note_motion.speed_at", v=f"{v:g}", d=f"{d:g}") for v, d in pairs)
+        yield _fact("speeds", Several(at))
+    if current.directions:
+        turned = zip(current.directions, current.depths, strict=True)
+        yield _fact(
+            "directions",
+            Several(
+                Message("note_motion.direction_at", b=f"{math.degrees(b):.4g}", d=f"{d:g}")
+                for b, d in turned
+            ),
+        )
+    elif moved.drive.current is None or moved.drive.current.directions is None:
+        yield _fact("current_direction", current.direction, _DEGREES)
+
+
+def _current_series(current: CurrentProfile, moved: InMotion) -> Iterator[Fact]:
+    import numpy as np
+
+    series = moved.drive.current
+    assert series is not None
+    name = Cited(Path(current.series_file).name)
+    yield _fact("current_series", Message("note_motion.series_in", file=name))
+    low, high = np.min(series.speeds), np.max(series.speeds)
+    yield _fact("series_speed", f"{low:.4g} … {high:.4g} m/s")
+    if series.directions is not None:
+        b = np.degrees(series.directions)
+        yield _fact("series_direction", f"{b.min():.4g}° … {b.max():.4g}°")
+
+
+def _motion(motion: Motion, moved: InMotion) -> Iterator[Fact]:
+    if motion.period is not None:
+        yield _fact("motion", Message("note_motion.harmonic"))
+        yield _fact("motion_period", motion.period, _S)
+        for axis in _AXES:
+            size, phase = getattr(motion, axis), getattr(motion, f"{axis}_phase")
+            if size:
+                along = Message(_AXES[axis].name)
+                yield Fact(Message("note_motion.amplitude_of", axis=along), size, _M)
+                yield Fact(Message("note_motion.phase", axis=along), phase, _DEGREES)
+        return
+    name = Cited(Path(motion.file or motion.rao_file).name)
+    how = "note_motion.record" if motion.file else "note_motion.raos"
+    yield _fact("motion", Message(how, file=name))
+    record = moved.drive.record
+    if record is not None:
+        times, values = record.times, record.values
+        yield _fact("record_length", float(times[-1] - times[0]), _S)
+        for axis, moves in zip(_AXES, values.T, strict=True):
+            if moves.any():
+                ends = {"a": f"{moves.min():.4g}", "b": f"{moves.max():.4g}"}
+                yield Fact(Message(_AXES[axis].recorded), Message("note_motion.from_to", **ends))
+
+
+def _raos(raos: Raos) -> Table:
+    """Tabulate a ship's response at the fairlead, by rising period."""
+    count = len(raos.omega)
+    rows = range(count - 1, -1, -1)[:: max(1, math.ceil(count / _MOST_RAOS))]
+    sizes = abs(raos.response)
+    periods = [2.0 * math.pi / float(raos.omega[row]) for row in rows]
+    columns = [column("note_motion.rao_period", periods, significant("s", 4))]
+    for k, axis in enumerate(_AXES.values()):
+        if not sizes[:, k].any():
+            continue
+        size = [float(sizes[row, k]) for row in rows]
+        # Where nothing moves there is no lag, whatever the file has.
+        lags = [
+            _lag(complex(raos.response[row, k])) if of > 0.0 else None
+            for row, of in zip(rows, size, strict=True)
+        ]
+        phase = Message("note_motion.phase", axis=Message(axis.name))
+        columns += [
+            column(axis.name, size, significant("m/m", 4)),
+            Column(phase, tuple(lags), _DEGREES),
+        ]
+    caption = Message("note_motion.rao_table")
+    return Table("motion_raos", tuple(columns), caption, only="not csv")
+
+
+def _lag(response: complex) -> float:
+    """Lag of a response behind the crest, from 0 to a full turn."""
+    return math.atan2(response.imag, response.real) % (2.0 * math.pi)
+
+
+def _model(moved: InMotion) -> Iterator[Fact]:
+    """List what the line is run with."""
+    case, dynamics = moved.found.case, moved.drive.dynamics
+    part = moved.found.parts[moved.governing]
+    run = part.runs[0].history
+    average = dynamics.scheme == "newmark"
+    scheme = "note_motion.average" if average else "note_motion.generalised"
+    radius = {} if average else {"radius": f"{dynamics.spectral_radius:g}"}
+    stiffness, damping = dynamics.seabed_stiffness, dynamics.seabed_damping
+    yield _fact("bars", part.elements)
+    yield _fact("runs", dynamics.runs)
+    yield _fact("duration", dynamics.duration, _S)
+    yield _fact("of_interest", dynamics.duration_of_interest, _S)
+    yield _fact("ramp", moved.drive.ramp, _S)
+    yield _fact("since", run.since, _S)
+    yield _fact("step", run.step, significant("s", 4))
+    yield _fact("scheme", Message(scheme, **radius))
+    yield _fact("line_damping", dynamics.critical_ratio, _NUMBER)
+    yield _fact("damping_time", dynamics.damping_time, _S)
+    if stiffness is None:
+        yield _fact("bed_stiffness", Message("note_motion.one_centimetre"))
+    else:
+        yield _fact("bed_stiffness", stiffness, significant("N/m²"))
+    if damping is None:
+        yield _fact("bed_damping", Message("note_motion.critical"))
+    else:
+        yield _fact("bed_damping", damping, significant("N s/m²"))
+    yield _fact("bed_friction", case.site.seabed_friction, _NUMBER)
+    yield _fact("initial_friction", Message(_FRICTION[dynamics.initial_friction]))
+    yield _fact("density", case.site.water_density, significant("kg/m³"))
+
+
+def segment_rows(moved: InMotion) -> list[tuple[Segment, Sequence[float | None]]]:
+    """List for each segment what inertia and drag are made of.
+
+    Returns
+    -------
+    list of (Segment, sequence)
+        Mass per length, EA, drag diameter, its coefficients across and along, volume-equivalent
+        diameter, coefficients of added mass across and along; SI, as the run has them.
+    """
+    properties = moved.drive.properties
+    gravity, density = properties.fluid.gravity, properties.fluid.density
+    rows: list[tuple[Segment, Sequence[float | None]]] = []
+    sections = properties.sections or ()
+    for segment, section in zip(moved.found.case.line.segments, sections, strict=True):
+        assert segment.mass is not None
+        displaced = (segment.mass - segment.submerged_weight / gravity) / density
+        numbers = (
+            segment.mass, segment.EA, segment.drag_diameter, section.drag_normal,
+            # That of an oblique flow is no single number: a remark has it.
+            None if any(section.oblique) else section.drag_tangential,
+            math.sqrt(4.0 * max(displaced, 0.0) / math.pi),
+            section.added_mass_normal, section.added_mass_tangential,
+        )  # fmt: skip
+        rows.append((segment, numbers))
+    return rows
+
+
+def _segments(moved: InMotion) -> Table:
+    """Tabulate inertia and drag of the segments, each coefficient beside its diameter."""
+    rows = segment_rows(moved)
+    of = list(zip(*(numbers for _, numbers in rows), strict=True))
+    coefficient = QUANTITIES["coefficient"]
+    drag, added = (replace(coefficient, symbol=symbol) for symbol in ("C_D", "C_A"))
+    return Table(
+        "motion_segments",
+        (
+            texts("segment", range(1, len(rows) + 1)),
+            texts("name", (segment.name or segment.component for segment, _ in rows)),
+            measured("mass_per_length", of[0]),
+            measured("EA", of[1]),
+            measured("drag_diameter", of[2]),
+            column("note_motion.across", of[3], drag),
+            column("note_motion.along", of[4], drag),
+            measured("volume_diameter", of[5]),
+            column("note_motion.across", of[6], added),
+            column("note_motion.along", of[7], added),
+        ),
+        Message("note_motion.segments"),
+        only="not csv",
+    )

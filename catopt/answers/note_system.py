@@ -1,0 +1,517 @@
+"""What the note of a moored body consists of."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Fact,
+    Facts,
+    Figure,
+    Section,
+    Step,
+    Table,
+    Text,
+    Trail,
+    Verdict,
+    exact,
+    measured,
+)
+from catopt.answers.check import QUANTITY_OF, check_columns, checked, verdict_sentence
+from catopt.answers.note import (
+    column,
+    components_section,
+    file_section,
+    inputs_section,
+    note_section,
+    title_block,
+    warnings_section,
+)
+from catopt.answers.note_motion import body_motion_section
+from catopt.answers.solution import method_name, profile_table
+from catopt.answers.system import circle_table, curve_table, line_out_table, lines_table
+from catopt.answers.trail import DEGREES, equation_trail
+from catopt.answers.truss import compared_table, largest_table, truss_closing
+from catopt.figures.line import line_in_water, magnified
+from catopt.figures.mooring import near, plan, restoring, watch_round, watch_track
+from catopt.quantities import QUANTITIES, Quantity
+from catopt.verify.truss_words import part_sentence
+from catopt.words import Measure, Message, Sentence, Several
+
+if TYPE_CHECKING:
+    from catopt.mooring.response import Response
+    from catopt.mooring.solution import LegState, SystemSolution
+    from catopt.notes.system import SystemNote
+
+__all__ = ["plan_blocks", "steps_of", "system_note_answer"]
+
+_Build = Callable[["SystemNote"], Iterator[Block]]
+
+_CURVE_EVERY = 4
+"""One point of a restoring curve in so many is shown; both ends and the middle are among them."""
+_MOST_FORCE = 4.0
+"""Restoring curves are drawn up to this multiple of the body's force."""
+_TURNING = Quantity("turning", "", "", "N/rad", "kN/rad", 1e3, 3)
+_YAWING = Quantity("yawing", "", "", "N*m/rad", "kN*m/rad", 1e3, 1)
+_RESIDUAL = Quantity("force_left", "", "", "N", "N", 1.0, 2, "scientific")
+_RESIDUAL_MOMENT = Quantity("moment_left", "", "", "N*m", "N*m", 1.0, 2, "scientific")
+_M, _N, _NM = (exact(unit) for unit in ("m", "N", "N m"))
+
+
+def system_note_answer(note: SystemNote) -> Answer:
+    """Lay out the note of a moored body.
+
+    Parameters
+    ----------
+    note : SystemNote
+        What came out.
+    """
+    return Answer(
+        "note",
+        note.title or Message("note_system.untitled_system"),
+        (
+            _section(note, "identity", _identity),
+            *warnings_section(note.warnings),
+            _section(note, "plan", _plan),
+            _section(note, "elevation", _elevation),
+            _section(note, "results", _results),
+            _section(note, "lines", _lines),
+            *_if_any(note, "checks", _checks),
+            *_if_any(note, "line_out", _line_out),
+            *_if_any(note, "watch_circle", _watch_circle),
+            *_if_any(note, "restoring", _restoring),
+            components_section(note.case, note.case.line),
+            inputs_section(note.origin),
+            _section(note, "balance", _balance),
+            _section(note, "line_trail", _line_trail),
+            *_if_any(note, "verification", _verification),
+            *body_motion_section(note),
+            *file_section(note.origin, "case_file", "note.case_file_heading"),
+        ),
+        Message("note_system.kind_system"),
+    )
+
+
+def _section(note: SystemNote, name: str, build: _Build) -> Section:
+    return note_section(f"system_{name}", build(note), f"note_system.{name}_heading")
+
+
+def _if_any(note: SystemNote, name: str, build: _Build) -> Iterator[Section]:
+    section = _section(note, name, build)
+    if section.blocks:
+        yield section
+
+
+# ------------------------------------------------------------------ what decides
+
+
+def _identity(note: SystemNote) -> Iterator[Block]:
+    system = note.solution.system
+    moment = Message("sizing.measure", value=Measure("moment", system.moment))
+    freedom = "note_system.identity_turns" if system.turns else "note_system.identity_held"
+    rows = (
+        ("note.identity_source", note.case.source),
+        ("note_system.identity_lines", f"{len(system.legs)}"),
+        ("note_system.identity_freedom", Message(freedom)),
+        ("note_system.identity_force", _force(note)),
+        ("note_system.identity_moment", moment if system.turns else ""),
+        ("note.identity_method", method_name("closed-form")),
+    )
+    yield title_block(rows, note.origin)
+    if note.checks.results:
+        yield Verdict(verdict_sentence(note.checks), note.checks.passes)
+    yield _intact(note)
+    yield Verdict(_offset(note), None)
+    yield from _one_out(note)
+
+
+def _force(note: SystemNote) -> Message:
+    """Say how large the force is and where it acts to: ``"4281.000 kN towards 180.00 deg"``."""
+    force = note.solution.system.force
+    size = Measure("horizontal_force", math.hypot(*force))
+    if not any(force):
+        return Message("sizing.measure", value=size)
+    towards = Measure("angle", note.force_towards)
+    return Message("note_system.identity_towards", force=size, angle=towards)
+
+
+def _intact(note: SystemNote) -> Verdict:
+    loaded = Message(
+        "note_system.identity_loaded",
+        line=note.solution.most_loaded + 1,
+        tension=Measure("tension", note.loaded.tension),
+    )
+    return _use(note, loaded, note.used)
+
+
+def _use(note: SystemNote, said: Message, used: float | None) -> Verdict:
+    """Add how far lines are used to what is said of them."""
+    if used is None:
+        return Verdict(said, None)
+    factor = QUANTITIES["safety_factor"].format(note.solution.safety_factor)
+    values = {"used": QUANTITIES["utilisation"].format(used), "factor": factor}
+    whole = Several((said, Message("note_system.identity_used", **values)), " ")
+    return Verdict(whole, False if used > 1.0 else None)
+
+
+def _offset(note: SystemNote) -> Message:
+    distance = math.hypot(*note.solution.offset)
+    length = Measure("offset", distance)
+    if distance == 0.0 or not any(note.solution.system.force):
+        return Message("note_system.identity_stays", offset=length)
+    angle = Measure("angle", note.offset_towards)
+    return Message("note_system.identity_goes", offset=length, angle=angle)
+
+
+def _one_out(note: SystemNote) -> Iterator[Verdict]:
+    """Say what the worst missing line does, and which lines the body cannot do without."""
+    for each in note.line_out:
+        if each.response is None:
+            refused = Message("note_system.line_out_refused", line=each.missing + 1)
+            yield Verdict(Sentence(refused), passes=False)
+    if note.hardest_out is None or note.farthest_out is None:
+        return
+    hardest, farthest = note.line_out[note.hardest_out], note.line_out[note.farthest_out]
+    assert hardest.response is not None
+    assert farthest.response is not None
+    said = Message(
+        "note_system.identity_one_out",
+        tension=Measure("tension", hardest.response.largest_tension),
+        line=hardest.response.most_loaded + 1,
+        missing=hardest.missing + 1,
+        offset=Measure("offset", farthest.response.offset),
+        farthest=farthest.missing + 1,
+    )
+    yield _use(note, said, max((each for each in note.left if each is not None), default=None))
+
+
+# ------------------------------------------------------------------ the body at rest
+
+
+def _plan(note: SystemNote) -> Iterator[Block]:
+    return plan_blocks(note.solution)
+
+
+def plan_blocks(solution: SystemSolution) -> Iterator[Block]:
+    """Draw the plan, and the surroundings of the body larger where the offset is small on it."""
+    yield Text(Message("note_system.plan_about"))
+    yield Figure(plan(solution))
+    around = near(solution)
+    if around is not None:
+        yield Text(Message("note_system.plan_near"))
+        yield Figure(around)
+
+
+def _elevation(note: SystemNote) -> Iterator[Block]:
+    """Draw the most loaded line to scale, and with heights magnified where it is flat."""
+    solution, depth = note.loaded.solution, note.case.site.water_depth
+    yield Text(Message("note_system.elevation_about", line=note.solution.most_loaded + 1))
+    yield Figure(replace(line_in_water(solution, depth), name="system_elevation"))
+    larger = magnified(solution, depth)
+    if larger is not None:
+        yield Text(larger.title)
+        yield Figure(larger)
+    yield profile_table(solution, only="workbook")
+
+
+def _results(note: SystemNote) -> Iterator[Block]:
+    yield Facts("system_results", tuple(_facts(note)))
+    yield Text(Message("note_system.results_about", steps=note.solution.steps), is_small=True)
+    rule = note.report.rule
+    if rule.horizontal_force is not None and rule.line is not None:
+        balance = note.solution.lines[rule.line].horizontal_force
+        values = {
+            "rule": Measure("horizontal_force", rule.horizontal_force),
+            "balance": Measure("horizontal_force", balance),
+        }
+        yield Text(Message("note_system.results_rule", line=rule.line + 1, **values))
+    if rule.why_not:
+        yield Text(Several((Message("note_system.results_no_rule"), Sentence(rule.why_not)), " "))
+
+
+def _facts(note: SystemNote) -> Iterator[Fact]:
+    solution = note.solution
+    system, stiffness, turns = solution.system, solution.full_stiffness, solution.system.turns
+    force, length, moment, angle, per_length = (
+        replace(QUANTITIES[key], symbol="")
+        for key in ("horizontal_force", "offset", "moment", "angle", "stiffness")
+    )
+    zero, place = solution.neutral, solution.position
+    for key, quantity, value, is_there in (
+        ("force_x", force, system.force[0], True),
+        ("force_y", force, system.force[1], True),
+        ("moment", moment, system.moment, turns),
+        ("zero_x", length, zero.x, True),
+        ("zero_y", length, zero.y, True),
+        ("place_x", length, place.x, True),
+        ("place_y", length, place.y, True),
+        ("offset_x", length, solution.offset[0], True),
+        ("offset_y", length, solution.offset[1], True),
+        ("offset", length, math.hypot(*solution.offset), True),
+        ("zero_yaw", angle, zero.yaw, turns),
+        ("yaw", angle, place.yaw, turns),
+        ("kxx", per_length, stiffness[0][0], True),
+        ("kxy", per_length, stiffness[0][1], True),
+        ("kyy", per_length, stiffness[1][1], True),
+        ("kxm", _TURNING, stiffness[0][2], turns),
+        ("kym", _TURNING, stiffness[1][2], turns),
+        ("kmm", _YAWING, stiffness[2][2], turns),
+        ("residual", _RESIDUAL, solution.residual.force, True),
+        ("residual_moment", _RESIDUAL_MOMENT, solution.residual.moment, turns),
+    ):
+        if is_there:
+            yield Fact(Message(f"note_system.results_{key}"), value, quantity)
+
+
+def _lines(note: SystemNote) -> Iterator[Block]:
+    """Tabulate what each line carries; the most loaded is marked."""
+    solution = note.solution
+    number, *others = lines_table(note.report).columns
+    names = [line.leg.name for line in solution.lines]
+    columns = [number, *([column("columns.name", names)] if any(names) else []), *others]
+    directions = [line.direction for line in solution.lines]
+    towards = measured("angle", directions, symbol="", only="workbook")
+    yield Table(
+        "system_lines",
+        (*columns, replace(towards, name=Message("note_system.workbook_direction"))),
+        marked=solution.most_loaded,
+    )
+    factor = QUANTITIES["safety_factor"].format(solution.safety_factor)
+    key = "note_system.lines_unknown" if note.used is None else "note_system.lines_used"
+    said = (Message(key, factor=factor), Message("note_system.lines_marked"))
+    yield Text(Several(said, " "), is_small=True)
+
+
+def _checks(note: SystemNote) -> Iterator[Block]:
+    """Tabulate all checks, line by line; nothing where the case asks for none."""
+    report = note.checks
+    results, governing = report.results, report.governing
+    if not results or governing is None:
+        return
+    yield Text(Message("note_system.checks_about"))
+    quantity = QUANTITY_OF[governing.kind]
+    governs = Message(
+        "note_system.checks_governs",
+        check=governing.name,
+        where=_of_what(governing.load_case),
+        demand=quantity.format(governing.demand, unit=True),
+        capacity=quantity.format(governing.capacity, unit=True),
+    )
+    yield Verdict(governs, report.passes)
+    _, *columns = check_columns(results)
+    lines = column("columns.line", (_of_what(each.load_case) for each in results))
+    marked = next(index for index, each in enumerate(results) if each is governing)
+    yield Table("checks", (lines, *columns), marked=marked)
+    yield checked(report)[1]
+    yield Text(Message("note.checks_legend"), is_small=True)
+
+
+def _of_what(name: str) -> str:
+    """Say of which line a check is, or that it is of the body."""
+    return Message("note_system.checks_body") if name == "body" else name
+
+
+# ------------------------------------------------------------------ other states
+
+
+def _line_out(note: SystemNote) -> Iterator[Block]:
+    """Tabulate what each line gone does, and say why the body does not come to rest."""
+    gone = note.line_out
+    if not gone:
+        return
+    table = line_out_table(note.report)
+    yield Text(Message("note_system.line_out_about"))
+    columns = (*table.columns[:-1], measured("utilisation", note.left), table.columns[-1])
+    further = _further([each.response for each in gone])
+    yield replace(table, columns=(*columns, *further), caption="", marked=note.hardest_out)
+    for each in gone:
+        if each.response is None:
+            lost = Message("mooring.lost", number=each.missing + 1, refusal=each.refusal)
+            yield Verdict(lost, passes=False)
+
+
+def _further(responses: Iterable[Response | None]) -> Iterator[Column]:
+    """Yield what only workbooks have of places of rest."""
+    every = list(responses)
+    for name, key, attribute in (
+        ("yaw", "angle", "yaw"),
+        ("anchor_tension", "tension", "largest_anchor_tension"),
+        ("anchor_vertical", "vertical_force", "largest_uplift"),
+    ):
+        values = [None if each is None else getattr(each, attribute) for each in every]
+        made = measured(key, values, symbol="", only="workbook")
+        yield replace(made, name=Message(f"note_system.workbook_{name}"))
+
+
+def _watch_circle(note: SystemNote) -> Iterator[Block]:
+    circle = note.report.circle
+    if circle is None:
+        return
+    about = Message("note_system.watch_circle_about", force=Measure("tension", circle.force))
+    yield Text(_turning(note, about))
+    yield Figure(watch_track(note.solution, circle))
+    yield Figure(watch_round(note.solution, circle, note.allowed_at_fairlead))
+    table = circle_table(circle)
+    shown = sorted({*(table.shown or ()), circle.farthest, circle.hardest})
+    yield replace(
+        table,
+        columns=(*table.columns, *_further(circle.responses)),
+        caption=Message("note_system.watch_circle_some"),
+        shown=tuple(shown),
+    )
+
+
+def _turning(note: SystemNote, about: Message) -> Message:
+    if not note.solution.system.turns:
+        return about
+    return Several((about, Message("note_system.restoring_turns")), " ")
+
+
+def _restoring(note: SystemNote) -> Iterator[Block]:
+    curves = note.report.curves
+    if not curves:
+        return
+    yield Text(_turning(note, Message("note_system.restoring_about")))
+    yield Figure(restoring(curves, note.solution, _MOST_FORCE))
+    for number, curve in enumerate(curves, start=1):
+        shown = tuple(range(0, len(curve.offset), _CURVE_EVERY))
+        yield replace(curve_table(number, curve), shown=shown)
+
+
+# ------------------------------------------------------------------ the balance by hand
+
+
+def _balance(note: SystemNote) -> Iterator[Block]:
+    system, position = note.solution.system, note.solution.position
+    key = "note_system.balance_body" if system.has_arms else "note_system.balance_point"
+    place = {"x": _M.format(position.x), "y": _M.format(position.y)}
+    said = [Message("note_system.balance_about"), Message(key, **place)]
+    if system.turns:
+        said.insert(1, Message("note_system.balance_yaw"))
+    yield Text(Several(said, " "))
+    yield _pulls(note)
+    yield Trail("balance", tuple(steps_of(note)), Message("note_system.balance_wanted"))
+
+
+def _pulls(note: SystemNote) -> Table:
+    """Tabulate H, its direction and its parts along x and y; with arms the moment, too."""
+    system, lines = note.solution.system, note.solution.lines
+    anchors, fairleads = [line.leg.anchor for line in lines], [line.fairlead for line in lines]
+    pulls = [_pull(line) for line in lines]
+
+    def of(symbol: str, quantity: Quantity, values: Iterable[float]) -> Column:
+        named = Message("note_system.balance_symbol", symbol=symbol)
+        return Column(named, tuple(values), quantity)
+
+    columns = [of("xA", _M, (at[0] for at in anchors)), of("yA", _M, (at[1] for at in anchors))]
+    if system.has_arms:
+        columns += [of("xF", _M, (at[0] for at in fairleads))]
+        columns += [of("yF", _M, (at[1] for at in fairleads))]
+    columns += [
+        of("S", _M, (line.solution.span for line in lines)),
+        of("H", _N, (line.horizontal_force for line in lines)),
+        of("φ", DEGREES, (line.direction for line in lines)),
+        of("H cos φ", _N, (x for x, _ in pulls)),
+        of("H sin φ", _N, (y for _, y in pulls)),
+    ]
+    if system.turns:
+        columns.append(of("M", _NM, (_moment(line, note) for line in lines)))
+    numbers = column("columns.line", range(1, len(lines) + 1))
+    caption = Message("note_system.balance_pulls")
+    marked = note.solution.most_loaded
+    return Table("pulls", (numbers, *columns), caption, marked=marked)
+
+
+def _pull(line: LegState) -> tuple[float, float]:
+    """Force of a line on the body along x and y, N."""
+    H = line.horizontal_force
+    return H * math.cos(line.direction), H * math.sin(line.direction)
+
+
+def _moment(line: LegState, note: SystemNote) -> float:
+    """Moment of a line on the body about its origin, N m."""
+    position, (fx, fy) = note.solution.position, _pull(line)
+    rx, ry = line.fairlead[0] - position.x, line.fairlead[1] - position.y
+    return rx * fy - ry * fx
+
+
+def steps_of(note: SystemNote) -> Iterator[Step]:
+    """Follow the balance: the sums over the lines against the load, and the most loaded span."""
+    solution = note.solution
+    system = solution.system
+    pulls = [_pull(line) for line in solution.lines]
+    for axis, letter, function, summed, left in (
+        (0, "x", "cos", "sum_x", "left_x"),
+        (1, "y", "sin", "sum_y", "left_y"),
+    ):
+        terms, force = [pull[axis] for pull in pulls], system.force[axis]
+        total, sum_of = math.fsum(terms), f"Σ H {function} φ"
+        yield _step(
+            summed, total, _N, sum_of,
+            terms=tuple((each,) for each in terms), stated=0.0 - force,
+        )  # fmt: skip
+        yield _step(
+            left, force + total, _N, f"{{F{letter}}} + {{{sum_of}:()}}",
+            numbers={f"F{letter}": force, sum_of: total},
+        )  # fmt: skip
+    if system.turns:
+        moments = [_moment(line, note) for line in solution.lines]
+        yield _step(
+            "sum_m", math.fsum(moments), _NM, "Σ (x_r H sin φ − y_r H cos φ)", symbol="Σ M",
+            terms=tuple((each,) for each in moments), stated=0.0 - system.moment,
+        )  # fmt: skip
+    line = note.loaded
+    (ax, ay), (px, py) = line.leg.anchor, line.fairlead
+    yield _step(
+        "span", math.hypot(ax - px, ay - py), _M,
+        "√(({x_A} − {x_F:()})² + ({y_A} − {y_F:()})²)", symbol="S",
+        numbers={"x_A": ax, "x_F": px, "y_A": ay, "y_F": py}, stated=line.solution.span,
+    )  # fmt: skip
+    x, y = solution.offset
+    yield _step(
+        "offset", math.hypot(x, y), _M, "√({Δx:()}² + {Δy:()}²)", symbol="d",
+        numbers={"Δx": x, "Δy": y},
+    )  # fmt: skip
+
+
+def _step(
+    name: str, value: float, quantity: Quantity, formula: str, *, symbol: str = "", **more: object
+) -> Step:
+    said = Message(f"note_system.balance_{name}")
+    return Step(said, value, quantity, symbol, formula, **more)  # type: ignore[arg-type]
+
+
+def _line_trail(note: SystemNote) -> Iterator[Block]:
+    """Follow the most loaded line through the equations of a line."""
+    yield Text(Message("note_system.line_trail_of_line", line=note.solution.most_loaded + 1))
+    yield from equation_trail(note.loaded.solution)
+
+
+# ------------------------------------------------------------------ the truss model
+
+
+def _verification(note: SystemNote) -> Iterator[Block]:
+    """Tabulate body and most loaded line in full, and every other line's largest difference."""
+    if note.verification_failure:
+        yield Verdict(Message("note_system.verification_no_answer"), passes=False)
+        yield Text(note.verification_failure)
+    part = note.compared
+    if part is None:
+        return
+    loaded = note.solution.most_loaded
+    body = [each for each in part.quantities if each.line is None]
+    line = [each for each in part.quantities if each.line == loaded]
+    named = Message("note_system.verification_line", line=loaded + 1)
+    yield Text(Message("note_system.verification_about"))
+    yield Verdict(part_sentence(part), part.is_settled)
+    yield compared_table(body, Message("note_system.verification_body"))
+    yield compared_table(line, named)
+    yield largest_table(part, Message("note_system.verification_lines"))
+    yield from truss_closing(part)
+    yield Text(Message("note_system.verification_legend"), is_small=True)

@@ -1,0 +1,105 @@
+"""Every value of a file that a note rests on, as it stands there and in SI."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from catopt.casefile.fields import Kind, Measured
+from catopt.casefile.schema import Table, entries
+from catopt.documents import Path, dotted
+from catopt.units import as_written
+
+__all__ = ["Input", "inputs_of", "leaves"]
+
+_MOST = 8
+"""Values of an array that are all shown; of a longer one the first two and the last are."""
+_LONGEST = 160
+"""Characters of a text that are shown; the whole of it stands in the case file below."""
+_FREE_TEXT = {("title",), ("source",)}
+"""What stands in the title block already."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """A value of a file.
+
+    Attributes
+    ----------
+    key : str
+        Where it stands.
+    given : str
+        As it stands there.
+    si : float, str or None
+        In SI; as a text for several; None for what is not measured.
+    unit : str
+        SI unit; empty for a pure number.
+    """
+
+    key: str
+    given: str
+    si: float | str | None = None
+    unit: str = ""
+
+
+def inputs_of(document: dict[str, Any], schema: type[Table]) -> tuple[Input, ...]:
+    """List every value of a file that is no free text.
+
+    Parameters
+    ----------
+    document : dict
+        The file as the TOML reader returns it.
+    schema : type of Table
+        What the file may hold.
+    """
+    found = leaves(document, schema)
+    return tuple(_input(*leaf) for leaf in found if leaf[0] not in _FREE_TEXT)
+
+
+def leaves(
+    document: dict[str, Any], schema: type[Table], path: Path = ()
+) -> Iterator[tuple[Path, Kind | None, Any]]:
+    """Yield every value of a case file with its path and its kind; arrays of values are whole.
+
+    Parameters
+    ----------
+    document : dict
+        A table as the TOML reader returns it.
+    schema : type of Table
+        What the table may hold.
+    path : tuple
+        Where it stands.
+    """
+    known = entries(schema)
+    for key, value in document.items():
+        entry = known.get(key)
+        inner = None if entry is None else entry.table
+        here = (*path, key)
+        if inner is not None and isinstance(value, dict):
+            yield from leaves(value, inner, here)
+        elif inner is not None and isinstance(value, list):
+            for index, each in enumerate(value):
+                yield from leaves(each, inner, (*here, index))
+        else:
+            yield here, None if entry is None else entry.kind, value
+
+
+def _input(path: Path, kind: Kind | None, value: Any) -> Input:
+    many = value if isinstance(value, list) else [value]
+    given = _some(many, lambda each: as_written(each, _LONGEST))
+    if not isinstance(kind, Measured):
+        return Input(dotted(path), given)
+    unit = kind.dimension.si_unit
+    read = [kind.read(each) for each in many]
+    if len(read) == 1:
+        return Input(dotted(path), given, read[0], unit)
+    return Input(dotted(path), given, _some(read, lambda each: f"{each:.9g} {unit}".rstrip()), unit)
+
+
+def _some(values: Sequence[Any], show: Callable[[Any], str]) -> str:
+    """Show all of a few values, or the ends of many with their number."""
+    if len(values) <= _MOST:
+        return ", ".join(show(value) for value in values)
+    first, second, last = (show(values[index]) for index in (0, 1, -1))
+    return f"{first}, {second}, … {last} ({len(values)})"

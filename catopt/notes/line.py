@@ -1,0 +1,292 @@
+"""What the note of one line is made of: a case with its answers, and where it comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from catopt.casefile import read_case
+from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
+from catopt.catenary.case import solve_case, under_a_load
+from catopt.checks.case import NO_CHECK, check_case, is_of_load
+from catopt.errors import CatoptError
+from catopt.notes.capacity import allowed_tensions
+from catopt.notes.directory import Asked, asked_in, case_path
+from catopt.notes.motion import InMotion, in_motion, motion_files, motion_warnings
+from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
+from catopt.words import is_said
+
+if TYPE_CHECKING:
+    from catopt.catenary.case_curve import CaseCurve
+    from catopt.catenary.solution import Solution
+    from catopt.checks.result import CheckReport
+    from catopt.model import Case
+    from catopt.verify.result import Verification
+from catopt.words import Message
+
+__all__ = ["Chosen", "Note", "note_of", "read_note"]
+
+Progress = Callable[[int, int], None]
+
+MOST_FORCE, LEAST_FORCE = 4.0, 0.01
+"""The load curve goes up to this multiple of the case's force, and from this part of that."""
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A design out of a front.
+
+    Attributes
+    ----------
+    document : dict
+        The front as ``catopt design --out`` wrote it (schema catopt.design/1).
+    number : int
+        Which design, counted from 1.
+    """
+
+    document: dict[str, Any]
+    number: int
+
+
+@dataclass(frozen=True)
+class Note:
+    """Everything that the page shows.
+
+    Attributes
+    ----------
+    case : Case
+        With the line of the note; under the load that is drawn.
+    load_case : str
+        Name of the load case that is drawn; empty when there is only the load.
+    solution : Solution
+        The line under it.
+    checks : CheckReport
+        Under every load case.
+    curve : CaseCurve or None
+        None where it cannot be computed; `warnings` then says why.
+    origin : Origin
+        The files that it rests on.
+    chosen : Chosen or None
+        When the line is a design of a front.
+    warnings : tuple of str
+        What an engineer should know before using the note, each once.
+    verification : Verification or None
+        The line under the load that is drawn by the truss model, too; None where it was left out
+        or failed.
+    verification_failure : str
+        Why the truss model has no answer; empty where it has one or was left out.
+    swarm : Solution or None
+        The line under the load that is drawn by the particle swarm, too; None where nobody asked.
+    motion : InMotion or None
+        The line in time under every load case; None where nobody asked.
+    """
+
+    case: Case
+    load_case: str
+    solution: Solution
+    checks: CheckReport
+    curve: CaseCurve | None
+    origin: Origin
+    chosen: Chosen | None = None
+    warnings: tuple[str, ...] = ()
+    verification: Verification | None = None
+    verification_failure: str = ""
+    swarm: Solution | None = None
+    motion: InMotion | None = None
+
+    @property
+    def title(self) -> str:
+        """Title of the case; empty when it has none."""
+        return self.case.title
+
+    @property
+    def allowed(self) -> list[float | None]:
+        """Least tension that each segment is allowed in the load case drawn, N."""
+        return allowed_tensions(self.checks, self.solution, self.load_case)
+
+
+def read_note(
+    path: Path,
+    design: int | None = None,
+    *,
+    date: str = "",
+    verify: bool = True,
+    swarm: bool | None = None,
+    motion: bool | None = None,
+    once: bool | None = None,
+    progress: Progress | None = None,
+) -> Note:
+    """Read a case file, or a design out of a result directory, and compute its note.
+
+    Parameters
+    ----------
+    path : Path
+        A case file, or a directory that ``--out`` wrote: of ``catopt design`` with its front, of
+        another command with the case.
+    design : int, optional
+        Number of the design, counted from 1; the recommended one when left out.
+    date : str
+        For the title block.
+    verify : bool
+        Whether the truss model is put beside the closed form.
+    swarm, motion : bool, optional
+        Whether the particle swarm is put beside the closed form, and whether the line is run in
+        time. When left out, a directory has what was asked for there, a case file neither.
+    once : bool, optional
+        Whether the line in motion is run without its proof; as in a directory when left out.
+    progress : callable, optional
+        Told how far the line in motion is and how far it goes.
+
+    Raises
+    ------
+    InputError, NoAnswerError, NotConvergedError
+        As for `read_case`, `read_design`, `solve_case`, `check_case` and `verify_dynamic`.
+    """
+    there = asked_in(path)
+    asked = replace(there, swarm=there.swarm if swarm is None else swarm).with_motion(motion, once)
+    if design is None and not (path / DESIGN_DOCUMENT).is_file():
+        place = case_path(path)
+        case, source = read_case(place), read_source(place)
+        return note_of(case, (source,), date=date, verify=verify, asked=asked, progress=progress)
+    from catopt.casefile.design_directory import read_design_document
+
+    document = read_design_document(path)
+    number = document["recommended"] + 1 if design is None else design
+    case = read_design(path, number)
+    sources = (read_source(path / DESIGN_CASE), read_source(path / DESIGN_DOCUMENT))
+    chosen = Chosen(document, number)
+    return note_of(
+        case, sources, date=date, chosen=chosen, verify=verify, asked=asked, progress=progress
+    )
+
+
+def note_of(
+    case: Case,
+    files: tuple[SourceFile, ...],
+    *,
+    date: str = "",
+    chosen: Chosen | None = None,
+    verify: bool = True,
+    asked: Asked | None = None,
+    progress: Progress | None = None,
+) -> Note:
+    """Compute the note of a case.
+
+    The line is drawn, and its equations are followed, under the load case of the check that
+    governs; without load cases under its load.
+
+    Parameters
+    ----------
+    case : Case
+        What the first of the files says, or a design of it.
+    files : tuple of SourceFile
+        What the note rests on.
+    date : str
+        For the title block.
+    chosen : Chosen, optional
+        When the line is a design of a front.
+    verify : bool
+        Whether the truss model is put beside the closed form.
+    asked : Asked, optional
+        What else it shows; the closed form alone when left out.
+    progress : callable, optional
+        Told how far the line in motion is and how far it goes.
+    """
+    asked = asked or Asked()
+    checks = check_case(case)
+    load_case, drawn = _drawn(case, checks)
+    solution = solve_case(drawn)
+    swarm = solve_case(drawn, "pso") if asked.swarm else None
+    motion = in_motion(case, checks, asked.proof, progress) if asked.motion else None
+    curve, curve_warnings = _curve(drawn, solution)
+    verification, failure = _verification(drawn, load_case) if verify else (None, "")
+    of_the_search = () if chosen is None else chosen.document["warnings"]
+    warnings = (
+        *_doubts(verification, failure),
+        *_swarm_doubts(swarm),
+        *(() if motion is None else motion_warnings(motion)),
+        *_warnings(case, checks, solution),
+        *curve_warnings,
+        *of_the_search,
+    )
+    return Note(
+        case=drawn,
+        load_case=load_case,
+        solution=solution,
+        checks=checks,
+        curve=curve,
+        origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), date),
+        chosen=chosen,
+        warnings=tuple(dict.fromkeys(warnings)),
+        verification=verification,
+        verification_failure=failure,
+        swarm=swarm,
+        motion=motion,
+    )
+
+
+def _drawn(case: Case, checks: CheckReport) -> tuple[str, Case]:
+    """Choose the load case that is drawn, by its name, and put the case under it."""
+    governing = checks.governing
+    for state in case.load_cases:
+        if governing is not None and state.name == governing.load_case:
+            return state.name, case.under(state)
+    name = case.load_cases[0].name if case.load is None and case.load_cases else ""
+    return name, under_a_load(case)[0]
+
+
+def _warnings(case: Case, checks: CheckReport, solution: Solution) -> Iterator[str]:
+    """Yield what is to be known: of the criteria, and of each equilibrium by its load case."""
+    for warning in checks.warnings:
+        if not is_said(warning, NO_CHECK) and (case.load_cases or not is_of_load(warning)):
+            yield warning
+    if not case.load_cases:
+        yield from solution.warnings
+
+
+def _curve(case: Case, solution: Solution) -> tuple[CaseCurve | None, tuple[str, ...]]:
+    """Compute the load curve; say why not where there is none.
+
+    Where a segment's limit is far above the load, a curve up to it would show nothing of the case.
+    """
+    from catopt.catenary.case_curve import curve_case
+
+    try:
+        curve = curve_case(case)
+        stop = MOST_FORCE * solution.horizontal_force
+        if 0.0 < stop < float(curve.curve.horizontal_force[-1]):
+            with suppress(CatoptError):
+                curve = curve_case(case, start=LEAST_FORCE * stop, stop=stop)
+    except CatoptError as error:
+        return None, (Message("notes.curve_left_out", why=error.message),)
+    return curve, ()
+
+
+def _verification(case: Case, load_case: str) -> tuple[Verification | None, str]:
+    """Put the truss model beside the closed form; say why where it has no answer."""
+    from catopt.verify.case import LOAD, verify_case
+
+    try:
+        found = verify_case(replace(case, load_cases=()))
+    except CatoptError as error:
+        return None, error.message
+    (part,) = found.parts
+    return replace(found, parts=(replace(part, name=load_case or LOAD),)), ""
+
+
+def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
+    """Yield what the truss model leaves in doubt."""
+    if failure:
+        yield Message("notes.line_not_verified", why=failure)
+    if verification is not None and not verification.is_settled:
+        differ = verification.verdict == "differs"
+        yield Message("notes.models_differ" if differ else "notes.models_unresolved")
+
+
+def _swarm_doubts(swarm: Solution | None) -> Iterator[str]:
+    """Yield that even the best run of the swarm did not converge."""
+    if swarm is not None and swarm.swarm is not None and swarm.swarm.converged_runs == 0:
+        yield Message("notes.swarm_not_converged", f=swarm.swarm.objective)

@@ -1,0 +1,193 @@
+"""The line of a note in motion, as a value: the runs, what drove them, and what is to be known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from catopt.notes.capacity import allowed_tensions
+from catopt.notes.origin import SourceFile, read_source
+from catopt.ties import first_largest
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.checks.result import CheckReport
+    from catopt.model import Case
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_setup import Drive
+    from catopt.verify.proof import Proof
+from catopt.words import Message
+
+__all__ = ["InMotion", "SegmentUse", "in_motion", "motion_files", "motion_warnings"]
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class SegmentUse:
+    """What a segment carries in motion beside what it may.
+
+    Attributes
+    ----------
+    number : int
+        From 1 at the anchor.
+    name : str
+        Of the segment; empty when it has none.
+    largest, at_rest : float
+        Tension in motion, at an end or in a bar, and in closed form at rest, N.
+    capacity : float or None
+        Least tension that the checks allow at rest, or MBL over the safety factor, N.
+    """
+
+    number: int
+    name: str
+    largest: float
+    at_rest: float
+    capacity: float | None
+
+    @property
+    def utilisation(self) -> float | None:
+        """Largest tension over what is allowed; None where that is not known or 0."""
+        return self.largest / self.capacity if self.capacity else None
+
+
+@dataclass(frozen=True)
+class InMotion:
+    """A line in motion.
+
+    Attributes
+    ----------
+    found : DynamicVerification
+        Every load case.
+    drive : Drive
+        What drove it, with its files read.
+    uses : tuple of tuple of SegmentUse
+        Of each segment, by load case as in `found.parts`.
+    solutions : tuple of Solution
+        At rest, by load case.
+    """
+
+    found: DynamicVerification
+    drive: Drive
+    uses: tuple[tuple[SegmentUse, ...], ...]
+    solutions: tuple[Solution, ...]
+
+    @property
+    def governing(self) -> int:
+        """Index of the load case with the largest utilisation, or else the largest tension."""
+        used = [self.used(index) or 0.0 for index in range(len(self.found.parts))]
+        return first_largest(used if any(used) else [part.max_tension for part in self.found.parts])
+
+    def used(self, index: int) -> float | None:
+        """Largest utilisation of a load case; None where no tension is limited."""
+        known = [use.utilisation for use in self.uses[index] if use.utilisation is not None]
+        return max(known, default=None)
+
+
+def in_motion(
+    case: Case, checks: CheckReport, proof: Proof = "step", progress: Progress | None = None
+) -> InMotion:
+    """Run the line of a case in time under every load case.
+
+    Parameters
+    ----------
+    case : Case
+        With what a line in motion needs.
+    checks : CheckReport
+        The same at rest.
+    proof : {"none", "step", "bars"}
+        As for `verify_dynamic`.
+    progress : callable, optional
+        Told how far it is and how far it goes.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError, NotConvergedError
+        As for `verify_dynamic`.
+    """
+    from catopt.verify.dynamic import verify_dynamic
+    from catopt.verify.dynamic_setup import check_for_motion, read_drive
+
+    check_for_motion(case)
+    drive = read_drive(case)
+    found = verify_dynamic(case, proof=proof, progress=progress)
+    at_rest = dict(checks.solutions)
+    solutions = tuple(at_rest[part.name] for part in found.parts)
+    uses = tuple(
+        tuple(_uses(part, solution, checks))
+        for part, solution in zip(found.parts, solutions, strict=True)
+    )
+    return InMotion(found, drive, uses, solutions)
+
+
+def _uses(part: DynamicPart, solution: Solution, checks: CheckReport) -> Iterator[SegmentUse]:
+    """Yield what each segment carries: the largest of its bars, and of its end where it is held."""
+    import numpy as np
+
+    high = np.fmax.reduce([run.history.max_tension for run in part.runs])
+    arc = part.runs[0].history.arc
+    allowed = allowed_tensions(checks, solution, part.name)
+    ends = {0: part.of("anchor_tension").maximum}
+    last = len(solution.segments) - 1
+    ends[last] = max(ends.get(last, 0.0), part.of("fairlead_tension").maximum)
+    start = 0.0
+    for index, (segment, capacity) in enumerate(zip(solution.segments, allowed, strict=True)):
+        end = start + segment.length
+        of_bars = high[(arc >= start) & (arc <= end)]
+        largest = float(np.fmax.reduce(of_bars, initial=ends.get(index, 0.0)))
+        yield SegmentUse(index + 1, segment.name, largest, segment.max_tension, capacity)
+        start = end
+
+
+def motion_warnings(moved: InMotion) -> Iterator[str]:
+    """Yield what is to be known before the note is used: what fails, and what was remarked on."""
+    from catopt.verify.motion_words import stopped_sentence
+
+    if not moved.found.is_complete:
+        yield Message("notes.motion_incomplete", where=stopped_sentence(moved.found))
+    named = bool(moved.found.case.load_cases)
+    first, *others = moved.found.parts
+    of_all = [each for each in first.remarks if all(each in part.remarks for part in others)]
+    yield from (Message("notes.in_motion", what=remark) for remark in of_all)
+    for part, uses in zip(moved.found.parts, moved.uses, strict=True):
+        for what in _of_part(part, uses, of_all):
+            if named:
+                yield Message("notes.case_in_motion", name=part.name, what=what)
+            else:
+                yield Message("notes.in_motion", what=what)
+
+
+def _of_part(
+    part: DynamicPart, uses: tuple[SegmentUse, ...], of_all: Sequence[str]
+) -> Iterator[str]:
+    from catopt.verify.motion_words import doubts
+
+    yield from _beyond(uses)
+    yield from doubts(part)
+    if part.slack_time > 0.0:
+        yield Message("notes.goes_slack", time=part.slack_time)
+    yield from (remark for remark in part.remarks if remark not in of_all)
+
+
+def _beyond(uses: tuple[SegmentUse, ...]) -> Iterator[str]:
+    for use in uses:
+        if use.utilisation is not None and use.utilisation > 1.0:
+            values = {"tension": use.largest / 1e3, "used": use.utilisation}
+            yield Message("notes.over_used", number=use.number, **values)
+
+
+def motion_files(case: Case) -> tuple[SourceFile, ...]:
+    """Read the files of motion, force and sea that a case names, as the note rests on them, too."""
+    from pathlib import Path
+
+    names: list[str] = []
+    if case.motion is not None:
+        names += [case.motion.file, case.motion.rao_file, case.motion.drift_file]
+    if case.body is not None:
+        names.append(case.body.force_file)
+    if case.waves is not None:
+        names.append(case.waves.elevation_file)
+    if case.current is not None:
+        names.append(case.current.series_file)
+    return tuple(read_source(Path(name)) for name in names if name)

@@ -1,0 +1,212 @@
+"""What the note of a sizing is made of: the sizing, and the note of the line that it recommends."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from catopt.casefile import write_case
+from catopt.casefile.design_directory import DESIGN_CASE
+from catopt.design.document import design_document
+from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
+from catopt.loads.source import CALMAR, OWN, LoadSource
+from catopt.mooring.solve import solve_system
+from catopt.notes.directory import Asked
+from catopt.notes.line import Chosen, Note, note_of
+from catopt.notes.origin import Origin, SourceFile, origin_of
+from catopt.sizing.schema import schema_of
+from catopt.words import Cited, term
+
+if TYPE_CHECKING:
+    from catopt.checks.result import CheckSource
+    from catopt.loads.sinker import SinkerSize
+    from catopt.mooring.solution import SystemSolution
+    from catopt.sizing import Sizing
+
+__all__ = ["Given", "SizeNote", "size_note"]
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a sizing was asked for.
+
+    Attributes
+    ----------
+    file : SourceFile or None
+        That it was read from; None where all was given by options.
+    options : tuple of (str, str)
+        What was typed, or answered on a terminal; goes before what the file says.
+    """
+
+    file: SourceFile | None = None
+    options: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class SizeNote:
+    """Everything that the page of a sizing shows.
+
+    Attributes
+    ----------
+    sizing : Sizing
+        Loads, candidates, what holds the line.
+    line : Note
+        Of the recommended line.
+    origin : Origin
+        The sizing file, where there is one.
+    options : tuple of (str, str)
+        What was typed.
+    warnings : tuple of str
+        What an engineer should know before using the note, each once.
+    around : SystemSolution or None
+        Equilibrium of several lines under the load case that is hardest on one of them.
+    """
+
+    sizing: Sizing
+    line: Note
+    origin: Origin
+    options: tuple[tuple[str, str], ...] = ()
+    warnings: tuple[str, ...] = ()
+    around: SystemSolution | None = None
+
+    @property
+    def title(self) -> str:
+        """Title of the file, or what is moored and where."""
+        return self.sizing.case.title
+
+    @property
+    def sources(self) -> dict[str, str]:
+        """Where friction, safety factor and density of what holds the line are from."""
+        sinker, drag = self.sizing.sinker, self.sizing.drag_anchor
+        given = term("this note")
+        if drag is not None:
+            return {"factor": given if drag.factor_source is None else drag.factor_source.text}
+        if sinker is None:
+            return {}
+        is_usual = math.isclose(sinker.safety_factor, SAFETY_FACTOR)
+        friction = sinker.friction_source
+        return {
+            "friction": given if friction is None else Cited(friction.text),
+            "factor": Cited(FACTOR_SOURCE.text) if is_usual else given,
+            "density": _density_source(sinker),
+        }
+
+
+def size_note(
+    sizing: Sizing,
+    given: Given,
+    *,
+    date: str = "",
+    verify: bool = True,
+    asked: Asked | None = None,
+) -> SizeNote:
+    """Compute the note of a sizing.
+
+    Parameters
+    ----------
+    sizing : Sizing
+        Of a buoy or a tanker.
+    given : Given
+        What was asked for.
+    date : str
+        For the title block.
+    verify : bool
+        Whether the truss model is put beside the closed form of the recommended line.
+    asked : Asked, optional
+        What else is shown of that line.
+
+    Raises
+    ------
+    NoAnswerError, NotConvergedError
+        As for `note_of`.
+    """
+    line = note_of(
+        sizing.case,
+        (_case_file(sizing),),
+        date=date,
+        chosen=Chosen(_front(sizing), sizing.settled.index + 1),
+        verify=verify,
+        asked=asked,
+    )
+    origin = (
+        Origin((), (), date)
+        if given.file is None
+        else origin_of((given.file,), date, schema_of(sizing.kind))
+    )
+    return SizeNote(
+        sizing,
+        _fitted(line),
+        origin,
+        given.options,
+        tuple(_warnings(sizing, line)),
+        None if sizing.pattern is None else solve_system(sizing.pattern.system),
+    )
+
+
+def _density_source(of: SinkerSize) -> str:
+    """Cite where the density of a sinker is from."""
+    if not math.isclose(of.density, DENSITIES[of.material]):
+        return term("this note")
+    if of.material == "steel":
+        return Cited(LoadSource(CALMAR, "7.2", "A").text)
+    return Cited(LoadSource(OWN, "recalled", "R").text)
+
+
+def _fitted(line: Note) -> Note:
+    """Fit a line's note into that of its sizing.
+
+    Its load cases, which no user named, are said in every language; and a limit that no document
+    has is from this note: of a sizing there is no case file.
+    """
+    names = {state.name: term(state.name) for state in line.checks.load_cases}
+    of = line.checks
+    checks = replace(
+        of,
+        results=tuple(
+            replace(each, load_case=names[each.load_case], source=_said_source(each.source))
+            for each in of.results
+        ),
+        solutions=tuple((names[name], solution) for name, solution in of.solutions),
+        load_cases=tuple(replace(each, name=names[each.name]) for each in of.load_cases),
+    )
+    load_case = names.get(line.load_case, line.load_case)
+    return replace(line, checks=checks, load_case=load_case)
+
+
+def _said_source(source: CheckSource) -> CheckSource:
+    return replace(source, document=term("this note")) if source.confidence is None else source
+
+
+def _case_file(sizing: Sizing) -> SourceFile:
+    """Write the case of the recommended line, as ``catopt size --save`` does."""
+    text = write_case(sizing.case)
+    return SourceFile(DESIGN_CASE, text, hashlib.sha256(text.encode()).hexdigest())
+
+
+def _front(sizing: Sizing) -> dict[str, Any]:
+    """Lay out the front that the recommended line is from.
+
+    The line that the search was given is none of an engineer's: it only has the place of one. Where
+    another design than the knee was preferred, the knee's neighbours are none of the line's.
+    """
+    settled = sizing.settled
+    document = design_document(settled.result) | {"present": None}
+    if settled.index != settled.result.recommended:
+        document |= {"recommended": settled.index, "neighbours": []}
+    return document | {"recommendation": sizing.why}
+
+
+def _warnings(sizing: Sizing, line: Note) -> Iterator[str]:
+    """Yield what is to be known of the sizing, then what more there is of its line."""
+    yield from sizing.warnings
+    known = {_bare(warning) for warning in sizing.warnings}
+    for warning in line.warnings:
+        if _bare(warning) not in known:
+            yield warning
+
+
+def _bare(warning: str) -> str:
+    return warning.rstrip(".").casefold()

@@ -1,0 +1,324 @@
+"""What the note of a moored body is made of: its case with the answers, and where it comes from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from catopt.casefile import read_case
+from catopt.errors import CatoptError, NoEquilibriumError
+from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
+from catopt.mooring.restoring import RestoringCurve, restoring_curve
+from catopt.mooring.solve import solve_system
+from catopt.notes.checking import checks_of
+from catopt.notes.directory import Asked
+from catopt.notes.motion import Progress, motion_files
+from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
+from catopt.notes.rounding import heading_of
+from catopt.quantities import QUANTITIES
+from catopt.ties import first_largest
+from catopt.verify.motion_words import doubts, stopped_sentence
+
+if TYPE_CHECKING:
+    from catopt.checks.result import CheckReport
+    from catopt.model import Case
+    from catopt.mooring.line_out import LineOut
+    from catopt.mooring.response import Response
+    from catopt.mooring.solution import LegState, SystemSolution
+    from catopt.verify.dynamic_result import DynamicVerification
+    from catopt.verify.result import StaticComparison, Verification
+from catopt.words import Message
+
+__all__ = ["SystemNote", "directions_of", "read_system_note", "system_note"]
+
+_LESS = 0.9
+"""Part of the offset under the load to which a restoring curve goes where half as far again is not
+to be had."""
+
+
+@dataclass(frozen=True)
+class SystemNote:
+    """Everything that the page shows.
+
+    Attributes
+    ----------
+    case : Case
+        With its system.
+    report : SystemReport
+        The body under its load, with one line out, the watch circle, and the restoring curves along
+        the force and across it; what could not be computed is left out, and `warnings` say why.
+    checks : CheckReport
+        Of every line by itself, and of the body; the load cases of its results say which.
+    left : tuple of float or None
+        Largest utilisation of any line with each of them gone in turn; None where it is not known.
+    origin : Origin
+        The files that it rests on.
+    warnings : tuple of str
+        What an engineer should know before using the note, each once.
+    verification : Verification or None
+        The body and all its lines by the truss model, too; None where it was left out or failed.
+    verification_failure : str
+        Why the truss model has no answer; empty where it has one or was left out.
+    motion : DynamicVerification or None
+        All lines in motion; None where nobody asked for it.
+    """
+
+    case: Case
+    report: SystemReport
+    checks: CheckReport
+    left: tuple[float | None, ...]
+    origin: Origin
+    warnings: tuple[str, ...] = ()
+    verification: Verification | None = None
+    verification_failure: str = ""
+    motion: DynamicVerification | None = None
+
+    @property
+    def title(self) -> str:
+        """Title of the case; empty when it has none."""
+        return self.case.title
+
+    @property
+    def solution(self) -> SystemSolution:
+        """The body under its load."""
+        return self.report.solution
+
+    @property
+    def loaded(self) -> LegState:
+        """The most loaded line."""
+        return self.solution.lines[self.solution.most_loaded]
+
+    @property
+    def used(self) -> float | None:
+        """Largest utilisation of any line; None where no breaking load is known."""
+        factor = self.solution.safety_factor
+        used = [line.utilisation(factor) for line in self.solution.lines]
+        return max((each for each in used if each is not None), default=None)
+
+    @property
+    def force_towards(self) -> float:
+        """Where the force on the body acts to, rad."""
+        return heading_of(*self.solution.system.force)
+
+    @property
+    def offset_towards(self) -> float:
+        """Where the body has gone, rad."""
+        return heading_of(*self.solution.offset)
+
+    @property
+    def hardest_out(self) -> int | None:
+        """Which of the lines gone, counted as in the report, leaves the largest tension."""
+        return self._worst_out(lambda response: response.largest_tension)
+
+    @property
+    def farthest_out(self) -> int | None:
+        """Which of them lets the body go farthest."""
+        return self._worst_out(lambda response: response.offset)
+
+    def _worst_out(self, of: Callable[[Response], float]) -> int | None:
+        found = [None if gone.response is None else of(gone.response) for gone in self.line_out]
+        known = [-math.inf if each is None else each for each in found]
+        return first_largest(known) if any(each is not None for each in found) else None
+
+    @property
+    def line_out(self) -> tuple[LineOut, ...]:
+        """The body with each of its lines gone in turn."""
+        return self.report.line_out
+
+    @property
+    def allowed_at_fairlead(self) -> float | None:
+        """Tension that the weakest line is allowed at its fairlead: MBL over the factor, N."""
+        known = [leg.line.segments[-1].MBL for leg in self.solution.system.legs]
+        if any(each is None for each in known):
+            return None
+        return min(each for each in known if each is not None) / self.solution.safety_factor
+
+    @property
+    def compared(self) -> StaticComparison | None:
+        """Closed form and truss model, if they were put beside each other."""
+        return None if self.verification is None else self.verification.static
+
+
+def read_system_note(
+    path: Path,
+    *,
+    date: str = "",
+    verify: bool = True,
+    asked: Asked | None = None,
+    progress: Progress | None = None,
+) -> SystemNote:
+    """Read the case file of a moored body and compute its note.
+
+    Parameters
+    ----------
+    path : Path
+        A case file with a table [system].
+    date : str
+        For the title block.
+    verify : bool
+        Whether the truss model is put beside the closed form.
+    asked : Asked, optional
+        Whether the lines are run in time, and how that is proven; not when left out.
+    progress : callable, optional
+        Told how far the lines in motion are and how far they go.
+
+    Raises
+    ------
+    InputError, NoAnswerError, NotConvergedError
+        As for `read_case`, `report_system`, `check_case` and `verify_dynamic`.
+    """
+    case, source = read_case(path), read_source(path)
+    return system_note(case, (source,), date=date, verify=verify, asked=asked, progress=progress)
+
+
+def system_note(
+    case: Case,
+    files: tuple[SourceFile, ...],
+    *,
+    date: str = "",
+    verify: bool = True,
+    asked: Asked | None = None,
+    progress: Progress | None = None,
+) -> SystemNote:
+    """Compute the note of a moored body.
+
+    Parameters
+    ----------
+    case : Case
+        What the first of the files says.
+    files : tuple of SourceFile
+        What the note rests on.
+    date, verify, asked, progress
+        As for `read_system_note`.
+    """
+    found = _in_motion(case, asked, progress)
+    report, left_out = _report(case)
+    checks = checks_of(case, report.solution)
+    verification, failure = _verification(case) if verify else (None, "")
+    warnings = (
+        *_doubts(verification, failure),
+        *(() if found is None else _of_motion(found)),
+        *checks.warnings,
+        *report.solution.warnings,
+        *left_out,
+    )
+    return SystemNote(
+        case=case,
+        report=report,
+        checks=checks,
+        left=tuple(_left(report)),
+        origin=origin_of((*files, *(motion_files(case) if found else ())), date),
+        warnings=tuple(dict.fromkeys(warnings)),
+        verification=verification,
+        verification_failure=failure,
+        motion=found,
+    )
+
+
+def directions_of(force: tuple[float, float]) -> tuple[float, float]:
+    """Choose the directions of the restoring curves: along a force and across it; x and y without.
+
+    Parameters
+    ----------
+    force : (float, float)
+        On the body, N.
+
+    Returns
+    -------
+    (float, float)
+        rad, counter-clockwise from x.
+    """
+    along = heading_of(*force) if any(force) else 0.0
+    quarter = 0.5 * math.pi
+    return along, along - quarter if along > quarter else along + quarter
+
+
+def _report(case: Case) -> tuple[SystemReport, tuple[str, ...]]:
+    """Solve the body, and what else is shown; say why where a part of that has no answer."""
+    report = report_system(case, with_line_out=True)
+    assert case.system is not None
+    warnings = []
+    try:
+        report = replace(report, circle=report_system(case, with_circle=True).circle)
+    except CatoptError as error:
+        warnings.append(Message("notes.circle_left_out", why=error.message))
+    curves = []
+    for direction in directions_of(case.system.force):
+        try:
+            curves.append(_curve(case, report.solution, direction))
+        except CatoptError as error:
+            angle = QUANTITIES["angle"].format(direction)
+            warnings.append(Message("notes.restoring_left_out", angle=angle, why=error.message))
+    return replace(report, curves=tuple(curves)), tuple(warnings)
+
+
+def _curve(case: Case, solution: SystemSolution, direction: float) -> RestoringCurve:
+    """Find the restoring curve in a direction; up to less where lines that do not stretch end."""
+    try:
+        (curve,) = report_system(case, directions=(direction,)).curves
+    except NoEquilibriumError:
+        middle = CURVE_POINTS // 2
+        far = _LESS * math.hypot(*solution.offset)
+        if not any(solution.system.force):
+            raise
+        offsets = [far * (k - middle) / middle for k in range(CURVE_POINTS)]
+        return restoring_curve(solution.system, direction=direction, offsets=offsets)
+    return curve
+
+
+def _left(report: SystemReport) -> Iterator[float | None]:
+    """Yield how far the strongest used line is used with each line gone in turn."""
+    factor = report.solution.safety_factor
+    for each in report.line_out:
+        if each.response is None:
+            yield None
+            continue
+        rest = solve_system(report.solution.system.without([each.missing]))
+        known = [used for line in rest.lines if (used := line.utilisation(factor)) is not None]
+        yield max(known, default=None)
+
+
+def _verification(case: Case) -> tuple[Verification | None, str]:
+    """Put the truss model beside the closed form; say why where it has no answer."""
+    from catopt.verify.case import verify_case
+
+    try:
+        return verify_case(case), ""
+    except CatoptError as error:
+        return None, error.message
+
+
+def _in_motion(
+    case: Case, asked: Asked | None, progress: Progress | None
+) -> DynamicVerification | None:
+    """Run all lines in time, where that is asked for."""
+    if asked is None or not asked.motion:
+        return None
+    from catopt.verify.dynamic import verify_dynamic
+
+    return verify_dynamic(case, proof=asked.proof, progress=progress)
+
+
+def _of_motion(found: DynamicVerification) -> Iterator[str]:
+    """Yield what the lines in motion leave in doubt, and which of them go slack."""
+    if not found.is_complete:
+        yield Message("notes.motion_incomplete", where=stopped_sentence(found))
+    for doubt in doubts(found.least_proven):
+        yield Message("notes.line_in_motion", number=found.least_proven.line, what=doubt)
+    slack = [str(part.line) for part in found.parts if part.slack_time > 0.0]
+    if slack:
+        yield Message("notes.lines_slack", lines=", ".join(slack))
+    for remark in dict.fromkeys(each for part in found.parts for each in part.remarks):
+        yield Message("notes.in_motion", what=remark)
+
+
+def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
+    """Yield what the truss model leaves in doubt."""
+    if failure:
+        yield Message("notes.body_not_verified", why=failure)
+    if verification is not None and not verification.is_settled:
+        differ = verification.verdict == "differs"
+        yield Message("notes.models_differ" if differ else "notes.models_unresolved")

@@ -1,0 +1,61 @@
+"""A step of a calculation by hand, in symbols and with its numbers put in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from catopt.answers.blocks import Step, exact
+from catopt.quantities import GREEK
+
+__all__ = ["in_numbers", "in_symbols"]
+
+_MOST = 12
+"""Terms of a sum that are all written out; of more, its first two and its last are."""
+_POWERS = {"2": "²", "3": "³"}
+_TIMES = "\N{NO-BREAK SPACE}· "
+"""Does not begin a line."""
+
+
+class _Symbol(str):
+    """A symbol, Greek letters as such; of how its number is written its power counts alone."""
+
+    __slots__ = ()
+
+    def __format__(self, spec: str) -> str:
+        return GREEK.get(self, str(self)) + _POWERS.get(spec, "")
+
+
+class _Number(float):
+    """A number as it is put in."""
+
+    def __format__(self, spec: str) -> str:
+        shown = _digits(0.0 + self)
+        if (spec == "()" or spec in _POWERS) and (self < 0.0 or "e" in shown):
+            shown = f"({shown})"
+        return shown + ("°" if spec == "°" else _POWERS.get(spec, ""))
+
+
+def in_symbols(step: Step) -> str:
+    """Write the formula: ``"a = H / w"``."""
+    formula = step.formula if isinstance(step.formula, str) else " ".join(step.formula)
+    said = formula.format(**{symbol: _Symbol(symbol) for symbol in step.numbers})
+    return " = ".join(each for each in (step.symbol, said) if each)
+
+
+def in_numbers(step: Step) -> str:
+    """Put the numbers in: ``"4000 / 245"``; empty where there are none."""
+    if step.terms:
+        return _sum([" · ".join(map(_digits, each)) for each in step.terms])
+    numbers = {symbol: _Number(value) for symbol, value in step.numbers.items()}
+    formula = step.formula if isinstance(step.formula, str) else _TIMES.join(step.formula)
+    return formula.format(**numbers) if numbers else ""
+
+
+def _digits(value: float) -> str:
+    """Write a number with nine digits, enough to be put in again."""
+    return exact("").format(value).replace("-", "−")
+
+
+def _sum(terms: Sequence[str]) -> str:
+    shown = terms if len(terms) <= _MOST else (*terms[:2], "…", terms[-1])
+    return " + ".join(shown).replace("+ −", "− ")

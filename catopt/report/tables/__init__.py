@@ -1,1 +1,0 @@
-"""Answers as named columns: the lists behind every table, on a terminal and in files."""

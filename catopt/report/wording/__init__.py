@@ -1,1 +1,0 @@
-"""What the tables say in words."""

@@ -1,1 +1,0 @@
-"""Workbooks, and the sheets that they are made of."""

@@ -1,0 +1,345 @@
+"""The note of one line: what it computes, and what its page says in words."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import math
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from catopt.casefile.schema import CaseTable
+from catopt.catenary import case_curve
+from catopt.errors import InputError, NotConvergedError
+from catopt.notes.directory import Asked
+from catopt.notes.inputs import inputs_of
+from catopt.notes.line import Note, note_of, read_note
+from catopt.notes.origin import SourceFile, file_name
+from catopt.quantities import QUANTITIES
+from catopt.units import UNITS
+
+from .conftest import buoy_case, report_with
+from .further_cases import further_note
+from .page_cases import CASES, EVERY, TEXTS, case_path, design_directory, known_note, known_page
+from .page_reader import ReadCell, ReadPage, read_page
+from .rendered import page_of
+
+
+@pytest.fixture(params=EVERY)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def note(name: str) -> Note:
+    return known_note(name)
+
+
+@pytest.fixture
+def page(name: str) -> ReadPage:
+    return known_page(name)
+
+
+@pytest.fixture
+def designed(tmp_path: Path) -> Note:
+    return read_note(design_directory(tmp_path))
+
+
+def test_the_page_is_well_formed_and_refers_to_nothing(note: Note) -> None:
+    source = page_of(note)
+    page = read_page(source)
+    assert page.unclosed == []
+    assert not {element.tag for element in page.elements} & {"link", "img", "iframe", "object"}
+    for element in page.elements:
+        assert not {"src", "href", "srcset", "style", "onclick"} & set(element.attributes), element
+        assert "://" not in " ".join(element.attributes.values()), element
+    for element in (*page.tagged("style"), *page.tagged("script")):
+        assert not re.search(r"url\(|@import|https?:|fetch|XMLHttp|import\(", element.text)
+
+
+def test_only_the_pages_own_script_may_run(note: Note) -> None:
+    page = read_page(page_of(note))
+    (policy,) = (
+        element.attributes["content"]
+        for element in page.tagged("meta")
+        if element.attributes.get("http-equiv") == "Content-Security-Policy"
+    )
+    (script,) = (each for each in page.tagged("script") if "type" not in each.attributes)
+    digest = base64.b64encode(hashlib.sha256(script.text.encode()).digest()).decode()
+    assert f"script-src 'sha256-{digest}'" in policy
+    assert "default-src 'none'" in policy
+
+
+def test_the_same_case_gives_the_same_bytes(tmp_path: Path, name: str) -> None:
+    path = case_path(tmp_path, name)
+    first, second = (page_of(read_note(path), "vi") for _ in range(2))
+    assert first == second
+    assert str(tmp_path).encode() not in first
+
+
+def test_a_date_stands_only_where_one_is_given() -> None:
+    path = CASES / "buoy-9.5m" / "case.toml"
+    dated = read_page(page_of(read_note(path, date="21 November 2026")))
+    assert dated.table("identity").row("Date")[1].text == "21 November 2026"
+    plain = read_page(page_of(read_note(path)))
+    assert "Date" not in [row[0].text for row in plain.table("identity").rows]
+
+
+def test_a_line_that_is_just_level_at_its_anchor_is_not_said_to_lie_on_the_bed() -> None:
+    """The length is sought that gives 0 deg: what lies on the bed is rounding."""
+    note = read_note(CASES / "tanker-20m-find-length" / "case.toml", verify=False)
+    assert 0.0 < note.solution.grounded_length < 1e-9
+    hangs = read_page(page_of(note)).table("identity").row("How it hangs")[1].text
+    assert hangs == "the whole line hangs, just level at its anchor"
+
+
+HOSTILE = [
+    "<script>alert(1)</script>",
+    '"><img src=x onerror=alert(1)>',
+    "</title></style></script><b>",
+    "$math$ {{ 7*7 }} {% raw %}",
+    'it\'s "quoted" & <b>bold</b> &amp;',
+    "phao luồng Hải Phòng – số 1",
+]
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_what_the_user_writes_is_text_and_nothing_else(text: str) -> None:
+    case = buoy_case(title=text, source=text)
+    line = replace(case.line.segments[0], name=text)
+    case = replace(case, line=type(case.line)([line]))
+    source = SourceFile(text, f"title = '''{text}'''", "0" * 64)
+    page = read_page(page_of(note_of(case, (source,), date=text)))
+    usual = read_page(page_of(note_of(buoy_case(), (replace(source, name="", text=""),))))
+    assert page.unclosed == []
+    assert {each.tag for each in page.elements} == {each.tag for each in usual.elements}
+    (heading,) = page.tagged("h1")
+    assert heading.text == text
+    assert page.table("identity").row("Source")[1].text == text
+    assert page.table("segments_given").rows[0][1].text == text
+    assert page.tagged("pre")[0].text == source.text
+
+
+def test_sections_are_there_only_where_there_is_something_to_show(designed: Note) -> None:
+    shown = set(known_page("buoy-9.5m").sections)
+    assert not {"checks", "load_cases", "front", "warnings"} & shown
+    every = read_page(page_of(designed)).sections
+    assert {"checks", "load_cases", "front", "warnings"} | shown == set(every)
+
+
+FIELD = {
+    **{unit: factor for table in UNITS.values() for unit, factor in table.items()},
+    **{each.field_unit: each.factor for each in QUANTITIES.values()},
+    "°": math.pi / 180.0, "": 1.0, "kg/m^3": 1.0,
+}  # fmt: skip
+
+
+NUMBER = re.compile(
+    r"(?P<number>-?\d+(?:\.(?P<decimals>\d+))?(?:e(?P<power>[+-]?\d+))?) ?(?P<unit>\S*)"
+)
+
+
+def shown_in_si(cell: ReadCell, heading: str) -> tuple[float, float]:
+    """Return what a cell shows first, in SI, and half a unit of its last digit."""
+    match = NUMBER.match(cell.text.replace("−", "-"))
+    assert match is not None, cell
+    in_heading = re.search(r"\(([^()]*)\)$", heading)
+    unit = match["unit"] or (in_heading[1] if in_heading else "")
+    factor = FIELD[unit]
+    power = 10.0 ** int(match["power"] or 0)
+    half = 0.5 * 10.0 ** -len(match["decimals"] or "") * power * factor
+    return float(match["number"]) * factor, half
+
+
+def test_every_number_is_the_rounding_of_the_value_behind_it(page: ReadPage) -> None:
+    """Within half of its last digit, and 1e-9 of itself, to which SI values are written."""
+    count = 0
+    for table in page.tables:
+        for row in table.rows:
+            for cell, heading in zip(row, table.headings or [""] * len(row), strict=True):
+                if cell.value is not None:
+                    shown, half = shown_in_si(cell, heading)
+                    assert abs(shown - cell.value) <= half * (1 + 1e-9) + 1e-9 * abs(cell.value)
+                    count += 1
+    assert count > 50
+
+
+def test_utilisation_bars_are_as_long_as_the_utilisation(note: Note, page: ReadPage) -> None:
+    """In percent, to a tenth; a bar ends at the full width, in another colour."""
+    bars = [
+        element for element in page.tagged("rect")
+        if element.attributes.get("class") in ("used", "over")
+    ]  # fmt: skip
+    used = [each.utilisation for each in note.checks.results if each.utilisation is not None]
+    assert len(bars) == len(used)
+    for bar, utilisation in zip(bars, used, strict=True):
+        width = float(bar.attributes["width"])
+        assert width == pytest.approx(100.0 * min(max(utilisation, 0.0), 1.0), abs=0.05)
+        assert bar.attributes["class"] == ("over" if utilisation > 1.0 else "used")
+
+
+def test_the_load_case_that_governs_is_drawn() -> None:
+    note = known_note("states")
+    states = dict(note.checks.solutions)
+    assert note.load_case == "storm (high water)"
+    assert note.solution.span == states[note.load_case].span
+    assert note.case.site.water_depth == 11.0
+
+
+def test_inputs_of_many_values_are_shown_by_their_ends() -> None:
+    note = read_note(CASES / "buoy-9.5m" / "case.toml")
+    lengths = [f"{length} m" for length in range(10, 40)]
+    design = {"design": {"segments": [{"lengths": lengths}]}}
+    given_so = replace(note, origin=replace(note.origin, inputs=inputs_of(design, CaseTable)))
+    table = read_page(page_of(given_so)).table("inputs")
+    ((_, given, si),) = table.rows
+    assert given.text == '"10 m", "11 m", … "39 m" (30)'
+    assert si.text == "10 m, 11 m, … 39 m (30)"
+
+
+def test_the_case_file_is_there_in_full_with_its_hash(tmp_path: Path) -> None:
+    path = case_path(tmp_path, "leg")
+    page = read_page(page_of(read_note(path)))
+    assert page.tagged("pre")[0].text == path.read_text("utf-8")
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    assert page.table("identity").row("File")[1].text == f"leg.toml, SHA-256 {digest}"
+
+
+def test_a_case_file_with_a_byte_order_mark_is_read_and_hashed_as_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "windows.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + TEXTS["slack"].replace("\n", "\r\n").encode())
+    note = read_note(path)
+    assert note.origin.files[0].sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
+    assert not note.origin.files[0].text.startswith("\ufeff")
+
+
+def test_warnings_stand_once_each() -> None:
+    note = read_note(CASES / "buoy-9.5m" / "case.toml")
+    page = read_page(page_of(replace(note, warnings=("one thing", "another"))))
+    (listed,) = page.styled("warnings")
+    assert listed.tag == "ul"
+    assert [e.text for e in page.tagged("li") if e.section == "warnings"] == [
+        "one thing",
+        "another",
+    ]
+
+
+def test_warnings_of_a_line_come_without_the_name_of_its_only_load() -> None:
+    (warning,) = known_note("slack").warnings
+    assert warning.startswith("the line is slack")
+
+
+def test_a_curve_that_cannot_be_is_left_out_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise NotConvergedError("it wanders")
+
+    monkeypatch.setattr(case_curve, "curve_case", fail)
+    note = read_note(CASES / "buoy-9.5m" / "case.toml")
+    assert note.curve is None
+    assert note.warnings == ("the load curve is left out: it wanders",)
+    assert "curve" not in read_page(page_of(note)).sections
+
+
+def test_the_front_is_that_of_the_document(designed: Note) -> None:
+    page = read_page(page_of(designed))
+    assert designed.chosen is not None
+    front = designed.chosen.document["front"]
+    table = page.table("front")
+    for row, point in zip(table.rows, front, strict=True):
+        values = [cell.value for cell in row[1:4]]
+        assert values == [point["mass_kg"], point["offset_m"], point["excursion_m"]]
+        assert row[4].text == f"chain studless R3, {point['segments'][0]['length_m']:g} m; " + (
+            "0.25 t, s = 7 m"
+        )
+    assert table.marked == [1]
+    assert [row[-1].text for row in page.table("neighbours").rows] == [
+        "passes",
+        "FAILS: too short",
+        "FAILS: uplift angle at the anchor (storm (high water))",
+    ]
+    assert "a price was read in no document" in page.sections["warnings"]
+    beside = "Mass in air 3.450 t, Largest span 61.000 m; FAILS: offset (storm (high water))."
+    assert beside in page.sections["front"]
+
+
+def test_the_recommended_design_is_taken_unless_another_is_named(tmp_path: Path) -> None:
+    directory = design_directory(tmp_path)
+    assert read_note(directory).solution.line.length == 46.0
+    third = read_note(directory, 3)
+    assert third.solution.line.length == 47.0
+    page = read_page(page_of(third))
+    assert page.table("front").marked == [2]
+    assert len(page.styled("chosen", "front")) == 2  # in the figure and in its legend
+
+
+def test_a_long_front_is_shown_in_part_and_says_so(tmp_path: Path) -> None:
+    page = read_page(page_of(read_note(design_directory(tmp_path, 12))))
+    assert len(page.table("front").rows) == 12
+    other = tmp_path / "long"
+    other.mkdir()
+    page = read_page(page_of(read_note(design_directory(other, 200))))
+    rows = [int(row[0].text) for row in page.table("front").rows]
+    assert len(rows) <= 28
+    assert {1, 2, 200} <= set(rows)  # the ends, and the one that is recommended
+    assert f"{200 - len(rows)} more designs" in page.sections["front"]
+    points = [each for each in page.styled("design", "front") if "cx" in each.attributes]
+    assert len(points) == 201  # all of them in the figure, and one in its legend
+
+
+@pytest.mark.parametrize(
+    ("place", "design", "name"),
+    [
+        ("cases/buoy-9.5m/case.toml", None, "buoy-9.5m.html"),
+        ("mine.toml", None, "mine.html"),
+        ("result", 3, "result-design-3.html"),
+    ],
+)
+def test_a_page_is_named_after_its_case(
+    tmp_path: Path, place: str, design: int | None, name: str
+) -> None:
+    path = tmp_path / place
+    if design is not None:
+        path.mkdir()
+    assert file_name(path, design) == name
+
+
+def test_allowed_tensions_are_those_of_the_checks() -> None:
+    note = known_note("states")
+    tensions = [
+        check.capacity
+        for check in note.checks.results
+        if check.kind == "tension" and check.load_case == note.load_case
+    ]
+    assert len(tensions) == 2  # by the code, and by the case's own factor, which is stricter
+    assert note.allowed == [min(tensions)]
+    assert known_note("leg").allowed == [6140e3 / 2.0, 2500e3 / 2.0]
+    assert known_note("slack").allowed == [None]
+
+
+def test_many_runs_are_left_out_and_none_converged_is_said() -> None:
+    note = further_note("swarm")
+    assert note.swarm is not None
+    many = replace(
+        report_with((1.0, 1e-7)), runs=40, objectives=(1e-7,) * 40, converged_runs=0,
+        iterations_flown=(2,) * 40,
+    )  # fmt: skip
+    changed = replace(note, swarm=replace(note.swarm, swarm=many))
+    page = read_page(page_of(changed))
+    assert len(page.table("swarm_runs").rows) == 30
+    assert f"{40 - 30} more runs" in page.sections["swarm"]
+    (verdict,) = page.styled("verdict", "swarm")
+    assert "fails" in verdict.attributes["class"]
+    assert "0 of 40 runs" in verdict.text
+
+
+def test_a_line_that_the_swarm_refuses_is_refused() -> None:
+    from catopt.notes.line import note_of
+    from catopt.notes.origin import SourceFile
+
+    case = replace(buoy_case(), load=type(buoy_case().load)(span=17.4))  # type: ignore[misc]
+    source = SourceFile("case.toml", "title = 'x'", "0" * 64)
+    with pytest.raises(InputError, match="the swarm method wants one"):
+        note_of(case, (source,), asked=Asked(swarm=True))

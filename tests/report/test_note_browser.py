@@ -1,0 +1,185 @@
+"""The calculation note in a browser: desktop and phone, light and dark, on paper, without scripts.
+
+Wants Chromium (Debian's package ``chromium``).
+"""
+
+from __future__ import annotations
+
+import re
+import zlib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from catopt.notes.line import read_note
+
+from .browser import BEYOND, CHROMIUM, CLASHES, FONTS, OFF_PAPER, Tab, assert_nothing_sticks_out
+from .page_cases import design_directory, known_note
+from .rendered import page_of
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not CHROMIUM, reason="no chromium on this machine"),
+]
+
+NAMES = ("buoy-9.5m", "leg", "raised", "slack", "states", "result")
+A4 = (210.0 / 25.4 * 72.0, 297.0 / 25.4 * 72.0)
+"""In points."""
+
+
+@pytest.fixture(params=NAMES)
+def page(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    name = str(request.param)
+    note = read_note(design_directory(tmp_path)) if name == "result" else known_note(name)
+    path = tmp_path / f"{name}.html"
+    path.write_bytes(page_of(note, "vi" if name == "leg" else "en"))
+    return path
+
+
+@pytest.mark.parametrize("font", FONTS)
+@pytest.mark.parametrize("width", [1200, 390])
+def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> None:
+    assert_nothing_sticks_out(quiet, page, width, font)
+
+
+def test_the_colours_follow_the_readers_choice(quiet: Tab, page: Path) -> None:
+    colours = {}
+    for scheme in ("light", "dark"):
+        quiet.open(page, 1200, scheme="dark" if scheme == "dark" else "light")
+        for what, of in (("body", "backgroundColor"), ("body", "color"), (".mooring", "stroke")):
+            found = quiet.value(f"getComputedStyle(document.querySelector('{what}')).{of}")
+            colours[scheme, what, of] = sum(int(part) for part in re.findall(r"\d+", found)[:3])
+    assert colours["light", "body", "backgroundColor"] > colours["light", "body", "color"]
+    assert colours["dark", "body", "backgroundColor"] < colours["dark", "body", "color"]
+    assert colours["dark", ".mooring", "stroke"] > colours["light", ".mooring", "stroke"]
+
+
+def test_figures_are_drawn(quiet: Tab, page: Path) -> None:
+    quiet.open(page, 1200)
+    drawn = quiet.value(
+        "[...document.querySelectorAll('figure')].map((each) => [each.dataset.figure, "
+        "each.querySelector('.mooring, .first, .chosen').getBoundingClientRect().width])"
+    )
+    expected = {"line", "tension", "curve"} | ({"front"} if page.stem == "result" else set())
+    assert {key for key, _ in drawn} == expected
+    assert all(width > (12 if key == "front" else 300) for key, width in drawn if key != "line")
+
+
+def place_on(tab: Tab, figure: str, share: float) -> tuple[float, float, list[str]]:
+    """Scroll to a figure; return one of its points in the window, and what may be said there.
+
+    That is what belongs to points within a pixel and a half, for steep curves crowd them.
+    """
+    found: Any = tab.value(
+        f"""(() => {{
+          const figure = document.querySelector("figure[data-figure={figure}]");
+          const svg = figure.querySelector("svg");
+          svg.scrollIntoView({{ block: "center" }});
+          const [texts, places] = [...figure.querySelectorAll("script")]
+            .map((each) => JSON.parse(each.textContent));
+          const shown = places.map((each) =>
+            new DOMPoint(...each).matrixTransform(svg.getScreenCTM()));
+          const at = shown[Math.min(Math.floor({share} * texts.length), texts.length - 1)];
+          const near = (each) => Math.hypot(each.x - at.x, each.y - at.y) < 1.5;
+          return [at.x, at.y, texts.filter((_, index) => near(shown[index]))];
+        }})()"""
+    )
+    return found[0], found[1], found[2]
+
+
+READOUT = "document.querySelector('figure[data-figure={}] .readout').textContent"
+
+
+@pytest.mark.parametrize("width", [1200, 390])
+def test_pointing_at_a_figure_reads_it(quiet: Tab, page: Path, width: int) -> None:
+    quiet.open(page, width)
+    figures = ["line", "tension", "curve"] + (["front"] if page.stem == "result" else [])
+    for figure in figures:
+        hint = "Di con trỏ" if page.stem == "leg" else "Point at"
+        assert quiet.value(READOUT.format(figure)).startswith(hint)
+        for share in (0.0, 0.3, 0.7, 1.0):
+            x, y, texts = place_on(quiet, figure, share)
+            quiet.point_at(x, y)
+            assert quiet.value(READOUT.format(figure)) in texts
+    style = "getComputedStyle(document.querySelector('figure.on .pointer')).visibility"
+    assert quiet.value(style) == "visible"
+
+
+def test_the_arrow_keys_walk_along_the_line(quiet: Tab, page: Path) -> None:
+    quiet.open(page, 1200)
+    quiet.value("document.querySelector('figure[data-figure=line] svg').focus()")
+    first = quiet.value(READOUT.format("line"))
+    assert re.search(r"s = 0\.000 m", first)
+    quiet.press("End")
+    last = quiet.value(READOUT.format("line"))
+    quiet.press("ArrowLeft")
+    before = quiet.value(READOUT.format("line"))
+    quiet.press("ArrowRight")
+    assert quiet.value(READOUT.format("line")) == last
+    assert len({first, before, last}) == 3
+
+
+def test_everything_is_readable_without_scripts(quiet: Tab, page: Path) -> None:
+    """But for the hint about pointing, which would be of no use then."""
+    words = (
+        "[...document.querySelectorAll('h1, h2, table, figcaption, pre')].map((e) => e.innerText)"
+    )
+    quiet.open(page, 1200)
+    with_scripts = quiet.value(words)
+    quiet.open(page, 1200, scripts=False)
+    assert quiet.value(words) == with_scripts
+    assert quiet.value("document.querySelector('.readout').textContent") == ""
+    assert len(with_scripts) > 15
+
+
+@pytest.mark.parametrize("font", FONTS)
+def test_it_prints_on_a4(quiet: Tab, page: Path) -> None:
+    quiet.open(page, 1200, scheme="dark")
+    boxes, count = pages_of(quiet.pdf())
+    assert 4 <= count <= 14
+    for width, height in boxes:
+        assert (width, height) == pytest.approx(A4, abs=1.0)  # a point, by which sizes are rounded
+
+
+def pages_of(pdf: bytes) -> tuple[set[tuple[float, float]], int]:
+    """Return the sizes of a PDF's pages, and how many there are."""
+    packed = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", pdf, re.DOTALL)
+    text = pdf
+    for each in packed:
+        try:
+            text += zlib.decompress(each)
+        except zlib.error:
+            continue
+    boxes = {
+        (float(box[1]), float(box[2]))
+        for box in re.finditer(rb"/MediaBox ?\[ ?0 0 ([\d.]+) ([\d.]+) ?\]", text)
+    }
+    return boxes, len(re.findall(rb"/Type ?/Page\b", text))
+
+
+def test_a_message_and_a_box_that_sticks_out_are_noticed(tab: Tab, tmp_path: Path) -> None:
+    path = tmp_path / "broken.html"
+    path.write_text(
+        "<!DOCTYPE html><body><div style='width:3000px'>wide</div>"
+        "<figure><svg viewBox='0 0 100 100'><text x='90' y='50'>far too long</text>"
+        "<text x='90' y='50'>on it</text></svg></figure>"
+        "<script>console.log('said'); throw new Error('thrown')</script>"
+    )
+    tab.messages.clear()
+    tab.open(path, 800)
+    assert len(tab.messages) == 2
+    assert tab.value("document.documentElement.scrollWidth") > 800
+    assert len(tab.value(BEYOND)) == 1
+    assert "far too long" in tab.value(OFF_PAPER)
+    assert len(tab.value(CLASHES)) == 1
+    tab.messages.clear()
+
+
+@pytest.mark.parametrize("font", FONTS)
+def test_a_page_is_shown_in_one_font(tab: Tab, font: str, tmp_path: Path) -> None:
+    """All three are wanted: Debian's fonts-dejavu-core, fonts-liberation and fonts-noto-core."""
+    path = tmp_path / "leg.html"
+    path.write_bytes(page_of(known_note("leg")))
+    tab.open(path, 800)
+    assert tab.fonts() == {font}

@@ -1,0 +1,299 @@
+"""The note of a moored body: what it computes, what decides, and its balance by hand."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from catopt.answers.note_system import system_note_answer
+from catopt.errors import NotConvergedError
+from catopt.notes.checking import BODY, line_name
+from catopt.notes.rounding import heading_of
+from catopt.notes.system import SystemNote, directions_of, read_system_note
+
+from .page_reader import ReadPage, read_page
+from .rendered import page_of
+from .system_page_cases import EVERY, TURRET, known_note, known_page, system_path
+from .test_line_note import FIELD, HOSTILE, shown_in_si
+
+LAST_DIGIT = 1e-15
+"""Relative: sums in another order, and a change of unit."""
+SOLVED = 1e-9
+"""Relative: solved twice, from another start."""
+NINE_DIGITS = 1e-8
+"""Relative, of the largest term: numbers that are put in are written with nine digits."""
+
+
+@pytest.fixture(params=EVERY)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def note(name: str) -> SystemNote:
+    return known_note(name)
+
+
+@pytest.fixture
+def page(name: str) -> ReadPage:
+    return known_page(name)
+
+
+def test_the_page_is_well_formed_and_refers_to_nothing(page: ReadPage) -> None:
+    assert page.unclosed == []
+    assert not {element.tag for element in page.elements} & {"link", "img", "iframe", "object"}
+    for element in page.elements:
+        assert not {"src", "href", "srcset", "style", "onclick"} & set(element.attributes), element
+        assert "://" not in " ".join(element.attributes.values()), element
+
+
+@pytest.mark.slow
+def test_the_same_case_gives_the_same_bytes(tmp_path: Path, name: str) -> None:
+    path = system_path(tmp_path, name)
+    first, second = (page_of(read_system_note(path, verify=name == "idle"), "vi") for _ in range(2))
+    assert first == second
+    assert str(tmp_path).encode() not in first
+
+
+def test_without_the_truss_model_its_section_is_left_out(tmp_path: Path) -> None:
+    note = read_system_note(system_path(tmp_path, TURRET), verify=False, date="21.11.2026")
+    page = read_page(page_of(note))
+    assert "system_verification" not in page.sections
+    assert page.table("identity").row("Date")[1].text == "21.11.2026"
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_what_the_user_writes_is_text_and_nothing_else(text: str) -> None:
+    note = known_note(TURRET)
+    case = replace(note.case, title=text, source=text)
+    page = read_page(page_of(replace(note, case=case)))
+    assert page.unclosed == []
+    assert {each.tag for each in page.elements} == {
+        each.tag for each in known_page(TURRET).elements
+    }
+    assert page.tagged("h1")[0].text == text
+    assert page.table("identity").row("Source")[1].text == text
+
+
+def test_every_number_is_the_rounding_of_the_value_behind_it(
+    page: ReadPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Within half of its last digit, and 1e-9 of itself, to which nine digits are written."""
+    for unit in ("kN/rad", "kN*m/rad"):
+        monkeypatch.setitem(FIELD, unit, 1e3)
+    for unit in ("N m", "N*m"):
+        monkeypatch.setitem(FIELD, unit, 1.0)
+    count = 0
+    for table in page.tables:
+        for row in table.rows:
+            for cell, heading in zip(row, table.headings or [""] * len(row), strict=True):
+                if cell.value is not None:
+                    shown, half = shown_in_si(cell, heading)
+                    assert abs(shown - cell.value) <= half * (1 + 1e-9) + 1e-9 * abs(cell.value)
+                    count += 1
+    assert count > 100
+
+
+def test_a_line_that_is_gone_loads_the_others_more() -> None:
+    """By the factor of the strength, the utilisation is that of the fairlead's segment at least."""
+    note = known_note(TURRET)
+    MBL = note.case.line.segments[-1].MBL
+    assert MBL is not None
+    for each, used in zip(note.report.line_out, note.left, strict=True):
+        assert each.response is not None
+        assert used is not None
+        assert used >= each.response.largest_tension / MBL * (1.0 - SOLVED)
+
+
+def test_a_restoring_curve_goes_half_as_far_again_as_the_load_or_nearly_as_far() -> None:
+    """Lines that do not stretch and are nearly taut are too short for more."""
+    for name, share in ((TURRET, 1.5), ("lee", 0.9)):
+        note = known_note(name)
+        far = share * math.hypot(*note.solution.offset)
+        for curve in note.report.curves:
+            assert curve.offset[-1] == pytest.approx(far, rel=LAST_DIGIT)
+            assert -curve.offset[0] == curve.offset[-1]
+
+
+@pytest.mark.parametrize(
+    ("force", "expected"),
+    [
+        ((-4e6, 0.0), (180.0, 90.0)),
+        ((1e5, 1e5), (45.0, 135.0)),
+        ((0.0, -1.0), (-90.0, 0.0)),
+        ((-1e5, 1e5), (135.0, 45.0)),
+        ((0.0, 0.0), (0.0, 90.0)),
+    ],
+)
+def test_curves_go_along_the_force_and_across_it(
+    force: tuple[float, float], expected: tuple[float, float]
+) -> None:
+    found = [math.degrees(angle) for angle in directions_of(force)]
+    assert found == pytest.approx(expected, abs=1e-12)
+
+
+def test_a_body_that_turns_is_told_to_be_free_to_turn_along_the_curves() -> None:
+    """The moments of its lines vanish on both curves, whatever the moment of the case."""
+    told = "free to turn, and no moment acts on it"
+    for section in ("system_watch_circle", "system_restoring"):
+        assert told in known_page("arms").sections[section]
+        assert told not in known_page(TURRET).sections[section]
+    system = known_note("arms").solution.system
+    assert system.turns
+    assert system.moment != 0.0
+    # Its four lines are alike, so that all sides are: a moment would break the mirror.
+    circle = known_note("arms").report.circle
+    assert circle is not None
+    mirrored = [circle.responses[k].largest_tension for k in (10, 20)]
+    assert mirrored[0] == pytest.approx(mirrored[1], rel=SOLVED)
+
+
+def test_the_title_block_says_what_decides() -> None:
+    page, note = known_page(TURRET), known_note(TURRET)
+    told = [element.text for element in page.styled("verdict", "system_identity")]
+    factor = note.solution.lines[1].utilisation()
+    assert told == [
+        f"Most loaded is line 2: {note.loaded.tension / 1e3:.3f} kN at its fairlead. Largest "
+        f"utilisation {factor:.3f} of the breaking load, with a safety factor of 1.00.",
+        "The body goes 21.738 m from its zero-load position, towards 180.00 deg.",
+        "With any one line gone: at most 2333.375 kN at a fairlead, in line 2 without line 1; the "
+        "body goes at most 26.368 m, without line 1. Largest utilisation 0.380 of the breaking "
+        "load, with a safety factor of 1.00.",
+    ]
+    assert page.table("identity").row("Mooring lines")[1].text == "9"
+    force = page.table("identity").row("Force on the body")[1].text
+    assert force == "4281.000 kN towards 180.00 deg, counter-clockwise from x"
+
+
+def test_a_line_that_the_body_cannot_do_without_is_told() -> None:
+    page = known_page("lone")
+    (told,) = page.styled("fails", "system_identity")
+    assert told.text == "Without line 1 there is no equilibrium."
+    assert "no equilibrium: no line is left" in page.sections["system_line_out"]
+
+
+def test_what_is_overrun_is_told_in_red() -> None:
+    page, note = known_page("pulled"), known_note("pulled")
+    failing = [each.text for each in page.styled("fails", "system_identity")]
+    assert len(failing) == 3  # the checks, the intact body, one line out
+    assert "1 of 6 checks fails" in failing[0]
+    used = max(line.utilisation(2.0) or 0.0 for line in note.solution.lines)
+    assert f"{used:.3f}" in failing[1]
+    assert used > 1.0
+
+
+def test_a_body_that_nothing_pushes_stays() -> None:
+    told = [each.text for each in known_page("idle").styled("verdict", "system_identity")]
+    assert told[1] == "The body is 0.000 m from its zero-load position."
+
+
+def test_the_rule_of_practice_stands_beside_the_balance_or_says_why_not() -> None:
+    note, page = known_note("pulled"), known_page("pulled")
+    H = note.solution.lines[0].horizontal_force
+    told = f"line 1 would carry H = 666.667 kN; by the balance it carries {H / 1e3:.3f} kN"
+    assert told in page.sections["system_results"]
+    assert "this system has 9." in known_page(TURRET).sections["system_results"]
+
+
+def test_a_line_is_checked_as_the_balance_has_it() -> None:
+    """The tension that is checked is the largest of each segment of each line."""
+    note = known_note("arms")
+    for index, line in enumerate(note.solution.lines):
+        (tension,) = [
+            each
+            for each in note.checks.results
+            if each.load_case == line_name(index) and each.kind == "tension"
+        ]
+        expected = line.solution.segments[0].max_tension
+        assert tension.demand == pytest.approx(expected, rel=SOLVED)
+        MBL = line.leg.line.segments[0].MBL
+        assert MBL is not None
+        assert tension.capacity == pytest.approx(MBL / 2.0, rel=LAST_DIGIT)
+
+
+def test_the_reserve_of_buoyancy_is_against_all_lines_together() -> None:
+    note = known_note("arms")
+    (found,) = [each for each in note.checks.results if each.load_case == BODY]
+    pull = sum(line.solution.fairlead.vertical_force for line in note.solution.lines)
+    assert found.demand == pytest.approx(pull, rel=LAST_DIGIT)
+    assert found.capacity == 700e3
+    assert found.passes == (pull <= 700e3)
+
+
+def value_of(formula: str) -> float:
+    """Work a sum with its numbers put in out, as a pocket calculator would."""
+    plain = formula.replace("−", "-").replace("√", "math.sqrt").replace("²", "**2")
+    return float(eval(plain, {"math": math}))
+
+
+def test_the_pulls_balance_the_force_with_the_numbers_of_the_page(
+    note: SystemNote, page: ReadPage
+) -> None:
+    table = page.table("pulls")
+    H, angle, along, across = (
+        [row[table.headings.index(name)].value for row in table.rows]
+        for name in ("H (N)", "φ (deg)", "H cos φ (N)", "H sin φ (N)")
+    )
+    largest = max(value for value in H if value is not None)
+    for force, turn, x, y in zip(H, angle, along, across, strict=True):
+        assert force is not None
+        assert turn is not None
+        assert (x, y) == (force * math.cos(turn), force * math.sin(turn))
+    for axis, values in enumerate((along, across)):
+        total = math.fsum(value for value in values if value is not None)
+        assert total + note.solution.system.force[axis] == pytest.approx(0.0, abs=1e-9 * largest)
+
+
+def test_every_step_of_the_balance_gives_what_it_says(note: SystemNote, page: ReadPage) -> None:
+    largest = max(line.horizontal_force for line in note.solution.lines)
+    for row in page.table("balance").rows:
+        put_in = row[1].text.split("=")[-1]
+        value = row[2].value
+        assert value is not None
+        if "…" not in put_in:
+            arm = max(leg.anchor_radius for leg in note.solution.system.legs)
+            scale = {"m": arm, "N": largest, "N m": largest * arm}[row[2].text.partition(" ")[2]]
+            assert value_of(put_in) == pytest.approx(value, rel=NINE_DIGITS, abs=1e-8 * scale)
+        if row[3].value is not None:
+            scale = max(abs(row[3].value), largest if row[2].text.endswith("N") else 1.0)
+            moments = largest * 100.0 if row[2].text.endswith("N m") else 0.0
+            assert value == pytest.approx(row[3].value, abs=1e-9 * max(scale, moments))
+
+
+def test_a_truss_without_an_answer_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stops(*_: object, **__: object) -> None:
+        raise NotConvergedError("it stopped short")
+
+    monkeypatch.setattr("catopt.verify.case.verify_case", stops)
+    note = read_system_note(system_path(tmp_path, "idle"))
+    page = read_page(page_of(note))
+    assert "it stopped short" in page.sections["warnings"]
+    assert "NOT VERIFIED" in page.sections["system_verification"]
+
+
+def test_what_cannot_be_computed_is_left_out_and_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stops(*_: object, **__: object) -> None:
+        raise NotConvergedError("it wanders")
+
+    monkeypatch.setattr("catopt.mooring.case.watch_circle", stops)
+    monkeypatch.setattr("catopt.mooring.case.restoring_curve", stops)
+    beside = "is left out, for somewhere on it it wanders"
+    note = read_system_note(system_path(tmp_path, TURRET), verify=False)
+    assert note.warnings == (
+        "the watch circle is left out: it wanders",
+        f"the restoring curve towards 180.00 deg {beside}",
+        f"the restoring curve towards 90.00 deg {beside}",
+    )
+    shown = {section.name for section in system_note_answer(note).sections}
+    assert not {"system_watch_circle", "system_restoring"} & shown
+
+
+def test_what_rounding_leaves_is_no_direction() -> None:
+    assert heading_of(-21.7, -4.7e-14) == math.pi
+    assert heading_of(0.0, 0.0) == 0.0
+    assert heading_of(1.0, 1.0) == math.pi / 4.0
