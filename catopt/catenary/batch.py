@@ -16,7 +16,7 @@ import numpy.typing as npt
 from catopt.catenary.closing import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.many import COLUMNS, fill
 from catopt.catenary.pieces import Pieces
-from catopt.catenary.runs import ROWS_PER_PIECE, Runs
+from catopt.catenary.runs import Runs, most_runs
 from catopt.catenary.state import CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem
@@ -202,7 +202,7 @@ def room_for_runs(pieces: int) -> Runs:
     pieces : int
         How many pieces it has.
     """
-    rows = ROWS_PER_PIECE * pieces
+    rows = most_runs(pieces)
     whole = [np.zeros(rows, dtype=np.int64) for _ in range(2)]
     columns = [np.zeros(rows) for _ in range(5)]
     return Runs(*whole, *columns)

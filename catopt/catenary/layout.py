@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from catopt.catenary.runs import ROWS_PER_PIECE, Runs, run_reach, runs_of, slack_share
+from catopt.catenary.runs import Runs, most_runs, run_reach, runs_of, slack_share
 from catopt.catenary.setting import Setting
 from catopt.catenary.state import State
 from catopt.catenary.stretch import Stretch
@@ -23,7 +23,7 @@ def lay_out(state: State, setting: Setting) -> tuple[Stretch, ...]:
         The line and where it is moored.
     """
     pieces = setting.pieces
-    room = ROWS_PER_PIECE * len(pieces.length)
+    room = most_runs(len(pieces.length))
     columns = [[0.0] * room for _ in range(5)]
     runs = Runs([0] * room, [0] * room, *columns)
     count = runs_of(state, setting, runs)

@@ -25,9 +25,9 @@ from catopt.catenary.sliding import (
 from catopt.catenary.state import IN_PARTS, LOOSE, SLACK, TURNED, State
 from catopt.catenary.upper_part import lying_end, upper_part
 
-__all__ = ["Runs", "run_reach", "runs_misfit", "runs_of", "slack_share"]
+__all__ = ["Runs", "most_runs", "run_reach", "runs_misfit", "runs_of", "slack_share"]
 
-ROWS_PER_PIECE = 4
+_RUNS_PER_PIECE = 4
 """A piece may hang, lie with tension, lie without it and hang again."""
 
 
@@ -55,6 +55,17 @@ class Runs(NamedTuple):
     slope: Any
 
 
+def most_runs(pieces: int) -> int:
+    """Room that the runs of a line take at most; its loose part may begin within a piece.
+
+    Parameters
+    ----------
+    pieces : int
+        Uniform pieces of the line.
+    """
+    return _RUNS_PER_PIECE * (pieces + 1)
+
+
 def runs_of(state: State, setting: Setting, runs: Runs) -> int:
     """Write the runs of a line, from the fairlead down; say how many there are.
 
@@ -65,7 +76,7 @@ def runs_of(state: State, setting: Setting, runs: Runs) -> int:
     setting : Setting
         The line and where it is moored.
     runs : Runs
-        Written to; room for ROWS_PER_PIECE runs a piece.
+        Written to; room for `most_runs`.
     """
     if state.touchdown == IN_PARTS:
         return _in_parts(_upper_part(state.H, state.V, setting), setting, runs, 0)
