@@ -317,12 +317,14 @@ def _hang(parts: Parts, k: int, way: float, at: Any, ratio: Any) -> None:
 def up(parts: Parts, ends: Ends, most: Any, ratio: Any, place: Any) -> Walked:
     """Walk from the anchor to the fairlead; `place` (n + 1, 2) takes the way, m."""
     n = len(parts.length)
-    open_V = ULPS * _most_of(parts, most)
+    open_V = ULPS * _most_of(parts, most, 0)
     at = _started(ends, 0.0, ends.anchor_height, ends.H_anchor, ends.V_anchor, open_V)
     for k in range(n):
         place[k, 0], place[k, 1] = at[X], at[Z]
         if not np.isnan(parts.x[k]):
-            open_force = at[FORCE_LIMIT] + at[OPEN_V] + parts.blur[k]
+            # The answer counts V from anywhere in the hanging part.
+            open_said = parts.blur[k] + ULPS * _most_of(parts, most, k)
+            open_force = at[FORCE_LIMIT] + at[OPEN_V] + open_said
             note(ratio, PLACE, parts.x[k] - at[X], at[FAR] + at[OPEN_X])
             note(ratio, PLACE, parts.z[k] - at[Z], at[FAR] + at[OPEN_Z])
             note(ratio, STRETCH_FORCE, parts.H[k] - at[H], at[FORCE_LIMIT] + at[OPEN_H])
@@ -390,10 +392,10 @@ def _reach(force: float, V: float, w: float, c: float, length: float, error: flo
 
 
 @fast
-def _most_of(parts: Parts, most: Any) -> float:
-    """Largest force in the hanging part that begins at the anchor, N."""
+def _most_of(parts: Parts, most: Any, first: int) -> float:
+    """Largest force in what hangs from the lower end of part `first` on, N."""
     found = 0.0
-    for k in range(len(most)):
+    for k in range(first, len(most)):
         if parts.on_bed[k]:
             break
         found = max(found, most[k])
