@@ -110,7 +110,7 @@ class SizingFile:
             if each.path[-1] in place and not is_before:
                 found.setdefault(name, place[each.path[-1]])
         if isinstance(found.get("buoys"), str):
-            found["buoys"] = FilePath(self.folder) / str(found["buoys"])
+            found["buoys"] = str(FilePath(self.folder) / str(found["buoys"]))
         return {**found, **before}
 
     @contextmanager

@@ -155,12 +155,15 @@ def _refuse(telling: Telling, moored: Moored, name: str, value: object) -> None:
 def _contradictions(
     telling: Telling, inputs: Mapping[str, Input], given: Mapping[str, object]
 ) -> None:
-    """Keep what does not go together: one of the two would be left out of account."""
+    """Keep what would be left out of account, beside another input or without one."""
     for name, value in given.items():
         each = inputs.get(name)
-        if each is None or not each.why:
+        if each is None:
             continue
-        for other in each.not_with:
+        if each.only_with and each.only_with not in given:
+            allowed = f"leave it out, or give {telling.spell(each.only_with)} with it"
+            telling.add(name, as_written(value), allowed)
+        for other in each.not_with if each.why else ():
             if other in given and not is_needless(inputs[other], given):
                 allowed = f"leave it out, or {telling.spell(other)}{each.why}"
                 telling.add(name, as_written(value), allowed)

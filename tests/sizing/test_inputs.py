@@ -224,6 +224,11 @@ def test_what_is_not_evaluated_is_refused_by_its_keyword() -> None:
     assert told(known("buoy", by_force)) == {
         "wind": "leave it out, or force, which has it all in it"
     }
+    alone = {**BASE["tanker"], "pretension": "5 %", "buoy": None, "buoys": "mine.toml"}
+    assert told(known("tanker", alone)) == {
+        "pretension": "leave it out, or give lines with it",
+        "buoys": "leave it out, or give buoy with it",
+    }
     held = {**BASE["tanker"], "friction": 0.4}
     assert told(known("tanker", held, as_option, "options")) == {
         "--friction": 'leave it out, or give --anchor "sinker": it is of a sinker'
