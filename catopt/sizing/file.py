@@ -85,7 +85,8 @@ class SizingFile:
                 return spell(name, index)
             return dotted((*inputs[name].path, *(() if index is None else (index,))))
 
-        told = [name for name, each in inputs.items() if self._is_told(each.path)]
+        own = {name: each for name, each in inputs.items() if name not in before}
+        told = [name for name, each in own.items() if self._is_told(each.path)]
         told += [dotted(finding.path) for finding in self.findings]
         given = self.given(before)
         return known(
