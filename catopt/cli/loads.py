@@ -113,7 +113,7 @@ def buoy(
     from catopt.units import Dimension
 
     place = name if is_file(name) else None
-    options = inputs | {"buoy": None if place else name}
+    options = {"buoy": None if place else name, **inputs}
     with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
         make = of.telling.make
         of.want("buoy", "depth")

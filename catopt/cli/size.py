@@ -62,7 +62,7 @@ def buoy(
     and the answer says so. What is given as an option goes before what a file says.
     """
     place = name if is_file(name) else None
-    options = inputs | {"buoy": None if place else name}
+    options = {"buoy": None if place else name, **inputs}
     _size(context, "buoy", place, options, lang.value, as_json=as_json, out=out, save=save)
 
 

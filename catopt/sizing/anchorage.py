@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final, Literal
 
 from catopt.loads.drag_anchor import DragAnchorSize, size_drag_anchor
@@ -18,6 +18,7 @@ from catopt.loads.sinker import (
 from catopt.loads.sizes import SINKER_MASSES
 from catopt.model import Anchor, SinkerChoice
 from catopt.model.validity import Findings
+from catopt.sizing.kinds import usual
 
 __all__ = ["HEAVY_SINKERS", "DragGround", "SinkerGround"]
 
@@ -48,7 +49,7 @@ class SinkerGround:
         Whether recalled figures (R) may be used; those of steel are.
     """
 
-    soil: str | None = "fine or silty sand"
+    soil: str | None = field(default_factory=lambda: usual("soil"))
     friction: float | None = None
     material: Material = "concrete"
     density: float | None = None
@@ -130,8 +131,8 @@ class DragGround:
         Whether recalled figures (R) may stand alone.
     """
 
-    anchor: str = "Stevpris Mk5"
-    soil: str = "sand"
+    anchor: str = field(default_factory=lambda: usual("anchor", "tanker"))
+    soil: str = field(default_factory=lambda: usual("soil", "tanker"))
     data: DataSet | Literal["lower"] = "lower"
     safety_factor: float | None = None
     allow_recalled: bool = False

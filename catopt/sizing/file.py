@@ -85,7 +85,8 @@ class SizingFile:
                 return spell(name, index)
             return dotted((*inputs[name].path, *(() if index is None else (index,))))
 
-        told = [name for name, each in inputs.items() if self._is_told(each.path)]
+        own = {name: each for name, each in inputs.items() if name not in before}
+        told = [name for name, each in own.items() if self._is_told(each.path)]
         told += [dotted(finding.path) for finding in self.findings]
         given = self.given(before)
         return known(
@@ -110,7 +111,7 @@ class SizingFile:
             if each.path[-1] in place and not is_before:
                 found.setdefault(name, place[each.path[-1]])
         if isinstance(found.get("buoys"), str):
-            found["buoys"] = FilePath(self.folder) / str(found["buoys"])
+            found["buoys"] = str(FilePath(self.folder) / str(found["buoys"]))
         return {**found, **before}
 
     @contextmanager

@@ -59,6 +59,8 @@ class Input:
         What a user may call it in a file, who is then told the key.
     not_with : tuple of str
         Inputs that stand in its place, or have it in them.
+    only_with : str
+        Input without which it would not be evaluated; empty where there is none.
     why : str
         End of the message to one who gives it beside one of those; empty where the model tells it.
     taken : str
@@ -85,6 +87,7 @@ class Input:
     called: tuple[str, ...] = ()
     also: tuple[str, ...] = ()
     not_with: tuple[str, ...] = ()
+    only_with: str = ""
     why: str = ""
     taken: str = ""
     left_out: str = ""
@@ -154,7 +157,7 @@ INPUTS: Final = (
         "buoy", "buoy.name", "NAME", "pillar 1.8 m", required=True, asked=True, not_with=_GIVEN,
         tanker=(("example", "mooring buoy 5.0 m"), *_FREE),
     ),
-    Input("buoys", "buoy.file", "FILE", "buoys.toml"),
+    Input("buoys", "buoy.file", "FILE", "buoys.toml", only_with="buoy"),
     Input(
         "force", "buoy.horizontal_force", "FORCE", "5 kN", of=_BUOY, above=0.0, required=True,
         asked=True, called=("horizontal_force",), also=("H",), not_with=("buoy",),
@@ -242,7 +245,7 @@ INPUTS: Final = (
     Input("lines", "system.lines", "COUNT", 6, "1", of=_TANKER),
     Input(
         "pretension", "system.pretension", "NUMBER", "10 %", "10 %", of=_TANKER, above=0.0,
-        most="0.9",
+        most="0.9", only_with="lines",
     ),
     Input(
         "anchor", "anchor.name", "NAME", "Stevpris Mk5", "Stevpris Mk5", of=_TANKER,

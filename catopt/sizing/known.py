@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from catopt.casefile.sizing_file import Moored
 from catopt.catalogue.names import nearest
-from catopt.errors import InputError, Problem
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of
 from catopt.sizing.telling import Spelling, Telling, as_keyword
@@ -103,7 +102,7 @@ def known(
         if name not in inputs:
             _refuse(telling, moored, name, value)
         elif not telling.is_told(name):
-            read = telling.read(name, _reader(inputs[name]), value)
+            read = _read(telling, inputs[name], value)
             values |= {} if read is None else {name: read}
     _contradictions(telling, inputs, given)
     for name, each in inputs.items():
@@ -123,26 +122,19 @@ def _held_by(moored: Moored, given: Mapping[str, object]) -> str:
     return SINKER if given.get("anchor") == SINKER else inputs_of(moored)["anchor"].default
 
 
-def _reader(each: Input) -> Callable[[object], object]:
-    """Return what reads a value of an input; of several, their list or the only one."""
-    kind = kind_of(each)
-    if each.takes == "FILE":
-        return lambda value: kind.read(
-            os.fspath(value) if isinstance(value, os.PathLike) else value
-        )
-    return (lambda value: _several(kind.read, value)) if each.several else kind.read
-
-
-def _several(read: Callable[[object], object], value: object) -> tuple[object, ...]:
-    found, problems = [], []
-    for index, each in enumerate(value if isinstance(value, list | tuple) else [value]):
-        try:
-            found.append(read(each))
-        except InputError as error:
-            problems += [Problem(str(index), each.found, each.allowed) for each in error.problems]
-    if problems:
-        raise InputError(problems)
-    return tuple(found)
+def _read(telling: Telling, each: Input, value: object) -> Any:
+    """Read the value of an input, or several; None, and no more told, when one is wrong."""
+    given = os.fspath(value) if isinstance(value, os.PathLike) else value
+    many = given if each.several and isinstance(given, list | tuple) else [given]
+    read = kind_of(each).read
+    found = [
+        telling.read(each.name, read, one, index if each.several else None)
+        for index, one in enumerate(many)
+    ]
+    if None in found:
+        telling.no_more_of(each.name)
+        return None
+    return tuple(found) if each.several else found[0]
 
 
 def _refuse(telling: Telling, moored: Moored, name: str, value: object) -> None:
@@ -163,12 +155,15 @@ def _refuse(telling: Telling, moored: Moored, name: str, value: object) -> None:
 def _contradictions(
     telling: Telling, inputs: Mapping[str, Input], given: Mapping[str, object]
 ) -> None:
-    """Keep what does not go together: one of the two would be left out of account."""
+    """Keep what would be left out of account, beside another input or without one."""
     for name, value in given.items():
         each = inputs.get(name)
-        if each is None or not each.why:
+        if each is None:
             continue
-        for other in each.not_with:
+        if each.only_with and each.only_with not in given:
+            allowed = f"leave it out, or give {telling.spell(each.only_with)} with it"
+            telling.add(name, as_written(value), allowed)
+        for other in each.not_with if each.why else ():
             if other in given and not is_needless(inputs[other], given):
                 allowed = f"leave it out, or {telling.spell(other)}{each.why}"
                 telling.add(name, as_written(value), allowed)

@@ -25,7 +25,7 @@ from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.words import Message, term
 
-__all__ = ["request_of", "sea_of", "shape_of", "size"]
+__all__ = ["request_of", "shape_of", "size"]
 
 
 def size(of: Known) -> Sizing:
@@ -74,7 +74,7 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
     body = _body(of)
     place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
     line = _line(of, of["diameter_min"], of["diameter_max"])
-    ground = _sinker_ground(of)
+    ground = _ground(of)
     maker = partial(
         BuoyRequest,
         marine_growth=of["growth"] or 0.0,
@@ -91,7 +91,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     place = _environment(of)
     shape = None if of["buoy"] is None else shape_of(of)
     line = _line(of, *_sizes(of))
-    ground = _sinker_ground(of) if of["anchor"] == SINKER else _drag_ground(of)
+    ground = _ground(of)
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
         sizes = {"least": of["diameter_min"] * 1e3, "most": of["diameter_max"] * 1e3}
@@ -123,17 +123,11 @@ def _environment(of: Known, *, is_pushed: bool = True) -> Environment | None:
     wind = make(Wind, of["wind"] if is_pushed else 0.0)
     current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
     maker = partial(Environment, water_density=of["water_density"])
-    return make(maker, levels, wind, current, make(sea_of, of))
+    return make(maker, levels, wind, current, make(_sea, of))
 
 
-def sea_of(of: Known) -> SeaState:
-    """Make the waves; the period follows from the height where it is not given.
-
-    Parameters
-    ----------
-    of : Known
-        Inputs.
-    """
+def _sea(of: Known) -> SeaState:
+    """Make the waves; the period follows from the height where it is not given."""
     height, largest = of["hs"], of["hmax"]
     significant = height if height is not None else (largest or 0.0) / HMAX_OVER_HS
     return SeaState(of["period"] or usual_period(significant), height, largest)
@@ -252,21 +246,18 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
     return line if is_known else None
 
 
-def _sinker_ground(of: Known) -> SinkerGround | None:
+def _ground(of: Known) -> DragGround | SinkerGround | None:
+    """Make what holds the line: a sinker, or of a tanker a drag anchor by its kind."""
+    recalled = bool(of["recalled"])
+    if of.moored == "tanker" and of["anchor"] != SINKER:
+        drag = partial(DragGround, of["anchor"], of["soil"], allow_recalled=recalled)
+        return of.telling.make(drag)
+    material, density = of["sinker"], of["sinker_density"]
     return of.telling.make(
-        lambda: SinkerGround(
-            of["soil"],
-            of["friction"],
-            of["sinker"],
-            of["sinker_density"],
-            allow_recalled=bool(of["recalled"]),
+        partial(
+            SinkerGround, of["soil"], of["friction"], material, density, allow_recalled=recalled
         )
     )
-
-
-def _drag_ground(of: Known) -> DragGround | None:
-    recalled = bool(of["recalled"])
-    return of.telling.make(lambda: DragGround(of["anchor"], of["soil"], allow_recalled=recalled))
 
 
 def _taken(

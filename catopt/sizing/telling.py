@@ -71,25 +71,15 @@ class Telling:
         if name not in self._told:
             self._problems.append(Problem(self.spell(name, index), found, allowed))
 
-    def read(self, name: str, reader: Callable[[Any], Made], value: object) -> Made | None:
-        """Read a value of an input, or each of several; None, and no more told, when it is wrong.
-
-        Parameters
-        ----------
-        name : str
-            Of the input.
-        reader : callable
-            May raise InputError.
-        value : object
-            As it was given.
-        """
+    def read(
+        self, name: str, reader: Callable[[Any], Made], value: object, index: int | None = None
+    ) -> Made | None:
+        """Read a value of an input; None, with what is wrong kept, when it cannot be read."""
         try:
             return reader(value)
         except InputError as error:
             for each in error.problems:
-                index = int(each.key) if each.key.isdigit() else None
                 self.add(name, each.found, each.allowed, index)
-            self.no_more_of(name)
         return None
 
     def make(self, maker: Callable[..., Made], *parts: Any) -> Made | None:

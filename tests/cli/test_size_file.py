@@ -120,6 +120,13 @@ def test_what_is_wrong_with_an_option_keeps_its_name(run: Run, written: Path) ->
     assert "--hmax: found 1 m; below the significant height of 1.5 m" in ran.err
 
 
+def test_a_key_at_fault_hides_no_option_at_fault(run: Run, written: Path) -> None:
+    written.write_text(BUOY_FILE.replace("wind =", "wint ="), "utf-8")
+    ran = run("size", "buoy", written, "--wind", "25 kg")
+    assert "environment.wint: found an unknown key; did you mean wind?" in ran.err
+    assert '--wind: found "25 kg", a mass' in ran.err
+
+
 def test_only_what_the_file_leaves_out_is_asked(
     run: Run, written: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

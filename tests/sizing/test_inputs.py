@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +16,12 @@ from catopt.casefile.sizing_file import Moored
 from catopt.cli.size import size as size_commands
 from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
+from catopt.loads import WaterLevels
 from catopt.loads.sinker import DENSITIES
+from catopt.sizing import Environment, LineChoice, SinkerGround, TankerRequest
 from catopt.sizing.file import read_file, read_sizing
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
-from catopt.sizing.kinds import from_text, kind_of
+from catopt.sizing.kinds import from_text, kind_of, usual
 from catopt.sizing.known import Known, known
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
@@ -207,6 +210,16 @@ def test_one_of_several_words_is_one_of_the_model() -> None:
     assert words == {"prefer": PREFERENCES, "sinker": tuple(DENSITIES)}
 
 
+def test_what_requests_take_is_what_the_table_says() -> None:
+    """The rest is read from the table (`catopt.sizing.kinds.usual`)."""
+    assert LineChoice(("chain",), "break/5").prefer == usual("prefer")
+    assert SinkerGround().material == usual("sinker")
+    assert Environment(WaterLevels.steady(12.0)).water_density == usual("water_density")
+    assert {each.name: each.default for each in fields(TankerRequest)}["lines"] == usual(
+        "lines", "tanker"
+    )
+
+
 def test_the_page_shows_the_table() -> None:
     """When it does not: python -m tests.sizing_page writes it anew."""
     page = PAGE.read_text("utf-8")
@@ -223,6 +236,11 @@ def test_what_is_not_evaluated_is_refused_by_its_keyword() -> None:
     by_force = {"depth": 12.0, "force": "5 kN", "reserve_buoyancy": 12e3, "wind": "20 m/s"}
     assert told(known("buoy", by_force)) == {
         "wind": "leave it out, or force, which has it all in it"
+    }
+    alone = {**BASE["tanker"], "pretension": "5 %", "buoy": None, "buoys": "mine.toml"}
+    assert told(known("tanker", alone)) == {
+        "pretension": "leave it out, or give lines with it",
+        "buoys": "leave it out, or give buoy with it",
     }
     held = {**BASE["tanker"], "friction": 0.4}
     assert told(known("tanker", held, as_option, "options")) == {
