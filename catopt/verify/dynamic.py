@@ -298,6 +298,8 @@ def _run(
         beyond = energy_beyond(raos.omega, sea.waves)
         if beyond > _LEFT_OUT:
             said.append(Message("motion.beyond_raos", share=beyond))
+        if drive.raos is not None and np.unique(sea.waves.direction).size > 1:
+            said.append(Message("motion.raos_of_one_heading"))
     runs = []
     for k, leg in enumerate(lines.legs):
         of_line = history.of_line(k)

@@ -312,7 +312,11 @@ def test_a_key_with_odd_characters_is_quoted_in_its_path() -> None:
         ("[[line.segments]]", "nominal_diameter", "did you mean diameter?"),
         ("[[line.segments]]", "load", "did you mean proof_load?"),
         ("[load]", "segment", "move it to [find]"),
-        ("[site]", "wind", "allowed here: water_depth, seabed_friction, water_density"),
+        (
+            "[site]",
+            "wind",
+            "allowed here: water_depth, seabed_friction, water_density, seabed_slope",
+        ),
         ("[load]", "xyz", "allowed here: horizontal_force, span, fairlead_tension"),
     ],
 )

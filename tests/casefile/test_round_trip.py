@@ -397,7 +397,12 @@ def cases(draw: st.DrawFn) -> Case:
     }
     moving |= {"dynamics": draw(RUNS)} if draw(st.booleans()) else dict.fromkeys(moving)
     return Case(
-        site=Site(depth, draw(NOT_NEGATIVE), draw(st.floats(1e-3, 900.0))),
+        site=Site(
+            depth,
+            draw(NOT_NEGATIVE),
+            draw(st.floats(1e-3, 900.0)),
+            draw(st.just(0.0) | st.floats(-0.7, 0.7)),
+        ),
         line=line,
         load=load,
         fairlead_height=fairlead,

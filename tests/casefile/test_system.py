@@ -95,6 +95,16 @@ def test_the_model_refuses_a_load_beside_a_system() -> None:
         Case(Site(50.0), LINE, Load(span=500.0), 48.0, system=case.system)
 
 
+def test_a_system_has_a_level_bed() -> None:
+    sloped = HEAD.replace("[site]\n", '[site]\nseabed_slope = "3 deg"\n')
+    with pytest.raises(InputError, match="a bed slopes along one line") as caught:
+        parse_case(sloped + SYSTEM)
+    assert [each.key for each in caught.value.problems] == ["site.seabed_slope"]
+    case = parse_case(HEAD + SYSTEM)
+    with pytest.raises(InputError, match=r"site\.seabed_slope"):
+        replace(case, site=replace(case.site, seabed_slope=0.05))
+
+
 # ------------------------------------------------------------------ in motion
 
 LED = """

@@ -39,6 +39,7 @@ from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Drive, read_drive
 from catopt.verify.motion_words import dynamic_sentences
 from catopt.waves import Waves
+from catopt.words import is_said
 
 EXAMPLE = Path(__file__).parents[2] / "cases" / "dynamic-chain-56m" / "case.toml"
 
@@ -229,6 +230,19 @@ def test_raos_of_one_wave_make_the_harmonic_motion(tmp_path: Path) -> None:
     x, _, z = (amplitudes[i] * math.cos(omega_ * t + amplitudes[3 + i]) for i in range(3))
     assert x == pytest.approx(0.3 * math.cos(omega * t - k * span - math.pi / 2.0), abs=1e-12)
     assert z == pytest.approx(0.8 * float(sea.elevation(t, span)), abs=1e-9)
+
+
+@pytest.mark.parametrize("spreading", [None, 4.0])
+def test_raos_without_a_heading_say_so_in_a_spread_sea(
+    tmp_path: Path, spreading: float | None
+) -> None:
+    (tmp_path / "rao.csv").write_text("period,surge\n2,0.1\n30,0.1\n", encoding="utf-8")
+    waves = WaveState("jonswap", 1.0, 7.0, components=10, spreading_exponent=spreading)
+    motion = Motion(rao_file=str(tmp_path / "rao.csv"))
+    case = chain(motion, 4.0, waves=waves, ramp=2.0, elements=10)
+    (part,) = verify_dynamic(case, proof="none").parts
+    said = [is_said(each, "motion.raos_of_one_heading") for each in part.remarks]
+    assert any(said) == (spreading is not None)
 
 
 @pytest.mark.parametrize("state", INITIAL_FRICTION)
