@@ -7,6 +7,7 @@ import copy
 import json
 import pickle
 import re
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from string import Formatter
@@ -76,6 +77,41 @@ def test_every_text_is_there_in_both_languages_with_the_same_holes(key: str) -> 
 COMPOSED = {"inputs", "kinds", "columns", "captions", "solution", "curve", "answers", "quantities"}
 """Groups whose keys are put together where they are used, of the group and a name."""
 
+SAID_BY_WORD = {"terms", "columns"}
+"""Groups that are looked up by the English that code or data have, too."""
+
+LEAST = 4
+"""Letters of an f-string from which it says something of the text that it makes."""
+
+
+def built_in_code() -> re.Pattern[str]:
+    """Match what f-strings of the source make."""
+    found = set()
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.JoinedStr):
+                said = [str(each.value) if isinstance(each, ast.Constant) else ""
+                        for each in node.values]  # fmt: skip
+                if sum(map(str.isalpha, "".join(said))) >= LEAST:
+                    found.add("".join(re.escape(each) or ".+" for each in said))
+    return re.compile("|".join(f"(?:{each})" for each in sorted(found)))
+
+
+def words_of_data(value: object) -> Iterator[str]:
+    """Yield every text of a data file, and every key."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for key, each in value.items():
+            yield from (key, *words_of_data(each))
+    elif isinstance(value, list):
+        for each in value:
+            yield from words_of_data(each)
+
+
+def folded(text: str) -> str:
+    return text.lower().replace("_", " ")
+
 
 def composed_in_code() -> Iterator[re.Pattern[str]]:
     """Yield every key that is put together, as ``note.{key}``, with a group for each part."""
@@ -91,43 +127,28 @@ def composed_in_code() -> Iterator[re.Pattern[str]]:
 
 
 def test_every_text_is_used() -> None:
-    used = {*QUANTITIES}
-    for key in keys_in_code():
-        used |= {key, key.replace("-", "_")}
-    composed = list(composed_in_code())
-
-    def is_composed(key: str) -> bool:
-        group_of, _, name = key.partition(".")
-        if group_of in COMPOSED and name in used:
-            return True
-        found = (pattern.fullmatch(key) for pattern in composed)
-        return any(each is not None and used.issuperset(each.groups()) for each in found)
-
-    unused = [key for key in TEXTS if key not in used and not is_composed(key)]
-    # Headings are being taken over kind by kind.
-    assert not [key for key in unused if not key.startswith(("columns.", "terms."))]
-
-
-BUILT = re.compile(
-    r"Printed for .*|swarm: \w+|(MBL|Proof load) over tension, new|Truss on mesh \d .*"
-)
-"""Terms that code puts together."""
-
-
-def test_every_term_is_a_word_of_code_or_data() -> None:
+    code = {*QUANTITIES, *keys_in_code()}
+    code |= {key.replace("-", "_") for key in code}
     data = [
-        path.read_text("utf-8")
+        tomllib.loads(path.read_text("utf-8"))
         for path in PACKAGE.rglob("*.toml")
         if path.parent.name not in ("texts", "vocabulary")
     ]
-    used = _folded("\n".join((*keys_in_code(), *data)))
-    terms = [str(text["en"]) for text in group("terms").values()]
-    unused = [each for each in terms if _folded(each) not in used]
-    assert not [each for each in unused if not BUILT.fullmatch(each)]
+    words = {folded(each) for each in (*code, *words_of_data(data))}
+    built = built_in_code()
+    composed = list(composed_in_code())
 
+    def is_used(key: str) -> bool:
+        group, _, name = key.partition(".")
+        english = str(TEXTS[key]["en"])
+        if group in SAID_BY_WORD and (folded(english) in words or built.fullmatch(english)):
+            return True
+        if group in COMPOSED and (name in code or built.fullmatch(name) is not None):
+            return True
+        found = (pattern.fullmatch(key) for pattern in composed)
+        return key in code or any(each and code.issuperset(each.groups()) for each in found)
 
-def _folded(text: str) -> str:
-    return text.lower().replace("_", " ")
+    assert not [key for key in TEXTS if not is_used(key)]
 
 
 def test_a_term_has_one_translation() -> None:
