@@ -54,7 +54,7 @@ def test_out_names_a_file_or_a_directory(
     assert made == sorted(written)
     assert Path(written[0]).read_bytes().startswith(b"<!DOCTYPE html>")
     for workbook in written[1:]:
-        assert openpyxl.load_workbook(workbook).sheetnames[0] == "Summary"
+        assert openpyxl.load_workbook(workbook).sheetnames[0] == "What was calculated"
 
 
 def test_a_directory_may_end_like_a_page(run: Run) -> None:

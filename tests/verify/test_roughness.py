@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
+from catopt.answers.note_drive import segment_rows
 from catopt.casefile import parse_case
 from catopt.errors import InputError
 from catopt.fem.energy_balance import EnergyBalance
 from catopt.model import Case, Line, Motion, Segment, WaveState
 from catopt.notes.motion import InMotion
-from catopt.report.page.motion_drive import segment_rows
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.dynamic_setup import Drive
