@@ -54,6 +54,7 @@ def made(name: str, language: Language = "en") -> bytes:
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("name", NOTES)
 def test_every_sheet_is_laid_out_for_a_reader(name: str, language: Language) -> None:
+    sheet: Any
     for sheet in openpyxl.load_workbook(BytesIO(made(name, language))):
         assert sheet.freeze_panes == "A2"
         assert sheet.page_setup.paperSize == 9
@@ -66,6 +67,7 @@ def test_every_sheet_is_laid_out_for_a_reader(name: str, language: Language) -> 
 def test_formulas_give_what_stands_beside_them(name: str) -> None:
     """No cell is an error, and a formula's own value is that of the cells that it names."""
     values = openpyxl.load_workbook(BytesIO(made(name)), data_only=True)
+    there: Any
     count = 0
     for sheet in openpyxl.load_workbook(BytesIO(made(name))):
         for cell in (cell for row in sheet.iter_rows() for cell in row):

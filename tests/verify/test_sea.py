@@ -112,10 +112,10 @@ def test_a_note_lists_the_record(tmp_path: Path) -> None:
         ("Length of the recorded surface", "79.5 s"),
         ("Recorded at, along x from the anchor", "90 m"),
         ("Significant wave height Hs", "2.828 m"),
-        ("Waves travel to (from the axis anchor to fairlead)", "0°"),
+        ("Waves travel to (from the axis anchor to fairlead)", "0 deg"),
         ("Regular waves that make up the sea", "10"),
         ("Shortest period that is kept", "8 s"),
-        ("Part of the variance that is left out", "0.00%"),
+        ("Part of the variance that is left out", "0.00 %"),
         ("Mean level that is taken off", "0 m"),
         ("Water's motion above still water", "as at still water"),
     ]
@@ -238,7 +238,8 @@ def test_a_current_that_turns_pushes_both_ways() -> None:
         ("Directions by depth", "90° at 0 m; 180° at 20 m"),
         ("Motion of the fairlead", "harmonic, a cos(2πt/T + phase)"),
         ("Period of the motion", "8 s"),
-        ("Surge: amplitude and phase", "0.1 m, 0°"),
+        ("Surge: amplitude", "0.1 m"),
+        ("Surge: phase", "0 deg"),
     ]
 
 
