@@ -70,7 +70,7 @@ EVIDENCE = {
         "loads/test_buoy",
         "loads/test_page",
         "sizing/test_page",
-        "report/test_page_trail",
+        "report/test_trail",
     ),
     "Limits, symmetry and order": (
         "catenary/test_properties",

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
-from types import MappingProxyType
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
@@ -30,7 +28,8 @@ from catopt.answers.check import (
     tightest_checks,
     tightest_table,
 )
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.figures.front import OBJECTIVES
+from catopt.quantities import Quantity
 from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
@@ -38,22 +37,11 @@ if TYPE_CHECKING:
     from catopt.model import Line
 
 __all__ = [
-    "OBJECTIVES",
     "clump_weight_words",
     "design_answer",
     "segment_words",
     "shown_designs",
 ]
-
-OBJECTIVES: Mapping[str, Quantity] = MappingProxyType(
-    {
-        "mass_kg": replace(QUANTITIES["mass"], name="Mass in air", symbol=""),
-        "offset_m": replace(QUANTITIES["offset"], name="Largest span", symbol="S"),
-        "excursion_m": QUANTITIES["excursion"],
-        "cost_USD": QUANTITIES["cost"],
-    }
-)
-"""What each objective is called and measured in, by its key in the answer."""
 
 _MOST = 25
 """Designs of a front that people see all of; of a longer one they see some."""

@@ -25,7 +25,7 @@ from catopt.answers.check import (
     verdict_sentence,
 )
 from catopt.answers.curve import marks_table, points_table
-from catopt.answers.design import OBJECTIVES, shown_designs
+from catopt.answers.design import shown_designs
 from catopt.answers.note import (
     column,
     components_section,
@@ -50,7 +50,7 @@ from catopt.answers.solution import (
 from catopt.answers.trail import equation_trail
 from catopt.answers.truss import truss_section
 from catopt.figures.curve import load_curve
-from catopt.figures.front import composition, front
+from catopt.figures.front import OBJECTIVES, composition, front
 from catopt.figures.line import line_in_water, tension_along
 from catopt.words import Measure, Message, Several, term
 

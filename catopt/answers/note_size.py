@@ -394,8 +394,13 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
         )
     )
     table = pattern_table(of)
-    marked = of.states.index(of.hardest)
-    yield replace(table, caption=Message("note_size.pattern_states"), marked=marked)
+    pull = replace(table.columns[-1], name=Message("note_size.pattern_pull"))
+    yield replace(
+        table,
+        columns=(*table.columns[:-1], pull),
+        caption=Message("note_size.pattern_states"),
+        marked=of.states.index(of.hardest),
+    )
     yield from _rule(of)
     yield from plan_blocks(around)
     yield _lines(around, of.hardest.load_case)

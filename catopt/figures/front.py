@@ -3,38 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from catopt.figures.chart import Chart, Mark, Point, axis, span_of
 from catopt.figures.studies import lines_to_scale
+from catopt.quantities import QUANTITIES, Quantity
 from catopt.ties import largest
-from catopt.words import Measure, Message, Several, quantity_name
+from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignResult
 
-__all__ = ["composition", "ends", "front", "front_lines", "objective_name"]
+__all__ = ["OBJECTIVES", "composition", "ends", "front", "front_lines", "objective_name"]
 
 Document = Mapping[str, Any]
 
-_QUANTITIES = {
-    "mass_kg": "mass",
-    "offset_m": "offset",
-    "excursion_m": "excursion",
-    "cost_USD": "cost",
-}
-"""Quantity of each objective, by its key in the document of a search."""
+OBJECTIVES: Mapping[str, Quantity] = MappingProxyType(
+    {
+        "mass_kg": replace(QUANTITIES["mass"], name="Mass in air", symbol=""),
+        "offset_m": replace(QUANTITIES["offset"], name="Largest span", symbol="S"),
+        "excursion_m": QUANTITIES["excursion"],
+        "cost_USD": QUANTITIES["cost"],
+    }
+)
+"""What each objective is called and measured in, by its key in the document of a search."""
 _PARTS = ("lowest", "middle", "highest")
 """Roles of designs by a third objective."""
 
 
 def objective_name(key: str) -> str:
     """Name an objective by its key in the document of a search."""
-    if key == "mass_kg":
-        return Message("columns.mass_in_air")
-    if key == "offset_m":
-        return Message("columns.largest_span")
-    return quantity_name(_QUANTITIES[key])
+    return term(OBJECTIVES[key].name)
 
 
 def front(document: Document, chosen: int | None = None) -> Chart:
@@ -66,8 +67,8 @@ def front(document: Document, chosen: int | None = None) -> Chart:
     return Chart(
         "front",
         _title(document),
-        axis(_QUANTITIES[first], span_of(across), objective_name(first)),
-        axis(_QUANTITIES[second], span_of(up), objective_name(second)),
+        axis(OBJECTIVES[first].key, span_of(across), objective_name(first)),
+        axis(OBJECTIVES[second].key, span_of(up), objective_name(second)),
         marks=tuple(marks),
         points=tuple(
             Point(across[k], up[k], _said(k + 1, point, keys)) for k, point in enumerate(points)
@@ -116,7 +117,7 @@ def _parts(document: Document) -> Iterator[tuple[str, str]]:
         return
     values = [point[keys[2]] for point in points]
     low, size = min(values), (max(values) - min(values)) / 3.0
-    quantity = _QUANTITIES[keys[2]]
+    quantity = OBJECTIVES[keys[2]].key
     for value in values:
         part = min(int((value - low) / size), 2) if size > 0.0 else 0
         yield (
@@ -133,7 +134,9 @@ def _parts(document: Document) -> Iterator[tuple[str, str]]:
 def _said(number: int, point: Document, keys: Sequence[str]) -> str:
     values = [
         Message(
-            "figures.value", what=objective_name(key), value=Measure(_QUANTITIES[key], point[key])
+            "figures.value",
+            what=objective_name(key),
+            value=Measure(OBJECTIVES[key].key, point[key]),
         )
         for key in keys
     ]

@@ -11,7 +11,7 @@ from catopt.render.looks import LOOKS
 from catopt.render.sheet import Chart as Native
 from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
 from catopt.render.ticks import axis_title
-from catopt.words import Language, say
+from catopt.words import Language, Message, say
 
 __all__ = ["draw"]
 
@@ -60,12 +60,15 @@ def draw(
         )
     cells.row = top + 3 + max((len(curve.places) for curve in curves), default=0)
     y = chart.y
+    said = axis_title(y, language)
+    if y.foot is not None:  # a spreadsheet leaves out what is 0 on a logarithmic axis
+        said = say(Message("answers.no_zeros", axis=said), language)
     log = None if y.foot is None else (y.quantity.to_field(y.low), y.quantity.to_field(y.high))
     return sheet.chart(
         Native(
             say(chart.title, language),
             axis_title(chart.x, language),
-            axis_title(y, language),
+            said,
             tuple(made),
             log,
             _SIZE,

@@ -35,6 +35,13 @@ class _Number(float):
         return shown + ("°" if spec == "°" else _POWERS.get(spec, ""))
 
 
+class _Factor(_Number):
+    """A number that is multiplied."""
+
+    def __format__(self, spec: str) -> str:
+        return super().__format__(spec or "()")
+
+
 def in_symbols(step: Step) -> str:
     """Write the formula: ``"a = H / w"``."""
     formula = step.formula if isinstance(step.formula, str) else " ".join(step.formula)
@@ -46,8 +53,10 @@ def in_numbers(step: Step) -> str:
     """Put the numbers in: ``"4000 / 245"``; empty where there are none."""
     if step.terms:
         return _sum([" · ".join(map(_digits, each)) for each in step.terms])
-    numbers = {symbol: _Number(value) for symbol, value in step.numbers.items()}
-    formula = step.formula if isinstance(step.formula, str) else _TIMES.join(step.formula)
+    is_product = not isinstance(step.formula, str)
+    made = _Factor if is_product else _Number
+    numbers = {symbol: made(value) for symbol, value in step.numbers.items()}
+    formula = _TIMES.join(step.formula) if is_product else str(step.formula)
     return formula.format(**numbers) if numbers else ""
 
 

@@ -94,7 +94,7 @@ def test_the_document_says_what_was_written(run: Run) -> None:
     data = Path(document["path"]).read_bytes()
     assert document["sha256"] == hashlib.sha256(data).hexdigest()
     assert document["workbook"]["path"] == "size-buoy.xlsx"
-    assert "Swarm" in openpyxl.load_workbook("size-buoy.xlsx").sheetnames
+    assert "The line by particle swarm" in openpyxl.load_workbook("size-buoy.xlsx").sheetnames
     assert document["passes"] is True
     assert document["governing"] == "sliding of the sinker (storm, high water)"
     assert document["verification"]["verdict"] == "agrees"

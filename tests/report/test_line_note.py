@@ -336,9 +336,6 @@ def test_many_runs_are_left_out_and_none_converged_is_said() -> None:
 
 
 def test_a_line_that_the_swarm_refuses_is_refused() -> None:
-    from catopt.notes.line import note_of
-    from catopt.notes.origin import SourceFile
-
     case = replace(buoy_case(), load=type(buoy_case().load)(span=17.4))  # type: ignore[misc]
     source = SourceFile("case.toml", "title = 'x'", "0" * 64)
     with pytest.raises(InputError, match="the swarm method wants one"):

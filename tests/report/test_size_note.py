@@ -99,6 +99,7 @@ def test_the_load_case_carries_what_the_loads_add_up_to(name: str, note: SizeNot
 def product(text: str) -> float:
     """Work a formula with its numbers put in out, as a pocket calculator would."""
     plain = text.replace("\N{NO-BREAK SPACE}", " ").replace("²", "**2").replace(" · ", " * ")
+    plain = plain.replace("−", "-")
     return float(eval(plain, {"__builtins__": {}}))
 
 
@@ -136,11 +137,11 @@ def test_a_candidate_that_fails_says_why() -> None:
     assert why == "fails: sliding of the sinker (storm, high water)"
     failing = replace(first, settled=None, reason=why)
     told = replace(note, sizing=replace(note.sizing, candidates=(failing, *rest)))
-    row = read_page(page_of(told)).table("size_candidates").rows[0]
-    assert [cell.text for cell in row[2:7]] == ["–"] * 5
-    assert row[7].text == why
-    row = read_page(page_of(told, "vi")).table("size_candidates").rows[0]
-    assert row[7].text == "không đạt: trượt của rùa neo (bão, mực nước cao)"
+    row = read_page(page_of(told)).table("candidates").rows[0]
+    assert [cell.text for cell in row[3:8]] == ["-"] * 5
+    assert row[8].text == why
+    row = read_page(page_of(told, "vi")).table("candidates").rows[0]
+    assert row[8].text == "không đạt: trượt của rùa neo (bão, mực nước cao)"
 
 
 def test_of_the_lightest_line_the_knees_neighbours_are_left_out() -> None:
@@ -227,7 +228,7 @@ def test_the_pattern_has_the_rule_beside_the_equilibrium() -> None:
         "force_N", "rule_force_N", "line_force_N", "tension_N", "direction_rad", "offset_m",
         "pull_N",
     )  # fmt: skip
-    for row, state in zip(page.table("size_pattern").rows, document["states"], strict=True):
+    for row, state in zip(page.table("pattern").rows, document["states"], strict=True):
         assert [cell.value for cell in row[1:]] == [state[key] for key in keys]
         # S4's rule for six lines, worked out here.
         assert state["rule_force_N"] == pytest.approx(state["force_N"] / 1.5, rel=ROUNDING)
@@ -237,7 +238,7 @@ def test_the_pattern_has_the_rule_beside_the_equilibrium() -> None:
 def test_offset_and_pull_of_the_pattern_are_told_to_be_of_another_direction() -> None:
     """Hardest on a line is the force against it; the body goes farthest between two lines."""
     page, note = known_size_page("six"), known_size_note("six")
-    table = page.table("size_pattern")
+    table = page.table("pattern")
     assert note.sizing.pattern is not None
     assert note.around is not None
     index = note.sizing.pattern.states.index(note.sizing.pattern.hardest)

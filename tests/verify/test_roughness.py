@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from catopt.report.page.motion_drive import segment_rows
 
+from catopt.answers.note_drive import segment_rows
 from catopt.casefile import parse_case
 from catopt.errors import InputError
 from catopt.fem.energy_balance import EnergyBalance

@@ -9,17 +9,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from catopt.report.page.motion_drive import drive_rows
 
+from catopt.answers.note_drive import drive_facts
 from catopt.errors import InputError
 from catopt.model import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.notes.motion import InMotion
-from catopt.render.texts import Language, Words
+from catopt.render.values import shown
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.dynamic_setup import Drive, read_drive
 from catopt.waves import repetition_warning
-from catopt.words import say
+from catopt.words import Language, Message, say
 
 from .test_dynamic import chain, run
 
@@ -97,9 +97,11 @@ def test_runs_of_a_record_are_refused(tmp_path: Path) -> None:
 
 def listed(drive: Drive, language: Language = "en") -> list[tuple[str, str]]:
     """List what a note has as driving the line."""
-    words = Words(language)
     moved = InMotion(DynamicVerification(drive.case, (), True), drive, (), ())
-    return [(words(key), cell.text) for key, cell in drive_rows(moved, words)]
+    return [
+        (say(each.name, language), shown(each.value, each.quantity, language, unit=True))
+        for each in drive_facts(moved)
+    ]
 
 
 def test_a_note_lists_the_record(tmp_path: Path) -> None:
@@ -110,14 +112,14 @@ def test_a_note_lists_the_record(tmp_path: Path) -> None:
         ("Length of the recorded surface", "79.5 s"),
         ("Recorded at, along x from the anchor", "90 m"),
         ("Significant wave height Hs", "2.828 m"),
-        ("Waves travel to (from the axis anchor to fairlead)", "0°"),
+        ("Waves travel to (from the axis anchor to fairlead)", "0 deg"),
         ("Regular waves that make up the sea", "10"),
         ("Shortest period that is kept", "8 s"),
-        ("Part of the variance that is left out", "0.00%"),
+        ("Part of the variance that is left out", "0.00 %"),
         ("Mean level that is taken off", "0 m"),
         ("Water's motion above still water", "as at still water"),
     ]
-    assert all(Words("vi").sentence(remark).lang == "" for remark in drive.remarks)
+    assert all(isinstance(remark, Message) for remark in drive.remarks)
     in_vietnamese = listed(drive, "vi")
     assert all(a[0] != b[0] for a, b in zip(listed(drive), in_vietnamese, strict=True))
 
@@ -236,7 +238,8 @@ def test_a_current_that_turns_pushes_both_ways() -> None:
         ("Directions by depth", "90° at 0 m; 180° at 20 m"),
         ("Motion of the fairlead", "harmonic, a cos(2πt/T + phase)"),
         ("Period of the motion", "8 s"),
-        ("Surge: amplitude and phase", "0.1 m, 0°"),
+        ("Surge: amplitude", "0.1 m"),
+        ("Surge: phase", "0 deg"),
     ]
 
 
