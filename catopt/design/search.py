@@ -111,7 +111,11 @@ def _search(
     if designs <= design.max_enumerated:
         announce(f"enumeration would be exact: {estimate(problem, workers=os.cpu_count() or 1)}")
     if method == "nsga2":
-        from catopt.design.nsga2 import nsga2 as search
+        try:
+            from catopt.design.nsga2 import nsga2 as search
+        except ModuleNotFoundError as error:
+            allowed = f"{error.name} is not installed here; take swarm, or enumeration"
+            raise InputError([Problem("design.method", "nsga2", allowed)], "design") from error
     else:
         from catopt.design.swarm import swarm as search
     start = time.perf_counter()
