@@ -31,10 +31,10 @@ MOST_ROUNDS: Final = 40
 
 _ADVICE: Final = {
     "buoyancy": "a larger buoy, a lighter chain of a higher grade, or less weather",
-    "tension": "a higher grade, a larger size (--diameter-max), less wear or another code",
-    "uplift_angle": "a longer line: a larger size (--diameter-max) or a clump weight shortens it",
+    "tension": "a higher grade, a larger size (diameter_max), less wear or another code",
+    "uplift_angle": "a longer line: a larger size (diameter_max) or a clump weight shortens it",
     "sliding": "better ground, a heavier material, or a drag anchor",
-    "grounded_length": "a larger size (--diameter-max) or a longer line",
+    "grounded_length": "a larger size (diameter_max) or a longer line",
 }
 """What helps against each check that no design passes."""
 
