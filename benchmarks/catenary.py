@@ -25,8 +25,8 @@ from typing import Any
 import numpy as np
 
 from catopt.catenary.batch import solve_many
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, cut
-from catopt.catenary.setting import Setting
 from catopt.catenary.solve import solve
 from catopt.catenary.span import given_span
 from catopt.compiled import compiled
@@ -117,7 +117,7 @@ def _warm(n: int) -> Callable[[], float]:
     def follow(pieces: Any, n: int) -> float:
         H, V = math.nan, math.nan
         for i in range(n):
-            state = kernel(1070.0 + 1e-3 * (i % 15000), Setting(pieces, 0.0, DEPTH, 0.0), H, V)
+            state = kernel(1070.0 + 1e-3 * (i % 15000), LineProblem(pieces, 0.0, DEPTH, 0.0), H, V)
             H, V = state.H, state.V
         return H
 

@@ -23,8 +23,8 @@ import numpy as np
 from catopt.casefile import read_case
 from catopt.catenary.batch import solve_many
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, cut
-from catopt.catenary.setting import Setting
 from catopt.catenary.solve import solve
 from catopt.checks.case import check_line
 from catopt.checks.excess import ROUNDING
@@ -171,7 +171,7 @@ def _kernel_alone(problem: DesignProblem, genes: Genes) -> Callable[[], object]:
             for i in range(len(length)):
                 pieces = Pieces(length[i], weight[i], compliance[i], load[i])
                 for c in range(len(force)):
-                    total += kernel(force[c], Setting(pieces, 0.0, height[c], 0.0)).span
+                    total += kernel(force[c], LineProblem(pieces, 0.0, height[c], 0.0)).span
         return total
 
     return lambda: run(*tables, DESIGNS // 2000)

@@ -15,11 +15,11 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from catopt.catenary.closing import BY_FORCE, BY_SPAN
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
-from catopt.catenary.setting import Setting
+from catopt.catenary.root_search import BY_FORCE, BY_SPAN
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.span import given_span
@@ -137,8 +137,8 @@ def load_curve(
     """
     check_range(start, stop, points, "m" if over == "span" else "N")
     pieces, segment_of = cut(line)
-    setting = Setting(pieces, anchor_height, height, seabed_friction)
-    way = _Way(line, setting, segment_of, over)
+    problem = LineProblem(pieces, anchor_height, height, seabed_friction)
+    way = _Way(line, problem, segment_of, over)
     values = [float(value) for value in np.linspace(start, stop, points)]
     way.solution(values[-1])  # checks the arguments, and tells a range too long by its end
     states = [way.state(value) for value in values]
@@ -212,7 +212,7 @@ class _Way:
     """The line along its curve: solved at any value of what is stepped, once at each."""
 
     line: Line
-    setting: Setting
+    problem: LineProblem
     segment_of: tuple[int, ...]
     over: Over
     known: dict[float, State] = field(default_factory=dict)
@@ -228,15 +228,15 @@ class _Way:
         state = self.state(value)
         known = BY_SPAN if self.over == "span" else BY_FORCE
         laid = solution_of(
-            state, self.line, self.setting, self.segment_of, method="closed-form", known=known
+            state, self.line, self.problem, self.segment_of, method="closed-form", known=known
         )
         return laid.segments[segment].max_tension
 
     def _solved(self, value: float) -> State:
         if self.over == "span":
-            state = given_span(value, self.setting, math.nan, math.nan)
+            state = given_span(value, self.problem, math.nan, math.nan)
         else:
-            state = given_force(value, self.setting)
+            state = given_force(value, self.problem)
         if state.status != CONVERGED:
             self.solution(value)  # raises, with the reason
             raise NotConvergedError(self._at(value, Message("catenary.curve_not_converged")))
@@ -248,11 +248,11 @@ class _Way:
         try:
             return solve(
                 self.line,
-                height=self.setting.fairlead_height,
+                height=self.problem.fairlead_height,
                 horizontal_force=None if is_span else value,
                 span=value if is_span else None,
-                seabed_friction=self.setting.friction,
-                anchor_height=self.setting.anchor_height,
+                seabed_friction=self.problem.friction,
+                anchor_height=self.problem.anchor_height,
             )
         except NoEquilibriumError as stop:
             told = self._at(value, Several((stop.message, *self._farthest()), " "))
@@ -270,7 +270,7 @@ class _Way:
         return Message(key, value=value, what=what)
 
     def _farthest(self) -> Iterator[Message]:
-        rise = self.setting.fairlead_height - self.setting.anchor_height
+        rise = self.problem.fairlead_height - self.problem.anchor_height
         room = self.line.length**2 - rise**2
         is_stiff = all(math.isinf(segment.EA) for segment in self.line.segments)
         if self.over == "span" and room > 0.0 and is_stiff:
@@ -291,7 +291,7 @@ def _clump_weights_lift(way: _Way, values: list[float]) -> Iterator[Mark]:
     Only with the anchor on the bed, where the grounded length tells the touchdown: while a clump
     weight lifts, the line leaves the bed at it.
     """
-    if way.setting.anchor_height > 0.0:
+    if way.problem.anchor_height > 0.0:
         return
     tolerance = 1e-12 * way.line.length
     for number, load in enumerate(way.line.point_loads, start=1):

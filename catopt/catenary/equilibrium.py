@@ -1,7 +1,7 @@
 """Equilibrium of one line under a known horizontal force.
 
 1. Without buoyant parts and with the anchor on the bed, the height of the fairlead rises with the
-   vertical force V there and the walk down from it stops where V falls to 0: one safeguarded
+   vertical force V there and the suspended part ends where V falls to 0: one safeguarded
    scalar root gives the line.
 2. Any other line is a chain of parts: what hangs from the fairlead down to its touchdown or to the
    anchor (upper_part.py), then stretches on the bed and further parts in turn (lower_part.py).
@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.lift import SETTLED, grounded_guess, vertical_force
+from catopt.catenary.line_problem import LineProblem, is_plain
 from catopt.catenary.lower_part import lower_part, on_bed, touchdown_of
 from catopt.catenary.part import NO_TOUCHDOWN, Part, part_reach
 from catopt.catenary.pieces import (
@@ -25,7 +26,6 @@ from catopt.catenary.pieces import (
     total_length,
     total_weight,
 )
-from catopt.catenary.setting import Setting, is_plain
 from catopt.catenary.state import (
     BELOW_ANCHOR,
     CONVERGED,
@@ -41,8 +41,8 @@ from catopt.catenary.state import (
     State,
     failed,
 )
+from catopt.catenary.suspended import FIRST_TOUCHDOWN, grounded_part, suspended_part
 from catopt.catenary.upper_part import upper_part
-from catopt.catenary.walk import FIRST_TOUCHDOWN, lie, walk
 from catopt.compiled import inlined
 
 __all__ = ["given_force", "hang_slack", "hung_state", "in_parts", "is_certain", "without_force"]
@@ -51,40 +51,40 @@ WELL_LAID = 1e-11
 """How far rounding of V may move an end of the line, as a part of its length."""
 
 
-def given_force(H: float, setting: Setting) -> State:
+def given_force(H: float, problem: LineProblem) -> State:
     """Solve a line whose horizontal force is known.
 
     Parameters
     ----------
     H : float
         Horizontal force at the fairlead, N, above 0.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     """
-    pieces = setting.pieces
-    rise = setting.fairlead_height - setting.anchor_height
+    pieces = problem.pieces
+    rise = problem.fairlead_height - problem.anchor_height
     length = total_length(pieces)
     if abs(rise) >= length and is_inextensible(pieces):
         return failed(TOO_SHORT)
-    if is_plain(setting):
-        state = _plain(H, pieces, rise, setting.friction, length)
+    if is_plain(problem):
+        state = _plain(H, pieces, rise, problem.friction, length)
         if state.status == CONVERGED and is_certain(state, pieces, length):
             return state
-    return in_parts(upper_part(H, setting), setting)
+    return in_parts(upper_part(H, problem), problem)
 
 
-def hang_slack(setting: Setting) -> State:
+def hang_slack(problem: LineProblem) -> State:
     """State of a line that carries no horizontal force; its span is the largest of such a line.
 
     Parameters
     ----------
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     """
-    rise = setting.fairlead_height - setting.anchor_height
-    if is_inextensible(setting.pieces) and abs(rise) >= total_length(setting.pieces):
+    rise = problem.fairlead_height - problem.anchor_height
+    if is_inextensible(problem.pieces) and abs(rise) >= total_length(problem.pieces):
         return failed(TOO_SHORT)
-    return in_parts(upper_part(0.0, setting), setting)
+    return in_parts(upper_part(0.0, problem), problem)
 
 
 def without_force(state: State, span: float) -> State:
@@ -141,7 +141,7 @@ def hung_state(
     """State of a line that hangs from the anchor, or from a touchdown beyond which all lies."""
     if math.isnan(V):
         return failed(NOT_CONVERGED)
-    hung = walk(H, V, pieces, touchdown)
+    hung = suspended_part(H, V, pieces, touchdown)
     bottom = hung.bottom
     if hung.touchdown == NO_TOUCHDOWN:
         # An anchor pulled down by less than the rounding of V is not pulled down.
@@ -154,7 +154,7 @@ def hung_state(
             piece, rest = bottom - 1, pieces.length[bottom - 1]
             H_bed = beyond_clump(H, pieces, bottom, friction, pieces.load[bottom] - hung.V)
         grounded = length_between(pieces, piece, rest, 0, 0.0)
-        bed_x, bed_x_H, H_anchor = lie(H_bed, pieces, friction, piece, rest, 0, 0.0)
+        bed_x, bed_x_H, H_anchor = grounded_part(H_bed, pieces, friction, piece, rest, 0, 0.0)
         V_anchor = 0.0
     return State(
         CONVERGED,
@@ -174,17 +174,17 @@ def hung_state(
     )
 
 
-def in_parts(upper: Part, setting: Setting) -> State:
+def in_parts(upper: Part, problem: LineProblem) -> State:
     """State of any line, part after part; H may be 0.
 
     Parameters
     ----------
     upper : Part
         The part at its fairlead.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     """
-    pieces, anchor_height, height, friction = setting
+    pieces, anchor_height, height, friction = problem
     if upper.top < 0:
         return failed(NOT_CONVERGED)
     reach = part_reach(upper, pieces)
@@ -202,11 +202,13 @@ def in_parts(upper: Part, setting: Setting) -> State:
         hold = grip(pieces, down.clump, friction) if down.clump >= 0 else friction
         H_by_H, H_by_V = H_by_H + hold * lift_by_H, H_by_V + hold * lift_by_V
         stretches += 1
-        part = lower_part(down, setting)
+        part = lower_part(down, problem)
         if part.top < 0 or stretches > len(pieces.length):
             return failed(NOT_CONVERGED)
         end, end_rest = part.top, part.top_length
-        bed = lie(on_bed(down, setting), pieces, friction, down.piece, down.rest, end, end_rest)
+        bed = grounded_part(
+            on_bed(down, problem), pieces, friction, down.piece, down.rest, end, end_rest
+        )
         grounded += length_between(pieces, down.piece, down.rest, end, end_rest)
         x += bed.x
         x_H += bed.x_H * H_by_H

@@ -4,31 +4,31 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.runs import Runs, most_runs, run_reach, runs_of, slack_share
-from catopt.catenary.setting import Setting
 from catopt.catenary.state import State
 from catopt.catenary.stretch import Stretch
 
 __all__ = ["end_of", "lay_out"]
 
 
-def lay_out(state: State, setting: Setting) -> tuple[Stretch, ...]:
+def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
     """Place every run of the line, from the anchor up.
 
     Parameters
     ----------
     state : State
         A converged answer of the kernel.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     """
-    pieces = setting.pieces
+    pieces = problem.pieces
     room = most_runs(len(pieces.length))
     columns = [[0.0] * room for _ in range(5)]
     runs = Runs([0] * room, [0] * room, *columns)
-    count = runs_of(state, setting, runs)
+    count = runs_of(state, problem, runs)
     stretches: list[Stretch] = []
-    start, x, z = 0.0, 0.0, setting.anchor_height
+    start, x, z = 0.0, 0.0, problem.anchor_height
     for row in range(count - 1, -1, -1):
         piece = runs.piece[row]
         stretch = Stretch(

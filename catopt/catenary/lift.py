@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.pieces import Pieces
-from catopt.catenary.walk import drop
+from catopt.catenary.suspended import suspended_height
 from catopt.compiled import inlined
 
 __all__ = ["SETTLED", "grounded_guess", "top_weight", "vertical_force"]
@@ -52,7 +52,7 @@ def vertical_force(
     last_error = math.inf
     V = guess
     for _ in range(200):
-        z, z_V = drop(H, V, pieces)
+        z, z_V = suspended_height(H, V, pieces)
         error = z - height
         is_slow = abs(error) > 0.5 * last_error
         if abs(error) <= 2e-16 * scale or (

@@ -7,13 +7,13 @@ from typing import NamedTuple
 from catopt.catenary.pieces import Pieces, has_buoyancy
 from catopt.compiled import inlined
 
-__all__ = ["GREATEST_FORCE", "LEAST_FORCE", "Setting", "is_plain"]
+__all__ = ["GREATEST_FORCE", "LEAST_FORCE", "LineProblem", "is_plain"]
 
 LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
 """N: beyond them products of forces leave the range of double precision."""
 
 
-class Setting(NamedTuple):
+class LineProblem(NamedTuple):
     """A line, where its ends are, and the bed.
 
     Attributes
@@ -33,6 +33,6 @@ class Setting(NamedTuple):
 
 
 @inlined
-def is_plain(setting: Setting) -> bool:
-    """Whether nothing floats and the anchor lies on the bed: then one walk tells all."""
-    return setting.anchor_height == 0.0 and not has_buoyancy(setting.pieces)
+def is_plain(problem: LineProblem) -> bool:
+    """Whether nothing floats and the anchor lies on the bed: then the suspended part tells all."""
+    return problem.anchor_height == 0.0 and not has_buoyancy(problem.pieces)

@@ -12,10 +12,11 @@ import math
 from typing import NamedTuple
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
+from catopt.catenary.line_problem import GREATEST_FORCE, LineProblem
 from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, TO_THE_ANCHOR, Part, part_reach
 from catopt.catenary.piece import piece_rise
 from catopt.catenary.pieces import Pieces, beyond_clump, total_length, total_weight
-from catopt.catenary.setting import GREATEST_FORCE, Setting
+from catopt.catenary.suspended import grounded_part
 from catopt.catenary.upper_part import (
     CLEARANCE,
     EXACT,
@@ -25,7 +26,6 @@ from catopt.catenary.upper_part import (
     rounding_of_V,
     to_touchdown,
 )
-from catopt.catenary.walk import lie
 
 __all__ = ["Touchdown", "just_clear", "lower_part", "on_bed", "touchdown_of"]
 
@@ -81,7 +81,7 @@ def _last_heavy(pieces: Pieces, piece: int) -> int:
     return k
 
 
-def lower_part(touchdown: Touchdown, setting: Setting) -> Part:
+def lower_part(touchdown: Touchdown, problem: LineProblem) -> Part:
     """Find the part that leaves the bed below a touchdown.
 
     Returns
@@ -90,122 +90,122 @@ def lower_part(touchdown: Touchdown, setting: Setting) -> Part:
         TO_THE_ANCHOR when the line lies from the touchdown on; NO_PART when the search stopped
         short.
     """
-    pieces = setting.pieces
+    pieces = problem.pieces
     first = _last_heavy(pieces, touchdown.piece)
     if pieces.weight[touchdown.piece] < 0.0:
         # Nothing lies here: the part leaves the bed at the clump weight or at the fairlead itself.
         first = touchdown.piece + 1
-    elif first == 0 and setting.anchor_height == 0.0:
+    elif first == 0 and problem.anchor_height == 0.0:
         return TO_THE_ANCHOR
     for j in range(first, touchdown.piece + 1):
         if j > 0 and pieces.load[j] > 0.0:
-            part = _lifted(2 * j + 1, pieces.load[j], touchdown, setting)
+            part = _lifted(2 * j + 1, pieces.load[j], touchdown, problem)
             if part.top >= 0:
                 return part
         length = touchdown.rest if j == touchdown.piece else pieces.length[j]
         if pieces.weight[j] > 0.0 and length > 0.0:
-            part = _lifted(2 * j, length, touchdown, setting)
+            part = _lifted(2 * j, length, touchdown, problem)
             if part.top >= 0:
                 return part
     if touchdown.clump >= 0:
-        return _lifted(2 * touchdown.clump + 1, touchdown.carried, touchdown, setting)
+        return _lifted(2 * touchdown.clump + 1, touchdown.carried, touchdown, problem)
     return NO_PART
 
 
-def _lifted(code: int, most: float, touchdown: Touchdown, setting: Setting) -> Part:
+def _lifted(code: int, most: float, touchdown: Touchdown, problem: LineProblem) -> Part:
     """Leave the bed inside a piece, or at a clump weight; NO_PART if that does not lift enough.
 
     `most` is the length of the piece that may hang (m), or the weight that may be lifted (N).
     """
-    tolerance = CLEARANCE * total_length(setting.pieces)
-    low, high, f_low, f_high = _ends(code, most, touchdown, setting)
+    tolerance = CLEARANCE * total_length(problem.pieces)
+    low, high, f_low, f_high = _ends(code, most, touchdown, problem)
     if f_high < -tolerance:
         return NO_PART
     if f_low >= 0.0:
-        return _part(code, low, touchdown, setting)
+        return _part(code, low, touchdown, problem)
     around = bracket(low, high, f_low, max(f_high, 0.0))
     x = high
     for _ in range(MOST_TRIALS):
         if is_closed(around):
             break
         x = trial(around, math.nan)
-        f = _cleared(code, x, touchdown, setting).least
+        f = _cleared(code, x, touchdown, problem).least
         if abs(f) <= 1e-4 * tolerance:
-            return _part(code, x, touchdown, setting)
+            return _part(code, x, touchdown, problem)
         around = narrowed(around, x, f)
-    return _at_the_last_digit(code, around.low, around.high, touchdown, setting)
+    return _at_the_last_digit(code, around.low, around.high, touchdown, problem)
 
 
 def _at_the_last_digit(
-    code: int, low: float, high: float, touchdown: Touchdown, setting: Setting
+    code: int, low: float, high: float, touchdown: Touchdown, problem: LineProblem
 ) -> Part:
     """Choose between two neighbouring numbers of which neither clears the bed to the last digit."""
     for x in (high, low):
-        left = abs(_cleared(code, x, touchdown, setting).least)
-        if left <= WELL_HUNG * total_length(setting.pieces):
-            return _part(code, x, touchdown, setting)
-    loose = _loose(code, low, touchdown, setting)
+        left = abs(_cleared(code, x, touchdown, problem).least)
+        if left <= WELL_HUNG * total_length(problem.pieces):
+            return _part(code, x, touchdown, problem)
+    loose = _loose(code, low, touchdown, problem)
     if loose.top >= 0:
         return loose
     # V is known to its rounding alone; what is loose leans of itself and has been tried before.
     for x in (high, low):
-        part = _part(code, x, touchdown, setting)
-        if _is_closed(part, _start(code, x, setting.pieces)[2], setting):
+        part = _part(code, x, touchdown, problem)
+        if _is_closed(part, _start(code, x, problem.pieces)[2], problem):
             return part
     return NO_PART
 
 
 def _ends(
-    code: int, most: float, touchdown: Touchdown, setting: Setting
+    code: int, most: float, touchdown: Touchdown, problem: LineProblem
 ) -> tuple[float, float, float, float]:
     """Two places between which the line leaves the bed, if it does, and its clearance from them.
 
     Where friction leaves no force, the line hangs straight; that root is the first to be met.
     Further on it may hang lower again, for what has left the bed takes less off the force.
     """
-    f_low = _cleared(code, 0.0, touchdown, setting).least
-    f_high = _cleared(code, most, touchdown, setting).least
-    straight = _straight_up_to(code, most, touchdown, setting)
+    f_low = _cleared(code, 0.0, touchdown, problem).least
+    f_high = _cleared(code, most, touchdown, problem).least
+    straight = _straight_up_to(code, most, touchdown, problem)
     if f_low < 0.0 < straight < most:
-        f = _cleared(code, straight, touchdown, setting).least
+        f = _cleared(code, straight, touchdown, problem).least
         if f >= 0.0:
             return 0.0, straight, f_low, f
         return straight, most, f, f_high
     return 0.0, most, f_low, f_high
 
 
-def on_bed(touchdown: Touchdown, setting: Setting) -> float:
+def on_bed(touchdown: Touchdown, problem: LineProblem) -> float:
     """Tension with which the stretch on the bed begins, N."""
     if touchdown.clump < 0:
         return touchdown.H
     return beyond_clump(
-        touchdown.H, setting.pieces, touchdown.clump, setting.friction, touchdown.carried
+        touchdown.H, problem.pieces, touchdown.clump, problem.friction, touchdown.carried
     )
 
 
-def _left(code: int, x: float, touchdown: Touchdown, setting: Setting) -> float:
+def _left(code: int, x: float, touchdown: Touchdown, problem: LineProblem) -> float:
     """Horizontal force that friction leaves where the line leaves the bed, N."""
-    pieces, friction = setting.pieces, setting.friction
+    pieces, friction = problem.pieces, problem.friction
     k = code // 2
     if code % 2 == 1 and k == touchdown.clump:
         return beyond_clump(touchdown.H, pieces, k, friction, touchdown.carried - x)
-    T = on_bed(touchdown, setting)
+    T = on_bed(touchdown, problem)
     if code % 2 == 1:
-        T = lie(T, pieces, friction, touchdown.piece, touchdown.rest, k, 0.0).H
+        T = grounded_part(T, pieces, friction, touchdown.piece, touchdown.rest, k, 0.0).H
         return beyond_clump(T, pieces, k, friction, pieces.load[k] - x)
-    return float(lie(T, pieces, friction, touchdown.piece, touchdown.rest, k, x).H)
+    return float(grounded_part(T, pieces, friction, touchdown.piece, touchdown.rest, k, x).H)
 
 
-def _straight_up_to(code: int, most: float, touchdown: Touchdown, setting: Setting) -> float:
+def _straight_up_to(code: int, most: float, touchdown: Touchdown, problem: LineProblem) -> float:
     """Bound of x below which friction leaves no horizontal force; 0 when it always leaves some."""
-    if _left(code, 0.0, touchdown, setting) > 0.0:
+    if _left(code, 0.0, touchdown, problem) > 0.0:
         return 0.0
-    if _left(code, most, touchdown, setting) == 0.0:
+    if _left(code, most, touchdown, problem) == 0.0:
         return most
     low, high = 0.0, most
     for _ in range(60):
         middle = 0.5 * (low + high)
-        if _left(code, middle, touchdown, setting) > 0.0:
+        if _left(code, middle, touchdown, problem) > 0.0:
             high = middle
         else:
             low = middle
@@ -220,7 +220,7 @@ def _start(code: int, x: float, pieces: Pieces) -> tuple[int, float, float]:
     return k - 1, pieces.length[k - 1], -x
 
 
-def just_clear(code: int, x: float, setting: Setting) -> Part:
+def just_clear(code: int, x: float, problem: LineProblem) -> Part:
     """Find the part that leaves the bed at a given place with the force that just clears the bed.
 
     Parameters
@@ -229,7 +229,7 @@ def just_clear(code: int, x: float, setting: Setting) -> Part:
         2 k inside piece k, 2 k + 1 at the clump weight on the joint below it.
     x : float
         Length of the piece that hangs, m; or weight that is lifted, N.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
 
     Returns
@@ -237,24 +237,24 @@ def just_clear(code: int, x: float, setting: Setting) -> Part:
     Part
         NO_PART where it does not clear the bed even without force, or does so with any.
     """
-    H, f = 0.0, _cleared(code, x, _leaving(0.0, code, x, setting.pieces), setting).least
+    H, f = 0.0, _cleared(code, x, _leaving(0.0, code, x, problem.pieces), problem).least
     low, f_low = H, f
-    stride = abs(total_weight(setting.pieces)) + 1e-9
+    stride = abs(total_weight(problem.pieces)) + 1e-9
     while f > 0.0:
         low, f_low = H, f
         H = H + stride
         if H > GREATEST_FORCE:
             return NO_PART
-        f = _cleared(code, x, _leaving(H, code, x, setting.pieces), setting).least
+        f = _cleared(code, x, _leaving(H, code, x, problem.pieces), problem).least
         stride *= 4.0
     if f_low < 0.0:
         return NO_PART
     around = bracket(low, H, -f_low, -f)
-    while abs(f) > EXACT * total_length(setting.pieces) and not is_closed(around):
+    while abs(f) > EXACT * total_length(problem.pieces) and not is_closed(around):
         H = trial(around, math.nan)
-        f = _cleared(code, x, _leaving(H, code, x, setting.pieces), setting).least
+        f = _cleared(code, x, _leaving(H, code, x, problem.pieces), problem).least
         around = narrowed(around, H, -f)
-    return _part(code, x, _leaving(H, code, x, setting.pieces), setting)
+    return _part(code, x, _leaving(H, code, x, problem.pieces), problem)
 
 
 def _leaving(H: float, code: int, x: float, pieces: Pieces) -> Touchdown:
@@ -265,18 +265,18 @@ def _leaving(H: float, code: int, x: float, pieces: Pieces) -> Touchdown:
     return Touchdown(H, k - 1, pieces.length[k - 1], k, x)
 
 
-def _cleared(code: int, x: float, touchdown: Touchdown, setting: Setting) -> _Clearance:
+def _cleared(code: int, x: float, touchdown: Touchdown, problem: LineProblem) -> _Clearance:
     """Follow the line down from where it leaves the bed to the anchor."""
-    pieces = setting.pieces
-    H = _left(code, x, touchdown, setting)
+    pieces = problem.pieces
+    H = _left(code, x, touchdown, problem)
     top, top_length, V = _start(code, x, pieces)
-    return _followed(H, top, top_length, V, 0.0, setting)
+    return _followed(H, top, top_length, V, 0.0, problem)
 
 
 def _followed(
-    H: float, top: int, top_length: float, V: float, slope: float, setting: Setting
+    H: float, top: int, top_length: float, V: float, slope: float, problem: LineProblem
 ) -> _Clearance:
-    pieces = setting.pieces
+    pieces = problem.pieces
     z = 0.0
     least, touchdown, piece, end_length = math.inf, NO_TOUCHDOWN, 0, pieces.length[0]
     for k in range(top, -1, -1):
@@ -292,20 +292,20 @@ def _followed(
         V = V1 - pieces.load[k]
         if k > 0 and V1 >= 0.0 >= V and (V1 > 0.0 or pieces.load[k] > 0.0) and z < least:
             least, touchdown, piece, end_length = z, 2 * k + 1, k, pieces.length[k]
-    if z - setting.anchor_height <= least:
-        return _Clearance(z - setting.anchor_height, NO_TOUCHDOWN, 0, pieces.length[0])
+    if z - problem.anchor_height <= least:
+        return _Clearance(z - problem.anchor_height, NO_TOUCHDOWN, 0, pieces.length[0])
     return _Clearance(least, touchdown, piece, end_length)
 
 
-def _part(code: int, x: float, touchdown: Touchdown, setting: Setting) -> Part:
+def _part(code: int, x: float, touchdown: Touchdown, problem: LineProblem) -> Part:
     """Return the part that leaves the bed at a place found."""
-    pieces = setting.pieces
-    H = _left(code, x, touchdown, setting)
+    pieces = problem.pieces
+    H = _left(code, x, touchdown, problem)
     top, top_length, V = _start(code, x, pieces)
-    end = _followed(H, top, top_length, V, 0.0, setting)
+    end = _followed(H, top, top_length, V, 0.0, problem)
     V_low = V - pieces.weight[top] * top_length
     part = Part(H, 0.0, top, top_length, end.piece, end.length, top, V_low, end.touchdown)
-    return _closed(part, _rise(end.touchdown, setting), pieces)
+    return _closed(part, _rise(end.touchdown, problem), pieces)
 
 
 def _closed(part: Part, rise: float, pieces: Pieces) -> Part:
@@ -323,30 +323,30 @@ def _closed(part: Part, rise: float, pieces: Pieces) -> Part:
     return closed if left < abs(reach.z - rise) else part
 
 
-def _is_closed(part: Part, V: float, setting: Setting) -> bool:
+def _is_closed(part: Part, V: float, problem: LineProblem) -> bool:
     """Whether a part fits with a force at its upper end that is V but for rounding."""
-    pieces = setting.pieces
+    pieces = problem.pieces
     reach = part_reach(part, pieces)
-    left = abs(reach.z - _rise(part.touchdown, setting))
+    left = abs(reach.z - _rise(part.touchdown, problem))
     is_near = abs(reach.V_top - V) <= rounding_of_V(part, pieces)
     return is_near and left <= WELL_HUNG * total_length(pieces)
 
 
-def _rise(touchdown: int, setting: Setting) -> float:
+def _rise(touchdown: int, problem: LineProblem) -> float:
     """Height of the upper end of a part above its lower end, m."""
-    return -setting.anchor_height if touchdown == NO_TOUCHDOWN else 0.0
+    return -problem.anchor_height if touchdown == NO_TOUCHDOWN else 0.0
 
 
-def _loose(code: int, x: float, touchdown: Touchdown, setting: Setting) -> Part:
+def _loose(code: int, x: float, touchdown: Touchdown, problem: LineProblem) -> Part:
     """Incline pieces without weight or force so that a part that hangs straight fits."""
-    pieces = setting.pieces
-    if _left(code, x, touchdown, setting) > 0.0:
+    pieces = problem.pieces
+    if _left(code, x, touchdown, problem) > 0.0:
         return NO_PART
     top, top_length, V = _start(code, 0.0, pieces)
-    flat = _followed(0.0, top, top_length, V, 0.0, setting)
-    steep = _followed(0.0, top, top_length, V, -1.0, setting)
+    flat = _followed(0.0, top, top_length, V, 0.0, problem)
+    steep = _followed(0.0, top, top_length, V, -1.0, problem)
     if not flat.least < 0.0 < steep.least:
         return NO_PART
     slope = flat.least / (steep.least - flat.least)
-    end = _followed(0.0, top, top_length, V, slope, setting)
+    end = _followed(0.0, top, top_length, V, slope, problem)
     return Part(0.0, slope, top, top_length, end.piece, end.length, top, V, end.touchdown)

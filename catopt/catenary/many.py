@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
-from catopt.catenary.closing import BY_FORCE, BY_SPAN
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, split, total_length
+from catopt.catenary.root_search import BY_FORCE, BY_SPAN
 from catopt.catenary.rounding import force_uncertainty
 from catopt.catenary.runs import Runs, runs_misfit, runs_of
-from catopt.catenary.setting import Setting
 from catopt.catenary.span import given_span
 from catopt.catenary.state import (
     CONVERGED,
@@ -114,17 +114,17 @@ def fill(
             and friction[i] >= 0.0
             and not math.isinf(wanted[i] + height[i] + anchor_height[i] + friction[i])
         )
-        setting = Setting(pieces, anchor_height[i], height[i], friction[i])
+        problem = LineProblem(pieces, anchor_height[i], height[i], friction[i])
         if not is_valid:
             state = failed(INVALID)
         elif known == BY_FORCE:
-            state = given_force(wanted[i], setting)
+            state = given_force(wanted[i], problem)
         elif known == BY_SPAN:
-            state = given_span(wanted[i], setting, nan, nan)
+            state = given_span(wanted[i], problem, nan, nan)
         else:
-            state = given_tension(wanted[i], setting)
+            state = given_tension(wanted[i], problem)
         if state.touchdown in (IN_PARTS, TURNED, LOOSE) and not _is_laid_well(
-            state, setting, runs, known, wanted[i]
+            state, problem, runs, known, wanted[i]
         ):
             state = failed(NOT_CONVERGED)
         status[i] = state.status
@@ -142,7 +142,7 @@ def fill(
         out[i, 10] = state.z_V
         out[i, 11] = math.nan
         if state.status == CONVERGED:
-            out[i, 11] = force_uncertainty(state, setting, known)
+            out[i, 11] = force_uncertainty(state, problem, known)
 
 
 def _take(
@@ -167,14 +167,16 @@ def _take(
     return True
 
 
-def _is_laid_well(state: State, setting: Setting, runs: Runs, known: int, wanted: float) -> bool:
+def _is_laid_well(
+    state: State, problem: LineProblem, runs: Runs, known: int, wanted: float
+) -> bool:
     """Whether a line in parts, laid out from its anchor, meets its fairlead.
 
     One that is not in parts does: that is what equilibrium.is_certain asks of it.
     """
-    size = total_length(setting.pieces)
+    size = total_length(problem.pieces)
     span = wanted if known == BY_SPAN else state.span
-    height, along = runs_misfit(state, setting, runs, runs_of(state, setting, runs), span)
+    height, along = runs_misfit(state, problem, runs, runs_of(state, problem, runs), span)
     return max(abs(height), abs(along)) <= RESIDUAL_LIMIT * max(size, span)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.setting import Setting
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.state import NOT_CONVERGED, TOO_HEAVY, TOO_SHORT
 from catopt.catenary.tension import least_tension
 from catopt.errors import (
@@ -18,17 +18,17 @@ from catopt.words import Message
 __all__ = ["refusal"]
 
 
-def refusal(status: int, line: Line, load: Load, setting: Setting) -> CatoptError:
+def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> CatoptError:
     """Say what stops a line, and by how much.
 
     Parameters
     ----------
     status : int
         Of the kernel's failed state.
-    line, load, setting
+    line, load, problem
         What was to be solved.
     """
-    rise = abs(setting.fairlead_height - setting.anchor_height)
+    rise = abs(problem.fairlead_height - problem.anchor_height)
     if status == TOO_SHORT:
         distance = math.hypot(load.span or 0.0, rise)
         return NoEquilibriumError(
@@ -36,7 +36,7 @@ def refusal(status: int, line: Line, load: Load, setting: Setting) -> CatoptErro
         )
     if status == TOO_HEAVY:
         assert load.fairlead_tension is not None
-        least = least_tension(setting, load.fairlead_tension)
+        least = least_tension(problem, load.fairlead_tension)
         missing = least - load.fairlead_tension
         return NoEquilibriumError(
             Message(

@@ -7,10 +7,10 @@ from dataclasses import replace
 from typing import Literal
 
 from catopt.catenary.layout import end_of, lay_out
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import joints_of
 from catopt.catenary.profile import max_tension, stretched_length
 from catopt.catenary.rounding import force_uncertainty
-from catopt.catenary.setting import Setting
 from catopt.catenary.solution import (
     EndState,
     PointLoadState,
@@ -32,7 +32,7 @@ AT_BED = 1e-9
 def solution_of(
     state: State,
     line: Line,
-    setting: Setting,
+    problem: LineProblem,
     segment_of: tuple[int, ...],
     *,
     method: Literal["closed-form", "pso"],
@@ -44,22 +44,22 @@ def solution_of(
     ----------
     state : State
         A converged answer of the kernel; its span is the one wanted.
-    line, setting, segment_of
+    line, problem, segment_of
         The line, where it is moored, and how it was cut.
     method : str
         How it was solved.
     known : int
         What was given of its load, as for `rounding.force_uncertainty`.
     """
-    stretches = lay_out(state, setting)
+    stretches = lay_out(state, problem)
     x, z = end_of(stretches[-1], stretches[-1].length)
     solution = Solution(
         line=line,
         method=method,
         regime=REGIMES[state.regime],
-        fairlead_height=setting.fairlead_height,
-        anchor_height=setting.anchor_height,
-        seabed_friction=setting.friction,
+        fairlead_height=problem.fairlead_height,
+        anchor_height=problem.anchor_height,
+        seabed_friction=problem.friction,
         span=state.span,
         fairlead=_end(state.H, state.V),
         anchor=_end(state.H_anchor, state.V_anchor),
@@ -70,9 +70,9 @@ def solution_of(
         point_loads=_point_loads(line, stretches, state.regime not in (SUSPENDED, BELOW_ANCHOR)),
         stretches=stretches,
         residual=Residual(
-            height=z - setting.fairlead_height,
+            height=z - problem.fairlead_height,
             span=x - state.span,
-            force_uncertainty=force_uncertainty(state, setting, known),
+            force_uncertainty=force_uncertainty(state, problem, known),
         ),
     )
     return solution.with_warnings(plausibility(solution))

@@ -11,22 +11,22 @@ import math
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
 from catopt.catenary.equilibrium import given_force, hung_state, is_certain
 from catopt.catenary.lift import SETTLED
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import total_length
-from catopt.catenary.setting import Setting
 from catopt.catenary.state import BELOW_ANCHOR, CONVERGED, NOT_CONVERGED, SUSPENDED, State, failed
+from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.catenary.upper_part import MOST_TRIALS
-from catopt.catenary.walk import FIRST_TOUCHDOWN
 
-__all__ = ["BY_FORCE", "BY_SPAN", "BY_TENSION", "close_in", "newton", "tension_of"]
+__all__ = ["BY_FORCE", "BY_SPAN", "BY_TENSION", "bracketed_search", "newton", "tension_of"]
 
 BY_SPAN = 0
 BY_TENSION = 1
 BY_FORCE = 2
 
 
-def newton(known: int, wanted: float, setting: Setting, H: float, V: float) -> State:
+def newton(known: int, wanted: float, problem: LineProblem, H: float, V: float) -> State:
     """Newton's method on (span or tension, height); a failed state when it does not settle."""
-    pieces, height, friction = setting.pieces, setting.fairlead_height, setting.friction
+    pieces, height, friction = problem.pieces, problem.fairlead_height, problem.friction
     length = total_length(pieces)
     size = wanted if known == BY_TENSION else length
     for _ in range(25):
@@ -55,14 +55,16 @@ def newton(known: int, wanted: float, setting: Setting, H: float, V: float) -> S
     return failed(NOT_CONVERGED)
 
 
-def close_in(known: int, wanted: float, setting: Setting, below: float, above: float) -> State:
+def bracketed_search(
+    known: int, wanted: float, problem: LineProblem, below: float, above: float
+) -> State:
     """Close in on H between two forces, on a logarithmic scale.
 
     Parameters
     ----------
     known, wanted
         Which quantity is known, and its value: m or N.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     below, above : float
         Forces at which it is too small and too large, N; either may be the larger force.
@@ -72,7 +74,7 @@ def close_in(known: int, wanted: float, setting: Setting, below: float, above: f
     State
         NOT_CONVERGED when the quantity jumps over the wanted value, or the search stopped short.
     """
-    size = wanted if known == BY_TENSION else max(wanted, total_length(setting.pieces))
+    size = wanted if known == BY_TENSION else max(wanted, total_length(problem.pieces))
     sense = 1.0 if below < above else -1.0
     around = bracket(sense * math.log(below), sense * math.log(above), -math.inf, math.inf)
     best = failed(NOT_CONVERGED)
@@ -83,7 +85,7 @@ def close_in(known: int, wanted: float, setting: Setting, below: float, above: f
             break
         x = trial(around, guess)
         H = math.exp(sense * x)
-        state = given_force(H, setting)
+        state = given_force(H, problem)
         if state.status != CONVERGED:
             return state
         error = _reached(known, state) - wanted
@@ -95,7 +97,7 @@ def close_in(known: int, wanted: float, setting: Setting, below: float, above: f
         slope = sense * state.H * _by_force(known, state)
         guess = x - error / slope if slope > 0.0 else math.nan
     if known == BY_TENSION and best_error > 1e-15 * size and best.H < wanted:
-        best, best_error = _with_tension(best, wanted, best_error, total_length(setting.pieces))
+        best, best_error = _with_tension(best, wanted, best_error, total_length(problem.pieces))
     if best_error <= 1e-9 * size:
         return best
     return failed(NOT_CONVERGED)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.closing import BY_SPAN, BY_TENSION
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import total_length
-from catopt.catenary.setting import Setting
+from catopt.catenary.root_search import BY_SPAN, BY_TENSION
 from catopt.catenary.state import State
 from catopt.compiled import inlined
 
@@ -20,7 +20,7 @@ LEFT_BY_SOLVER = 2.0**-49
 
 
 @inlined
-def force_uncertainty(state: State, setting: Setting, known: int) -> float:
+def force_uncertainty(state: State, problem: LineProblem, known: int) -> float:
     """Bound of the change of the forces at the fairlead when every input is off by its rounding.
 
     The lengths, the span and the heights are moved by half a unit in their last place, all in the
@@ -32,10 +32,10 @@ def force_uncertainty(state: State, setting: Setting, known: int) -> float:
     ----------
     state : State
         A converged answer.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     known : int
-        What was given: closing.BY_SPAN, closing.BY_TENSION, or else the horizontal force.
+        What was given: root_search.BY_SPAN, root_search.BY_TENSION, or else the horizontal force.
 
     Returns
     -------
@@ -46,9 +46,9 @@ def force_uncertainty(state: State, setting: Setting, known: int) -> float:
     own = HALF_A_DIGIT * T
     if state.H == 0.0 or state.z_V <= 0.0:
         return own
-    length = total_length(setting.pieces)
+    length = total_length(problem.pieces)
     left = LEFT_BY_SOLVER * length
-    dz = left + HALF_A_DIGIT * (length + setting.fairlead_height + setting.anchor_height)
+    dz = left + HALF_A_DIGIT * (length + problem.fairlead_height + problem.anchor_height)
     if known == BY_SPAN:
         dx = left + HALF_A_DIGIT * (length + state.span)
         determinant = state.x_H * state.z_V - state.x_V * state.z_H

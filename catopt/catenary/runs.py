@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.lower_part import Touchdown, lower_part, on_bed, touchdown_of
 from catopt.catenary.part import NO_TOUCHDOWN, Part, part_reach, share, with_force
 from catopt.catenary.piece import piece_reach, piece_rise
 from catopt.catenary.pieces import Pieces, beyond_clump
-from catopt.catenary.setting import Setting
 from catopt.catenary.sliding import (
     Onset,
     from_its_anchor,
@@ -66,57 +66,57 @@ def most_runs(pieces: int) -> int:
     return _RUNS_PER_PIECE * (pieces + 1)
 
 
-def runs_of(state: State, setting: Setting, runs: Runs) -> int:
+def runs_of(state: State, problem: LineProblem, runs: Runs) -> int:
     """Write the runs of a line, from the fairlead down; say how many there are.
 
     Parameters
     ----------
     state : State
         A converged answer of the kernel.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     runs : Runs
         Written to; room for `most_runs`.
     """
     if state.touchdown == IN_PARTS:
-        return _in_parts(_upper_part(state.H, state.V, setting), setting, runs, 0)
+        return _in_parts(_upper_part(state.H, state.V, problem), problem, runs, 0)
     if state.touchdown == TURNED:
-        other_way = from_its_anchor(setting)
+        other_way = from_its_anchor(problem)
         upper = _upper_part(state.H_anchor, -state.V_anchor, other_way)
         count = _in_parts(upper, other_way, runs, 0)
         _turn(other_way.pieces, runs, count)
         return count
     if state.touchdown == LOOSE:
-        return _loose(onset_of(state.span, setting), setting, runs)
-    return _descending(state, setting, runs)
+        return _loose(onset_of(state.span, problem), problem, runs)
+    return _descending(state, problem, runs)
 
 
-def _upper_part(H: float, V: float, setting: Setting) -> Part:
+def _upper_part(H: float, V: float, problem: LineProblem) -> Part:
     """Find the part at the fairlead of a line with known forces there."""
-    part = upper_part(H, setting)
+    part = upper_part(H, problem)
     # All but a few lines nearly taut have the very force that is found again here.
-    shift = V - part_reach(part, setting.pieces).V_top
+    shift = V - part_reach(part, problem.pieces).V_top
     return with_force(part, part.piece, part.V + shift) if shift != 0.0 else part
 
 
-def _loose(onset: Onset, setting: Setting, runs: Runs) -> int:
+def _loose(onset: Onset, problem: LineProblem, runs: Runs) -> int:
     """Write the runs of a line above the place where its tight part begins, and below it."""
-    tight, below = tight_above(onset, setting), loose_below(onset, setting)
+    tight, below = tight_above(onset, problem), loose_below(onset, problem)
     count = _in_parts(lying_end(onset.part.H, tight.pieces), tight, runs, 0)
     _turn(tight.pieces, runs, count)
     for row in range(count):
-        runs.piece[row] += len(setting.pieces.length) - len(tight.pieces.length)
+        runs.piece[row] += len(problem.pieces.length) - len(tight.pieces.length)
     return _in_parts(start_below(onset, below), below, runs, count)
 
 
-def _in_parts(part: Part, setting: Setting, runs: Runs, count: int) -> int:
+def _in_parts(part: Part, problem: LineProblem, runs: Runs, count: int) -> int:
     """Write the runs of a line in parts from a row on, beginning with the part at its fairlead."""
-    pieces = setting.pieces
+    pieces = problem.pieces
     count = _hanging(part, pieces, runs, count)
     while part.touchdown != NO_TOUCHDOWN:
         down = touchdown_of(part, part_reach(part, pieces).V_bottom, pieces)
-        part = lower_part(down, setting)
-        count = _lying(down, part.top, part.top_length, setting, runs, count)
+        part = lower_part(down, problem)
+        count = _lying(down, part.top, part.top_length, problem, runs, count)
         if part.bottom < 0:
             break
         count = _hanging(part, pieces, runs, count)
@@ -143,9 +143,9 @@ def _turned_row(
     return own, length, H, V, -friction, -runs.slope[row], runs.on_bed[row]
 
 
-def _descending(state: State, setting: Setting, runs: Runs) -> int:
+def _descending(state: State, problem: LineProblem, runs: Runs) -> int:
     """Write the runs of a line of a single part, with the forces counted from the fairlead."""
-    pieces = setting.pieces
+    pieces = problem.pieces
     H, V = state.H, state.V
     row = 0
     for k in range(len(pieces.length) - 1, -1, -1):
@@ -155,13 +155,13 @@ def _descending(state: State, setting: Setting, runs: Runs) -> int:
             hanging = min(hanging, length)
             _write(runs, row, k, hanging, H, 0.0, 0.0, 0.0, 0)
             down = Touchdown(H, k, length - hanging, -1, 0.0)
-            return _lying(down, 0, 0.0, setting, runs, row + 1)
+            return _lying(down, 0, 0.0, problem, runs, row + 1)
         V -= pieces.weight[k] * length
         _write(runs, row, k, length, H, V, 0.0, 0.0, 0)
         row += 1
         if state.touchdown == 2 * k + 1:
             down = Touchdown(H, k - 1, pieces.length[k - 1], k, pieces.load[k] - V)
-            return _lying(down, 0, 0.0, setting, runs, row)
+            return _lying(down, 0, 0.0, problem, runs, row)
         V -= pieces.load[k]
     return row
 
@@ -204,12 +204,12 @@ def _hanging(part: Part, pieces: Pieces, runs: Runs, first: int) -> int:
 
 
 def _lying(
-    down: Touchdown, end: int, end_rest: float, setting: Setting, runs: Runs, first: int
+    down: Touchdown, end: int, end_rest: float, problem: LineProblem, runs: Runs, first: int
 ) -> int:
     """Write the runs of a stretch on the bed, with what friction leaves of the tension."""
-    pieces, friction = setting.pieces, setting.friction
+    pieces, friction = problem.pieces, problem.friction
     row = first
-    T = on_bed(down, setting)
+    T = on_bed(down, problem)
     for k in range(down.piece, end - 1, -1):
         length = down.rest if k == down.piece else pieces.length[k]
         if k == end:
@@ -264,13 +264,13 @@ def run_reach(
 
 
 def runs_misfit(
-    state: State, setting: Setting, runs: Runs, count: int, span: float
+    state: State, problem: LineProblem, runs: Runs, count: int, span: float
 ) -> tuple[float, float]:
     """By how much a line laid out from its anchor misses its fairlead, m.
 
     Parameters
     ----------
-    state, setting, runs, count
+    state, problem, runs, count
         As for `runs_of`, which has written the runs.
     span : float
         Where the fairlead is, m.
@@ -280,9 +280,9 @@ def runs_misfit(
     height, span : float
         Reached less wanted.
     """
-    pieces = setting.pieces
+    pieces = problem.pieces
     x = 0.0
-    z = setting.anchor_height
+    z = problem.anchor_height
     for row in range(count - 1, -1, -1):
         k = runs.piece[row]
         dx, dz = run_reach(
@@ -298,7 +298,7 @@ def runs_misfit(
         x += dx
         z += dz
     x *= slack_share(state, x)
-    return z - setting.fairlead_height, x - span
+    return z - problem.fairlead_height, x - span
 
 
 def slack_share(state: State, span: float) -> float:

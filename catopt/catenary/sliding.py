@@ -19,10 +19,10 @@ from typing import NamedTuple
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
 from catopt.catenary.equilibrium import in_parts
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.lower_part import Touchdown, just_clear, lower_part, touchdown_of
 from catopt.catenary.part import NO_PART, NO_TOUCHDOWN, Part, part_reach
 from catopt.catenary.pieces import Pieces, above, below, grip, total_length, turned
-from catopt.catenary.setting import Setting
 from catopt.catenary.state import (
     CONVERGED,
     GROUNDED,
@@ -71,13 +71,13 @@ class Onset(NamedTuple):
 NOWHERE = Onset(-1, 0.0, NO_PART)
 
 
-def from_its_anchor(setting: Setting) -> Setting:
+def from_its_anchor(problem: LineProblem) -> LineProblem:
     """Return the line with its ends exchanged: friction adds to its tension on the way down."""
-    return Setting(
-        turned(setting.pieces),
-        setting.fairlead_height,
-        setting.anchor_height,
-        -setting.friction,
+    return LineProblem(
+        turned(problem.pieces),
+        problem.fairlead_height,
+        problem.anchor_height,
+        -problem.friction,
     )
 
 
@@ -101,7 +101,7 @@ def turned_back(state: State) -> State:
     )
 
 
-def onset_of(span: float, setting: Setting) -> Onset:
+def onset_of(span: float, problem: LineProblem) -> Onset:
     """Find where the tight part begins of a line with a known span.
 
     Without force the line hangs straight and lies in stretches on the bed. From the uppermost place
@@ -111,93 +111,93 @@ def onset_of(span: float, setting: Setting) -> Onset:
     ----------
     span : float
         Beyond that of the line without force, m.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored, with friction.
     """
-    pieces = setting.pieces
-    part = upper_part(0.0, setting)
+    pieces = problem.pieces
+    part = upper_part(0.0, problem)
     while part.top >= 0 and part.touchdown != NO_TOUCHDOWN:
         down = touchdown_of(part, part_reach(part, pieces).V_bottom, pieces)
-        part = lower_part(down, setting)
-        onset = _where_it_lies(span, setting, down, part)
+        part = lower_part(down, problem)
+        onset = _where_it_lies(span, problem, down, part)
         if onset.code < 0 <= part.bottom:
-            onset = _where_it_leaves(span, setting, down, part)
+            onset = _where_it_leaves(span, problem, down, part)
         if onset.code >= 0:
             return onset
     return NOWHERE
 
 
-def _where_it_lies(span: float, setting: Setting, down: Touchdown, part: Part) -> Onset:
+def _where_it_lies(span: float, problem: LineProblem, down: Touchdown, part: Part) -> Onset:
     """Look for the onset in a stretch on the bed, from its upper end down; or NOWHERE."""
-    pieces = setting.pieces
+    pieces = problem.pieces
     for k in range(down.piece, max(part.top, 0) - 1, -1):
         rest = down.rest if k == down.piece else pieces.length[k]
         if rest == pieces.length[k] and k + 1 < len(pieces.length):
-            onset = _between(span, setting, 2 * k + 3, 1.0, 0.0, part)
+            onset = _between(span, problem, 2 * k + 3, 1.0, 0.0, part)
             if onset.code >= 0:
                 return onset
         end = part.top_length if k == part.top else 0.0
-        onset = _between(span, setting, 2 * k, rest, end, part)
+        onset = _between(span, problem, 2 * k, rest, end, part)
         if onset.code >= 0:
             return onset
     return NOWHERE
 
 
-def _where_it_leaves(span: float, setting: Setting, down: Touchdown, part: Part) -> Onset:
+def _where_it_leaves(span: float, problem: LineProblem, down: Touchdown, part: Part) -> Onset:
     """Look for a place where the line leaves a stretch, from its lower end up; or NOWHERE."""
-    pieces = setting.pieces
+    pieces = problem.pieces
     for k in range(part.top, down.piece + 1):
         low = part.top_length if k == part.top else 0.0
         rest = down.rest if k == down.piece else pieces.length[k]
-        onset = _between(span, setting, 2 * k, low, rest, NO_PART)
+        onset = _between(span, problem, 2 * k, low, rest, NO_PART)
         if onset.code < 0 and rest == pieces.length[k] and k + 1 < len(pieces.length):
             lifted = _lifted_at(k + 1, part, pieces)
-            onset = _between(span, setting, 2 * k + 3, lifted, pieces.load[k + 1], NO_PART)
+            onset = _between(span, problem, 2 * k + 3, lifted, pieces.load[k + 1], NO_PART)
         if onset.code >= 0:
             return onset
     return NOWHERE
 
 
 def _between(
-    span: float, setting: Setting, code: int, first: float, last: float, part: Part
+    span: float, problem: LineProblem, code: int, first: float, last: float, part: Part
 ) -> Onset:
     """Find the onset with a span between two places, of which the last has the larger; or NOWHERE.
 
     `part` is that which leaves the bed further down; NO_PART where it does so at the onset.
     """
-    onset = _onset(code, last, part, setting)
-    f = _beyond(span, onset, setting)
+    onset = _onset(code, last, part, problem)
+    f = _beyond(span, onset, problem)
     if first == last or f < 0.0:
         return NOWHERE
     sense = 1.0 if first < last else -1.0
     around = bracket(sense * first, sense * last, -math.inf, f)
     while abs(f) > 1e-15 * span and not is_closed(around):
         x = trial(around, math.nan)
-        onset = _onset(code, sense * x, part, setting)
-        f = _beyond(span, onset, setting)
+        onset = _onset(code, sense * x, part, problem)
+        f = _beyond(span, onset, problem)
         around = narrowed(around, x, f)
-    return onset if abs(f) <= WELL_HUNG * max(span, total_length(setting.pieces)) else NOWHERE
+    return onset if abs(f) <= WELL_HUNG * max(span, total_length(problem.pieces)) else NOWHERE
 
 
-def _beyond(span: float, onset: Onset, setting: Setting) -> float:
+def _beyond(span: float, onset: Onset, problem: LineProblem) -> float:
     """By how much an onset's span is larger, m; infinite where the line does not lie there."""
-    reached: float = loose(onset, setting).span
+    reached: float = loose(onset, problem).span
     return math.inf if math.isnan(reached) else reached - span
 
 
-def _onset(code: int, x: float, part: Part, setting: Setting) -> Onset:
+def _onset(code: int, x: float, part: Part, problem: LineProblem) -> Onset:
     if part.top >= 0:
         return Onset(code, x, part)
-    return Onset(code, x if code % 2 == 0 else 0.0, just_clear(code, x, setting))
+    return Onset(code, x if code % 2 == 0 else 0.0, just_clear(code, x, problem))
 
 
-def loose(onset: Onset, setting: Setting) -> State:
+def loose(onset: Onset, problem: LineProblem) -> State:
     """State of a line whose tight part begins at a place on the bed."""
     if onset.code < 0 or onset.part.top < 0:
         return failed(NOT_CONVERGED)
-    other_way = tight_above(onset, setting)
+    other_way = tight_above(onset, problem)
     tight = in_parts(lying_end(onset.part.H, other_way.pieces), other_way)
-    below = loose_below(onset, setting)
+    below = loose_below(onset, problem)
     rest = in_parts(start_below(onset, below), below)
     if tight.status != CONVERGED or rest.status != CONVERGED:
         return failed(NOT_CONVERGED)
@@ -226,34 +226,34 @@ def loose(onset: Onset, setting: Setting) -> State:
     )
 
 
-def tight_above(onset: Onset, setting: Setting) -> Setting:
+def tight_above(onset: Onset, problem: LineProblem) -> LineProblem:
     """Return what lies and hangs above an onset, counted from there."""
     k = onset.code // 2
     if onset.code % 2 == 0:
-        pieces = above(setting.pieces, k, onset.x)
+        pieces = above(problem.pieces, k, onset.x)
     else:
         # On the bed by a piece without length, with what is not lifted from below of its weight.
-        pieces = above(setting.pieces, k - 1, setting.pieces.length[k - 1])
+        pieces = above(problem.pieces, k - 1, problem.pieces.length[k - 1])
         pieces.weight[0] = 0.0
-        pieces.load[1] -= _lifted_at(k, onset.part, setting.pieces)
-        own = grip(setting.pieces, k, setting.friction)
+        pieces.load[1] -= _lifted_at(k, onset.part, problem.pieces)
+        own = grip(problem.pieces, k, problem.friction)
         pieces.load[len(pieces.length) + 2] = (1.0 - onset.x) * own
-    return from_its_anchor(Setting(pieces, 0.0, setting.fairlead_height, setting.friction))
+    return from_its_anchor(LineProblem(pieces, 0.0, problem.fairlead_height, problem.friction))
 
 
-def loose_below(onset: Onset, setting: Setting) -> Setting:
+def loose_below(onset: Onset, problem: LineProblem) -> LineProblem:
     """Return what lies and hangs below an onset; a clump weight belongs to both parts."""
     k = onset.code // 2
     if onset.part.H > 0.0:
-        pieces = below(setting.pieces, onset.part.top, onset.part.top_length)
+        pieces = below(problem.pieces, onset.part.top, onset.part.top_length)
     else:
-        pieces = below(setting.pieces, k, onset.x if onset.code % 2 == 0 else 0.0)
+        pieces = below(problem.pieces, k, onset.x if onset.code % 2 == 0 else 0.0)
         if onset.code % 2 == 1:
             pieces.weight[k] = 0.0
-    return Setting(pieces, setting.anchor_height, 0.0, setting.friction)
+    return LineProblem(pieces, problem.anchor_height, 0.0, problem.friction)
 
 
-def start_below(onset: Onset, below: Setting) -> Part:
+def start_below(onset: Onset, below: LineProblem) -> Part:
     """Return the first part of what lies and hangs below an onset."""
     return onset.part if onset.part.H > 0.0 else lying_end(0.0, below.pieces)
 

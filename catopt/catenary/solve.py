@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.closing import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.line_problem import GREATEST_FORCE, LEAST_FORCE, LineProblem, is_plain
 from catopt.catenary.many import RESIDUAL_LIMIT
 from catopt.catenary.pieces import cut
 from catopt.catenary.refusal import refusal
 from catopt.catenary.result import solution_of
-from catopt.catenary.setting import GREATEST_FORCE, LEAST_FORCE, Setting, is_plain
+from catopt.catenary.root_search import BY_FORCE, BY_SPAN, BY_TENSION
 from catopt.catenary.solution import Solution
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, LOOSE, TURNED, State
@@ -79,29 +79,29 @@ def solve(
     load = Load(horizontal_force, span, fairlead_tension)
     _check(line, load, height, anchor_height, seabed_friction)
     pieces, segment_of = cut(line)
-    setting = Setting(pieces, anchor_height, height, seabed_friction)
-    state = _solve(load, setting)
+    problem = LineProblem(pieces, anchor_height, height, seabed_friction)
+    state = _solve(load, problem)
     if state.status != CONVERGED:
-        raise refusal(state.status, line, load, setting)
+        raise refusal(state.status, line, load, problem)
     known = BY_FORCE
     if load.horizontal_force is None:
         known = BY_TENSION if load.span is None else BY_SPAN
-    solution = solution_of(state, line, setting, segment_of, method="closed-form", known=known)
+    solution = solution_of(state, line, problem, segment_of, method="closed-form", known=known)
     worst = max(abs(solution.residual.height), abs(solution.residual.span))
     if not worst <= RESIDUAL_LIMIT * max(line.length, solution.span):
         raise NotConvergedError(Message("catenary.misses_fairlead", missing=worst))
-    return solution.with_warnings(_other_answers(solution, state, load, setting))
+    return solution.with_warnings(_other_answers(solution, state, load, problem))
 
 
 def _other_answers(
-    solution: Solution, state: State, load: Load, setting: Setting
+    solution: Solution, state: State, load: Load, problem: LineProblem
 ) -> tuple[str, ...]:
     """Warn of the other equilibria that the line has under the same load."""
     if state.touchdown in (TURNED, LOOSE):
-        return slides(solution, given_force(state.H, setting).span)
-    if load.fairlead_tension is None or is_plain(setting):
+        return slides(solution, given_force(state.H, problem).span)
+    if load.fairlead_tension is None or is_plain(problem):
         return ()
-    return other_tensions(solution, other_forces(load.fairlead_tension, setting, state))
+    return other_tensions(solution, other_forces(load.fairlead_tension, problem, state))
 
 
 def _check(
@@ -124,12 +124,12 @@ def _check(
     found.raise_if_any()
 
 
-def _solve(load: Load, setting: Setting) -> State:
+def _solve(load: Load, problem: LineProblem) -> State:
     if load.horizontal_force is not None:
-        return given_force(load.horizontal_force, setting)
+        return given_force(load.horizontal_force, problem)
     if load.span is not None:
-        state = given_span(load.span, setting, math.nan, math.nan)
+        state = given_span(load.span, problem, math.nan, math.nan)
         # The solver's own span misses the one asked for by rounding: the residual keeps that.
         return state._replace(span=load.span) if state.status == CONVERGED else state
     assert load.fairlead_tension is not None
-    return given_tension(load.fairlead_tension, setting)
+    return given_tension(load.fairlead_tension, problem)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.closing import BY_SPAN, close_in, newton
 from catopt.catenary.equilibrium import given_force, hang_slack, without_force
 from catopt.catenary.lift import grounded_guess, top_weight
+from catopt.catenary.line_problem import GREATEST_FORCE, LEAST_FORCE, LineProblem, is_plain
 from catopt.catenary.pieces import Pieces, is_inextensible, total_length, total_weight
-from catopt.catenary.setting import GREATEST_FORCE, LEAST_FORCE, Setting, is_plain
+from catopt.catenary.root_search import BY_SPAN, bracketed_search, newton
 from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State, failed
 
@@ -17,7 +17,7 @@ __all__ = ["given_span"]
 
 def given_span(
     span: float,
-    setting: Setting,
+    problem: LineProblem,
     H_guess: float,
     V_guess: float,
 ) -> State:
@@ -27,51 +27,51 @@ def given_span(
     ----------
     span : float
         Horizontal distance from the anchor to the fairlead, m, above 0.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored; for the rest as for `given_force`.
     H_guess, V_guess : float
         Where to start, N; nan to have them estimated.
     """
-    pieces = setting.pieces
+    pieces = problem.pieces
     length = total_length(pieces)
-    rise = setting.fairlead_height - setting.anchor_height
+    rise = problem.fairlead_height - problem.anchor_height
     if is_inextensible(pieces) and math.sqrt(span * span + rise * rise) >= length:
         return failed(TOO_SHORT)
-    if span <= (1.0 + 2.0**-50) * length - _least_hanging(setting):
-        slack = hang_slack(setting)
+    if span <= (1.0 + 2.0**-50) * length - _least_hanging(problem):
+        slack = hang_slack(problem)
         if slack.status == CONVERGED and span <= slack.span + 2.0**-50 * length:
             return without_force(slack, span)
     if math.isnan(H_guess):
         H_guess, V_guess = _guess(span, rise, pieces)
-    if rise > 0.0 and is_plain(setting):
-        state = newton(BY_SPAN, span, setting, H_guess, V_guess)
+    if rise > 0.0 and is_plain(problem):
+        state = newton(BY_SPAN, span, problem, H_guess, V_guess)
         if state.status == CONVERGED:
             return state
-    below, above = _enclosed(span, setting, H_guess)
+    below, above = _enclosed(span, problem, H_guess)
     if math.isnan(above):
         return failed(NOT_CONVERGED)
     if math.isnan(below):
-        return given_force(above, setting)
-    state = close_in(BY_SPAN, span, setting, below, above)
-    if state.status == NOT_CONVERGED and setting.friction > 0.0:
-        return _while_sliding(span, setting)
+        return given_force(above, problem)
+    state = bracketed_search(BY_SPAN, span, problem, below, above)
+    if state.status == NOT_CONVERGED and problem.friction > 0.0:
+        return _while_sliding(span, problem)
     return state
 
 
-def _while_sliding(span: float, setting: Setting) -> State:
+def _while_sliding(span: float, problem: LineProblem) -> State:
     """Solve a line for a span that its equilibria under a rising force leave out."""
-    other_way = from_its_anchor(setting)
+    other_way = from_its_anchor(problem)
     below, above = _enclosed(span, other_way, math.nan)
     if not math.isnan(below + above):
-        state = close_in(BY_SPAN, span, other_way, below, above)
+        state = bracketed_search(BY_SPAN, span, other_way, below, above)
         if state.status == CONVERGED:
             return turned_back(state)
-    return loose(onset_of(span, setting), setting)
+    return loose(onset_of(span, problem), problem)
 
 
-def _least_hanging(setting: Setting) -> float:
+def _least_hanging(problem: LineProblem) -> float:
     """Return a length that surely hangs straight when the line is slack, before its stretch, m."""
-    pieces = setting.pieces
+    pieces = problem.pieces
     weight = 0.0
     softest = 0.0
     for k in range(len(pieces.length)):
@@ -80,7 +80,7 @@ def _least_hanging(setting: Setting) -> float:
         if pieces.weight[k] == 0.0:
             return 0.0  # what weighs nothing may hang at any slope
     return (
-        (setting.fairlead_height + setting.anchor_height) / (1.0 + softest * weight) * (1.0 - 1e-12)
+        (problem.fairlead_height + problem.anchor_height) / (1.0 + softest * weight) * (1.0 - 1e-12)
     )
 
 
@@ -115,18 +115,18 @@ def _guess(span: float, rise: float, pieces: Pieces) -> tuple[float, float]:
     return H, grounded_guess(H, pieces, max(rise, 0.0), length, total_weight(pieces))
 
 
-def _enclosed(span: float, setting: Setting, guess: float) -> tuple[float, float]:
+def _enclosed(span: float, problem: LineProblem, guess: float) -> tuple[float, float]:
     """Horizontal forces with a smaller and with a larger span, by growing strides, N.
 
     The lower one is nan where the span is the largest one without force, but for rounding; the
     upper one is nan where none is found.
     """
-    scale = max(abs(total_weight(setting.pieces)), 1e-9)
+    scale = max(abs(total_weight(problem.pieces)), 1e-9)
     H = guess if LEAST_FORCE < guess < GREATEST_FORCE else scale
     below, above = math.nan, math.nan
     factor = 2.0
     while math.isnan(below) or math.isnan(above):
-        state = given_force(H, setting)
+        state = given_force(H, problem)
         if state.status != CONVERGED:
             return math.nan, math.nan
         if state.span >= span:

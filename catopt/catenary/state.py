@@ -89,7 +89,7 @@ class State(NamedTuple):
     H_anchor, V_anchor : float
         Forces on the anchor end, N.
     touchdown : int
-        Where the walk down from the fairlead ends (walk.py), or IN_PARTS, TURNED or LOOSE.
+        Where the suspended part ends (suspended.py), or IN_PARTS, TURNED or LOOSE.
     x_H, x_V, z_H, z_V : float
         Derivatives of span and height by H and V at the fairlead, m/N; 0 where H is 0 and
         for a line that was solved from its anchor.

@@ -1,13 +1,12 @@
-"""Walking down the line from the fairlead, to the anchor or to the touchdown.
+"""The suspended part of a line below its fairlead, and the part on the bed below that.
 
-The walk starts with the forces H and V at the fairlead and takes one piece after the other. Where
-it ends is said by a touchdown code:
+The suspended part is followed down from the forces H and V at the fairlead, one piece after the
+other. Where it ends is said by a touchdown code:
 
-    NO_TOUCHDOWN      walk to the anchor, whatever the line passes through
-    FIRST_TOUCHDOWN   stop where V first falls to 0: inside a piece, or at a clump weight
-    2 k               stop inside piece k, where V falls to 0
-    2 k + 1           stop at the clump weight on the joint below piece k, which the bed carries
-                      in part
+    NO_TOUCHDOWN      at the anchor, whatever the line passes through
+    FIRST_TOUCHDOWN   where V first falls to 0: inside a piece, or at a clump weight
+    2 k               inside piece k, where V falls to 0
+    2 k + 1           at the clump weight on the joint below piece k, which the bed carries in part
 """
 
 from __future__ import annotations
@@ -20,27 +19,34 @@ from catopt.catenary.piece import piece_reach, rise_by_V
 from catopt.catenary.pieces import Pieces, beyond_clump
 from catopt.compiled import inlined
 
-__all__ = ["FIRST_TOUCHDOWN", "Bed", "Walk", "drop", "lie", "walk"]
+__all__ = [
+    "FIRST_TOUCHDOWN",
+    "GroundedPart",
+    "SuspendedPart",
+    "grounded_part",
+    "suspended_height",
+    "suspended_part",
+]
 
 FIRST_TOUCHDOWN = -2
 
 
-class Walk(NamedTuple):
-    """The hanging part: reach (m), derivatives by H and V at the fairlead (m/N), and its end.
+class SuspendedPart(NamedTuple):
+    """The suspended part: reach (m), derivatives by H and V at the fairlead (m/N), and its end.
 
     Attributes
     ----------
     x, z : float
-        Reach of the hanging part.
+        Reach.
     x_H, z_H, z_V : float
         Derivatives; dx/dV = dz/dH.
     touchdown : int
-        Where the walk ended: NO_TOUCHDOWN at the anchor, else 2 k or 2 k + 1.
+        Where it ends: NO_TOUCHDOWN at the anchor, else 2 k or 2 k + 1.
     bottom, bottom_length : int, float
-        Piece in which the hanging part ends, and the unstretched length of that piece that hangs,
+        Piece in which it ends, and the unstretched length of that piece that hangs,
         m.
     V : float
-        Vertical force at the end of the walk, N: at the anchor, or just above the clump weight.
+        Vertical force at its lower end, N: at the anchor, or just above the clump weight.
     """
 
     x: float
@@ -54,7 +60,7 @@ class Walk(NamedTuple):
     V: float
 
 
-class Bed(NamedTuple):
+class GroundedPart(NamedTuple):
     """The part on the bed: length along x (m), its derivative by H (m/N), H beyond it (N)."""
 
     x: float
@@ -63,7 +69,7 @@ class Bed(NamedTuple):
 
 
 @inlined
-def drop(H: float, V: float, pieces: Pieces) -> tuple[float, float]:
+def suspended_height(H: float, V: float, pieces: Pieces) -> tuple[float, float]:
     """Height of the fairlead above the anchor or the first touchdown, and its derivative by V.
 
     Parameters
@@ -102,8 +108,8 @@ def drop(H: float, V: float, pieces: Pieces) -> tuple[float, float]:
 
 
 @inlined
-def walk(H: float, V: float, pieces: Pieces, touchdown: int) -> Walk:
-    """Reach of the hanging part with all derivatives.
+def suspended_part(H: float, V: float, pieces: Pieces, touchdown: int) -> SuspendedPart:
+    """Follow the suspended part; with all derivatives of its reach.
 
     Parameters
     ----------
@@ -135,17 +141,17 @@ def walk(H: float, V: float, pieces: Pieces, touchdown: int) -> Walk:
         z_H += part.z_H
         z_V += part.z_V
         if inside:
-            return Walk(x, z, x_H, z_H, z_V, 2 * k, k, min(length, pieces.length[k]), 0.0)
+            return SuspendedPart(x, z, x_H, z_H, z_V, 2 * k, k, min(length, pieces.length[k]), 0.0)
         below = V1 - pieces.load[k]
         if touchdown == 2 * k + 1 or (touchdown == FIRST_TOUCHDOWN and below < 0.0):
-            return Walk(x, z, x_H, z_H, z_V, 2 * k + 1, k, length, V1)
+            return SuspendedPart(x, z, x_H, z_H, z_V, 2 * k + 1, k, length, V1)
         V = below
         T = T1 if pieces.load[k] == 0.0 else math.sqrt(H * H + V * V)
-    return Walk(x, z, x_H, z_H, z_V, NO_TOUCHDOWN, 0, pieces.length[0], V)
+    return SuspendedPart(x, z, x_H, z_H, z_V, NO_TOUCHDOWN, 0, pieces.length[0], V)
 
 
 @inlined
-def lie(
+def grounded_part(
     H: float,
     pieces: Pieces,
     friction: float,
@@ -153,7 +159,7 @@ def lie(
     rest: float,
     end_piece: int,
     end_rest: float,
-) -> Bed:
+) -> GroundedPart:
     """Follow the line on the bed from a touchdown towards the anchor.
 
     Friction takes its Coulomb coefficient times the bed's reaction off the tension, on the weight
@@ -187,4 +193,4 @@ def lie(
         T = T1
         if k > end_piece and pieces.load[k] != 0.0:
             T = beyond_clump(T, pieces, k, friction, pieces.load[k])
-    return Bed(x, x_H, T)
+    return GroundedPart(x, x_H, T)

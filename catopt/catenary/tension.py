@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.closing import BY_TENSION, close_in, newton, tension_of
 from catopt.catenary.equilibrium import given_force, hang_slack
 from catopt.catenary.lift import grounded_guess, top_weight
+from catopt.catenary.line_problem import LEAST_FORCE, LineProblem, is_plain
 from catopt.catenary.pieces import is_inextensible, total_length, total_weight
-from catopt.catenary.setting import LEAST_FORCE, Setting, is_plain
+from catopt.catenary.root_search import BY_TENSION, bracketed_search, newton, tension_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, State, failed
 
 __all__ = ["given_tension", "least_tension", "other_forces"]
@@ -22,7 +22,7 @@ FAR_DOWN = 1e-12
 ROUNDING = 1e-14
 
 
-def given_tension(tension: float, setting: Setting) -> State:
+def given_tension(tension: float, problem: LineProblem) -> State:
     """Solve a line whose effective tension at the fairlead is known.
 
     A line that hangs below a raised anchor, or carries a buoy, can have the same tension at several
@@ -32,40 +32,40 @@ def given_tension(tension: float, setting: Setting) -> State:
     ----------
     tension : float
         N, above 0.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored; for the rest as for `given_force`.
     """
-    pieces = setting.pieces
-    rise = setting.fairlead_height - setting.anchor_height
+    pieces = problem.pieces
+    rise = problem.fairlead_height - problem.anchor_height
     length = total_length(pieces)
     if abs(rise) >= length and is_inextensible(pieces):
         return failed(TOO_SHORT)
-    if rise > 0.0 and is_plain(setting):
+    if rise > 0.0 and is_plain(problem):
         weight = total_weight(pieces)
-        if tension <= weight and tension < tension_of(hang_slack(setting)):
+        if tension <= weight and tension < tension_of(hang_slack(problem)):
             return failed(TOO_HEAVY)
         H = max(tension - top_weight(pieces, rise), 0.05 * tension)
         guess = grounded_guess(H, pieces, rise, length, weight)
-        state = newton(BY_TENSION, tension, setting, H, guess)
+        state = newton(BY_TENSION, tension, problem, H, guess)
         if state.status == CONVERGED:
             return state
-    state = given_force(tension, setting)
+    state = given_force(tension, problem)
     if state.status == CONVERGED and tension_of(state) <= tension * (1.0 + ROUNDING):
         return state
-    below, above = _crossing(tension, setting, tension, True)
+    below, above = _crossing(tension, problem, tension, True)
     if above <= 0.0:
         return failed(NOT_CONVERGED)
     if below < 0.0:
         return failed(TOO_HEAVY)
-    return _between(tension, setting, below, above)
+    return _between(tension, problem, below, above)
 
 
-def other_forces(tension: float, setting: Setting, found: State) -> list[float]:
+def other_forces(tension: float, problem: LineProblem, found: State) -> list[float]:
     """Return the smaller horizontal forces that give the line the same tension, N.
 
     Parameters
     ----------
-    tension, setting
+    tension, problem
         As for `given_tension`.
     found : State
         Its answer.
@@ -76,62 +76,62 @@ def other_forces(tension: float, setting: Setting, found: State) -> list[float]:
     wants_less = False
     while H > 0.0:
         last = H
-        H, above = _crossing(tension, setting, last, wants_less)
+        H, above = _crossing(tension, problem, last, wants_less)
         if H < 0.0:
             break
         pair = (H, above) if wants_less else (above, H)
-        state = _between(tension, setting, *pair)
+        state = _between(tension, problem, *pair)
         if state.status == CONVERGED and not 0.999 < state.H / found.H < 1.001:
             others.append(state.H)
         wants_less = not wants_less
     return others
 
 
-def least_tension(setting: Setting, tension: float) -> float:
+def least_tension(problem: LineProblem, tension: float) -> float:
     """Return the smallest fairlead tension that the line has at a horizontal force, N.
 
     Parameters
     ----------
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     tension : float
         N; forces up to this one are looked at.
     """
-    least = tension_of(hang_slack(setting))
+    least = tension_of(hang_slack(problem))
     H = above = tension
     rose = False
     while FAR_DOWN * tension < H:
-        state = given_force(H, setting)
+        state = given_force(H, problem)
         if state.status == CONVERGED:
             falls = _falls(state)
             least = min(least, tension_of(state))
             if falls and rose:
-                least = min(least, tension_of(_turning(setting, H, above, True)))
+                least = min(least, tension_of(_turning(problem, H, above, True)))
             rose = not falls
         above = H
         H *= STRIDE
     return least
 
 
-def _between(tension: float, setting: Setting, below: float, above: float) -> State:
+def _between(tension: float, problem: LineProblem, below: float, above: float) -> State:
     """State between a force with too little tension, which may be 0, and one with too much."""
     if min(below, above) == 0.0:
         # Without force the tension is on the other side of the one wanted, or the very one.
-        state = given_force(max(below, above), setting)
+        state = given_force(max(below, above), problem)
         if abs(tension_of(state) - tension) <= ROUNDING * tension:
             return state
         below, above = max(below, LEAST_FORCE), max(above, LEAST_FORCE)
-    return close_in(BY_TENSION, tension, setting, below, above)
+    return bracketed_search(BY_TENSION, tension, problem, below, above)
 
 
 def _crossing(
-    tension: float, setting: Setting, start: float, wants_less: bool
+    tension: float, problem: LineProblem, start: float, wants_less: bool
 ) -> tuple[float, float]:
     """Look down from a horizontal force for a fairlead tension on the other side of the one wanted.
 
     Parameters
     ----------
-    tension, setting
+    tension, problem
         As for `given_tension`.
     start : float
         Where to begin, N.
@@ -148,12 +148,12 @@ def _crossing(
     # Whether the last tension looked at turns towards the side wanted further down.
     turned = False
     while FAR_DOWN * tension < H:
-        state = given_force(H, setting)
+        state = given_force(H, problem)
         if state.status != CONVERGED:
             return -1.0, -1.0
         if turned and _falls(state) == wants_less:
             # Between the last two forces there is a valley, or a hill.
-            turning = _turning(setting, H, above, wants_less)
+            turning = _turning(problem, H, above, wants_less)
             if (tension_of(turning) <= tension) == wants_less:
                 return turning.H, above
         if (tension_of(state) <= tension) == wants_less:
@@ -161,20 +161,20 @@ def _crossing(
         turned = _falls(state) != wants_less
         above = H
         H *= STRIDE
-    slack = tension_of(hang_slack(setting))
+    slack = tension_of(hang_slack(problem))
     if (slack <= tension * (1.0 + ROUNDING)) == wants_less:
         return 0.0, above
     return -1.0, above
 
 
-def _turning(setting: Setting, low: float, high: float, is_valley: bool) -> State:
+def _turning(problem: LineProblem, low: float, high: float, is_valley: bool) -> State:
     """Bisect towards the least or the largest tension between two horizontal forces."""
-    state = given_force(low, setting)
+    state = given_force(low, problem)
     for _ in range(60):
         H = math.sqrt(low * high)
         if not low < H < high:
             break
-        state = given_force(H, setting)
+        state = given_force(H, problem)
         if _falls(state) == is_valley:
             low = H
         else:

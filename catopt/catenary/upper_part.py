@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.part import (
     NO_PART,
     NO_TOUCHDOWN,
@@ -21,7 +22,6 @@ from catopt.catenary.part import (
     with_slope,
 )
 from catopt.catenary.pieces import Pieces, total_length, total_weight
-from catopt.catenary.setting import Setting
 
 __all__ = [
     "CLEARANCE",
@@ -52,14 +52,14 @@ MOST_TRIALS = 300
 EXACT = 2.0**-52
 
 
-def upper_part(H: float, setting: Setting) -> Part:
+def upper_part(H: float, problem: LineProblem) -> Part:
     """Find the part that hangs from the fairlead.
 
     Parameters
     ----------
     H : float
         Horizontal force at the fairlead, N; 0 for a line that hangs straight down.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
 
     Returns
@@ -67,13 +67,13 @@ def upper_part(H: float, setting: Setting) -> Part:
     Part
         NO_PART when the search stopped short.
     """
-    pieces, height = setting.pieces, setting.fairlead_height
+    pieces, height = problem.pieces, problem.fairlead_height
     tolerance = CLEARANCE * total_length(pieces)
-    free = _to_anchor(H, setting)
+    free = _to_anchor(H, problem)
     if free.top >= 0:
         reach = part_reach(free, pieces)
-        is_held = setting.anchor_height > 0.0 or reach.V_bottom >= 0.0 or pieces.weight[0] <= 0.0
-        if is_held and setting.anchor_height + reach.low >= -tolerance:
+        is_held = problem.anchor_height > 0.0 or reach.V_bottom >= 0.0 or pieces.weight[0] <= 0.0
+        if is_held and problem.anchor_height + reach.low >= -tolerance:
             return free
     start = _from_fairlead(H, pieces, 0, pieces.length[0], 0, 0.0, NO_TOUCHDOWN)
     for code in range(2 * len(pieces.length)):
@@ -102,11 +102,11 @@ def _from_fairlead(
 # ------------------------------------------------------------------ to the anchor
 
 
-def _to_anchor(H: float, setting: Setting) -> Part:
+def _to_anchor(H: float, problem: LineProblem) -> Part:
     """Hang the whole line between its ends, whatever it passes through."""
-    pieces = setting.pieces
+    pieces = problem.pieces
     length = total_length(pieces)
-    rise = setting.fairlead_height - setting.anchor_height
+    rise = problem.fairlead_height - problem.anchor_height
     slope = max(-0.999, min(0.999, rise / length))
     V = H * slope / math.sqrt(1.0 - slope * slope) - 0.5 * total_weight(pieces)
     start = _from_fairlead(H, pieces, 0, pieces.length[0], 0, V, NO_TOUCHDOWN)

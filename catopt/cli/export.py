@@ -154,20 +154,20 @@ def _exported(
     true_depth: bool,
     given: str | None,
 ) -> Exported:
-    from catopt.export.hung import hang, rigid_segments
+    from catopt.export.exported_line import exported_lines, rigid_segments
 
     rigid = rigid_segments(case)
     _check_stiffness(rigid, EA, given, to)
-    hung = hang(case, EA)
+    solved = exported_lines(case, EA)
     if to is Target.DXF:
         from catopt.export.dxf import dxf_drawing
 
-        return dxf_drawing(hung, sources=sources)
+        return dxf_drawing(solved, sources=sources)
     from catopt.export.moordyn import moordyn_input
     from catopt.export.moordyn_model import ELEMENTS
 
     return moordyn_input(
-        hung, elements=elements or ELEMENTS, true_depth=true_depth, sources=sources
+        solved, elements=elements or ELEMENTS, true_depth=true_depth, sources=sources
     )
 
 

@@ -9,8 +9,8 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, split
-from catopt.catenary.setting import Setting
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
 from catopt.checks.excess import (
@@ -154,14 +154,14 @@ def _in_all_load_cases(
     reference = math.inf
     unsolved = 0
     for c in range(len(tables.force)):
-        setting = Setting(pieces, tables.anchor_height, tables.height[c], tables.friction)
-        state = given_force(tables.force[c], setting)
+        problem = LineProblem(pieces, tables.anchor_height, tables.height[c], tables.friction)
+        state = given_force(tables.force[c], problem)
         if state.status != CONVERGED:
             unsolved = 1 if state.status == NOT_CONVERGED else 0
             worst = max(worst, _no_equilibrium(state, tables, room, segments, c))
             largest = math.nan
             break
-        segment_tensions(state, setting, room.runs, room.owner, segments, room.tension)
+        segment_tensions(state, problem, room.runs, room.owner, segments, room.tension)
         worst = max(worst, _largest_excess(state, tables, room, segments, c))
         if len(tables.sinker_weight) > 0:
             pull = sinker_needed(

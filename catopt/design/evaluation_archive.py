@@ -12,14 +12,14 @@ from catopt.design.front import empty_front, merge
 from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
 
-__all__ = ["BudgetSpentError", "Explored", "explore"]
+__all__ = ["BudgetSpentError", "EvaluationArchive", "explore"]
 
 
 class BudgetSpentError(Exception):
     """The search has evaluated as many designs as it may. It never leaves `explore`."""
 
 
-class Explored:
+class EvaluationArchive:
     """What one search knows of a design space.
 
     Attributes
@@ -124,7 +124,7 @@ def explore(
     problem: Problem,
     evaluations: int,
     progress: Progress | None,
-    search: Callable[[Explored], None],
+    search: Callable[[EvaluationArchive], None],
 ) -> Outcome:
     """Let a search run until it ends, its budget is spent or the user stops it (Ctrl-C).
 
@@ -139,11 +139,11 @@ def explore(
     search : callable
         Evaluates designs through what it is given, which remembers the best of them.
     """
-    explored = Explored(problem, evaluations, progress)
+    archive = EvaluationArchive(problem, evaluations, progress)
     try:
-        search(explored)
+        search(archive)
     except BudgetSpentError:
         pass
     except KeyboardInterrupt:
-        return explored.outcome(interrupted=True)
-    return explored.outcome(interrupted=False)
+        return archive.outcome(interrupted=True)
+    return archive.outcome(interrupted=False)

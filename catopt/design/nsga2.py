@@ -22,7 +22,7 @@ from pymoo.operators.crossover.sbx import SBX
 from pymoo.operators.mutation.pm import PM
 
 from catopt.checks.excess import ROUNDING
-from catopt.design.explored import Explored, explore
+from catopt.design.evaluation_archive import EvaluationArchive, explore
 from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Genes, Problem
 from catopt.design.steps import alternate, scattered
@@ -71,40 +71,42 @@ def nsga2(
     """
     generator = np.random.default_rng(seed)
 
-    def evolve(explored: Explored, until: float) -> None:
-        algorithm = _algorithm(explored, population, generator)
-        while explored.share_spent < until:
+    def evolve(archive: EvaluationArchive, until: float) -> None:
+        algorithm = _algorithm(archive, population, generator)
+        while archive.share_spent < until:
             algorithm.next()
             if not algorithm.has_next():
                 return
 
     return explore(
-        problem, evaluations, progress, lambda explored: alternate(explored, evolve, population)
+        problem, evaluations, progress, lambda archive: alternate(archive, evolve, population)
     )
 
 
-def _algorithm(explored: Explored, population: int, generator: np.random.Generator) -> Any:
+def _algorithm(archive: EvaluationArchive, population: int, generator: np.random.Generator) -> Any:
     """Set up pymoo's algorithm, at its start."""
     algorithm = NSGA2(
         pop_size=population,
-        sampling=_first_generation(explored, population, generator),
+        sampling=_first_generation(archive, population, generator),
         crossover=SBX(prob=CROSSOVER_PROBABILITY, eta=SPREAD),
         mutation=PM(eta=SPREAD),
         repair=_Rounding(),
         eliminate_duplicates=NoDuplicateElimination(),
     )
     # The first generation may hold known designs, its offspring not.
-    algorithm.mating.eliminate_duplicates = _KnownElimination(explored)
+    algorithm.mating.eliminate_duplicates = _KnownElimination(archive)
     algorithm.mating.n_max_iterations = BREEDINGS
-    algorithm.setup(_Space(explored), termination=NoTermination())
+    algorithm.setup(_Space(archive), termination=NoTermination())
     algorithm.random_state = generator
     return algorithm
 
 
-def _first_generation(explored: Explored, population: int, generator: np.random.Generator) -> Genes:
+def _first_generation(
+    archive: EvaluationArchive, population: int, generator: np.random.Generator
+) -> Genes:
     """Designs all over the space; after the first round half of them, or fewer, of the front."""
-    genes = scattered(explored.problem, population, generator)
-    front = generator.permutation(explored.front.genes)[: population // 2]
+    genes = scattered(archive.problem, population, generator)
+    front = generator.permutation(archive.front.genes)[: population // 2]
     genes[: len(front)] = front
     return genes
 
@@ -112,19 +114,19 @@ def _first_generation(explored: Explored, population: int, generator: np.random.
 class _Space(PymooProblem):  # type: ignore[misc]
     """The design space as pymoo wants it: real variables, one constraint."""
 
-    def __init__(self, explored: Explored) -> None:
-        sizes = explored.problem.sizes
+    def __init__(self, archive: EvaluationArchive) -> None:
+        sizes = archive.problem.sizes
         super().__init__(
             n_var=len(sizes),
-            n_obj=explored.problem.objectives,
+            n_obj=archive.problem.objectives,
             n_ieq_constr=1,
             xl=np.zeros(len(sizes)),
             xu=np.array(sizes) - 1.0,
         )
-        self.explored = explored
+        self.archive = archive
 
     def _evaluate(self, x: Genes, out: dict[str, Any], *_: Any, **__: Any) -> None:
-        objectives, excess = self.explored.evaluate(x.astype(np.int64))
+        objectives, excess = self.archive.evaluate(x.astype(np.int64))
         # Of an infeasible design pymoo compares the constraint alone, but sorts do not like nan.
         out["F"] = np.nan_to_num(objectives)
         out["G"] = (excess - ROUNDING)[:, np.newaxis]
@@ -134,16 +136,16 @@ class _Rounding(Repair):  # type: ignore[misc]
     """Makes real variables a canonical design."""
 
     def _do(self, problem: _Space, X: NDArray[Any], **_: Any) -> Genes:
-        space = problem.explored.problem
+        space = problem.archive.problem
         return space.canonical(np.rint(X).astype(np.int64))
 
 
 class _KnownElimination(DuplicateElimination):  # type: ignore[misc]
     """Leaves out offspring that are equal to each other or were evaluated before."""
 
-    def __init__(self, explored: Explored) -> None:
+    def __init__(self, archive: EvaluationArchive) -> None:
         super().__init__()
-        self.explored = explored
+        self.archive = archive
 
     def _do(self, pop: Any, other: Any, is_duplicate: NDArray[np.bool_]) -> NDArray[np.bool_]:
         genes = pop.get("X").astype(np.int64)
@@ -154,4 +156,4 @@ class _KnownElimination(DuplicateElimination):  # type: ignore[misc]
             is_duplicate[k] |= key in seen
             if other is None:
                 seen.add(key)
-        return is_duplicate | self.explored.is_known(genes)
+        return is_duplicate | self.archive.is_known(genes)

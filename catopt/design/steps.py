@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from catopt.design.crowding import crowding_distance
-from catopt.design.explored import Explored
+from catopt.design.evaluation_archive import EvaluationArchive
 from catopt.design.problem import Genes, Problem
 
 __all__ = ["alternate", "double_steps", "improve", "reached", "scattered", "single_steps"]
@@ -19,7 +19,7 @@ Measured (benchmarks/results/search.md): 0.3 and 0.6 do equally well, without im
 is worse. More than half leaves room to find other parts of spaces that are far larger.
 """
 
-Roam = Callable[[Explored, float], None]
+Roam = Callable[[EvaluationArchive, float], None]
 """Evaluates designs until the given share of the budget is spent or it finds no new one."""
 
 
@@ -72,7 +72,7 @@ def reached(problem: Problem, genes: Genes, steps: Genes) -> Genes:
     return problem.canonical(places[is_inside])
 
 
-def improve(explored: Explored, batch: int) -> None:
+def improve(archive: EvaluationArchive, batch: int) -> None:
     """Look round the designs of the front until nothing next to them is unknown.
 
     First everything one step of one gene away, then one step each of two genes: along a front that
@@ -81,7 +81,7 @@ def improve(explored: Explored, batch: int) -> None:
 
     Parameters
     ----------
-    explored : Explored
+    archive : EvaluationArchive
         What a search knows.
     batch : int
         Designs evaluated at once, about.
@@ -90,18 +90,18 @@ def improve(explored: Explored, batch: int) -> None:
     ------
     BudgetSpentError
     """
-    genes = len(explored.problem.sizes)
+    genes = len(archive.problem.sizes)
     rings = [(steps, set[bytes]()) for steps in (single_steps(genes), double_steps(genes))]
-    while any(_look_round(explored, steps, finished, batch) for steps, finished in rings):
+    while any(_look_round(archive, steps, finished, batch) for steps, finished in rings):
         pass
 
 
-def _look_round(explored: Explored, steps: Genes, finished: set[bytes], batch: int) -> bool:
+def _look_round(archive: EvaluationArchive, steps: Genes, finished: set[bytes], batch: int) -> bool:
     """Take all steps from some designs that are not finished, the loneliest first; False if none.
 
     Parameters
     ----------
-    explored : Explored
+    archive : EvaluationArchive
         What a search knows.
     steps : ndarray of int, shape (m, genes)
         Steps to take.
@@ -110,9 +110,9 @@ def _look_round(explored: Explored, steps: Genes, finished: set[bytes], batch: i
     batch : int
         Designs evaluated at once, about.
     """
-    genes, objectives = explored.front
+    genes, objectives = archive.front
     if not len(genes):
-        genes, objectives = explored.closest, np.zeros((len(explored.closest), 1))
+        genes, objectives = archive.closest, np.zeros((len(archive.closest), 1))
     is_open = np.array([each.tobytes() not in finished for each in genes], dtype=np.bool_)
     if not is_open.any():
         return False
@@ -120,17 +120,17 @@ def _look_round(explored: Explored, steps: Genes, finished: set[bytes], batch: i
     # A large front would otherwise be sorted anew for every few of its designs.
     at_once = max(1, batch // max(1, len(steps)), np.count_nonzero(is_open) // 20)
     chosen = genes[by_loneliness[is_open[by_loneliness]][:at_once]]
-    explored.evaluate(reached(explored.problem, chosen, steps))
+    archive.evaluate(reached(archive.problem, chosen, steps))
     finished.update(each.tobytes() for each in chosen)
     return True
 
 
-def alternate(explored: Explored, roam: Roam, batch: int) -> None:
+def alternate(archive: EvaluationArchive, roam: Roam, batch: int) -> None:
     """Roam and improve in turns, until the budget is spent or a round finds no new design.
 
     Parameters
     ----------
-    explored : Explored
+    archive : EvaluationArchive
         What the search knows.
     roam : callable
         The search proper.
@@ -142,8 +142,8 @@ def alternate(explored: Explored, roam: Roam, batch: int) -> None:
     BudgetSpentError
     """
     before = -1
-    while explored.evaluations > before:
-        before = explored.evaluations
-        spent = explored.share_spent
-        roam(explored, spent + ROAMING * (1.0 - spent))
-        improve(explored, batch)
+    while archive.evaluations > before:
+        before = archive.evaluations
+        spent = archive.share_spent
+        roam(archive, spent + ROAMING * (1.0 - spent))
+        improve(archive, batch)

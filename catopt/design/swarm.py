@@ -19,7 +19,7 @@ from catopt.catenary.swarm.optimiser import velocity
 from catopt.catenary.swarm.quiet import without_logging
 from catopt.checks.excess import ROUNDING
 from catopt.design.crowding import crowding_distance
-from catopt.design.explored import Explored, explore
+from catopt.design.evaluation_archive import EvaluationArchive, explore
 from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
 from catopt.design.steps import alternate, scattered
@@ -73,34 +73,36 @@ def swarm(
     """
     generator = np.random.default_rng(seed)
 
-    def fly(explored: Explored, until: float) -> None:
-        _fly(explored, population, until, generator)
+    def fly(archive: EvaluationArchive, until: float) -> None:
+        _fly(archive, population, until, generator)
 
     return explore(
-        problem, evaluations, progress, lambda explored: alternate(explored, fly, population)
+        problem, evaluations, progress, lambda archive: alternate(archive, fly, population)
     )
 
 
-def _fly(explored: Explored, population: int, until: float, generator: np.random.Generator) -> None:
+def _fly(
+    archive: EvaluationArchive, population: int, until: float, generator: np.random.Generator
+) -> None:
     """Fly until a share of the budget is spent or the swarm has come to rest."""
-    problem = explored.problem
+    problem = archive.problem
     upper = np.array(problem.sizes) - 0.5
     bounds = np.full(len(upper), -0.5), upper
     genes = scattered(problem, population, generator)
     flock = _at_rest(genes)
     with without_logging():
         handler = BoundaryHandler("reflective")
-    best = explored.evaluate(genes)
+    best = archive.evaluate(genes)
     idle = 0
-    while explored.share_spent < until and idle < PATIENCE:
-        flock.best_pos = _leaders(explored, population, generator)
+    while archive.share_spent < until and idle < PATIENCE:
+        flock.best_pos = _leaders(archive, population, generator)
         flock.velocity = velocity(flock, generator.random((2, *genes.shape)))
         flock.position = compute_position(flock, bounds, handler)
         _stir(flock.position, generator.random(population) < STIRRED, bounds, generator)
-        genes = _new_designs(explored, flock.position, bounds, generator)
-        before = explored.evaluations
-        best = _remember(flock, best, genes, explored.evaluate(genes), generator)
-        idle = 0 if explored.evaluations > before else idle + 1
+        genes = _new_designs(archive, flock.position, bounds, generator)
+        before = archive.evaluations
+        best = _remember(flock, best, genes, archive.evaluate(genes), generator)
+        idle = 0 if archive.evaluations > before else idle + 1
 
 
 def _at_rest(genes: Genes) -> Swarm:
@@ -113,14 +115,14 @@ def _at_rest(genes: Genes) -> Swarm:
     return flock
 
 
-def _leaders(explored: Explored, count: int, generator: np.random.Generator) -> Floats:
+def _leaders(archive: EvaluationArchive, count: int, generator: np.random.Generator) -> Floats:
     """Place for each particle to follow: the lonelier of two designs of the front.
 
     While no design is feasible all follow the one of the least excess.
     """
-    genes, objectives = explored.front
+    genes, objectives = archive.front
     if not len(genes):
-        places: Floats = np.repeat(explored.closest.astype(np.float64), count, axis=0)
+        places: Floats = np.repeat(archive.closest.astype(np.float64), count, axis=0)
         return places
     loneliness = crowding_distance(objectives)
     first, second = generator.integers(len(genes), size=(2, count))
@@ -130,16 +132,16 @@ def _leaders(explored: Explored, count: int, generator: np.random.Generator) -> 
 
 
 def _new_designs(
-    explored: Explored,
+    archive: EvaluationArchive,
     places: Floats,
     bounds: tuple[Floats, Floats],
     generator: np.random.Generator,
 ) -> Genes:
     """Designs at the particles' places, stirring (in place) those that are on known ones."""
-    problem = explored.problem
+    problem = archive.problem
     genes = _designs(problem, places)
     for _ in range(STIRRINGS):
-        is_known = explored.is_known(genes)
+        is_known = archive.is_known(genes)
         if not is_known.any():
             break
         _stir(places, is_known, bounds, generator)

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.runs import Runs, runs_of
-from catopt.catenary.setting import Setting
 from catopt.catenary.state import State
 
 __all__ = ["segment_tensions"]
 
 
 def segment_tensions(
-    state: State, setting: Setting, runs: Runs, owner: Any, segments: int, largest: Any
+    state: State, problem: LineProblem, runs: Runs, owner: Any, segments: int, largest: Any
 ) -> None:
     """Find the largest tension of each segment.
 
@@ -23,7 +23,7 @@ def segment_tensions(
     ----------
     state : State
         A converged answer for a known horizontal force.
-    setting : Setting
+    problem : LineProblem
         The line and where it is moored.
     runs : Runs
         Work space.
@@ -36,13 +36,13 @@ def segment_tensions(
     """
     for segment in range(segments):
         largest[segment] = 0.0
-    for row in range(runs_of(state, setting, runs)):
+    for row in range(runs_of(state, problem, runs)):
         length = runs.length[row]
         if length > 0.0:
             k = runs.piece[row]
             H = runs.H[row]
             V = runs.V[row]
-            upper = V + setting.pieces.weight[k] * length
+            upper = V + problem.pieces.weight[k] * length
             H_upper = H + runs.friction[row] * length
             if runs.on_bed[row] == 1:
                 V = upper = 0.0

@@ -30,7 +30,7 @@ from catopt.export.dxf_groups import (
 )
 from catopt.export.expected import expected, in_words
 from catopt.export.exported import Exported, Source
-from catopt.export.hung import Hung, HungLine
+from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.text import plain
 
 __all__ = ["LAYERS", "dxf_drawing"]
@@ -71,26 +71,26 @@ class Sheet:
 
     Attributes
     ----------
-    hung : Hung
+    solved : ExportedLines
         What is drawn.
     size : float
         The longest span or length of a line, m.
     """
 
-    hung: Hung
+    solved: ExportedLines
     size: float
 
     @property
     def in_space(self) -> bool:
         """Whether z is the height; on a drawing of one line it is y."""
-        return self.hung.system is not None
+        return self.solved.system is not None
 
     @property
     def text_height(self) -> float:
         """Height of a text, m."""
         return TEXT_SIZE * self.size
 
-    def at(self, line: HungLine, distance: float, height: float) -> Point:
+    def at(self, line: ExportedLine, distance: float, height: float) -> Point:
         """Place a point of a line's plane."""
         return line.in_space(distance, height) if self.in_space else (distance, height, 0.0)
 
@@ -125,46 +125,48 @@ class Mark:
     row: int = 0
 
 
-def dxf_drawing(hung: Hung, *, sources: Sequence[Source] = ()) -> Exported:
+def dxf_drawing(solved: ExportedLines, *, sources: Sequence[Source] = ()) -> Exported:
     """Draw lines where they hang.
 
     Parameters
     ----------
-    hung : Hung
+    solved : ExportedLines
         The lines.
     sources : sequence of Source
         What the case was read from.
     """
-    size = max(max(line.solution.span, line.solution.line.length) for line in hung.lines)
-    sheet = Sheet(hung, size)
-    remarks = tuple(_remarks(hung))
+    size = max(max(line.solution.span, line.solution.line.length) for line in solved.lines)
+    sheet = Sheet(solved, size)
+    remarks = tuple(_remarks(solved))
     groups: list[Group] = [
-        *_comments(hung, remarks, sources),
+        *_comments(solved, remarks, sources),
         *tables(LAYERS),
         *section("ENTITIES", _entities(sheet, remarks)),
         (0, "EOF"),
     ]
-    answers = tuple(expected(line) for line in hung.lines)
-    return Exported("dxf", hung.case.title, file_text(groups), remarks, answers, tuple(sources))
+    answers = tuple(expected(line) for line in solved.lines)
+    return Exported("dxf", solved.case.title, file_text(groups), remarks, answers, tuple(sources))
 
 
-def _remarks(hung: Hung) -> Iterator[str]:
-    yield from hung.warnings
-    if hung.EA is not None:
-        yield f"drawn with the EA of {hung.EA:.6g} N that was given, not as the case has it"
-    if any(line.solution.regime == "slack" for line in hung.lines):
+def _remarks(solved: ExportedLines) -> Iterator[str]:
+    yield from solved.warnings
+    if solved.EA is not None:
+        yield f"drawn with the EA of {solved.EA:.6g} N that was given, not as the case has it"
+    if any(line.solution.regime == "slack" for line in solved.lines):
         yield "what lies in bights on the bed is drawn straight"
 
 
-def _comments(hung: Hung, remarks: Sequence[str], sources: Sequence[Source]) -> Iterator[Group]:
+def _comments(
+    solved: ExportedLines, remarks: Sequence[str], sources: Sequence[Source]
+) -> Iterator[Group]:
     """Yield what the file says of itself; CAD programs pass over it."""
     yield 999, f"DXF R12 drawing in metres, written by catopt {__version__}"
-    if hung.case.title:
-        yield 999, f"Case: {plain(hung.case.title)}"
+    if solved.case.title:
+        yield 999, f"Case: {plain(solved.case.title)}"
     for source in sources:
         yield 999, f"From {plain(source.name)}, SHA-256 {source.sha256}"
     said = [f"Remark {number}: {plain(remark)}" for number, remark in enumerate(remarks, start=1)]
-    for line in (*in_words(hung), *said):
+    for line in (*in_words(solved), *said):
         for part in wrap(line.strip(), COLUMNS, break_on_hyphens=False):
             yield 999, part
 
@@ -172,19 +174,19 @@ def _comments(hung: Hung, remarks: Sequence[str], sources: Sequence[Source]) -> 
 def _entities(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:
     if not sheet.in_space:
         yield from _surfaces(sheet)
-    for line in sheet.hung.lines:
+    for line in sheet.solved.lines:
         yield from _segments(sheet, line)
         for mark in _marks(line, in_space=sheet.in_space):
             yield from _drawn(sheet, mark, sheet.at(line, mark.distance, mark.height))
-    if sheet.hung.system is not None:
+    if sheet.solved.system is not None:
         yield from _body(sheet)
     yield from _legend(sheet, remarks)
 
 
 def _surfaces(sheet: Sheet) -> Iterator[Group]:
     """Draw the bed and the still water, both a tenth of the length beyond the line."""
-    over, span = 0.1 * sheet.size, sheet.hung.lines[0].solution.span
-    depth = sheet.hung.case.site.water_depth
+    over, span = 0.1 * sheet.size, sheet.solved.lines[0].solution.span
+    depth = sheet.solved.case.site.water_depth
     for layer, height, words in (
         ("BED", 0.0, "bed"),
         ("WATER", depth, f"still water, {depth:.6g} m above the bed"),
@@ -195,7 +197,7 @@ def _surfaces(sheet: Sheet) -> Iterator[Group]:
         yield from text("TEXT", beside, words, sheet.text_height)
 
 
-def _segments(sheet: Sheet, line: HungLine) -> Iterator[Group]:
+def _segments(sheet: Sheet, line: ExportedLine) -> Iterator[Group]:
     """Draw every segment as a polyline of its own."""
     solution = line.solution
     profile = solution.profile(POINTS)
@@ -218,7 +220,7 @@ def _between(
             yield x, z
 
 
-def _marks(line: HungLine, *, in_space: bool) -> Iterator[Mark]:
+def _marks(line: ExportedLine, *, in_space: bool) -> Iterator[Mark]:
     """Yield what there is on a line; of several lines, only the anchors bear words."""
     solution = line.solution
     at_anchor = f"{line.name if in_space else 'anchor'}, {_force(solution.anchor.tension)}"
@@ -262,9 +264,9 @@ def _joints(solution: Solution) -> Iterator[tuple[float, str]]:
 
 def _body(sheet: Sheet) -> Iterator[Group]:
     """Mark the body's origin at the height of the first fairlead."""
-    system = sheet.hung.system
+    system = sheet.solved.system
     assert system is not None
-    height = sheet.hung.lines[0].solution.fairlead_height
+    height = sheet.solved.lines[0].solution.fairlead_height
     words = f"body under {_force(math.hypot(*system.system.force))}"
     mark = Mark("BODY", 0.0, height, words)
     yield from _drawn(sheet, mark, (system.position.x, system.position.y, height))
@@ -272,8 +274,8 @@ def _body(sheet: Sheet) -> Iterator[Group]:
 
 def _legend(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:
     """Write title, units and answers below the drawing."""
-    rows = [sheet.hung.case.title, "Drawing units are metres; heights are above the bed."]
-    for line in sheet.hung.lines:
+    rows = [sheet.solved.case.title, "Drawing units are metres; heights are above the bed."]
+    for line in sheet.solved.lines:
         solution = line.solution
         rows.append(
             f"{line.name}: span {solution.span:.3f} m, H {_force(solution.horizontal_force)}, "
@@ -282,7 +284,7 @@ def _legend(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:
     rows.append(f"catopt {__version__}")
     for remark in remarks:
         rows += wrap(f"Remark: {remark}", COLUMNS, subsequent_indent="  ", break_on_hyphens=False)
-    lowest = min(line.anchor[1] for line in sheet.hung.lines) if sheet.in_space else 0.0
+    lowest = min(line.anchor[1] for line in sheet.solved.lines) if sheet.in_space else 0.0
     for number, row in enumerate((row for row in rows if row), start=4):
         place = sheet.beside((0.0, min(lowest, 0.0), 0.0), -number)
         yield from text("TEXT", place, row, sheet.text_height)

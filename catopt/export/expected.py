@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from catopt.catenary.solution import Solution
-from catopt.export.hung import Hung, HungLine
+from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.text import plain, significant
 
 __all__ = ["expected", "in_words"]
@@ -15,26 +15,26 @@ ROUNDING = 1e-12
 """Of a number over the fairlead tension: what is below it is shown as 0."""
 
 
-def expected(line: HungLine) -> dict[str, Any]:
+def expected(line: ExportedLine) -> dict[str, Any]:
     """List what should be found: under the case's friction, and where the bed has none."""
     at_rest = None if line.at_rest is None else _forces(line.at_rest)
     return {"name": line.name, **_forces(line.solution), "without_friction": at_rest}
 
 
-def in_words(hung: Hung) -> Iterator[str]:
+def in_words(solved: ExportedLines) -> Iterator[str]:
     """Yield lines of text that say what should be found, in SI."""
     yield "Closed form of catopt, SI units, tensions without the water's pressure (effective):"
-    for line in hung.lines:
+    for line in solved.lines:
         yield f"  {plain(line.name)}: {_sentence(line.solution)}"
         if line.at_rest is not None:
             yield f"    on a bed without friction: {_sentence(line.at_rest)}"
-    if hung.system is not None:
-        yield from _of_body(hung.lines, hung)
+    if solved.system is not None:
+        yield from _of_body(solved.lines, solved)
 
 
-def _of_body(lines: Sequence[HungLine], hung: Hung) -> Iterator[str]:
-    assert hung.system is not None
-    where, force = hung.system.position, hung.system.system.force
+def _of_body(lines: Sequence[ExportedLine], solved: ExportedLines) -> Iterator[str]:
+    assert solved.system is not None
+    where, force = solved.system.position, solved.system.system.force
     yield (
         f"  body at x {significant(where.x)} m, y {significant(where.y)} m, yaw "
         f"{significant(where.yaw)} rad, where the {len(lines)} lines balance a force of "

@@ -13,11 +13,11 @@ from catopt.model import Case, Line
 from catopt.mooring.case import report_system
 from catopt.mooring.solution import LegState, SystemSolution
 
-__all__ = ["Hung", "HungLine", "hang", "rigid_segments"]
+__all__ = ["ExportedLine", "ExportedLines", "exported_lines", "rigid_segments"]
 
 
 @dataclass(frozen=True)
-class HungLine:
+class ExportedLine:
     """One line between its two ends.
 
     Attributes
@@ -74,14 +74,14 @@ class HungLine:
 
 
 @dataclass(frozen=True)
-class Hung:
+class ExportedLines:
     """A case with its lines where they hang.
 
     Attributes
     ----------
     case : Case
         Under the load that was taken.
-    lines : tuple of HungLine
+    lines : tuple of ExportedLine
         One, or those of the system.
     system : SystemSolution or None
         Of a moored body.
@@ -92,7 +92,7 @@ class Hung:
     """
 
     case: Case
-    lines: tuple[HungLine, ...]
+    lines: tuple[ExportedLine, ...]
     system: SystemSolution | None
     EA: float | None
     warnings: tuple[str, ...]
@@ -103,7 +103,7 @@ class Hung:
         return max(max(line.solution.profile().z) for line in self.lines)
 
 
-def hang(case: Case, EA: float | None = None) -> Hung:
+def exported_lines(case: Case, EA: float | None = None) -> ExportedLines:
     """Solve a case, and once more with an EA for the segments that do not stretch.
 
     Parameters
@@ -139,12 +139,12 @@ def rigid_segments(case: Case) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _line(case: Case, EA: float | None) -> Hung:
+def _line(case: Case, EA: float | None) -> ExportedLines:
     own = solve_case(case)
     case, _ = under_a_load(case)
     solution = own if EA is None else _stretching(own, case, EA)
-    line = HungLine("line 1", solution, _at_rest(solution), own.fairlead.tension)
-    return Hung(case, (line,), None, EA, own.warnings)
+    line = ExportedLine("line 1", solution, _at_rest(solution), own.fairlead.tension)
+    return ExportedLines(case, (line,), None, EA, own.warnings)
 
 
 def _stretching(own: Solution, case: Case, EA: float) -> Solution:
@@ -162,7 +162,7 @@ def _stretching(own: Solution, case: Case, EA: float) -> Solution:
     )
 
 
-def _body(case: Case, EA: float | None) -> Hung:
+def _body(case: Case, EA: float | None) -> ExportedLines:
     own = report_system(case).solution
     assert case.system is not None
     solved = own
@@ -174,11 +174,11 @@ def _body(case: Case, EA: float | None) -> Hung:
         _of_leg(state, number, before.tension)
         for number, (state, before) in enumerate(zip(solved.lines, own.lines, strict=True), start=1)
     )
-    return Hung(case, lines, solved, EA, own.warnings)
+    return ExportedLines(case, lines, solved, EA, own.warnings)
 
 
-def _of_leg(state: LegState, number: int, own_tension: float) -> HungLine:
-    return HungLine(
+def _of_leg(state: LegState, number: int, own_tension: float) -> ExportedLine:
+    return ExportedLine(
         state.leg.name or f"line {number}",
         state.solution,
         _at_rest(state.solution),

@@ -15,7 +15,7 @@ from catopt._version import __version__
 from catopt.constants import STANDARD_GRAVITY
 from catopt.export.expected import expected, in_words
 from catopt.export.exported import Exported, Source
-from catopt.export.hung import Hung
+from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn_model import DAMPING, ELEMENTS, STEP, LineType, Model, model_of
 from catopt.export.moordyn_remarks import ADDED_MASS, DRAG, has_drag, remarks_of
 from catopt.export.text import plain, significant
@@ -24,7 +24,7 @@ __all__ = ["moordyn_input"]
 
 
 def moordyn_input(
-    hung: Hung,
+    solved: ExportedLines,
     *,
     elements: int = ELEMENTS,
     true_depth: bool = False,
@@ -34,7 +34,7 @@ def moordyn_input(
 
     Parameters
     ----------
-    hung : Hung
+    solved : ExportedLines
         The lines where they hang; every segment has an EA.
     elements : int
         About how many a line is cut into.
@@ -48,7 +48,7 @@ def moordyn_input(
     InputError
         A segment does not stretch, or its mass is missing or too small, with every one at once.
     """
-    model = model_of(hung, elements=elements, true_depth=true_depth)
+    model = model_of(solved, elements=elements, true_depth=true_depth)
     remarks = tuple(remarks_of(model))
     lines = [
         *_header(model, remarks, sources),
@@ -59,24 +59,24 @@ def moordyn_input(
     ]
     return Exported(
         "moordyn",
-        hung.case.title,
+        solved.case.title,
         "\n".join(lines) + "\n",
         remarks,
-        tuple(expected(line) for line in hung.lines),
+        tuple(expected(line) for line in solved.lines),
         tuple(sources),
     )
 
 
 def _header(model: Model, remarks: Sequence[str], sources: Sequence[Source]) -> Iterator[str]:
     """Yield what stands before the first section: neither program reads it."""
-    hung = model.hung
+    solved = model.solved
     yield f"MoorDyn v2 input file, also read by MoorPy; written by catopt {__version__}"
-    if hung.case.title:
-        yield from _folded(f"Case: {hung.case.title}")
+    if solved.case.title:
+        yield from _folded(f"Case: {solved.case.title}")
     for source in sources:
         yield from _folded(f"From {source.name}, SHA-256 {source.sha256}")
     yield ""
-    for line in in_words(hung):
+    for line in in_words(solved):
         yield from _folded(line)
     yield ""
     yield from _folded(
@@ -177,8 +177,8 @@ def _lines(model: Model) -> Iterator[str]:
 
 
 def _options(model: Model) -> Iterator[str]:
-    site = model.hung.case.site
-    friction = max(line.solution.seabed_friction for line in model.hung.lines)
+    site = model.solved.case.site
+    friction = max(line.solution.seabed_friction for line in model.solved.lines)
     yield "--- OPTIONS ---"
     for value, key, words in (
         (0.0, "writeLog", "no log file"),

@@ -12,7 +12,7 @@ from catopt.export.body_in_water import (
     of_point_load,
     of_segment,
 )
-from catopt.export.hung import Hung, HungLine
+from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.pieces import Joint, Piece, cut_line
 from catopt.export.text import word
 from catopt.model import Segment
@@ -65,7 +65,7 @@ class LineType:
 class Part:
     """One line cut for MoorDyn: its joints with what hangs there, its pieces with their types."""
 
-    line: HungLine
+    line: ExportedLine
     joints: Sequence[Joint]
     loads: Sequence[BodyInWater]
     pieces: Sequence[Piece]
@@ -78,7 +78,7 @@ class Model:
 
     Attributes
     ----------
-    hung : Hung
+    solved : ExportedLines
         The lines.
     parts : sequence of Part
         The same, cut.
@@ -90,7 +90,7 @@ class Model:
         s.
     """
 
-    hung: Hung
+    solved: ExportedLines
     parts: Sequence[Part]
     surface: float
     bed_stiffness: float
@@ -103,12 +103,12 @@ class Model:
         return list({each.name: each for part in self.parts for each in part.types}.values())
 
 
-def model_of(hung: Hung, *, elements: int = ELEMENTS, true_depth: bool = False) -> Model:
+def model_of(solved: ExportedLines, *, elements: int = ELEMENTS, true_depth: bool = False) -> Model:
     """Cut the lines, and choose a bed and a time step.
 
     Parameters
     ----------
-    hung : Hung
+    solved : ExportedLines
         The lines where they hang; every segment has an EA.
     elements : int
         About how many a line is cut into.
@@ -120,32 +120,32 @@ def model_of(hung: Hung, *, elements: int = ELEMENTS, true_depth: bool = False) 
     InputError
         A segment does not stretch, or its mass is missing or too small, with every one at once.
     """
-    parts = _parts(hung, elements)
-    depth = hung.case.site.water_depth
+    parts = _parts(solved, elements)
+    depth = solved.case.site.water_depth
     stiffness = _bed_stiffness(parts)
     return Model(
-        hung,
+        solved,
         parts,
-        hung.highest if is_above(hung) and not true_depth else depth,
+        solved.highest if is_above(solved) and not true_depth else depth,
         stiffness,
         _rounded_down(_bed_damping(parts, stiffness)),
         _rounded_down(_step(parts, stiffness)),
     )
 
 
-def is_above(hung: Hung) -> bool:
+def is_above(solved: ExportedLines) -> bool:
     """Whether a line reaches above the water of the case by more than rounding."""
-    depth = hung.case.site.water_depth
-    return hung.highest - depth > ROUNDING * depth
+    depth = solved.case.site.water_depth
+    return solved.highest - depth > ROUNDING * depth
 
 
-def _parts(hung: Hung, elements: int) -> list[Part]:
+def _parts(solved: ExportedLines, elements: int) -> list[Part]:
     """Cut every line, and gather what is wrong with any."""
-    density = hung.case.site.water_density
+    density = solved.case.site.water_density
     known: dict[Segment, LineType] = {}
     problems: list[Problem] = []
     parts = []
-    for line in hung.lines:
+    for line in solved.lines:
         joints, pieces = cut_line(line.solution.line, elements)
         types: list[LineType] = []
         for number, segment in enumerate(line.solution.line.segments):
@@ -181,7 +181,7 @@ def _line_type(
     return LineType(name, segment, of_segment(segment, density, key))
 
 
-def _hanging(line: HungLine, joint: Joint, density: float) -> BodyInWater:
+def _hanging(line: ExportedLine, joint: Joint, density: float) -> BodyInWater:
     """Put what hangs at a joint together."""
     all_loads = line.solution.line.point_loads
     bodies = [

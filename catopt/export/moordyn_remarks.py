@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from catopt.export.body_in_water import (
     STEEL_DENSITY,
 )
-from catopt.export.hung import Hung
+from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn_model import Model, Part, is_above, resting
 from catopt.export.text import significant
 from catopt.model import Segment
@@ -23,21 +23,21 @@ DRAG, ADDED_MASS = 1.2, 1.0
 
 def remarks_of(model: Model) -> Iterator[str]:
     """Say what stands in the file otherwise than in the case, and what does not."""
-    yield from model.hung.warnings
-    yield from _on_stiffness(model.hung)
+    yield from model.solved.warnings
+    yield from _on_stiffness(model.solved)
     yield from _on_stand_ins(model)
     yield from _on_the_bed(model)
     yield from _on_the_water(model)
-    yield from _on_the_rest(model.hung)
+    yield from _on_the_rest(model.solved)
 
 
-def _on_stiffness(hung: Hung) -> Iterator[str]:
-    if hung.EA is None:
+def _on_stiffness(solved: ExportedLines) -> Iterator[str]:
+    if solved.EA is None:
         return
-    changes = [line.solution.fairlead.tension / line.own_tension - 1.0 for line in hung.lines]
+    changes = [line.solution.fairlead.tension / line.own_tension - 1.0 for line in solved.lines]
     largest = max(changes, key=abs)
     yield (
-        f"EA {significant(hung.EA)} N is not of the case, in which the line does not stretch: it "
+        f"EA {significant(solved.EA)} N is not of the case, in which the line does not stretch: it "
         "was given for this file, and the closed form here is that of the line that has it. It "
         f"changes the fairlead tension by {100.0 * largest:.2g} %."
     )
@@ -70,16 +70,16 @@ def has_drag(segment: Segment) -> bool:
 
 
 def _on_the_bed(model: Model) -> Iterator[str]:
-    if any(line.at_rest is not None for line in model.hung.lines):
+    if any(line.at_rest is not None for line in model.solved.lines):
         yield (
-            f"bed friction {model.hung.lines[0].solution.seabed_friction:g}: MoorDyn's friction "
+            f"bed friction {model.solved.lines[0].solution.seabed_friction:g}: MoorDyn's friction "
             "acts on what moves and is none at rest, and MoorPy drops it. "
             "Compare with the closed form on a bed without friction; the fairleads stand where "
             "they do with friction."
         )
     own = {
         f"{load.friction:g}"
-        for line in model.hung.lines
+        for line in model.solved.lines
         for load in line.solution.line.point_loads
         if load.friction is not None
     }
@@ -108,8 +108,8 @@ def _near_the_bed(part: Part) -> Iterator[bool]:
 
 
 def _on_the_water(model: Model) -> Iterator[str]:
-    depth, highest = model.hung.case.site.water_depth, model.hung.highest
-    if not is_above(model.hung):
+    depth, highest = model.solved.case.site.water_depth, model.solved.highest
+    if not is_above(model.solved):
         return
     if model.surface > depth:
         yield (
@@ -126,12 +126,12 @@ def _on_the_water(model: Model) -> Iterator[str]:
         )
 
 
-def _on_the_rest(hung: Hung) -> Iterator[str]:
-    if hung.system is not None:
+def _on_the_rest(solved: ExportedLines) -> Iterator[str]:
+    if solved.system is not None:
         yield (
             "the body is not in the file: each fairlead is held where it is under the load, and "
             "the forces of all lines together balance that load."
         )
-    left = [key for key in ("waves", "current", "motion") if getattr(hung.case, key) is not None]
+    left = [key for key in ("waves", "current", "motion") if getattr(solved.case, key) is not None]
     if left:
         yield f"not in the file: {', '.join(left)} of the case. It is the line at rest."

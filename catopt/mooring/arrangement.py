@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from catopt.catenary.equilibrium import hang_slack
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, cut
-from catopt.catenary.setting import Setting
 from catopt.catenary.state import CONVERGED, TOO_SHORT, failed
 from catopt.model.line import Line
 from catopt.model.system import Leg, System
@@ -122,9 +122,9 @@ def arrange(system: System) -> Arrangement:
 
 def _slack(pieces: Pieces, leg: Leg, friction: float) -> tuple[float, float, float, float]:
     """Span, V, V at the anchor and grounded length of a line that just hangs slack."""
-    setting = Setting(pieces, float(leg.anchor_height), float(leg.fairlead_height), friction)
+    problem = LineProblem(pieces, float(leg.anchor_height), float(leg.fairlead_height), friction)
     drop = leg.fairlead_height + leg.anchor_height
-    state = hang_slack(setting) if drop < leg.line.length else failed(TOO_SHORT)
+    state = hang_slack(problem) if drop < leg.line.length else failed(TOO_SHORT)
     if state.status != CONVERGED:
         return -1.0, 0.0, 0.0, 0.0
     return state.span, state.V, state.V_anchor, state.grounded

@@ -6,11 +6,11 @@ import math
 from typing import NamedTuple
 
 from catopt.catenary.equilibrium import hung_state
+from catopt.catenary.line_problem import LineProblem, is_plain
 from catopt.catenary.pieces import Pieces
-from catopt.catenary.setting import Setting, is_plain
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, State, failed
-from catopt.catenary.walk import FIRST_TOUCHDOWN
+from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.mooring.arrangement import Arrangement, Lines
 
 __all__ = ["Pull", "pull_at"]
@@ -129,7 +129,7 @@ def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact:
         arrangement.compliance[start:end],
         arrangement.load[2 * (start + k) : 2 * (end + k + 1)],
     )
-    setting = Setting(
+    problem = LineProblem(
         pieces, arrangement.anchor_height[k], arrangement.fairlead_height[k], arrangement.friction
     )
     # Along the tangent from where it was; after a long way back that says nothing.
@@ -139,10 +139,10 @@ def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact:
     if not (H > 0.2 * lines.H[k] and V > 0.2 * lines.V[k]):
         H = V = math.nan
     state = failed(NOT_CONVERGED)
-    if not is_exact and H > 0.0 and setting.fairlead_height > 0.0 and is_plain(setting):
-        state = _nearly(span, setting, H, V)
+    if not is_exact and H > 0.0 and problem.fairlead_height > 0.0 and is_plain(problem):
+        state = _nearly(span, problem, H, V)
     if state.status != CONVERGED:
-        state = given_span(span, setting, H, V)
+        state = given_span(span, problem, H, V)
     if state.status != CONVERGED:
         return state.status
     lines.H[k] = state.H
@@ -160,14 +160,14 @@ def _hang(k: int, span: float, arrangement: Arrangement, lines: Lines, is_exact:
     return CONVERGED
 
 
-def _nearly(span: float, setting: Setting, H: float, V: float) -> State:
-    """Newton's method on (span, height) as in catenary.closing, left as soon as it is close.
+def _nearly(span: float, problem: LineProblem, H: float, V: float) -> State:
+    """Newton's method on (span, height) as in catenary.root_search, left as soon as it is close.
 
     The last step is taken and not looked at again: its error is the square of NEARLY.
     """
     for _ in range(6):
         state = hung_state(
-            H, V, setting.pieces, setting.fairlead_height, setting.friction, FIRST_TOUCHDOWN
+            H, V, problem.pieces, problem.fairlead_height, problem.friction, FIRST_TOUCHDOWN
         )
         determinant = state.x_H * state.z_V - state.x_V * state.z_H
         if not determinant > 0.0:

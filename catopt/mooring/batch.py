@@ -15,7 +15,7 @@ from catopt.model.system import System
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.descent import TURNS_OVER
 from catopt.mooring.many import BODY, PER_LINE, settle_all
-from catopt.mooring.moored import moor
+from catopt.mooring.zero_load import zero_load_position
 
 __all__ = ["Batch", "SystemSolutions", "solve_system_many"]
 
@@ -89,7 +89,7 @@ class SystemSolutions:
 def solve_system_many(
     system: System, *, force: npt.ArrayLike, moment: npt.ArrayLike = 0.0
 ) -> SystemSolutions:
-    """Settle one system under many loads by one loop, each from the zero-load position.
+    """Bring one system to rest under many loads by one loop, each from the zero-load position.
 
     A load without an answer is marked with its reason and leaves the others alone.
 
@@ -132,15 +132,15 @@ class Batch:
 
     def __init__(self, system: System) -> None:
         self.system = system
-        self._moored = moor(system)
-        self._arrangement = as_arrays(self._moored.arrangement)
+        self._zero_load = zero_load_position(system)
+        self._arrangement = as_arrays(self._zero_load.arrangement)
 
     def under(self, force: npt.ArrayLike, moment: npt.ArrayLike = 0.0) -> SystemSolutions:
-        """Settle the body under many loads; as `solve_system_many`."""
+        """Bring the body to rest under many loads; as `solve_system_many`."""
         forces, moments = _loads(self.system, force, moment)
         n, count = len(forces), len(self.system.legs)
-        moored = self._moored
-        neutral = moored.neutral
+        zero_load = self._zero_load
+        neutral = zero_load.neutral
         status, line, steps = (np.empty(n, dtype=np.int64) for _ in range(3))
         body = np.empty(n * len(BODY))
         per_line = np.empty(n * len(PER_LINE) * count)
@@ -150,9 +150,9 @@ class Batch:
                 np.ascontiguousarray(forces[:, 0]),
                 np.ascontiguousarray(forces[:, 1]),
                 moments,
-                moored.freedom,
+                zero_load.freedom,
                 self._arrangement,
-                as_arrays(moored.lines),
+                as_arrays(zero_load.lines),
                 as_arrays(room_for(count)),
                 status,
                 line,

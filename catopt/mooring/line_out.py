@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 from catopt.errors import NoAnswerError
 from catopt.model.system import System
-from catopt.mooring.moored import moor
 from catopt.mooring.response import Response, response_of
+from catopt.mooring.zero_load import zero_load_position
 from catopt.words import Message
 
 __all__ = ["LineOut", "one_line_out"]
@@ -48,14 +48,14 @@ def one_line_out(system: System) -> tuple[LineOut, ...]:
     NoEquilibriumError, NotConvergedError
         When the intact system has no zero-load position, or a solver stopped short.
     """
-    zero = moor(system).neutral
+    zero = zero_load_position(system).neutral
     found = []
     for missing in range(len(system.legs)):
         if len(system.legs) == 1:
             found.append(LineOut(missing, None, Message("mooring.no_line_left")))
             continue
         try:
-            left = moor(system.without([missing]))
+            left = zero_load_position(system.without([missing]))
             rest, lines = left.under(system.force, system.moment)
         except NoAnswerError as error:
             found.append(LineOut(missing, None, error.args[0]))

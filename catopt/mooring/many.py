@@ -7,7 +7,7 @@ from typing import Any, Final
 from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import pull_at
 from catopt.mooring.descent import BodyLoad, Freedom
-from catopt.mooring.settle import settle
+from catopt.mooring.static_equilibrium import static_equilibrium
 
 __all__ = ["BODY", "PER_LINE", "settle_all"]
 
@@ -50,14 +50,14 @@ def settle_all(
     body: Any,
     per_line: Any,
 ) -> None:
-    """Settle the body under each load, every time from the same start.
+    """Bring the body to rest under each load, every time from the same start.
 
     Parameters
     ----------
     x, y, yaw, force_x, force_y, moment : sequence of float, shape (n,)
         Where the body starts, or is held, and the load.
     freedom, arrangement
-        As for `settle`.
+        As for `static_equilibrium`.
     start : Lines
         What is known of the lines near the start; written to.
     lines : Lines
@@ -79,7 +79,7 @@ def settle_all(
             lines.H_S[k], lines.V_S[k] = start.H_S[k], start.V_S[k]
             lines.grounded[k] = start.grounded[k]
             lines.H_anchor[k], lines.V_anchor[k] = start.H_anchor[k], start.V_anchor[k]
-        rest = settle(
+        rest = static_equilibrium(
             x[i],
             y[i],
             yaw[i],

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.moored import Moored
+from catopt.mooring.zero_load import ZeroLoadPosition
 from catopt.ties import first_largest
 
 __all__ = ["Response", "response_of"]
@@ -47,19 +47,21 @@ class Response:
     least_grounded: float
 
 
-def response_of(moored: Moored, rest: Rest, lines: Lines, zero: Rest | None = None) -> Response:
+def response_of(
+    zero_load: ZeroLoadPosition, rest: Rest, lines: Lines, zero: Rest | None = None
+) -> Response:
     """Sum a place of rest up.
 
     Parameters
     ----------
-    moored : Moored
+    zero_load : ZeroLoadPosition
         The system.
     rest, lines
         The body and its lines there.
     zero : Rest, optional
         From where the offset counts; the system's own zero-load position when left out.
     """
-    start = moored.neutral if zero is None else zero
+    start = zero_load.neutral if zero is None else zero
     tensions = [math.hypot(H, V) for H, V in zip(lines.H, lines.V, strict=True)]
     return Response(
         x=rest.x,

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from catopt.model.system import System
 from catopt.model.validity import Findings
-from catopt.mooring.moored import Moored, moor
 from catopt.mooring.response import Response, response_of
+from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 
 __all__ = ["RestoringCurve", "offset_curve", "restoring_curve"]
 
@@ -71,17 +71,17 @@ def restoring_curve(
         As for `solve_system`.
     """
     _check("offsets", offsets, direction, "m")
-    moored = moor(system)
+    zero_load = zero_load_position(system)
     cosine, sine = math.cos(direction), math.sin(direction)
     points = []
     for offset in offsets:
-        x = moored.neutral.x + offset * cosine
-        y = moored.neutral.y + offset * sine
-        rest, lines = moored.held(x, y)
+        x = zero_load.neutral.x + offset * cosine
+        y = zero_load.neutral.y + offset * sine
+        rest, lines = zero_load.held(x, y)
         along = -(rest.pull.x * cosine + rest.pull.y * sine)
         across = -(rest.pull.y * cosine - rest.pull.x * sine)
-        points.append((float(offset), 0.0, along, across, response_of(moored, rest, lines)))
-    return _curve(moored, direction, True, points)
+        points.append((float(offset), 0.0, along, across, response_of(zero_load, rest, lines)))
+    return _curve(zero_load, direction, True, points)
 
 
 def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -> RestoringCurve:
@@ -102,32 +102,32 @@ def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -
         As for `solve_system`.
     """
     _check("forces", forces, direction, "N")
-    moored = moor(system)
+    zero_load = zero_load_position(system)
     cosine, sine = math.cos(direction), math.sin(direction)
     points = []
     for force in forces:
-        rest, lines = moored.under((force * cosine, force * sine))
-        x, y = rest.x - moored.neutral.x, rest.y - moored.neutral.y
+        rest, lines = zero_load.under((force * cosine, force * sine))
+        x, y = rest.x - zero_load.neutral.x, rest.y - zero_load.neutral.y
         points.append(
             (
                 x * cosine + y * sine,
                 y * cosine - x * sine,
                 float(force),
                 0.0,
-                response_of(moored, rest, lines),
+                response_of(zero_load, rest, lines),
             )
         )
-    return _curve(moored, direction, False, points)
+    return _curve(zero_load, direction, False, points)
 
 
 def _curve(
-    moored: Moored,
+    zero_load: ZeroLoadPosition,
     direction: float,
     is_held: bool,
     points: Sequence[tuple[float, float, float, float, Response]],
 ) -> RestoringCurve:
     return RestoringCurve(
-        moored.system,
+        zero_load.system,
         direction,
         is_held,
         offset=tuple(point[0] for point in points),

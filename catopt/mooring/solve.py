@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.closing import BY_SPAN
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
-from catopt.catenary.setting import Setting
+from catopt.catenary.root_search import BY_SPAN
 from catopt.catenary.span import given_span
 from catopt.catenary.state import CONVERGED
 from catopt.errors import NotConvergedError
 from catopt.model.system import Leg, System
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.moored import Moored, is_held, moor
 from catopt.mooring.solution import LegState, Position, SystemResidual, SystemSolution
+from catopt.mooring.zero_load import ZeroLoadPosition, is_held, zero_load_position
 from catopt.words import Message
 
 __all__ = ["solve_system"]
@@ -58,14 +58,14 @@ def solve_system(system: System) -> SystemSolution:
     >>> solution.most_loaded, round(solution.offset[0], 2)
     (2, 20.25)
     """
-    moored = moor(system)
-    return solution_at(moored, *moored.under(system.force, system.moment))
+    zero_load = zero_load_position(system)
+    return solution_at(zero_load, *zero_load.under(system.force, system.moment))
 
 
-def solution_at(moored: Moored, rest: Rest, lines: Lines) -> SystemSolution:
+def solution_at(zero_load: ZeroLoadPosition, rest: Rest, lines: Lines) -> SystemSolution:
     """Lay out every line with the body at a place of rest."""
-    system, neutral, pull = moored.system, moored.neutral, rest.pull
-    others = moored.other_headings(rest, lines, system.force, system.moment)
+    system, neutral, pull = zero_load.system, zero_load.neutral, rest.pull
+    others = zero_load.other_headings(rest, lines, system.force, system.moment)
     states = tuple(
         _leg_state(leg, rest, system.seabed_friction, (lines.H[k], lines.V[k]), k)
         for k, leg in enumerate(system.legs)
@@ -82,7 +82,7 @@ def solution_at(moored: Moored, rest: Rest, lines: Lines) -> SystemSolution:
         ),
         residual=SystemResidual(rest.force_error, rest.moment_error),
         steps=rest.steps,
-        warnings=_warnings(moored, rest, states, others),
+        warnings=_warnings(zero_load, rest, states, others),
     )
 
 
@@ -96,15 +96,15 @@ def _leg_state(
     to_x, to_y = leg.anchor[0] - x, leg.anchor[1] - y
     span = math.hypot(to_x, to_y)
     pieces, segment_of = cut(leg.line)
-    setting = Setting(pieces, float(leg.anchor_height), float(leg.fairlead_height), friction)
+    problem = LineProblem(pieces, float(leg.anchor_height), float(leg.fairlead_height), friction)
     H, V = known if known[0] > 0.0 else (math.nan, math.nan)
-    state = given_span(max(span, 1e-9), setting, H, V)
+    state = given_span(max(span, 1e-9), problem, H, V)
     if state.status != CONVERGED:
         raise NotConvergedError(Message("mooring.line_not_converged", number=index + 1))
     own = solution_of(
         state._replace(span=max(span, 1e-9)),
         leg.line,
-        setting,
+        problem,
         segment_of,
         method="closed-form",
         known=BY_SPAN,
@@ -116,14 +116,14 @@ def _leg_state(
 
 
 def _warnings(
-    moored: Moored, rest: Rest, states: tuple[LegState, ...], others: tuple[Rest, ...]
+    zero_load: ZeroLoadPosition, rest: Rest, states: tuple[LegState, ...], others: tuple[Rest, ...]
 ) -> tuple[str, ...]:
     found = [
         of_line(index + 1, warning)
         for index, state in enumerate(states)
         for warning in state.solution.warnings
     ]
-    if not is_held(rest.pull, moored.freedom):
+    if not is_held(rest.pull, zero_load.freedom):
         found.insert(0, Message("mooring.drifts"))
     found += [
         Message(

@@ -18,13 +18,13 @@ from catopt.mooring.descent import (
 )
 from catopt.mooring.heading import first_heading
 
-__all__ = ["settle"]
+__all__ = ["static_equilibrium"]
 
 NUDGE: Final = 0.01
 """rad by which a body that balances on a ridge is turned off it."""
 
 
-def settle(
+def static_equilibrium(
     x: float,
     y: float,
     yaw: float,

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from catopt.model.system import System
 from catopt.model.validity import Findings
-from catopt.mooring.moored import moor
 from catopt.mooring.response import Response, response_of
+from catopt.mooring.zero_load import zero_load_position
 from catopt.ties import first_largest
 
 __all__ = ["WatchCircle", "watch_circle"]
@@ -70,11 +70,11 @@ def watch_circle(system: System, *, force: float, directions: int = 120) -> Watc
     found.number("force", force, "N", above=0.0)
     found.number("directions", directions, "", at_least=3, at_most=3600)
     found.raise_if_any()
-    moored = moor(system)
+    zero_load = zero_load_position(system)
     angles = tuple(2.0 * math.pi * k / directions for k in range(directions))
     responses = []
     for angle in angles:
-        rest, lines = moored.under((force * math.cos(angle), force * math.sin(angle)))
-        responses.append(response_of(moored, rest, lines))
-    neutral = (moored.neutral.x, moored.neutral.y)
+        rest, lines = zero_load.under((force * math.cos(angle), force * math.sin(angle)))
+        responses.append(response_of(zero_load, rest, lines))
+    neutral = (zero_load.neutral.x, zero_load.neutral.y)
     return WatchCircle(system, force, angles, tuple(responses), neutral)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from catopt.errors import InputError
 from catopt.model.system import System
 from catopt.model.validity import Findings
-from catopt.mooring.moored import moor
 from catopt.mooring.response import Response, response_of
+from catopt.mooring.zero_load import zero_load_position
 
 __all__ = ["AtLevel", "at_levels"]
 
@@ -58,13 +58,13 @@ def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
         raise InputError(found.problems, found.source)
     answers = []
     for level in levels:
-        moored = moor(system.raised(float(level)))
-        rest, lines = moored.under(system.force, system.moment)
+        zero_load = zero_load_position(system.raised(float(level)))
+        rest, lines = zero_load.under(system.force, system.moment)
         pull = rest.pull
         answers.append(
             AtLevel(
                 float(level),
-                response_of(moored, rest, lines),
+                response_of(zero_load, rest, lines),
                 ((pull.xx, pull.xy), (pull.xy, pull.yy)),
             )
         )

@@ -21,10 +21,10 @@ from catopt.mooring.descent import (
 )
 from catopt.mooring.heading import SAME_YAW, next_heading
 from catopt.mooring.refusal import refusal, turns_over
-from catopt.mooring.settle import settle
+from catopt.mooring.static_equilibrium import static_equilibrium
 from catopt.words import Message
 
-__all__ = ["Moored", "copied", "is_held", "moor"]
+__all__ = ["ZeroLoadPosition", "copied", "is_held", "zero_load_position"]
 
 SHORT_OF_TAUT = 0.999
 """Part of its length over which a line that does not stretch may reach at the start."""
@@ -33,7 +33,7 @@ NOTHING = BodyLoad(0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
-class Moored:
+class ZeroLoadPosition:
     """A system and its zero-load position.
 
     Attributes
@@ -57,7 +57,7 @@ class Moored:
     lines: Lines
 
     def under(self, force: Sequence[float], moment: float = 0.0) -> tuple[Rest, Lines]:
-        """Settle the body under a load; N along x and y, N m.
+        """Bring the body to rest under a load; N along x and y, N m.
 
         Raises
         ------
@@ -67,7 +67,7 @@ class Moored:
         lines = copied(self.lines)
         start = self.neutral
         load = BodyLoad(float(force[0]), float(force[1]), float(moment))
-        rest = settle(
+        rest = static_equilibrium(
             start.x, start.y, start.yaw, start.pull, load, self.freedom, self.arrangement, lines
         )
         if rest.status == TURNS_OVER:
@@ -114,13 +114,15 @@ class Moored:
         lines = copied(self.lines)
         pull = pull_at(x, y, self.neutral.yaw, self.arrangement, lines, True)
         freedom = self.freedom._replace(in_plane=False)
-        rest = settle(x, y, self.neutral.yaw, pull, NOTHING, freedom, self.arrangement, lines)
+        rest = static_equilibrium(
+            x, y, self.neutral.yaw, pull, NOTHING, freedom, self.arrangement, lines
+        )
         if rest.status != CONVERGED:
             raise refusal(rest, self.system)
         return rest, lines
 
 
-def moor(system: System) -> Moored:
+def zero_load_position(system: System) -> ZeroLoadPosition:
     """Find the zero-load position, starting from the origin with yaw 0.
 
     Raises
@@ -135,10 +137,10 @@ def moor(system: System) -> Moored:
     lines = room_for(len(system.legs))
     x, y = _reachable(system)
     pull = pull_at(x, y, 0.0, arrangement, lines, True)
-    neutral = settle(x, y, 0.0, pull, NOTHING, freedom, arrangement, lines)
+    neutral = static_equilibrium(x, y, 0.0, pull, NOTHING, freedom, arrangement, lines)
     if neutral.status != CONVERGED:
         raise refusal(neutral, system)
-    return Moored(system, arrangement, freedom, neutral, lines)
+    return ZeroLoadPosition(system, arrangement, freedom, neutral, lines)
 
 
 def copied(lines: Lines) -> Lines:

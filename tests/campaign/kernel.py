@@ -10,7 +10,7 @@ from unittest.mock import patch
 import numpy as np
 
 from catopt.catenary import equilibrium, pieces, runs, span, tension
-from catopt.catenary.setting import Setting
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.state import State
 from catopt.compiled import compiled
 from catopt.model import Line
@@ -45,7 +45,7 @@ def _cut_to_arrays(line: Line) -> tuple[pieces.Pieces, tuple[int, ...]]:
     return pieces.Pieces(*(np.array(column) for column in cut)), owner
 
 
-def _runs_of(state: State, setting: Setting, lists: runs.Runs) -> int:
+def _runs_of(state: State, setting: LineProblem, lists: runs.Runs) -> int:
     """Write the runs of a line into lists, by way of arrays."""
     arrays = runs.Runs(*(np.array(column) for column in lists))
     count: int = compiled(runs.runs_of)(state, _with_floats(setting), arrays)
@@ -64,7 +64,7 @@ def _on_floats(function: Any) -> Any:
 
 
 def _with_floats(argument: Any) -> Any:
-    if isinstance(argument, Setting):
+    if isinstance(argument, LineProblem):
         numbers = (argument.anchor_height, argument.fairlead_height, argument.friction)
-        return Setting(argument.pieces, *map(float, numbers))
+        return LineProblem(argument.pieces, *map(float, numbers))
     return argument

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from catopt.catenary.closing import BY_FORCE
 from catopt.catenary.find import find_length
 from catopt.catenary.layout import lay_out
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
-from catopt.catenary.setting import Setting
+from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.state import REGIMES
@@ -103,7 +103,7 @@ def test_at_any_place_f_is_what_quadrature_says(buoyant: bool) -> None:
         solution = solution_of(
             state._replace(span=span),
             lengthened,
-            Setting(there.pieces, 0.0, there.height, 0.0),
+            LineProblem(there.pieces, 0.0, there.height, 0.0),
             segment_of,
             method="pso",
             known=BY_FORCE,
@@ -163,7 +163,7 @@ def test_rounding_neither_hangs_a_line_below_its_anchor_nor_makes_a_length_negat
         for length, load in zip(pieces.length, pieces.load, strict=False):
             for place in (c, c + load / mean):
                 landed = partly.state(np.array([place, 1.0]), 0.0)
-                stretches = lay_out(landed, Setting(pieces, 0.0, s.height, 0.0))
+                stretches = lay_out(landed, LineProblem(pieces, 0.0, s.height, 0.0))
                 assert min(stretch.length for stretch in stretches) >= 0.0, seed
             c += load / mean + length
 

@@ -11,9 +11,11 @@ import pytest
 from .conftest import BUOY, CASES
 
 FSO = CASES / "fso-rang-dong" / "case.toml"
+TANKER = CASES / "tanker-20m" / "case.toml"
 
 HEAVY = {
-    "matplotlib", "numba", "numpy", "pandas", "pint", "pymoo", "pyswarms", "scipy", "xlsxwriter",
+    "jinja2", "matplotlib", "numba", "numpy", "pandas", "pint", "pymoo", "pyswarms", "scipy",
+    "xlsxwriter",
 }  # fmt: skip
 
 
@@ -41,6 +43,8 @@ def loaded(*arguments: str) -> set[str]:
         (["solve", str(BUOY)], HEAVY),
         (["solve", str(BUOY), "--profile"], HEAVY),
         (["solve", str(BUOY), "--json"], HEAVY | {"rich"}),
+        (["check", str(TANKER)], HEAVY),
+        (["verify", str(BUOY)], {"jinja2", "matplotlib", "pandas", "xlsxwriter"}),
         (["system", str(FSO), "--line-out", "--watch-circle"], HEAVY),
         (["system", str(FSO), "--json"], HEAVY | {"rich"}),
     ],
@@ -55,6 +59,8 @@ def loaded(*arguments: str) -> set[str]:
         "solve",
         "profile",
         "json",
+        "check",
+        "verify",
         "system",
         "system json",
     ],

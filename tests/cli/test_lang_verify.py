@@ -17,9 +17,9 @@ import pytest
 
 from catopt import read_case, verify_case
 from catopt.answers.verification import verification_answer
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
 from catopt.catenary.refusal import refusal
-from catopt.catenary.setting import Setting
 from catopt.catenary.state import NOT_CONVERGED, TOO_HEAVY, TOO_SHORT
 from catopt.catenary.surface import check_buoys, named_line
 from catopt.cli.output import Output
@@ -489,13 +489,13 @@ def refusals() -> Iterator[str]:
     buoyed = Line([Segment(100.0, 1000.0)], [PointLoad(50.0, -9e4, name="float")])
     floating = Line([Segment(100.0, 1000.0), Segment(50.0, -500.0, name="rope")])
     for line in (plain_line, buoyed, floating):
-        setting = Setting(cut(line)[0], 0.0, 120.0, 0.5)
-        level = Setting(cut(line)[0], 0.0, 60.0, 0.5)
+        setting = LineProblem(cut(line)[0], 0.0, 120.0, 0.5)
+        level = LineProblem(cut(line)[0], 0.0, 60.0, 0.5)
         span = Load(span=80.0)
         for load in (span, Load(fairlead_tension=100.0)):
             yield refusal(TOO_SHORT, line, load, setting).message
         yield refusal(TOO_SHORT, plain_line, span, level).message  # 60, 80, 100: just as long
-    straight_up = Setting(cut(plain_line)[0], 0.0, 100.0, 0.5)
+    straight_up = LineProblem(cut(plain_line)[0], 0.0, 100.0, 0.5)
     yield refusal(TOO_SHORT, plain_line, Load(fairlead_tension=1.0), straight_up).message
     yield refusal(TOO_HEAVY, plain_line, Load(fairlead_tension=100.0), level).message
     yield refusal(NOT_CONVERGED, plain_line, span, setting).message

@@ -12,8 +12,8 @@ import pytest
 from catopt import Line, NoEquilibriumError, PointLoad, Segment, solve
 from catopt.catenary.batch import room_for_runs
 from catopt.catenary.equilibrium import given_force
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
-from catopt.catenary.setting import Setting
 from catopt.checks.case import check_line
 from catopt.checks.excess import ROUNDING
 from catopt.design.assess import NO_DESIGN, NO_EQUILIBRIUM
@@ -74,7 +74,7 @@ def test_largest_tensions_are_those_of_the_laid_out_line(
         except NoEquilibriumError:
             continue
         pieces, owner = cut(line)
-        moored = Setting(pieces, anchor_height, 30.0, friction)
+        moored = LineProblem(pieces, anchor_height, 30.0, friction)
         state = given_force(H, moored)
         largest = [0.0] * len(line.segments)
         runs = room_for_runs(len(pieces.length))

@@ -6,7 +6,7 @@ import numpy as np
 
 from catopt.checks.excess import ROUNDING
 from catopt.design.crowding import crowding_distance
-from catopt.design.explored import Explored
+from catopt.design.evaluation_archive import EvaluationArchive
 from catopt.design.steps import double_steps, improve, reached, scattered, single_steps
 
 from .known_space import KnownSpace, grid, scrambled, tanker
@@ -43,24 +43,24 @@ def test_improving_ends_where_nothing_next_to_the_front_is_unknown() -> None:
     _, (x, y) = grid(np.arange(20.0), np.arange(20.0))
     table = np.stack((x + 30.0 * np.abs(x - y), -y + 30.0 * np.abs(x - y)), axis=1)
     space = KnownSpace("valley", (20, 20), -1, -1, table, np.full(400, -1.0))
-    explored = Explored(space, 400)
-    explored.evaluate(np.array([[0, 0]]))
-    improve(explored, 10)
+    archive = EvaluationArchive(space, 400)
+    archive.evaluate(np.array([[0, 0]]))
+    improve(archive, 10)
     # The exact front is the valley's floor; single steps alone would stay at its foot.
-    assert explored.front.genes.tolist() == [[k, k] for k in range(20)]
+    assert archive.front.genes.tolist() == [[k, k] for k in range(20)]
     steps = np.concatenate((single_steps(2), double_steps(2)))
-    assert explored.is_known(reached(space, explored.front.genes, steps)).all()
-    assert explored.evaluations < 200
+    assert archive.is_known(reached(space, archive.front.genes, steps)).all()
+    assert archive.evaluations < 200
 
 
 def test_improving_goes_towards_feasibility_first() -> None:
     _, (x, y) = grid(np.arange(20.0), np.arange(20.0))
     excess = (10.0 - np.minimum(x, 10.0)) * 0.1 - ROUNDING
     space = KnownSpace("slope", (20, 20), -1, -1, np.stack((x, y), axis=1), excess)
-    explored = Explored(space, 400)
-    explored.evaluate(np.array([[0, 5]]))
-    improve(explored, 10)
-    assert explored.front.genes.tolist() == [[10, 0]]
+    archive = EvaluationArchive(space, 400)
+    archive.evaluate(np.array([[0, 5]]))
+    improve(archive, 10)
+    assert archive.front.genes.tolist() == [[10, 0]]
 
 
 def test_crowding_distance_by_hand() -> None:

@@ -12,7 +12,7 @@ import pytest
 from catopt import Case, Line, Load, PointLoad, Segment, Site, read_case, solve
 from catopt.export.dxf import LAYERS, dxf_drawing
 from catopt.export.exported import Exported, Source
-from catopt.export.hung import hang
+from catopt.export.exported_line import exported_lines
 
 from .cases import FSO, chain_and_wire, tanker
 
@@ -93,7 +93,7 @@ def words(exported: Exported) -> list[str]:
 
 
 def test_the_file_is_r12_with_named_layers() -> None:
-    exported = dxf_drawing(hang(tanker()), sources=[Source("case.toml", 64 * "b")])
+    exported = dxf_drawing(exported_lines(tanker()), sources=[Source("case.toml", 64 * "b")])
     parts = sections(exported.text)
     assert list(parts) == ["HEADER", "TABLES", "ENTITIES"]
     assert parts["HEADER"] == [(9, "$ACADVER"), (1, "AC1009")]
@@ -110,7 +110,7 @@ def test_the_file_is_r12_with_named_layers() -> None:
 def test_the_line_is_drawn_where_the_closed_form_has_it() -> None:
     """Every vertex is a point of the profile."""
     case = tanker()
-    exported = dxf_drawing(hang(case))
+    exported = dxf_drawing(exported_lines(case))
     assert case.load is not None
     due = solve(case.line, height=20.0, horizontal_force=100e3)
     drawn = {head.layer: vertices for head, vertices in polylines(exported.text)}
@@ -133,11 +133,13 @@ def test_the_line_is_drawn_where_the_closed_form_has_it() -> None:
 def test_segments_are_apart_and_loads_have_layers_of_their_own() -> None:
     case = chain_and_wire()
     buoy = PointLoad(300.0, -2e3, name="phao tiêu")
-    hung = hang(replace(case, line=Line(case.line.segments, [*case.line.point_loads, buoy])))
-    exported = dxf_drawing(hung)
+    solved = exported_lines(
+        replace(case, line=Line(case.line.segments, [*case.line.point_loads, buoy]))
+    )
+    exported = dxf_drawing(solved)
     chain, wire = (vs for head, vs in polylines(exported.text) if head.layer == "LINE")
     assert chain[-1] == wire[0]
-    solution = hung.lines[0].solution
+    solution = solved.lines[0].solution
     clump, float_ = solution.point_loads
     assert marks(exported, "CLUMP_WEIGHTS") == [pytest.approx([clump.x, clump.z, 0.0], abs=PLACE)]
     assert marks(exported, "BUOYS") == [pytest.approx([float_.x, float_.z, 0.0], abs=PLACE)]
@@ -150,7 +152,7 @@ def test_segments_are_apart_and_loads_have_layers_of_their_own() -> None:
 def test_a_raised_anchor_has_two_touchdowns() -> None:
     line = Line([Segment(120.0, 1000.0)])
     case = Case(Site(20.0), line, Load(horizontal_force=20e3), 20.0, anchor_height=3.0)
-    exported = dxf_drawing(hang(case))
+    exported = dxf_drawing(exported_lines(case))
     first, second = marks(exported, "TOUCHDOWN")
     assert 0.0 < first[0] < second[0]
     assert first[1] == pytest.approx(0.0, abs=PLACE)
@@ -160,7 +162,7 @@ def test_a_raised_anchor_has_two_touchdowns() -> None:
 
 
 def test_a_system_is_drawn_in_space() -> None:
-    exported = dxf_drawing(hang(read_case(FSO)))
+    exported = dxf_drawing(exported_lines(read_case(FSO)))
     lines = list(polylines(exported.text))
     assert (len(lines), {head.layer for head, _ in lines}) == (36, {"LINE"})
     assert {head.flag for head, _ in lines} == {8}
@@ -180,14 +182,14 @@ def test_a_system_is_drawn_in_space() -> None:
 
 def test_what_is_not_drawn_as_it_is_is_said() -> None:
     slack = Case(Site(20.0), Line([Segment(120.0, 1000.0)]), Load(span=90.0), 20.0)
-    exported = dxf_drawing(hang(slack))
+    exported = dxf_drawing(exported_lines(slack))
     assert "what lies in bights on the bed is drawn straight" in exported.remarks
     assert any("the line is slack" in remark for remark in exported.remarks)
     written = " ".join(" ".join(words(exported)).split())
     assert all(f"Remark: {remark}" in written for remark in exported.remarks)
     assert max(map(len, exported.text.splitlines())) <= 255
-    assert dxf_drawing(hang(tanker())).remarks == ()
-    with_EA = dxf_drawing(hang(replace(slack, load=Load(horizontal_force=1e5)), EA=1e9))
+    assert dxf_drawing(exported_lines(tanker())).remarks == ()
+    with_EA = dxf_drawing(exported_lines(replace(slack, load=Load(horizontal_force=1e5)), EA=1e9))
     assert any("EA of 1e+09 N that was given" in remark for remark in with_EA.remarks)
 
 
@@ -195,7 +197,7 @@ def test_what_is_not_drawn_as_it_is_is_said() -> None:
 def test_another_reader_finds_no_fault(case: Case, tmp_path: Path) -> None:
     ezdxf = pytest.importorskip("ezdxf", reason="optional extra: peers")
     path = tmp_path / "line.dxf"
-    path.write_bytes(dxf_drawing(hang(case)).content)
+    path.write_bytes(dxf_drawing(exported_lines(case)).content)
     drawing = ezdxf.readfile(path)
     found = drawing.audit()
     assert (found.errors, found.fixes, drawing.dxfversion) == ([], [], "AC1009")

@@ -11,7 +11,7 @@ from catopt import Case, Line, Load, PointLoad, Segment, Site, System
 from catopt._version import __version__
 from catopt.errors import InputError
 from catopt.export.exported import Exported, Source
-from catopt.export.hung import hang, rigid_segments
+from catopt.export.exported_line import exported_lines, rigid_segments
 from catopt.export.moordyn import moordyn_input
 from catopt.model import CurrentProfile, Dynamics, Motion
 
@@ -52,7 +52,9 @@ def by_hand() -> Case:
 def test_the_whole_file() -> None:
     """Every number from the textbook's formulas for a line that is level at its anchor."""
     case = by_hand()
-    exported = moordyn_input(hang(case), elements=16, sources=[Source("case.toml", 64 * "a")])
+    exported = moordyn_input(
+        exported_lines(case), elements=16, sources=[Source("case.toml", 64 * "a")]
+    )
     w, EA = 90.0 * G, 1.1e8
     H, V = 60.0 * w, 80.0 * w
     T = 100.0 * w  # 60, 80, 100
@@ -117,7 +119,7 @@ ID LineType AttachA AttachB UnstrLen NumSegs Outputs
 
 def test_what_hangs_on_the_line_has_mass_and_volume() -> None:
     """6000 kg that weigh 50 kN in water displace (6000 - 50000/g)/1025 m3."""
-    exported = moordyn_input(hang(chain_and_wire()))
+    exported = moordyn_input(exported_lines(chain_and_wire()))
     anchor, clump, fairlead = rows(exported.text, "POINTS")
     assert [row[1] for row in (anchor, clump, fairlead)] == ["Fixed", "Free", "Coupled"]
     assert float(clump[5]) == 6000.0
@@ -128,9 +130,9 @@ def test_what_hangs_on_the_line_has_mass_and_volume() -> None:
 
 
 def test_segments_meet_in_points_where_the_closed_form_has_them() -> None:
-    hung = hang(chain_and_wire())
-    exported = moordyn_input(hung, elements=80)
-    (state,) = hung.lines[0].solution.point_loads
+    solved = exported_lines(chain_and_wire())
+    exported = moordyn_input(solved, elements=80)
+    (state,) = solved.lines[0].solution.point_loads
     (clump,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
     assert float(clump[2]) == pytest.approx(state.x, rel=1e-9)
     assert float(clump[4]) == pytest.approx(state.z - 56.0, rel=1e-9)
@@ -153,7 +155,7 @@ def test_a_mass_that_is_not_known_stands_in_and_is_said() -> None:
     segment = Segment(60.0, 2100.0, EA=1e9)
     loads = [PointLoad(20.0, 5e3), PointLoad(40.0, -6e3)]
     case = Case(Site(20.0), Line([segment], loads), Load(horizontal_force=100e3), 20.0)
-    exported = moordyn_input(hang(case))
+    exported = moordyn_input(exported_lines(case))
     ((name, diameter, mass, *_),) = rows(exported.text, "LINE TYPES")
     assert float(mass) == pytest.approx(2100.0 / G / (1.0 - 1025.0 / 7850.0), rel=1e-9)
     assert float(diameter) == pytest.approx(math.sqrt(4.0 * float(mass) / 7850.0 / math.pi))
@@ -171,7 +173,7 @@ def test_a_mass_that_is_not_known_stands_in_and_is_said() -> None:
 def test_two_loads_at_one_place_are_one_point() -> None:
     case = chain_and_wire()
     twice = Line(case.line.segments, [*case.line.point_loads, PointLoad(200.0, 1e3, mass=150.0)])
-    exported = moordyn_input(hang(replace(case, line=twice)))
+    exported = moordyn_input(exported_lines(replace(case, line=twice)))
     (both,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
     assert float(both[5]) == 6150.0
     assert float(both[6]) == pytest.approx((6150.0 - 51e3 / G) / 1025.0, rel=1e-9)
@@ -186,7 +188,7 @@ def test_drag_and_added_mass_of_what_hangs_at_one_point_are_put_together() -> No
                   added_mass_coefficient=1.1),
     ]  # fmt: skip
     case = chain_and_wire()
-    exported = moordyn_input(hang(replace(case, line=Line(case.line.segments, loads))))
+    exported = moordyn_input(exported_lines(replace(case, line=Line(case.line.segments, loads))))
     (both,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
     assert [float(cell) for cell in both[5:]] == pytest.approx([4500.0, 3.0, 2.3, 0.7], rel=1e-6)
 
@@ -195,40 +197,42 @@ def test_everything_that_is_missing_is_told_at_once() -> None:
     floats = Segment(10.0, -50.0, name="floats")
     too_light = Segment(50.0, 2100.0, EA=1e9, mass=200.0)
     case = Case(Site(20.0), Line([too_light, floats]), Load(horizontal_force=1e5), 20.0)
-    hung = hang(case)
+    solved = exported_lines(case)
     with pytest.raises(InputError) as caught:
-        moordyn_input(hung)
+        moordyn_input(solved)
     assert [problem.key for problem in caught.value.problems] == [
         "line.segments[0].mass",  # 2100 / g = 214 kg/m in water alone
         "line.segments[1].EA",
     ]
     assert rigid_segments(case) == ("line.segments[1]",)
     with pytest.raises(InputError, match=r"segments\[1\].mass: missing; a segment that does not"):
-        moordyn_input(hang(replace(case, line=Line([Segment(60.0, 2100.0), floats])), EA=1e9))
+        moordyn_input(
+            exported_lines(replace(case, line=Line([Segment(60.0, 2100.0), floats])), EA=1e9)
+        )
 
 
 def test_a_mass_that_only_just_bears_its_weight_has_no_volume() -> None:
     case = chain_and_wire()
     clump = PointLoad(200.0, 50e3, mass=50e3 / G * (1.0 + 1e-12))
-    exported = moordyn_input(hang(replace(case, line=Line(case.line.segments, [clump]))))
+    exported = moordyn_input(exported_lines(replace(case, line=Line(case.line.segments, [clump]))))
     (point,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
     assert point[6] == "0"
     lighter = Line(case.line.segments, [replace(clump, mass=5000.0)])
     with pytest.raises(InputError, match=r"point_loads\[0\].mass: found 5000 kg; must be above"):
-        moordyn_input(hang(replace(case, line=lighter)))
+        moordyn_input(exported_lines(replace(case, line=lighter)))
     floating = Line([*case.line.segments, Segment(5.0, -20.0, EA=1e8, mass=0.0)])
     with pytest.raises(InputError, match=r"segments\[2\].mass: found 0 kg/m; must be above 0"):
-        moordyn_input(hang(replace(case, line=floating)))
+        moordyn_input(exported_lines(replace(case, line=floating)))
 
 
 def test_a_given_EA_is_said_and_the_closed_form_is_solved_with_it() -> None:
     case = replace(suspended(), line=Line([Segment(20.0, 93.163175, mass=10.9)]))
-    exported = moordyn_input(hang(case, EA=2e6))
+    exported = moordyn_input(exported_lines(case, EA=2e6))
     assert rows(exported.text, "LINE TYPES")[0][3] == "2000000"
-    of_its_own = moordyn_input(hang(suspended(2e6)))
+    of_its_own = moordyn_input(exported_lines(suspended(2e6)))
     given, own = exported.expected[0], of_its_own.expected[0]
     assert given["fairlead_tension_N"] == own["fairlead_tension_N"]
-    rigid = hang(case).lines[0].solution.fairlead.tension
+    rigid = exported_lines(case).lines[0].solution.fairlead.tension
     change = 100.0 * (given["fairlead_tension_N"] / rigid - 1.0)
     assert f"It changes the fairlead tension by {change:.2g} %." in remarks(exported)
     assert "was given" not in remarks(of_its_own)
@@ -241,20 +245,20 @@ def test_a_found_line_is_exported_as_found() -> None:
     from .cases import CASES
 
     case = read_case(CASES / "ship-200m-sinker" / "case.toml")
-    hung = hang(case, EA=1e9)
-    length = hung.lines[0].solution.line.length
+    solved = exported_lines(case, EA=1e9)
+    length = solved.lines[0].solution.line.length
     assert length == pytest.approx(572.3, abs=0.05)  # S2's digits
-    lines = rows(moordyn_input(hung).text, "LINES")
+    lines = rows(moordyn_input(solved).text, "LINES")
     assert sum(float(row[4]) for row in lines) == pytest.approx(length, rel=1e-9)
-    assert hung.lines[0].solution.horizontal_force == pytest.approx(800e3, rel=1e-12)
+    assert solved.lines[0].solution.horizontal_force == pytest.approx(800e3, rel=1e-12)
 
 
 # ------------------------------------------------------------------ what it cannot hold
 
 
 def test_friction_at_rest_is_told_with_what_to_expect_without() -> None:
-    hung = hang(chain_and_wire(friction=0.5))
-    exported = moordyn_input(hung)
+    solved = exported_lines(chain_and_wire(friction=0.5))
+    exported = moordyn_input(solved)
     (line,) = exported.expected
     assert options(exported.text)["FrictionCoefficient"] == 0.5
     assert "bed friction 0.5: MoorDyn's friction acts on what moves" in remarks(exported)
@@ -265,19 +269,19 @@ def test_friction_at_rest_is_told_with_what_to_expect_without() -> None:
     assert free["anchor_tension_N"] == pytest.approx(free["horizontal_force_N"], rel=1e-12)
     held = 0.5 * 1470.0 * line["grounded_length_m"]
     assert line["anchor_tension_N"] == pytest.approx(line["horizontal_force_N"] - held, rel=1e-9)
-    assert moordyn_input(hang(chain_and_wire())).expected[0]["without_friction"] is None
+    assert moordyn_input(exported_lines(chain_and_wire())).expected[0]["without_friction"] is None
 
 
 def test_a_sinker_near_the_bed_and_one_on_it_are_told() -> None:
     case = tanker_with_sinker()
-    above = moordyn_input(hang(case, EA=1e9))
+    above = moordyn_input(exported_lines(case, EA=1e9))
     assert "set zTol of its points" in remarks(above)
     assert "rests on the bed" not in remarks(above)
     slack = replace(case, load=Load(horizontal_force=100e3))
-    hung = hang(slack, EA=1e9)
-    resting = moordyn_input(hung)
+    solved = exported_lines(slack, EA=1e9)
+    resting = moordyn_input(solved)
     assert "a point of MoorDyn does not feel the bed" in remarks(resting)
-    (state,) = hung.lines[0].solution.point_loads
+    (state,) = solved.lines[0].solution.point_loads
     assert state.seabed_reaction > 1e5
     # The line's halves of an element at its two sides carry it, pressed in by 1 mm.
     kind = rows(resting.text, "LINE TYPES")[0]
@@ -289,20 +293,22 @@ def test_a_sinker_near_the_bed_and_one_on_it_are_told() -> None:
 
 def test_a_fairlead_above_the_water() -> None:
     case = replace(tanker(), fairlead_height=25.0)
-    raised, true = (moordyn_input(hang(case), true_depth=true) for true in (False, True))
+    raised, true = (moordyn_input(exported_lines(case), true_depth=true) for true in (False, True))
     assert options(raised.text)["WtrDpth"] == 25.0
     assert rows(raised.text, "POINTS")[0][4] == "-25"
     assert "the depth is put at 25 m" in remarks(raised)
     assert options(true.text)["WtrDpth"] == 20.0
     assert [row[4] for row in rows(true.text, "POINTS")] == ["-20", "5"]
     assert "the tensions differ by that" in remarks(true)
-    assert "above the water" not in remarks(moordyn_input(hang(tanker())))
+    assert "above the water" not in remarks(moordyn_input(exported_lines(tanker())))
 
 
 def test_the_sea_of_the_case_is_said_to_be_left_out() -> None:
     current, motion = CurrentProfile("power", speed=0.8), Motion(period=8.0, surge=1.0)
     case = replace(tanker(), current=current, motion=motion, dynamics=Dynamics(10.0))
-    assert "not in the file: current, motion of the case" in remarks(moordyn_input(hang(case)))
+    assert "not in the file: current, motion of the case" in remarks(
+        moordyn_input(exported_lines(case))
+    )
 
 
 def test_drag_refers_to_the_diameter_that_moordyn_takes() -> None:
@@ -315,7 +321,7 @@ def test_drag_refers_to_the_diameter_that_moordyn_takes() -> None:
         added_mass_normal=1.0,
         added_mass_axial=0.5,
     )
-    exported = moordyn_input(hang(replace(tanker(), line=Line([segment]))))
+    exported = moordyn_input(exported_lines(replace(tanker(), line=Line([segment]))))
     numbers = [float(each) for each in rows(exported.text, "LINE TYPES")[0][1:]]
     diameter, *_, Cd, Ca, CdAx, CaAx = numbers
     assert Cd * diameter == pytest.approx(2.4 * 0.105, rel=1e-9)
@@ -336,7 +342,7 @@ def test_names_become_words_and_stay_apart() -> None:
     ]
     title = "Neo tàu --- đệm\nva"
     case = Case(Site(20.0), Line(segments), Load(horizontal_force=1e5), 20.0, title=title)
-    exported = moordyn_input(hang(case))
+    exported = moordyn_input(exported_lines(case))
     names = [row[0] for row in rows(exported.text, "LINE TYPES")]
     assert names == ["xich_105_mm", "xich_105_mm_2", "segment_3_76_mm", "segment_4"]
     assert "Case: Neo tau -- dem va\n" in exported.text
@@ -346,8 +352,8 @@ def test_names_become_words_and_stay_apart() -> None:
 def test_a_system_has_all_its_lines_where_the_body_is() -> None:
     from catopt import read_case
 
-    hung = hang(read_case(FSO))
-    exported = moordyn_input(hung, elements=40)
+    solved = exported_lines(read_case(FSO))
+    exported = moordyn_input(solved, elements=40)
     points, lines = rows(exported.text, "POINTS"), rows(exported.text, "LINES")
     assert [row[0] for row in points] == [str(k) for k in range(1, 46)]
     assert (len(lines), len(rows(exported.text, "LINE TYPES"))) == (36, 4)
@@ -358,10 +364,10 @@ def test_a_system_has_all_its_lines_where_the_body_is() -> None:
         assert (x, y) == pytest.approx(
             (1056.0 * math.cos(angle), 1056.0 * math.sin(angle)), abs=1e-6
         )
-    assert hung.system is not None
+    assert solved.system is not None
     for row in points:
         if row[1] == "Coupled":
-            place = (hung.system.position.x, hung.system.position.y, 0.0)
+            place = (solved.system.position.x, solved.system.position.y, 0.0)
             assert [float(v) for v in row[2:5]] == pytest.approx(place, abs=1e-6)
     assert "the body is not in the file" in remarks(exported)
     # No piece joins two lines: every line's points follow each other.
@@ -375,5 +381,5 @@ def test_legs_of_their_own_keep_their_names() -> None:
     named = replace(
         legs, legs=tuple(replace(leg, name=f"leg {k}") for k, leg in enumerate(legs.legs))
     )
-    hung = hang(replace(tanker(), load=None, system=named))
-    assert [each["name"] for each in moordyn_input(hung).expected] == ["leg 0", "leg 1"]
+    solved = exported_lines(replace(tanker(), load=None, system=named))
+    assert [each["name"] for each in moordyn_input(solved).expected] == ["leg 0", "leg 1"]

@@ -19,7 +19,7 @@ from catopt import Case, read_case
 from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
 from catopt.export.body_in_water import of_segment
-from catopt.export.hung import Hung, HungLine, hang
+from catopt.export.exported_line import ExportedLine, ExportedLines, exported_lines
 from catopt.export.moordyn import moordyn_input
 from catopt.export.moordyn_model import SINKING
 
@@ -30,10 +30,10 @@ moordyn = pytest.importorskip("moordyn", reason="optional extra: peers")
 FIXED, COUPLED = 1, -1
 
 
-def at_rest(hung: Hung, folder: Path, elements: int) -> tuple[Any, Any]:
+def at_rest(solved: ExportedLines, folder: Path, elements: int) -> tuple[Any, Any]:
     """Let it settle; forces on the fairleads and at the anchors, N, shape (lines, 3)."""
     path = folder / "lines.txt"
-    path.write_bytes(moordyn_input(hung, elements=elements).content)
+    path.write_bytes(moordyn_input(solved, elements=elements).content)
     system = moordyn.Create(str(path))
     assert system
     try:
@@ -56,7 +56,7 @@ def _pull(anchor: Any) -> Any:
     return moordyn.GetLineNodeTen(line, 0)
 
 
-def allowed(line: HungLine, elements: int) -> float:
+def allowed(line: ExportedLine, elements: int) -> float:
     """Move the fairlead by what the elements miss of the curve; what that changes, N."""
     due = line.expected
     weight = max(abs(segment.submerged_weight) for segment in due.line.segments)
@@ -71,7 +71,7 @@ def allowed(line: HungLine, elements: int) -> float:
     return max(abs(each - due.fairlead.tension) for each in moved) + buoyancy
 
 
-def check(line: HungLine, top: Any, bottom: Any, elements: int) -> None:
+def check(line: ExportedLine, top: Any, bottom: Any, elements: int) -> None:
     """Compare the forces at both ends with the closed form."""
     due, near = line.expected, allowed(line, elements)
     assert np.linalg.norm(top) == pytest.approx(due.fairlead.tension, abs=near)
@@ -94,10 +94,10 @@ def check(line: HungLine, top: Any, bottom: Any, elements: int) -> None:
 def test_it_comes_to_rest_at_the_closed_form(
     case: Case, EA: float | None, elements: int, tmp_path: Path
 ) -> None:
-    hung = hang(case, EA)
-    (top,), (bottom,) = at_rest(hung, tmp_path, elements)
-    check(hung.lines[0], top, bottom, elements)
-    assert allowed(hung.lines[0], elements) < 0.05 * hung.lines[0].expected.fairlead.tension
+    solved = exported_lines(case, EA)
+    (top,), (bottom,) = at_rest(solved, tmp_path, elements)
+    check(solved.lines[0], top, bottom, elements)
+    assert allowed(solved.lines[0], elements) < 0.05 * solved.lines[0].expected.fairlead.tension
 
 
 def test_the_gap_closes_with_the_square_of_the_element(tmp_path: Path) -> None:
@@ -105,11 +105,11 @@ def test_the_gap_closes_with_the_square_of_the_element(tmp_path: Path) -> None:
 
     On a bed the touchdown jumps from node to node, and the gap is no smooth function of the length.
     """
-    hung = hang(suspended())
-    due = hung.lines[0].solution.fairlead.tension
+    solved = exported_lines(suspended())
+    due = solved.lines[0].solution.fairlead.tension
     gaps = []
     for elements in (5, 10, 20):
-        (top,), _ = at_rest(hung, tmp_path, elements)
+        (top,), _ = at_rest(solved, tmp_path, elements)
         gaps.append(due - float(np.linalg.norm(top)))
     assert gaps[0] < 0.02 * due
     # The next order is l^2 smaller, (1/5)^2 of the first; and half a diameter is out of the water.
@@ -119,15 +119,15 @@ def test_the_gap_closes_with_the_square_of_the_element(tmp_path: Path) -> None:
 
 @pytest.mark.slow  # 45 points and 360 elements take a quarter of a minute
 def test_the_turret_with_its_nine_lines(tmp_path: Path) -> None:
-    hung = hang(read_case(FSO))
-    tops, bottoms = at_rest(hung, tmp_path, 40)
-    for line, top, bottom in zip(hung.lines, tops, bottoms, strict=True):
+    solved = exported_lines(read_case(FSO))
+    tops, bottoms = at_rest(solved, tmp_path, 40)
+    for line, top, bottom in zip(solved.lines, tops, bottoms, strict=True):
         check(line, top, bottom, 40)
 
 
 @pytest.mark.slow
 def test_the_tanker_with_its_sinker(tmp_path: Path) -> None:
     """The sinker hangs 11 cm above the bed between elements of 2 m."""
-    hung = hang(tanker_with_sinker(), EA=2e8)
-    (top,), (bottom,) = at_rest(hung, tmp_path, 24)
-    check(hung.lines[0], top, bottom, 24)
+    solved = exported_lines(tanker_with_sinker(), EA=2e8)
+    (top,), (bottom,) = at_rest(solved, tmp_path, 24)
+    check(solved.lines[0], top, bottom, 24)

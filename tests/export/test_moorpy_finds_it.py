@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from catopt import Case, read_case
-from catopt.export.hung import Hung, hang
+from catopt.export.exported_line import ExportedLines, exported_lines
 from catopt.export.moordyn import moordyn_input
 
 from .cases import FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
@@ -21,10 +21,10 @@ NEAR = 1e-3
 """Height over the bed within which MoorPy is to take weight off a point, m; its own is 2 m."""
 
 
-def solved(hung: Hung, folder: Path, reach: float = NEAR) -> tuple[Any, Any]:
+def by_moorpy(solved: ExportedLines, folder: Path, reach: float = NEAR) -> tuple[Any, Any]:
     """Solve; forces that the lines exert on fairleads and anchors, N, shape (lines, 3)."""
     path = folder / "lines.txt"
-    path.write_bytes(moordyn_input(hung).content)
+    path.write_bytes(moordyn_input(solved).content)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its own
         system = moorpy.System(file=str(path))
@@ -57,10 +57,10 @@ def test_it_finds_the_closed_form(case: Case, EA: float | None, tmp_path: Path) 
 
     With bed friction it is the answer without that is found, as the file says.
     """
-    hung = hang(case, EA)
-    fairleads, anchors = solved(hung, tmp_path)
-    assert len(fairleads) == len(hung.lines)
-    for line, top, bottom in zip(hung.lines, fairleads, anchors, strict=True):
+    solved = exported_lines(case, EA)
+    fairleads, anchors = by_moorpy(solved, tmp_path)
+    assert len(fairleads) == len(solved.lines)
+    for line, top, bottom in zip(solved.lines, fairleads, anchors, strict=True):
         due = line.expected
         size = due.fairlead.tension
         assert np.linalg.norm(top) == pytest.approx(size, abs=1e-7 * size)
@@ -71,15 +71,15 @@ def test_it_finds_the_closed_form(case: Case, EA: float | None, tmp_path: Path) 
 
 
 def test_the_lines_of_the_turret_balance_its_load(tmp_path: Path) -> None:
-    hung = hang(read_case(FSO))
-    fairleads, _ = solved(hung, tmp_path)
+    solved = exported_lines(read_case(FSO))
+    fairleads, _ = by_moorpy(solved, tmp_path)
     assert -fairleads.sum(axis=0)[:2] == pytest.approx([-4281e3, 0.0], abs=1.0)  # 1e-7 of each line
 
 
 def test_what_the_remark_says_of_points_near_the_bed(tmp_path: Path) -> None:
     """As MoorPy comes, it takes weight off the sinker 11 cm above the bed, and half the tension."""
-    hung = hang(tanker_with_sinker(), EA=5e8)
-    (line,) = hung.lines
+    solved = exported_lines(tanker_with_sinker(), EA=5e8)
+    (line,) = solved.lines
     assert 0.05 < line.solution.point_loads[0].z < 0.15
-    (top,), _ = solved(hung, tmp_path, reach=2.0)
+    (top,), _ = by_moorpy(solved, tmp_path, reach=2.0)
     assert np.linalg.norm(top) < 0.6 * line.solution.fairlead.tension

@@ -44,7 +44,7 @@ from catopt.catenary.pieces import (
     total_weight,
 )
 from catopt.catenary.state import SUSPENDED, State
-from catopt.catenary.walk import walk
+from catopt.catenary.suspended import suspended_part
 
 __all__ = [
     "Array",
@@ -111,7 +111,7 @@ class Objective(ABC):
 
     @abstractmethod
     def touchdown(self, first: float) -> int:
-        """Touchdown code (walk.py) of one place, from its first unknown."""
+        """Touchdown code (suspended.py) of one place, from its first unknown."""
 
     def __call__(self, places: Array) -> Array:
         """Evaluate f at each place, m."""
@@ -326,6 +326,6 @@ def objective_of(pieces: Pieces, height: float, horizontal_force: float) -> Obje
     horizontal_force : float
         N, above 0.
     """
-    level = walk(horizontal_force, total_weight(pieces), pieces, NO_TOUCHDOWN)
+    level = suspended_part(horizontal_force, total_weight(pieces), pieces, NO_TOUCHDOWN)
     kind = GroundedObjective if level.z > height else SuspendedObjective
     return kind(pieces, height, horizontal_force)

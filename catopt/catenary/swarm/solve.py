@@ -7,10 +7,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from catopt.catenary.closing import BY_FORCE
+from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
 from catopt.catenary.result import solution_of
-from catopt.catenary.setting import Setting
+from catopt.catenary.root_search import BY_FORCE
 from catopt.catenary.solution import Solution, SwarmReport
 from catopt.catenary.solve import solve
 from catopt.catenary.swarm.objective import Objective, objective_of
@@ -106,7 +106,7 @@ def solve_swarm(
     solution = solution_of(
         state._replace(span=state.span + excess),
         line,
-        Setting(pieces, 0.0, height, seabed_friction),
+        LineProblem(pieces, 0.0, height, seabed_friction),
         segment_of,
         method="pso",
         known=BY_FORCE,
