@@ -90,12 +90,12 @@ def test_tangent_is_the_derivative(seed: int, scheme: Scheme, slope: float) -> N
                 moved.v[n, i] += sign * size * by_v
                 moved.a[n, i] += sign * size * by_a
                 sides.append(_left_over(simulation, moved, before, blend, to))
-            slope = -(sides[0] - sides[1]) / (2.0 * size)
+            derivative = -(sides[0] - sides[1]) / (2.0 * size)
             for block, at in zip(blocks, (n + 1, n, n - 1), strict=True):
                 if 0 < at < BARS:
                     # Differences: rounding of 1e5 N over 1e-7 m, and curvature of |r| r.
                     scale = np.abs(blocks[1][at]).max()
-                    assert slope[at] == pytest.approx(block[at, :, i], abs=2e-5 * scale)
+                    assert derivative[at] == pytest.approx(block[at, :, i], abs=2e-5 * scale)
 
 
 def test_drag_and_inertia_by_the_formula() -> None:

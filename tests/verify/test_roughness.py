@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from catopt.report.page.motion_drive import segment_rows
 
 from catopt.answers.note_drive import segment_rows
 from catopt.casefile import parse_case
