@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from io import BytesIO
@@ -14,7 +13,7 @@ import pandas as pd
 import xlsxwriter
 
 from catopt._version import __version__
-from catopt.quantities import GREEK, QUANTITIES, Quantity
+from catopt.quantities import QUANTITIES, Quantity
 from catopt.render.looks import COLOURS, LOOKS, Look, Sign
 from catopt.render.texts import Words
 
@@ -158,25 +157,17 @@ class Book:
         In its properties and at the foot of every page.
     words : Words, optional
         Language of sheet names, headings and texts; English when left out.
-    typeset : bool
-        Whether headings have Greek letters as such and leave out the unit of pure numbers.
     """
 
-    def __init__(self, title: str, words: Words | None = None, *, typeset: bool = False) -> None:
+    def __init__(self, title: str, words: Words | None = None) -> None:
         self.words = words or Words()
-        self.typeset = typeset
         self.title = title
         self.stream = BytesIO()
         self.workbook: Workbook = xlsxwriter.Workbook(self.stream, {"in_memory": True})
         self.workbook.set_properties(
             {"title": title, "comments": f"catopt {__version__}", "created": _NO_DATE}
         )
-        self.heading = self._format(
-            bold=True, text_wrap=True, bottom=1, valign="bottom", indent=1 if typeset else 0
-        )
-        self.right_heading = self._format(
-            bold=True, text_wrap=True, bottom=1, valign="bottom", align="right", indent=1
-        )
+        self.heading = self._format(bold=True, text_wrap=True, bottom=1, valign="bottom")
         self.styles: dict[Style, Any] = {
             "text": self._format(valign="top", indent=1),
             "wrapped": self._format(valign="top", indent=1, text_wrap=True),
@@ -206,15 +197,14 @@ class Book:
         """Return the cell format of a number format, made once."""
         key = f"{pattern}|{is_left}"
         if key not in self._numbers:
-            side = "center" if pattern == _COUNT and not self.typeset else "right"
-            look = {"align": "left" if is_left else side, "indent": 1 if self.typeset else 0}
+            side = "center" if pattern == _COUNT else "right"
+            look = {"align": "left" if is_left else side}
             self._numbers[key] = self._format(num_format=pattern, valign="top", **look)
         return self._numbers[key]
 
     def said_heading(self, english: str) -> str:
         """Say a heading in the language of the book."""
-        said = self.words.heading(english)
-        return typeset(said) if self.typeset else said
+        return self.words.heading(english)
 
     def said(self, english: str) -> str:
         """Say a text that the code made; one that joins several is said part by part."""
@@ -287,17 +277,6 @@ class Sheet:
         """As it stands on its tab."""
         return str(self.worksheet.get_name())
 
-    def list_of(self, frame: pd.DataFrame) -> None:
-        """Write the one row of a table as a list: heading with unit, value."""
-        rows = [
-            (
-                Text(self.book.said_heading(heading), "text"),
-                Text("-", "text") if pd.isna(value) else self._of_frame(heading, value),
-            )
-            for heading, value in zip(frame.columns, frame.iloc[0], strict=True)
-        ]
-        self.grid(["Quantity (unit)", "Value (unit of the row)"], rows, widths=[44, 24])
-
     def table(
         self,
         frame: pd.DataFrame,
@@ -337,12 +316,7 @@ class Sheet:
             ]
             for values in frame.itertuples(index=False, name=None)
         ]
-        right = frozenset(
-            index
-            for index, name in enumerate(names)
-            if self.book.typeset and pd.api.types.is_float_dtype(frame[name])
-        )
-        return self.grid(names, rows, title=title, column=column, row=row, right=right)
+        return self.grid(names, rows, title=title, column=column, row=row)
 
     def grid(
         self,
@@ -353,7 +327,6 @@ class Sheet:
         column: int = 0,
         row: int | None = None,
         widths: Sequence[float | None] = (),
-        right: Iterable[int] = (),
     ) -> int:
         """Write rows under headings; return the row of the headings.
 
@@ -369,19 +342,16 @@ class Sheet:
             Of the upper left corner; from the top when only the column is given.
         widths : sequence of float or None
             Of the columns, in characters; what is None or left out follows from what they hold.
-        right : iterable of int
-            Columns whose heading stands over numbers.
         """
         top = row if row is not None else 0 if column else self.row
         if title:
             self.write(top, column, Text(self.book.said_heading(title), "title"))
             top += 1
-        flush = set(right)
         for index, name in enumerate(headings):
             said = self.book.said_heading(name)
             given = widths[index] if index < len(widths) else None
             width = given or _width([each[index] for each in rows], said)
-            self._heading(column + index, said, width, top, right=index in flush)
+            self._heading(column + index, said, width, top)
             for place, cells in enumerate(rows, start=top + 1):
                 self.write(place, column + index, cells[index])
         for place, cells in enumerate(rows, start=top + 1):
@@ -389,12 +359,6 @@ class Sheet:
         if not column:
             self.row = top + len(rows) + 2
         return top
-
-    def set_widths(self, widths: Sequence[float]) -> None:
-        """Set the widths of the first columns, in characters."""
-        for column, width in enumerate(widths):
-            self.widths[column] = width
-            self.worksheet.set_column(column, column, width)
 
     def widen(self, least: float) -> None:
         """Give texts across the sheet room, by an empty column where the others are narrow."""
@@ -406,26 +370,17 @@ class Sheet:
 
     def across(self, text: str, style: Style = "wrapped") -> None:
         """Write a text over all columns whose widths are set, folded to them."""
-        self._merged(text, style, 0)
-        self.row += 1
-
-    def pair(self, label: str, text: str) -> None:
-        """Write a label in the first column and a text over the others."""
-        self.write(self.row, 0, Text(label, "text"))
-        self._merged(text, "wrapped", 1)
-        self.row += 1
-
-    def _merged(self, text: str, style: Style, first: int) -> None:
         last = max(self.widths)
-        width = sum(self.widths[column] for column in range(first, last + 1))
+        width = sum(self.widths[column] for column in range(last + 1))
         scale = {"large": 1.6, "title": 1.2}.get(style, 1.1)
         height = _LINE_HEIGHT * scale * _lines(text, width / scale)
         self.worksheet.set_row(self.row, height)
         look = self.book.styles[style]
-        if last > first:
-            self.worksheet.merge_range(self.row, first, self.row, last, "", look)
-        self.worksheet.write_string(self.row, first, text, look)
+        if last:
+            self.worksheet.merge_range(self.row, 0, self.row, last, "", look)
+        self.worksheet.write_string(self.row, 0, text, look)
         self._last = (max(self._last[0], self.row), max(self._last[1], last))
+        self.row += 1
 
     def write(self, row: int, column: int, cell: Cell) -> None:
         """Write one cell; text never becomes a formula or a link, whatever it looks like."""
@@ -522,16 +477,13 @@ class Sheet:
             columns = max(columns, end - 1)
         self.worksheet.print_area(0, 0, rows, columns)
 
-    def _heading(
-        self, column: int, said: str, width: float, row: int, *, right: bool = False
-    ) -> None:
+    def _heading(self, column: int, said: str, width: float, row: int) -> None:
         self.widths[column] = max(self.widths.get(column, 0.0), width)
         self.worksheet.set_column(column, column, self.widths[column])
         lines = max(2, _lines(said, self.widths[column]))
         self._heights[row] = max(self._heights.get(row, 0.0), _LINE_HEIGHT * lines + 3.0)
         self.worksheet.set_row(row, self._heights[row])
-        look = self.book.right_heading if right else self.book.heading
-        self.worksheet.write_string(row, column, said, look)
+        self.worksheet.write_string(row, column, said, self.book.heading)
         self._last = (max(self._last[0], row), max(self._last[1], column))
 
     def _of_frame(
@@ -566,12 +518,6 @@ def number_pattern(of: str | Quantity) -> str:
     if digits is None:
         return _COUNT
     return f"0.{'0' * digits}" if digits else "0"
-
-
-def typeset(heading: str) -> str:
-    """Write Greek letters as such, and no unit for a pure number."""
-    said = heading.removesuffix(" (-)")
-    return re.sub(r"\b(theta0|theta1|theta|mu|rho)\b", lambda found: GREEK[found[1]], said)
 
 
 def _look(series: Series) -> dict[str, Any]:
