@@ -20,6 +20,7 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Moving, MovingLines, WaterAt
 from catopt.fem.moving_load import book_loads, load_works
+from catopt.fem.rows import clear_blocks
 from catopt.fem.seabed import across_bed, along_bed
 
 __all__ = ["EnergyBalance", "add_works", "begin_works", "fill_forces", "own_kinetic_energy"]
@@ -84,7 +85,7 @@ def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, t
     alpha, beta = lines.mass_factor, lines.stiffness_factor
     if not (has_sea or alpha > 0.0 or beta > 0.0):
         return
-    to[:] = 0.0
+    clear_blocks(to)
     v, axis, latest, wetness = at.v, at.axis, water.latest, water.wet
     masses, displaced, length = lines.mass, lines.displaced, lines.length
     light, heavy = lines.weight, lines.weight_in_air

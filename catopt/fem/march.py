@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any, Final, NamedTuple
 
-import numpy as np
-
 from catopt.fem.energy_balance import add_works, fill_forces
 from catopt.fem.moving import BodyNode, Moving, MovingLines
 from catopt.fem.newmark import close_step, predict
+from catopt.fem.rows import copy_blocks, copy_rows
 from catopt.fem.sampling import Record, Room, Rules, fill_end_forces, take_sample
 from catopt.fem.seabed import drag_feet
 from catopt.fem.series import SeriesRows, fill_series
@@ -115,7 +114,7 @@ def march(
                         )  # fmt: skip
                     continue
                 surprise, rings, held = tension_surprise(h, lines, before, room.now, room.slope)
-                highest = max(room.highest[0], np.abs(room.now.tension).max())
+                highest = max(room.highest[0], largest_size(room.now.tension))
                 allowed = rules.surprise * max(highest, lines.force_scale)
                 if surprise > allowed:
                     if level < rules.refinements:
@@ -140,6 +139,14 @@ def march(
         True, time, steps, iterations, halvings, refinements, unresolved, ringing, strain,
         shortest, 0.0, 0, level,
     )  # fmt: skip
+
+
+def largest_size(values: Any) -> float:
+    """Largest of values without their signs."""
+    largest = 0.0
+    for e in range(values.shape[0]):
+        largest = max(largest, abs(values[e]))
+    return largest
 
 
 def tension_surprise(
@@ -180,11 +187,12 @@ def attempt(
     scheme = (rules.alpha_m, rules.alpha_f, rules.beta, rules.gamma)
     now, water = room.now, room.water
     predict(t, h, scheme, lines, body, led, before, now, room.change, room.small)
-    now.foot[:] = before.foot
+    copy_rows(before.foot, now.foot)
     if has_sea:
         fill_water(t + h, now.x, lines.start, flow, rules.alpha_f, room.water_before, water)
     fill_series(t + h, load, 0, room.small[0])
-    room.force[:] = room.small[0, 0]
+    for i in range(3):
+        room.force[i] = room.small[0, 0, i]
     return close_step(
         h, scheme, rules.limit, rules.tolerance, lines, body, water, room.force, before, now,
         room.equations, room.small,
@@ -197,9 +205,9 @@ def accept(
 ) -> None:  # fmt: skip
     """Make the end of the step the start of the next; keep what was largest."""
     now, water, slope = room.now, room.water, room.slope
-    if lines.friction.any():
+    if largest_size(lines.friction) > 0.0:
         drag_feet(lines, now, h)
-        before.foot[:] = now.foot
+        copy_rows(now.foot, before.foot)
     # For the ends: accelerations at the step's end itself.
     shift = rules.alpha_m - rules.alpha_f
     x, v, a, force, at_end = now.x, now.v, now.a, now.force, room.equations.acceleration
@@ -225,13 +233,14 @@ def accept(
             water_0[n, i] = latest[n, i]
     for e in range(tension.shape[0]):
         slope[e] = (tension[e] - before.tension[e]) * over
-    before.body_force[:] = now.body_force
-    before.axis[:] = now.axis
-    before.tension[:] = tension
+        before.tension[e] = tension[e]
+    for i in range(3):
+        before.body_force[i] = now.body_force[i]
+    copy_rows(now.axis, before.axis)
     if is_booked:
-        room.booked_before[:] = room.booked
-        room.wet_before[:] = water.wet
-    room.ends_before[:] = room.ends
+        copy_blocks(room.booked, room.booked_before)
+        copy_rows(water.wet, room.wet_before)
+    copy_blocks(room.ends, room.ends_before)
     if t >= rules.since - 1e-9 * rules.step:
         keep_extremes(t, h, tension, room.ends, record)
 

@@ -24,6 +24,7 @@ from typing import Any, Final
 from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, invert_3
 from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_assembly import assemble_moving
+from catopt.fem.rows import copy_rows
 from catopt.fem.series import SeriesRows, fill_series
 from catopt.model.validity import Findings
 
@@ -125,7 +126,7 @@ def predict(
             if shift != 0.0:
                 fill_series(t + h + shift, led, k, room[1])
             else:
-                room[1] = room[0]
+                copy_rows(room[0], room[1])
             for i in range(3):
                 if free[i] == 0.0:
                     x[last, i] = room[0, 0, i]

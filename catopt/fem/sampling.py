@@ -198,7 +198,8 @@ def fill_end_forces(lines: MovingLines, at: Moving, a: Any, room: Room, to: Any)
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
         if lines.lower_free[k]:
-            to[k, 0, :] = 0.0
+            for i in range(3):
+                to[k, 0, i] = 0.0
         else:
             fill_end_force(lines.start[k], first, first + 1, lines, at, a, room, to[k, 0])
         fill_end_force(lines.start[k + 1] - 1, last, last - 1, lines, at, a, room, to[k, 1])

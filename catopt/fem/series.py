@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from catopt.compiled import compiled
 from catopt.model.validity import Findings
+from catopt.waves.kinematics import row_at
 
 __all__ = [
     "Harmonic",
@@ -285,7 +286,7 @@ def fill_series(t: float, rows: SeriesRows, end: int, out: Any) -> None:
 def _add_spline(t: float, times: Any, pieces: Any, out: Any) -> None:
     last = times.shape[0] - 1
     inside = min(max(t, times[0]), times[last])
-    row = min(max(np.searchsorted(times, inside, side="right") - 1, 0), last - 1)
+    row = min(max(row_at(times, inside), 0), last - 1)
     s = inside - times[row]
     moves = 1.0 if inside == t else 0.0
     for i in range(3):

@@ -24,7 +24,7 @@ import numpy as np
 from catopt.compiled import inlined
 from catopt.waves.fast_functions import cos_sin, exp_below_zero
 
-__all__ = ["NEGLIGIBLE", "Flow", "fill_elevation", "fill_kinematics", "smooth_ramp"]
+__all__ = ["NEGLIGIBLE", "Flow", "fill_elevation", "fill_kinematics", "row_at", "smooth_ramp"]
 
 NEGLIGIBLE: Final = 37.0
 """k (d - z) from which a wave is left out: exp(-37) is below the rounding of its surface motion."""
@@ -101,6 +101,21 @@ def fill_elevation(t: Any, x: Any, y: Any, flow: Flow, eta: Any) -> None:
         eta[n] *= ramp
 
 
+def row_at(rising: Any, value: float) -> int:
+    """Find the last row that is not above a value, from rows that rise; -1 where all are.
+
+    numpy's own takes a second to compile, most of it for the words of its errors.
+    """
+    low, high = 0, rising.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if rising[middle] <= value:
+            low = middle + 1
+        else:
+            high = middle
+    return low - 1
+
+
 @inlined
 def current_factor(t: float, flow: Flow) -> tuple[float, float, float, float]:
     """Complex factor on the current at a time, and its rate of change (1/s); held at either end."""
@@ -110,7 +125,7 @@ def current_factor(t: float, flow: Flow) -> tuple[float, float, float, float]:
         return rows[0, 1], rows[0, 2], 0.0, 0.0
     if t >= rows[last, 0]:
         return rows[last, 1], rows[last, 2], 0.0, 0.0
-    row = np.searchsorted(rows[:, 0], t, side="right") - 1
+    row = row_at(rows[:, 0], t)
     over = 1.0 / (rows[row + 1, 0] - rows[row, 0])
     rate_x = over * (rows[row + 1, 1] - rows[row, 1])
     rate_y = over * (rows[row + 1, 2] - rows[row, 2])
@@ -161,7 +176,10 @@ def fill_kinematics(
     for n in range(count):
         x[n], y[n], surface[n] = points[n, 0], points[n, 1], depth
     if flow.is_stretched:
-        fill_elevation(np.full(count, t), x, y, flow, surface)
+        times = np.empty(count)
+        for n in range(count):
+            times[n] = t
+        fill_elevation(times, x, y, flow, surface)
         for n in range(count):
             surface[n] += depth
     for n in range(count):

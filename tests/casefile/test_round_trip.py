@@ -401,7 +401,7 @@ def cases(draw: st.DrawFn) -> Case:
             depth,
             draw(NOT_NEGATIVE),
             draw(st.floats(1e-3, 900.0)),
-            draw(st.just(0.0) | st.floats(-0.7, 0.7)),
+            draw(st.just(0.0) | st.floats(1e-6, 0.7) | st.floats(-0.7, -1e-6)),
         ),
         line=line,
         load=load,

@@ -237,7 +237,7 @@ def test_raos_without_a_heading_say_so_in_a_spread_sea(
     tmp_path: Path, spreading: float | None
 ) -> None:
     (tmp_path / "rao.csv").write_text("period,surge\n2,0.1\n30,0.1\n", encoding="utf-8")
-    waves = WaveState("jonswap", 1.0, 7.0, components=10, spreading_exponent=spreading)
+    waves = WaveState("jonswap", 1.0, 7.0, components=20, spreading_exponent=spreading)
     motion = Motion(rao_file=str(tmp_path / "rao.csv"))
     case = chain(motion, 4.0, waves=waves, ramp=2.0, elements=10)
     (part,) = verify_dynamic(case, proof="none").parts
