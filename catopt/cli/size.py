@@ -12,7 +12,7 @@ from catopt.cli.size_options import with_inputs
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
-    from catopt.render.texts import Language
+    from catopt.words import Language
 
 __all__ = ["is_file", "size"]
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.notes.size import Given
-    from catopt.render.texts import Language
     from catopt.sizing import Sizing
+    from catopt.words import Language
 
 __all__ = ["check_places", "give"]
 

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from io import BytesIO
 from typing import TYPE_CHECKING, Any, Literal
 
-import pandas as pd
 import xlsxwriter
 
 from catopt._version import __version__
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.quantities import Quantity
 from catopt.render.looks import COLOURS, LOOKS, Look, Sign
-from catopt.render.texts import Words
+from catopt.words import Language, say, term
 
 if TYPE_CHECKING:
     from xlsxwriter.workbook import Workbook
@@ -24,10 +23,6 @@ if TYPE_CHECKING:
 __all__ = ["Book", "Cell", "Chart", "Number", "Series", "Sheet", "Style", "Text", "number_pattern"]
 
 Style = Literal["text", "wrapped", "title", "large", "good", "bad", "grey"]
-
-_SCIENTIFIC = tuple(q.name.lower() for q in QUANTITIES.values() if q.notation == "scientific")
-_DIGITS = {q.field_unit: q.digits for q in sorted(QUANTITIES.values(), key=lambda q: q.digits)}
-_DIGITS["tf"] = _DIGITS["kN"] + 1
 
 _COUNT = "General"
 _WIDEST = 60
@@ -39,21 +34,6 @@ _PIXELS = 7.0
 _NO_DATE = datetime(2000, 1, 1)
 """In place of the hour of writing: the same data make the same file."""
 _MOST_FOOTER, _MOST_NAME = 120, 31
-_OF_THE_USER = {
-    "Title",
-    "Source",
-    "Name",
-    "Load case",
-    "Component",
-    "Change to the recommended design",
-    "Code",
-    "Governing check (load case)",
-    "Governing load case",
-    "Reference point (SI units)",
-    "Unit",
-    "Segments, from the anchor",
-}
-"""Headings of columns whose texts are the user's own or cited, and stay as they are."""
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#7F7F7F")
 _DASHES = ("solid", "dash", "long_dash", "dash_dot", "square_dot", "solid")
 _RING = 9
@@ -155,12 +135,12 @@ class Book:
     ----------
     title : str
         In its properties and at the foot of every page.
-    words : Words, optional
-        Language of sheet names, headings and texts; English when left out.
+    language : {"en", "vi"}
+        Of what a cell says that is no number.
     """
 
-    def __init__(self, title: str, words: Words | None = None) -> None:
-        self.words = words or Words()
+    def __init__(self, title: str, language: Language = "en") -> None:
+        self.language = language
         self.title = title
         self.stream = BytesIO()
         self.workbook: Workbook = xlsxwriter.Workbook(self.stream, {"in_memory": True})
@@ -202,27 +182,15 @@ class Book:
             self._numbers[key] = self._format(num_format=pattern, valign="top", **look)
         return self._numbers[key]
 
-    def said_heading(self, english: str) -> str:
-        """Say a heading in the language of the book."""
-        return self.words.heading(english)
-
-    def said(self, english: str) -> str:
-        """Say a text that the code made; one that joins several is said part by part."""
-        if not any(map(str.isalpha, english)):
-            return english
-        return self.words.sentence(english).text
-
-    def sheet(self, name: str, said: str = "") -> Sheet:
+    def sheet(self, name: str) -> Sheet:
         """Add a sheet whose first row stays in sight.
 
         Parameters
         ----------
         name : str
-            In English; it is translated where the table of texts has it.
-        said : str
-            In the book's language, where the table has the name for something else.
+            As it is to stand on its tab, if it is free and short enough.
         """
-        worksheet = self.workbook.add_worksheet(self._free(said or self.words.sentence(name).text))
+        worksheet = self.workbook.add_worksheet(self._free(name))
         worksheet.freeze_panes(1, 0)
         worksheet.set_landscape()
         worksheet.set_paper(9)  # A4
@@ -277,47 +245,6 @@ class Sheet:
         """As it stands on its tab."""
         return str(self.worksheet.get_name())
 
-    def table(
-        self,
-        frame: pd.DataFrame,
-        *,
-        title: str = "",
-        column: int = 0,
-        row: int | None = None,
-        wrap: bool = False,
-        said: Collection[str] | None = None,
-    ) -> int:
-        """Write a table below what is there; beside it, from the top, when a column is given.
-
-        Parameters
-        ----------
-        frame : DataFrame
-            Its headings carry the units, in English.
-        title : str
-            Above it, in English.
-        column, row : int
-            Of its upper left corner, from 0.
-        wrap : bool
-            Whether texts fold.
-        said : collection of str, optional
-            Headings of the columns whose texts the code made; when left out all but those that are
-            known to hold what is the user's or cited.
-
-        Returns
-        -------
-        int
-            Row of the heading.
-        """
-        names: list[str] = list(frame.columns)
-        rows = [
-            [
-                self._of_frame(name, value, wrap=wrap, said=said)
-                for name, value in zip(names, values, strict=True)
-            ]
-            for values in frame.itertuples(index=False, name=None)
-        ]
-        return self.grid(names, rows, title=title, column=column, row=row)
-
     def grid(
         self,
         headings: Sequence[str],
@@ -333,11 +260,11 @@ class Sheet:
         Parameters
         ----------
         headings : sequence of str
-            In English, with units.
+            With units.
         rows : sequence of sequence
             Texts as they are to stand there, and numbers.
         title : str
-            Above, in English.
+            Above.
         column, row : int
             Of the upper left corner; from the top when only the column is given.
         widths : sequence of float or None
@@ -345,13 +272,12 @@ class Sheet:
         """
         top = row if row is not None else 0 if column else self.row
         if title:
-            self.write(top, column, Text(self.book.said_heading(title), "title"))
+            self.write(top, column, Text(title, "title"))
             top += 1
         for index, name in enumerate(headings):
-            said = self.book.said_heading(name)
             given = widths[index] if index < len(widths) else None
-            width = given or _width([each[index] for each in rows], said)
-            self._heading(column + index, said, width, top)
+            width = given or _width([each[index] for each in rows], name)
+            self._heading(column + index, name, width, top)
             for place, cells in enumerate(rows, start=top + 1):
                 self.write(place, column + index, cells[index])
         for place, cells in enumerate(rows, start=top + 1):
@@ -413,7 +339,7 @@ class Sheet:
         if value is None or math.isnan(value):
             sheet.write_blank(row, column, None, self.book.styles["text"])
         elif math.isinf(value):
-            said = self.book.words.name("inextensible")
+            said = say(term("inextensible"), self.book.language)
             sheet.write_string(row, column, said, self.book.beside_numbers)
         else:
             look = self.book.number(number.pattern, is_left=number.is_left)
@@ -486,38 +412,14 @@ class Sheet:
         self.worksheet.write_string(row, column, said, self.book.heading)
         self._last = (max(self._last[0], row), max(self._last[1], column))
 
-    def _of_frame(
-        self,
-        heading: str,
-        value: Any,
-        *,
-        wrap: bool = False,
-        said: Collection[str] | None = None,
-    ) -> Cell:
-        """Make the cell of a value of a table."""
-        if isinstance(value, str):
-            is_ours = heading not in _OF_THE_USER if said is None else heading in said
-            return Text(self.book.said(value) if is_ours else value, "wrapped" if wrap else "text")
-        if value is None:
-            return None
-        return Number(value, number_pattern(heading))
 
-
-def number_pattern(of: str | Quantity) -> str:
-    """Choose the number format of a quantity, or the one that goes with a heading's unit."""
-    if isinstance(of, Quantity):
-        if of.notation == "scientific":
-            return "0.00E+00"
-        if of.notation == "significant":
-            return _COUNT
-        return f"0.{'0' * of.digits}" if of.digits else "0"
-    if any(name in of.lower() for name in _SCIENTIFIC):
+def number_pattern(quantity: Quantity) -> str:
+    """Choose the number format of a quantity."""
+    if quantity.notation == "scientific":
         return "0.00E+00"
-    unit = of.rpartition("(")[2].rstrip(")")
-    digits = _DIGITS.get(unit) if of.endswith(")") else None
-    if digits is None:
+    if quantity.notation == "significant":
         return _COUNT
-    return f"0.{'0' * digits}" if digits else "0"
+    return f"0.{'0' * quantity.digits}" if quantity.digits else "0"
 
 
 def _look(series: Series) -> dict[str, Any]:

@@ -56,7 +56,7 @@ def workbook(answer: Answer, language: Language = "en") -> bytes:
     bytes
         An .xlsx file.
     """
-    book = Book(say(answer.title, language))
+    book = Book(say(answer.title, language), language)
     charts = sum(isinstance(block, Figure) for block in answer.blocks)
     # The cells of drawings stand on the last sheet, which the charts before it refer to.
     drawings: list[tuple[Sheet, Figure, int, int]] = []
@@ -67,7 +67,7 @@ def workbook(answer: Answer, language: Language = "en") -> bytes:
             drawings += _sheet(book, section, language)
     if charts:
         name = say(Message("page.drawings"), language)
-        cells = book.sheet(name, name)
+        cells = book.sheet(name)
         below: dict[str, int] = {}
         for sheet, figure, row, column in drawings:
             start = below.get(sheet.name, row)
@@ -86,7 +86,7 @@ def _sheet(
 ) -> list[tuple[Sheet, Figure, int, int]]:
     """Lay a section out; return its drawings with their places."""
     title = say(section.title, language)
-    sheet = book.sheet(title, title)
+    sheet = book.sheet(title)
     tops: dict[str, int] = {}
     below = 1
     # The sheet's name says what its list or its only table is.

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
     from catopt.notes.size import Given
-    from catopt.render.texts import Language
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.result import Verification
+    from catopt.words import Language
 
 __all__ = [
     "curve_pictures",

@@ -12,8 +12,6 @@ import pytest
 
 from catopt.__main__ import main
 
-from .vietnamese import gathered
-
 CASES = Path(__file__).parents[2] / "cases"
 BUOY = CASES / "buoy-9.5m" / "case.toml"
 SLACK = CASES / "buoy-9.5m-slack" / "case.toml"
@@ -77,12 +75,6 @@ def run(capsys: pytest.CaptureFixture[str]) -> Run:
         return Ran(status, printed.out, printed.err)
 
     return command
-
-
-@pytest.fixture
-def missing(monkeypatch: pytest.MonkeyPatch) -> set[str]:
-    """Gather every text that was asked for in Vietnamese and came back in English."""
-    return gathered(monkeypatch)
 
 
 @pytest.fixture

@@ -10,10 +10,9 @@ from catopt.loads.blendermann import TYPES
 from catopt.loads.holding_data import SOILS
 from catopt.loads.ship import PROPELLER_AREA_RATIOS
 from catopt.loads.sinker import SOIL_FRICTION
-from catopt.render.texts import Words
 
 from .conftest import Run
-from .vietnamese import numbers
+from .vietnamese import in_vietnamese, numbers
 
 SEA = ("--wind", "25 m/s", "--current", "1 m/s", "--hs", "7 m", "--period", "12 s")
 SHIP = (
@@ -86,4 +85,4 @@ def test_the_words_of_loads(run: Run) -> None:
     "name", sorted({*TYPES, *PROPELLER_AREA_RATIOS, *SOIL_FRICTION, *SOILS, "sea state"})
 )
 def test_kinds_of_ship_and_soil_have_their_vietnamese(name: str) -> None:
-    assert Words("vi").name(name) != name
+    assert in_vietnamese(name) != name
