@@ -26,7 +26,7 @@ from catopt import Line, NoEquilibriumError, System, solve, solve_system
 from catopt.errors import CatoptError
 from catopt.mooring.solution import SystemSolution
 from tests.campaign.random_system import drawn_system
-from tests.campaign.yaw_search import Array, stable_headings
+from tests.campaign.yaw_search import MANY_YAWS, Array, Headings, stable_headings
 
 __all__ = ["Failure", "Tally", "faults_of_answer", "faults_of_refusal", "run"]
 
@@ -153,7 +153,14 @@ def faults_of_refusal(system: System, error: CatoptError) -> list[str]:
     asked, carried = abs(float(limit[1])), float(limit[2])
     if not 0.0 <= carried <= asked or not error.missing > 0.0:
         return [f"contradicts itself: {error}"]
-    found = stable_headings(system)
+    faults = _faults_of_limit(system, carried, error, stable_headings(system))
+    return faults and _faults_of_limit(system, carried, error, stable_headings(system, MANY_YAWS))
+
+
+def _faults_of_limit(
+    system: System, carried: float, error: CatoptError, found: Headings
+) -> list[str]:
+    """Compare the moment that the lines are said to carry with what the search finds."""
     if found.unresolved > MOST_UNRESOLVED:
         return [f"not checked, the search comes to rest too seldom: {error}"]
     for place in found.places:
