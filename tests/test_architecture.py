@@ -66,7 +66,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "answers": SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "catalogue", "verify", "reproduce", "sizing", "notes", "figures"},
+    | {"mooring", "loads", "catalogue", "fem", "verify", "reproduce", "sizing", "notes", "figures"},
     "render": BASE | {"answers", "figures", "_version"},
     "figures": BASE | RESULTS,
     "report": SOLVING
@@ -75,7 +75,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "_version"}
     | {"figures", "notes", "render"},
-    "cli": ALL_BUT_CLI | {"_version"},
+    "compile_jobs": SOLVING | READING | DESIGNING | {"mooring", "fem", "waves", "verify"},
+    "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
     "__main__": {"cli", "errors", "interrupt", "_version"},
     "__init__": SOLVING
     | READING

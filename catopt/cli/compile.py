@@ -20,7 +20,7 @@ def compile_all(context: typer.Context) -> None:
     """
     from time import perf_counter
 
-    from catopt.cli.compile_jobs import JOBS, compile_always
+    from catopt.compile_jobs import JOBS, compile_always
 
     output: Output = context.obj
     with compile_always(), output.progress("parts compiled") as tell:

@@ -190,10 +190,15 @@ def _files(
 ) -> dict[str, bytes]:
     """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
     from catopt.render.files import files_of
+    from catopt.render.plain import document_bytes
     from catopt.report.bundle import motion_pictures, verification_pictures
     from catopt.verify.result import Verification
 
-    files = files_of(_answer(found), _document(found, dynamic), language)
+    document = _document(found, dynamic)
+    if isinstance(found, Verification) and not found.parts:
+        files = {"verify.json": document_bytes(document)}  # nothing at rest is compared
+    else:
+        files = files_of(_answer(found), document, language)
     if isinstance(found, Verification):
         files |= verification_pictures(found)
     if dynamic is not None:

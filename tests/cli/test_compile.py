@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
+from catopt import compile_jobs
 from catopt import compiled as module
-from catopt.cli import compile_jobs
-from catopt.cli.compile_jobs import JOBS
+from catopt.compile_jobs import JOBS
 from tests.test_both_forms import JOBS as OF_EVERY_FUNCTION
 
 from .conftest import Run

@@ -39,7 +39,7 @@ from catopt.words import Message, Several, say
 
 from .conftest import BUOY, CASES, SLACK, Run
 from .test_lang_curve import said_alike
-from .vietnamese import in_vietnamese
+from .vietnamese import in_vietnamese, numbers
 
 DESIGN = CASES / "design-buoy-9.5m" / "case.toml"
 FSO = CASES / "fso-rang-dong" / "case.toml"
@@ -267,17 +267,7 @@ def test_the_files_differ_in_the_words_of_the_workbooks_alone(
     for name, expected in sheets.items():
         english, said = ((tmp_path / lang / f"{name}.xlsx").read_bytes() for lang in ("en", "vi"))
         assert openpyxl.load_workbook(BytesIO(said)).sheetnames == expected
-        assert_same_numbers(english, said)
-
-
-def assert_same_numbers(english: bytes, said: bytes) -> None:
-    books = [openpyxl.load_workbook(BytesIO(book)) for book in (english, said)]
-    for ours, theirs in zip(*books, strict=True):
-        for row, other in zip(ours.iter_rows(), theirs.iter_rows(), strict=True):
-            for cell, there in zip(row, other, strict=True):
-                assert cell.data_type == there.data_type
-                if cell.data_type == "n":
-                    assert (there.value, there.number_format) == (cell.value, cell.number_format)
+        assert numbers(english) == numbers(said) != []
 
 
 def test_what_is_said_of_a_line_in_motion_and_of_a_slack_one(run: Run) -> None:
@@ -338,7 +328,7 @@ def test_a_system_with_every_remark(capsys: pytest.CaptureFixture[str]) -> None:
     show(Output(), answer, "vi")
     assert fits(capsys.readouterr().out)
     said = workbook(answer, "vi")
-    assert_same_numbers(workbook(answer), said)
+    assert numbers(workbook(answer)) == numbers(said) != []
     remarks = str(openpyxl.load_workbook(BytesIO(said))["Kết luận"].cell(2, 7).value)
     assert remarks.startswith("dây 1: dây chùng: mô hình dàn")
     assert remarks.count("dây chùng") == 2
@@ -393,7 +383,7 @@ def test_every_verdict_is_said_in_vietnamese(unit: Unit, quantity: str, closed_f
         fem = (1.0, 1.0, finest)
         each = Compared(quantity, unit, closed_form, fem, 1.0, 1e-3, line=1, theory=theory)
         part = replace(plain(), quantities=(each,))
-        for english in (part_sentence(part), rough_sentence(part)):
+        for english in filter(None, (part_sentence(part), rough_sentence(part))):
             said = in_vietnamese(english)
             assert not any(word in said for word in (" by ", " of ", "change", "allowed"))
 
@@ -433,7 +423,7 @@ def test_a_front(run: Run, front: Path, tmp_path: Path) -> None:
     loads = {line for line in said_alike(english, ran.out) if line.split() in (["water"],)}
     assert said_alike(english, ran.out) - loads <= {english.splitlines()[0]}
     books = [(tmp_path / lang / "verify.xlsx").read_bytes() for lang in ("en", "vi")]
-    assert_same_numbers(*books)
+    assert numbers(books[0]) == numbers(books[1]) != []
     said = openpyxl.load_workbook(BytesIO(books[1]))
     assert said.sheetnames == ["Các phương án", "Kết luận", "Các đại lượng", "Các lưới"]
     assert said["Kết luận"].cell(2, 1).value == "phương án 1, storm, high water"

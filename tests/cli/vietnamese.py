@@ -6,15 +6,17 @@ from io import BytesIO
 
 import openpyxl
 
-from catopt.words import Message, is_term, say
+from catopt.words import Message, is_term, say, term
 
 __all__ = ["in_vietnamese", "numbers"]
 
 
 def in_vietnamese(english: str) -> str:
     """Say what the code says in English; it must be known by its key, or a term."""
-    assert isinstance(english, Message) or is_term(english)
-    return say(english, "vi")
+    if isinstance(english, Message):
+        return say(english, "vi")
+    assert is_term(english)
+    return say(term(english), "vi")
 
 
 def numbers(workbook: bytes) -> list[tuple[int, str, object, str]]:

@@ -40,7 +40,7 @@ def _template(name: str) -> Case:
 
 def _lines() -> None:
     """Many lines of one kind."""
-    from catopt import solve_many
+    from catopt.catenary.batch import solve_many
 
     case = _template("buoy")
     solve_many(case.line, height=case.fairlead_height, horizontal_force=[3e3, 4e3])
