@@ -16,13 +16,11 @@ import numpy.typing as npt
 
 from catopt import Line, System, solve_many
 
-__all__ = ["MANY_YAWS", "Headings", "stable_headings"]
+__all__ = ["Headings", "stable_headings"]
 
 Array = npt.NDArray[np.float64]
 
 YAWS, CLOSER = 60, 9
-MANY_YAWS = 4 * YAWS
-"""For a body of so many lines that its moment has narrow peaks."""
 FORCES = 160
 STEPS, MOST_STEPS, HALVINGS = 100, 3000, 30
 ENOUGH = 1e-7
@@ -102,11 +100,11 @@ def _table(line: Line, height: float, anchor: float, system: System) -> tuple[Ar
     return spans[rising], logs[rising]
 
 
-def stable_headings(system: System, count: int = YAWS) -> Headings:
-    """Search all yaws of a system whose body turns, beginning with so many of them."""
+def stable_headings(system: System) -> Headings:
+    """Search all yaws of a system whose body turns."""
     tables = Tables(system)
     arm = max(leg.fairlead_radius for leg in system.legs) or 1.0
-    yaws = np.linspace(0.0, 2.0 * math.pi, count, endpoint=False)
+    yaws = np.linspace(0.0, 2.0 * math.pi, YAWS, endpoint=False)
     places, lefts, total = _at_rest(tables, system, yaws, np.zeros((len(yaws), 2)))
     scale = arm * (total + math.hypot(*system.force)) + abs(system.moment)
     unresolved = float(np.isnan(lefts).mean())
@@ -122,7 +120,7 @@ def stable_headings(system: System, count: int = YAWS) -> Headings:
     look = np.flatnonzero(((lefts > 0.0) & (after <= 0.0)) | is_turning | is_low)
     if not look.size:
         return Headings(np.empty((0, 3)), least, largest, scale, unresolved)
-    near: Array = (yaws[look, None] + np.linspace(0.0, 2.0 * math.pi / count, CLOSER)).ravel()
+    near: Array = (yaws[look, None] + np.linspace(0.0, 2.0 * math.pi / YAWS, CLOSER)).ravel()
     starts = np.where(np.isnan(places), np.roll(places, -1, axis=0), places)
     inner: Array
     closer: Array
