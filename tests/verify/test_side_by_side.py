@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import pickle
 import signal
@@ -10,6 +11,7 @@ import sys
 import time
 from collections.abc import Callable
 from functools import cache
+from multiprocessing.synchronize import SemLock
 from pathlib import Path
 
 import numpy as np
@@ -151,6 +153,19 @@ def test_every_problem_of_an_input_comes_through() -> None:
         side_by_side(refuses, 2, 2, silent)
     (problem,) = caught.value.problems
     assert (problem.key, problem.found) == ("workers", "0")
+
+
+@pytest.mark.parametrize("task", ["fails", "ends"])
+def test_nothing_shared_outlives_an_error(task: str) -> None:
+    """A semaphore that a collection of garbage takes away may come in the way of a new one."""
+    gc.collect()
+    gc.disable()
+    try:
+        with pytest.raises(CatoptError):
+            side_by_side(globals()[task], 2, 2, silent)
+        assert not [each for each in gc.get_objects() if issubclass(type(each), SemLock)]
+    finally:
+        gc.enable()
 
 
 def test_what_is_missing_comes_through_with_the_error() -> None:
