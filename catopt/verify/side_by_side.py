@@ -91,8 +91,8 @@ def side_by_side(
         words = "a process that ran a seed ended on its own; --workers 1 runs one after the other"
         raise CatoptError(words) from None
     finally:
-        # The traceback of an error keeps this frame, and the frame the error: what is shared between
-        # processes is not to wait for a collection of such circles.
+        # The traceback of an error keeps this frame, and the frame the error: what processes share
+        # is not to wait for a collection of such circles.
         del pool, told, stop
     begun = (each for each in futures if not each.cancelled())
     return [each.result() for each in begun if not isinstance(each.exception(), KeyboardInterrupt)]
