@@ -35,16 +35,10 @@ def allowed_tensions(
             for result in checks.results
             if result.kind == "tension"
             and (result.load_case == load_case or not load_case)
-            and _is_of(result.name, index)
+            and result.place.segment == index
         ]
         if checked:
             found.append(min(checked))
         else:
             found.append(None if segment.MBL is None else segment.MBL / solution.safety_factor)
     return found
-
-
-def _is_of(name: str, number: int) -> bool:
-    """Whether a check's name is that of a segment: ``"tension, segment 2 (wire)"``."""
-    prefix = f"tension, segment {number}"
-    return name == prefix or name.startswith(f"{prefix} ")
