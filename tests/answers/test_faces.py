@@ -195,7 +195,8 @@ def _body_in_motion() -> Answer:
 
 KINDS: dict[str, Callable[[], Answer]] = {
     "solution": _solution, "check": _check, "checks of a body": _checks_of_a_body,
-    "curve": _curve, "system": _system, "loads": _loads, "component": _component, "sizes": _sizes, "search": _search,
+    "curve": _curve, "system": _system, "loads": _loads,
+    "component": _component, "sizes": _sizes, "search": _search,
     "list": _list, "design": _design, "reproduction": _reproduction, "size": _size,
     "size by force": _size_by_force, "verification": _verification,
     "verified body": _verified_body, "verified front": _front, "motion": _motion,
