@@ -206,11 +206,12 @@ def _short(result: CheckResult) -> str:
 def _of_body(report: CheckReport) -> Table:
     """Tabulate the checks of a body; people see, intact and with one line out, the tightest."""
     governing = report.governing
+    marked = [] if governing is None else [report.results.index(governing)]
     return Table(
         "checks",
         check_columns(report.results, of_a_body=True),
-        shown=report.tightest_by_state,
-        marked=None if governing is None else report.results.index(governing),
+        shown=tuple(sorted({*report.tightest_by_state, *marked})),
+        marked=marked[0] if marked else None,
     )
 
 

@@ -78,7 +78,8 @@ def check_case(case: Case) -> CheckReport:
         with _under(name):
             solution = solve_case(state)
         solutions.append((name, solution))
-        lifted.append(Lifted(Message("checks.named_case", name=name), "intact", kind, solution))
+        where = Message("checks.named_case" if case.load_cases else "checks.under_load", name=name)
+        lifted.append(Lifted(where, "intact", kind, solution))
         results += evaluate(solution, criteria, strengths, case.anchor, load_case=name, kind=kind)
     return CheckReport(
         title=case.title,

@@ -239,8 +239,21 @@ class Criteria:
         )
 
 
-def allowed_by(criterion: Criterion, strength: Strength, key: str) -> float:
+def allowed_by(
+    criterion: Criterion, strength: Strength, key: str, mean_share: float = 1.0
+) -> float:
     """Tension that one criterion allows: strength at the end of life over its factor; N.
+
+    Parameters
+    ----------
+    criterion : Criterion
+        On a tension.
+    strength : Strength
+        Of the segment.
+    key : str
+        Of the segment, for messages.
+    mean_share : float
+        Mean tension over the whole, from 0 to 1, where the criterion has a factor on the mean.
 
     Raises
     ------
@@ -251,7 +264,10 @@ def allowed_by(criterion: Criterion, strength: Strength, key: str) -> float:
     wanted_by = "safety_factor" if criterion.of == "MBL" else "proof_load_factor"
     if criterion.source.confidence is not None:
         wanted_by = criterion.source.code
-    return criterion.part * strength.need(criterion.of, key, wanted_by) / criterion.value
+    factor = criterion.value
+    if criterion.mean_factor is not None:
+        factor = criterion.mean_factor * mean_share + criterion.value * (1.0 - mean_share)
+    return criterion.part * strength.need(criterion.of, key, wanted_by) / factor
 
 
 def criteria_of(

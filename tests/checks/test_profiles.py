@@ -57,6 +57,7 @@ PRINTED: dict[str, list[Row]] = {
         tension(1.7, INTACT, "B"),
         tension(1.1, OUT, "B"),
         tension(1.5, INTACT, "B", "dynamic"),
+        tension(1.3, INTACT, "C", "dynamic"),  # D202
         tension(1.1, OUT, "B", "dynamic"),
     ],
     # Class 2: quasi-static 2.50 and 1.35, dynamic 1.40 and 2.10, 1.00 and 1.25.

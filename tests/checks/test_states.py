@@ -16,7 +16,7 @@ import jsonschema
 import pytest
 
 from catopt import check_case, schemas
-from catopt.checks.criteria import criteria_of
+from catopt.checks.criteria import allowed_by, criteria_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import InputError
 from catopt.model import Anchor, Buoy, Case, Checks, Line, Load, Segment, Service, Site, System
@@ -112,6 +112,27 @@ def test_factors_for_dynamic_analysis_are_on_no_tension_at_rest() -> None:
     dynamic = criteria_of(asking(checks=by("API-RP-2SK")), analysis="dynamic")
     assert [e.value for e in dynamic.of("tension", "extreme", "intact")] == [1.67]
     assert [e.value for e in dynamic.of("tension", "extreme", "transient")] == [1.05]
+
+
+def test_a_factor_on_the_mean_and_one_on_what_is_dynamic() -> None:
+    """E301, class 1: T_mean 60 and T_dyn 40 kN of 0.95 * 200 = 190 kN.
+
+    1.10 * 60 + 1.50 * 40 = 126 kN, so that 100 * 190 / 126 = 150.79 kN of that kind are allowed;
+    by D202 1.3 * 100 = 130 kN, 146.15 kN allowed. Class 2: 1.40 * 60 + 2.10 * 40 = 168 kN,
+    113.10 kN.
+    """
+    strength = criteria_of(GROUNDED).strength(PLAIN)
+    for code, expected in (
+        ("DNV-OS-E301-2008-CC1", [100.0 * 190.0 / 126.0, 190.0 / 1.3]),
+        ("DNV-OS-E301-2008-CC2", [100.0 * 190.0 / 168.0]),
+        ("API-RP-2SK", [200.0 / 1.67]),
+    ):
+        criteria = criteria_of(asking(checks=by(code)), analysis="dynamic")
+        allowed = [
+            allowed_by(each, strength, "segment", 0.6) / 1e3
+            for each in criteria.of("tension", "extreme")
+        ]
+        assert allowed == pytest.approx(expected, rel=CLOSE)
 
 
 @pytest.mark.parametrize(
