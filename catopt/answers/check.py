@@ -99,7 +99,7 @@ def checked_body(report: CheckReport) -> tuple[Block, ...]:
     return (
         _states(report),
         table,
-        Text(said, only="people", is_small=True),
+        Text(said, is_small=True),
         _criteria([report.results[row] for row in table.shown or ()]),
     )
 
