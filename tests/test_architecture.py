@@ -53,7 +53,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "waves": BASE | {"model"},
     "fem": BASE | {"model", "waves"},
     "loads": BASE | {"model", "waves", "catalogue"},
-    "checks": SOLVING | {"catalogue"},
+    "checks": SOLVING | {"catalogue", "mooring"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
     "verify": SOLVING | {"mooring", "fem", "waves"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},

@@ -30,6 +30,7 @@ __all__ = [
     "check_answer",
     "check_columns",
     "checked",
+    "checked_body",
     "governing_sentence",
     "kind_name",
     "load_case_table",
@@ -45,10 +46,11 @@ QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
         "uplift_angle": QUANTITIES["angle"],
         "uplift_force": QUANTITIES["vertical_force"],
         "grounded_length": QUANTITIES["grounded_length"],
-        "offset": QUANTITIES["span"],
+        "span": QUANTITIES["span"],
         "buoyancy": QUANTITIES["vertical_force"],
         "sliding": QUANTITIES["point_weight"],
         "holding": QUANTITIES["horizontal_force"],
+        "equilibrium": Quantity("lines", "", "", "-", "-", 1.0, 0),
     }
 )
 """What demand and capacity of each kind of check are."""
@@ -68,6 +70,7 @@ def check_answer(report: CheckReport) -> Answer:
     report : CheckReport
         What came out.
     """
+    tables = checked_body(report) if report.places else checked(report)
     said: list[Block] = [Verdict(verdict_sentence(report), report.passes)]
     if report.results:
         said.append(Text(governing_sentence(report)))
@@ -77,7 +80,7 @@ def check_answer(report: CheckReport) -> Answer:
         (
             Section(
                 Message("captions.checks"),
-                (*checked(report), *_confidence(report), *said, Warnings(report.warnings)),
+                (*tables, *_confidence(report), *said, Warnings(report.warnings)),
             ),
             Section(Message("captions.load_cases"), (load_case_table(report),)),
         ),
@@ -85,21 +88,48 @@ def check_answer(report: CheckReport) -> Answer:
 
 
 def checked(report: CheckReport) -> tuple[Table, Table]:
-    """Tabulate the checks by load case, and once each criterion."""
-    return _checks(report), _criteria(report)
+    """Tabulate the checks of a line by load case, and once each criterion."""
+    return _checks(report), _criteria(report.results)
 
 
-def check_columns(results: Sequence[CheckResult]) -> tuple[Column, ...]:
+def checked_body(report: CheckReport) -> tuple[Block, ...]:
+    """Tabulate what each state of a body comes to, the tightest checks, and their criteria."""
+    table = _of_body(report)
+    said = Message("checks.tightest_shown", count=len(report.results))
+    return (
+        _states(report),
+        table,
+        Text(said, is_small=True),
+        _criteria([report.results[row] for row in table.shown or ()]),
+    )
+
+
+def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) -> tuple[Column, ...]:
     """List checks, a row each: what is wanted, what there is, and by which criterion.
 
     Parameters
     ----------
     results : sequence of CheckResult
         Of one report or of several.
+    of_a_body : bool
+        Whether they are of a body with several lines, so that state and line head each row.
     """
+    states = [each.load_case for each in results]
+    if of_a_body:
+        first: tuple[Column, ...] = (
+            texts("where", [_where(each) for each in results], only="people"),
+            texts("check", [_short(each) for each in results], only="people"),
+            texts("state", states, only="files"),
+            texts("line", [each.place.line for each in results], only="files"),
+            texts("check", [each.name for each in results], only="files"),
+        )
+    else:
+        first = (
+            texts("load_case", states, only="files"),
+            texts("check", [each.name for each in results]),
+        )
     return (
-        texts("load_case", [each.load_case for each in results], only="files"),
-        texts("check", [each.name for each in results]),
+        *first,
         *_use(results),
         texts("passes", [_yes(each.passes, "yes", "no") for each in results], only="files"),
         Column(
@@ -158,6 +188,66 @@ def _yes(passes: bool, yes: str, no: str) -> Message:
     return Message(f"answers.{yes if passes else no}")
 
 
+def _where(result: CheckResult) -> Message:
+    """Say of which line a check is, or that it is of the body, and in which state."""
+    line = result.place.line
+    what = Message("checks.body") if line is None else Message("checks.line_number", number=line)
+    return Message("checks.of_line", line=what, name=result.load_case)
+
+
+def _short(result: CheckResult) -> str:
+    """Name a check without what its segment is made of."""
+    number = result.place.segment
+    if number is None:
+        return result.name
+    return Message("checks.tension", segment=Message("checks.segment", number=number))
+
+
+def _of_body(report: CheckReport) -> Table:
+    """Tabulate the checks of a body; people see, intact and with one line out, the tightest."""
+    governing = report.governing
+    marked = [] if governing is None else [report.results.index(governing)]
+    return Table(
+        "checks",
+        check_columns(report.results, of_a_body=True),
+        shown=tuple(sorted({*report.tightest_by_state, *marked})),
+        marked=marked[0] if marked else None,
+    )
+
+
+def _states(report: CheckReport) -> Table:
+    """Tabulate the largest utilisation of each state by each code, and what the state comes to."""
+    by_state: dict[str, list[CheckResult]] = {}
+    for each in report.results:
+        by_state.setdefault(each.load_case, []).append(each)
+    codes = {each.source.code: each.source for each in report.results}
+    used = [[_most(of, code) for of in by_state.values()] for code in codes]
+    names = (each.text if each.confidence is None else each.code for each in codes.values())
+    passes = tuple(all(each.passes for each in of) for of in by_state.values())
+    return Table(
+        "states",
+        (
+            texts("state", by_state),
+            *(
+                replace(measured("utilisation", values), name=Message("checks.by_code", code=name))
+                for name, values in zip(names, used, strict=True)
+            ),
+            Column(
+                Message("columns.verdict"),
+                tuple(_yes(each, "passes", "fails") for each in passes),
+                passes=passes,
+            ),
+        ),
+        Message("captions.states"),
+    )
+
+
+def _most(results: Sequence[CheckResult], code: str) -> float | None:
+    """Largest utilisation of the checks by a code."""
+    used = (each.utilisation for each in results if each.source.code == code)
+    return max((each for each in used if each is not None), default=None)
+
+
 def _checks(report: CheckReport) -> Table:
     parts = tuple(
         (
@@ -173,11 +263,11 @@ def _by(source: CheckSource) -> str:
     return source.text if source.confidence is None else f"{source.code} [{source.confidence}]"
 
 
-def _criteria(report: CheckReport) -> Table:
+def _criteria(results: Sequence[CheckResult]) -> Table:
     """Say once how each capacity comes about, and where the criterion stands."""
     rows = tuple(
         dict.fromkeys(
-            (each.name, _by(each.source), each.note, each.source.text) for each in report.results
+            (each.name, _by(each.source), each.note, each.source.text) for each in results
         )
     )
     sources = [
@@ -209,6 +299,7 @@ def load_case_table(report: CheckReport) -> Table:
         "load_cases",
         (
             texts("load_case", [name for name, _ in report.solutions]),
+            *_places(report),
             texts("kind", [Message(f"answers.{kind}") for kind in kinds]),
             measured("fairlead_height", (each.fairlead_height for each in solved)),
             measured("horizontal_force", (each.horizontal_force for each in solved)),
@@ -236,6 +327,12 @@ def load_case_table(report: CheckReport) -> Table:
     )
 
 
+def _places(report: CheckReport) -> Iterator[Column]:
+    if report.places:
+        yield texts("line", [each.line for each in report.places])
+        yield texts("line_out", [each.missing for each in report.places])
+
+
 # ------------------------------------------------------------------ sentences
 
 
@@ -254,13 +351,15 @@ def governing_sentence(report: CheckReport) -> str:
     found = report.governing
     if found is None:
         return ""
-    return Message(
-        "checks.governing",
-        check=found.name,
-        load_case=found.load_case,
-        how=_used(found),
-        source=found.source.text,
-    )
+    values = {
+        "check": found.name,
+        "load_case": found.load_case,
+        "how": _used(found),
+        "source": found.source.text,
+    }
+    if not report.places:
+        return Message("checks.governing", **values)
+    return Message("checks.governing_of_body", **(values | {"load_case": _where(found)}))
 
 
 def _used(result: CheckResult) -> Message:

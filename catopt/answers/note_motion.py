@@ -33,7 +33,7 @@ from catopt.verify.motion_words import (
     proof_sentences,
     stopped_sentence,
 )
-from catopt.words import Measure, Message, Several, term
+from catopt.words import Listed, Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -377,7 +377,9 @@ def _known(note: Note, moved: InMotion, part: DynamicPart) -> Iterator[Message]:
         yield Message("note_motion.in_duration", duration=lasting(part.duration_of_interest))
     else:
         yield Message("note_motion.not_random")
-    if _is_checked(note):
+    if moved.codes:
+        yield Message("note_motion.allowed_dynamic", codes=Listed(moved.codes, "and"))
+    elif _is_checked(note):
         yield Message("note_motion.allowed_at_rest")
     else:
         factor = f"{note.solution.safety_factor:g}"

@@ -23,7 +23,7 @@ from catopt.answers.blocks import (
     exact,
     measured,
 )
-from catopt.answers.check import QUANTITY_OF, check_columns, checked, verdict_sentence
+from catopt.answers.check import checked_body, governing_sentence, verdict_sentence
 from catopt.answers.note import (
     column,
     components_section,
@@ -35,7 +35,13 @@ from catopt.answers.note import (
 )
 from catopt.answers.note_motion import body_motion_section
 from catopt.answers.solution import method_name, profile_table
-from catopt.answers.system import circle_table, curve_table, line_out_table, lines_table
+from catopt.answers.system import (
+    circle_table,
+    curve_table,
+    line_out_table,
+    lines_table,
+    lines_used,
+)
 from catopt.answers.trail import DEGREES, equation_trail
 from catopt.answers.truss import compared_table, largest_table, truss_closing
 from catopt.figures.line import line_in_water, magnified
@@ -154,9 +160,8 @@ def _use(note: SystemNote, said: Message, used: float | None) -> Verdict:
     """Add how far lines are used to what is said of them."""
     if used is None:
         return Verdict(said, None)
-    factor = QUANTITIES["safety_factor"].format(note.solution.safety_factor)
-    values = {"used": QUANTITIES["utilisation"].format(used), "factor": factor}
-    whole = Several((said, Message("note_system.identity_used", **values)), " ")
+    key = "note_system.identity_used" if note.is_judged else "note_system.identity_used_of_mbl"
+    whole = Several((said, Message(key, used=QUANTITIES["utilisation"].format(used))), " ")
     return Verdict(whole, False if used > 1.0 else None)
 
 
@@ -272,7 +277,7 @@ def _facts(note: SystemNote) -> Iterator[Fact]:
 def _lines(note: SystemNote) -> Iterator[Block]:
     """Tabulate what each line carries; the most loaded is marked."""
     solution = note.solution
-    number, *others = lines_table(note.report).columns
+    number, *others = lines_table(note.report, note.checks).columns
     names = [line.leg.name for line in solution.lines]
     columns = [number, *([column("columns.name", names)] if any(names) else []), *others]
     directions = [line.direction for line in solution.lines]
@@ -282,39 +287,17 @@ def _lines(note: SystemNote) -> Iterator[Block]:
         (*columns, replace(towards, name=Message("note_system.workbook_direction"))),
         marked=solution.most_loaded,
     )
-    factor = QUANTITIES["safety_factor"].format(solution.safety_factor)
-    key = "note_system.lines_unknown" if note.used is None else "note_system.lines_used"
-    said = (Message(key, factor=factor), Message("note_system.lines_marked"))
-    yield Text(Several(said, " "), is_small=True)
+    known = Message("note_system.lines_unknown") if note.used is None else lines_used(note.checks)
+    yield Text(Several((known, Message("note_system.lines_marked")), " "), is_small=True)
 
 
 def _checks(note: SystemNote) -> Iterator[Block]:
-    """Tabulate all checks, line by line; nothing where the case asks for none."""
-    report = note.checks
-    results, governing = report.results, report.governing
-    if not results or governing is None:
-        return
-    yield Text(Message("note_system.checks_about"))
-    quantity = QUANTITY_OF[governing.kind]
-    governs = Message(
-        "note_system.checks_governs",
-        check=governing.name,
-        where=_of_what(governing.load_case),
-        demand=quantity.format(governing.demand, unit=True),
-        capacity=quantity.format(governing.capacity, unit=True),
-    )
-    yield Verdict(governs, report.passes)
-    _, *columns = check_columns(results)
-    lines = column("columns.line", (_of_what(each.load_case) for each in results))
-    marked = next(index for index, each in enumerate(results) if each is governing)
-    yield Table("checks", (lines, *columns), marked=marked)
-    yield checked(report)[1]
-    yield Text(Message("note.checks_legend"), is_small=True)
-
-
-def _of_what(name: str) -> str:
-    """Say of which line a check is, or that it is of the body."""
-    return Message("note_system.checks_body") if name == "body" else name
+    """Tabulate the checks as ``catopt check`` has them; nothing where the case asks for none."""
+    if note.checks.results:
+        yield Text(Message("note_system.checks_about"))
+        yield Verdict(governing_sentence(note.checks), note.checks.passes)
+        yield from checked_body(note.checks)
+        yield Text(Message("note.checks_legend"), is_small=True)
 
 
 # ------------------------------------------------------------------ other states

@@ -15,33 +15,46 @@ from catopt.answers.blocks import (
     Section,
     Table,
     Text,
+    Verdict,
     Warnings,
     fact,
     measured,
     texts,
 )
+from catopt.answers.check import governing_sentence, verdict_sentence
+from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
+    from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.watch_circle import WatchCircle
 
-__all__ = ["circle_table", "curve_table", "line_out_table", "lines_table", "system_answer"]
+__all__ = [
+    "circle_table",
+    "curve_table",
+    "line_out_table",
+    "lines_table",
+    "lines_used",
+    "system_answer",
+]
 
 _EVERY = 10
 """One direction of the watch circle in so many is shown: 30 degrees."""
 _CURVE_EVERY = 2
 
 
-def system_answer(report: SystemReport) -> Answer:
+def system_answer(report: SystemReport, checks: CheckReport) -> Answer:
     """Lay out a moored body.
 
     Parameters
     ----------
     report : SystemReport
         What came out.
+    checks : CheckReport
+        Of the same body.
     """
     opening = (Text(_solved(report)), _body(report))
     return Answer(
@@ -49,12 +62,13 @@ def system_answer(report: SystemReport) -> Answer:
         report.case.title or Message("captions.moored_body"),
         (
             Section(Message("captions.body"), opening),
-            Section(Message("captions.lines"), (lines_table(report),)),
+            Section(Message("captions.lines"), _lines(report, checks)),
+            Section(Message("captions.checks"), tuple(_verdict(checks))),
             *_line_out(report),
             *_circle(report),
             *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
             *_levels(report),
-            Section(Message("captions.residuals"), tuple(_closing(report))),
+            Section(Message("captions.residuals"), tuple(_closing(report, checks))),
         ),
     )
 
@@ -94,12 +108,14 @@ def _body(report: SystemReport) -> Facts:
     return Facts("body", tuple(facts), Message("captions.body"))
 
 
-def lines_table(report: SystemReport) -> Table:
-    """Tabulate what each line carries."""
+def lines_table(report: SystemReport, checks: CheckReport) -> Table:
+    """Tabulate what each line carries, and how far it is used by the strictest check."""
     solution = report.solution
     lines = solution.lines
     own = [line.solution for line in lines]
-    used = [line.utilisation(solution.safety_factor) for line in lines]
+    used = [checks.used(line=number) for number in range(1, len(lines) + 1)]
+    if all(value is None for value in used):
+        used = [line.utilisation() for line in lines]
     columns = [
         texts("line", range(1, len(lines) + 1)),
         measured("angle", (line.leg.azimuth for line in lines), "azimuth", symbol=""),
@@ -112,6 +128,26 @@ def lines_table(report: SystemReport) -> Table:
     if any(value is not None for value in used):
         columns.append(measured("utilisation", used))
     return Table("lines", tuple(columns), Message("captions.lines"))
+
+
+def lines_used(checks: CheckReport) -> Message:
+    """Say what the utilisation of a line is of."""
+    judged = checks.used() is not None
+    return Message("mooring.used_by_checks" if judged else "mooring.used_of_MBL")
+
+
+def _lines(report: SystemReport, checks: CheckReport) -> tuple[Block, ...]:
+    table = lines_table(report, checks)
+    if table.columns[-1].quantity is not QUANTITIES["utilisation"]:
+        return (table,)
+    return table, Text(lines_used(checks), only="people", is_small=True)
+
+
+def _verdict(checks: CheckReport) -> Iterator[Block]:
+    yield Verdict(verdict_sentence(checks), checks.passes)
+    if checks.results:
+        yield Text(governing_sentence(checks))
+        yield Text(Message("mooring.all_checks"), only="people", is_small=True)
 
 
 def line_out_table(report: SystemReport) -> Table:
@@ -216,7 +252,7 @@ def _responses(responses: Iterable[Response | None]) -> tuple[Column, ...]:
     )
 
 
-def _closing(report: SystemReport) -> Iterator[Block]:
+def _closing(report: SystemReport, checks: CheckReport) -> Iterator[Block]:
     """Say what is left of the balance, and what is to be known."""
     solution = report.solution
     if report.rule.horizontal_force is None:
@@ -224,4 +260,4 @@ def _closing(report: SystemReport) -> Iterator[Block]:
     yield Text(Message("mooring.residual_of_forces", value=solution.residual.force))
     if solution.system.turns:
         yield Text(Message("mooring.residual_of_moments", value=solution.residual.moment))
-    yield Warnings(tuple(solution.warnings))
+    yield Warnings(tuple(dict.fromkeys((*solution.warnings, *checks.warnings))))

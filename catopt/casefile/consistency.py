@@ -44,6 +44,7 @@ from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.model import Anchor, Find, Load
 from catopt.model.anchor import ANCHOR_KINDS
+from catopt.model.checks import NEEDS_SEVERAL_LINES
 from catopt.model.drag_method import drag_misfits
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
 from catopt.model.line import END_ROUNDING
@@ -81,7 +82,7 @@ def consistency_findings(
         *_positions(line),
         *_load_cases(document),
         *_system(document),
-        *_codes(table(document, "checks")),
+        *_checks(document),
         *_anchor(document),
         *_wear(document, line),
     ]
@@ -295,10 +296,17 @@ def _system(document: dict[str, Any]) -> Iterator[Finding]:
         yield Finding(("system", "moment"), as_written(system["moment"]), allowed)
 
 
-def _codes(checks: dict[str, Any]) -> Iterator[Finding]:
-    """Find codes given in two ways, or twice."""
+def _checks(document: dict[str, Any]) -> Iterator[Finding]:
+    """Find codes or a largest span given in two ways, and what goes with several lines."""
+    checks, line_out = table(document, "checks"), "safety_factor_line_out"
+    has_system = "system" in document or misspelt(CaseTable, ["system"], document)
+    if line_out in checks and not has_system:
+        yield Finding(("checks", line_out), as_written(checks[line_out]), NEEDS_SEVERAL_LINES)
     if "code" in checks and "codes" in checks:
         yield Finding(("checks",), "code and codes", "put all of them into codes")
+    if "max_span" in checks and "max_offset" in checks:
+        allowed = "leave it out: it limits the span, as max_span does"
+        yield Finding(("checks", "max_offset"), as_written(checks["max_offset"]), allowed)
     yield from duplicates(ChecksTable, (("checks",), checks), "codes")
 
 

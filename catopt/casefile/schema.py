@@ -274,6 +274,7 @@ class ChecksTable(Table):
     }
 
     safety_factor: Factor | None = None
+    safety_factor_line_out: Factor | None = None
     code: Code | None = None
     codes: Annotated[list[Code], SOME] | None = None
     proof_load_factor: Factor | None = None
@@ -282,6 +283,7 @@ class ChecksTable(Table):
     ) = None
     max_anchor_uplift_force: Annotated[float, Measured(Dimension.FORCE, at_least=0.0)] | None = None
     min_grounded_length: Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)] | None = None
+    max_span: Length | None = None
     max_offset: Length | None = None
     allow_recalled: Annotated[bool, Flag()] | None = None
 

@@ -182,11 +182,13 @@ def _find(find: Find) -> Iterator[str]:
 def _checks(case: Case) -> Iterator[str]:
     checks = case.checks
     yield from measured("safety_factor", checks.safety_factor)
+    yield from measured("safety_factor_line_out", checks.safety_factor_line_out)
     yield from texts("codes", checks.codes)
     yield from measured("proof_load_factor", checks.proof_load_factor)
     yield from measured("max_anchor_uplift_angle", checks.max_anchor_uplift_angle, "rad")
     yield from measured("max_anchor_uplift_force", checks.max_anchor_uplift_force, "N")
     yield from measured("min_grounded_length", checks.min_grounded_length, "m")
+    yield from measured("max_span", checks.max_span, "m")
     yield from measured("max_offset", checks.max_offset, "m")
     yield from flag("allow_recalled", checks.allow_recalled)
 

@@ -5,35 +5,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import Final
 
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
-from catopt.checks.criteria import Criteria, criteria_of
-from catopt.checks.evaluation import evaluate, segment_words
+from catopt.checks.criteria import criteria_of
+from catopt.checks.evaluation import evaluate
+from catopt.checks.remarks import IN_LOAD_CASE, Lifted, in_load_case, of_criteria, of_uplift
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.checks.strength import Strength
-from catopt.errors import (
-    FloatsUpError,
-    InputError,
-    NoEquilibriumError,
-    NotConvergedError,
-    Problem,
-)
+from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Anchor, Case, Line, Load
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Message
 
-__all__ = ["LOAD", "NO_CHECK", "check_case", "check_line", "is_of_load"]
+__all__ = ["LOAD", "check_case", "check_line", "is_of_load"]
 
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
-
-NO_CHECK: Final = "checks.none"
-"""Key of the warning that nothing is checked."""
-
-IN_LOAD_CASE: Final = "checks.in_load_case"
-"""Key of what is said of one load case."""
 
 
 def check_line(line: Line, case: Case, anchor: Anchor | None = None) -> CheckReport:
@@ -52,10 +39,12 @@ def check_line(line: Line, case: Case, anchor: Anchor | None = None) -> CheckRep
 
 
 def check_case(case: Case) -> CheckReport:
-    """Check a case by every criterion under every load case.
+    """Check a case by every criterion under every load case, or a body in every state.
 
-    The line is solved in closed form. Without load cases it is checked under its load, as an
-    extreme one; where the case seeks something, the line that was found is checked.
+    The line is solved in closed form; the lines of a body are checked with all there and with each
+    of them gone in turn, each state by the criteria for it. A line without load cases is checked
+    under its load, as an extreme one; where the case seeks something, the line that was found is
+    checked.
 
     Parameters
     ----------
@@ -75,21 +64,32 @@ def check_case(case: Case) -> CheckReport:
     NoEquilibriumError, NotConvergedError
         As for `solve`; the message names the load case.
     """
+    if case.system is not None:
+        from catopt.checks.system import check_system
+
+        return check_system(case)
     case = _found(case)
     criteria = criteria_of(case)
-    strengths = _strengths(case.line, criteria, {kind for (_, kind), _ in _states(case)})
+    strengths = criteria.strengths(case.line, {kind for (_, kind), _ in _states(case)})
     results: list[CheckResult] = []
     solutions: list[tuple[str, Solution]] = []
+    lifted: list[Lifted] = []
     for (name, kind), state in _states(case):
         with _under(name):
             solution = solve_case(state)
         solutions.append((name, solution))
+        where = Message("checks.named_case" if case.load_cases else "checks.under_load", name=name)
+        lifted.append(Lifted(where, "intact", kind, solution))
         results += evaluate(solution, criteria, strengths, case.anchor, load_case=name, kind=kind)
     return CheckReport(
         title=case.title,
         results=tuple(results),
         solutions=tuple(solutions),
-        warnings=(*_warnings(case, criteria, strengths), *_warned(solutions)),
+        warnings=(
+            *of_criteria(criteria, case.line, strengths),
+            *of_uplift(lifted, criteria, case.anchor),
+            *_warned(solutions),
+        ),
         load_cases=case.load_cases,
     )
 
@@ -123,11 +123,6 @@ def _under(load_case: str) -> Iterator[None]:
         raise type(error)(in_load_case(load_case, error.args[0])) from error
 
 
-def in_load_case(load_case: str, said: str) -> Message:
-    """Say of which load case something is said."""
-    return Message(IN_LOAD_CASE, name=load_case, said=said)
-
-
 def is_of_load(warning: str) -> bool:
     """Whether a warning is of the load of a case without load cases."""
     return (
@@ -135,38 +130,6 @@ def is_of_load(warning: str) -> bool:
         and warning.key == IN_LOAD_CASE
         and warning.values["name"] == LOAD
     )
-
-
-def _strengths(line: Line, criteria: Criteria, kinds: set[LoadCaseKind]) -> tuple[Strength, ...]:
-    """Find the strength of every segment; all that is missing is told at once."""
-    problems: dict[Problem, None] = {}
-    strengths = []
-    for index, segment in enumerate(line.segments):
-        key = f"line.segments[{index}]"
-        try:
-            strength = criteria.strength(segment, key)
-        except InputError as error:
-            problems |= dict.fromkeys(error.problems)
-            continue
-        strengths.append(strength)
-        problems |= dict.fromkeys(criteria.lacking(strength, kinds, key))
-    if problems:
-        raise InputError(tuple(problems), "checks")
-    return tuple(strengths)
-
-
-def _warnings(case: Case, criteria: Criteria, strengths: Sequence[Strength]) -> Iterator[str]:
-    """Say what an engineer should know of the criteria."""
-    if not criteria.all:
-        yield Message(NO_CHECK)
-    yield from criteria.warnings
-    for index, strength in enumerate(strengths):
-        covered = any(
-            each.check == "tension" and each.is_for(strength.kind) for each in criteria.all
-        )
-        if criteria.all and not covered:
-            words = segment_words(case.line.segments[index], index)
-            yield Message("checks.no_strength_criterion", segment=words)
 
 
 def _warned(solutions: Sequence[tuple[str, Solution]]) -> Iterator[str]:

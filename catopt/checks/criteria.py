@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from catopt.checks.criterion import CheckKind, Criterion, StrengthKind
-from catopt.checks.profiles import profiles_of
+from catopt.checks.profiles import Profile, profiles_of
 from catopt.checks.result import CheckSource
+from catopt.checks.state import STATES, Analysis, State
 from catopt.checks.strength import Strength, strength_of
 from catopt.errors import InputError, Problem
-from catopt.model import Anchor, Case, CatalogueChoice, Segment, Service
+from catopt.model import Anchor, Case, CatalogueChoice, Line, Segment, Service
 from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Message
@@ -26,6 +27,12 @@ HORIZONTAL_PULL = CheckSource(
     "drag anchor", "UFC 4-159-03 Design: Moorings (3 October 2005)", "Table 3-18", "A"
 )
 """A drag anchor holds against a horizontal pull, unless the case says how much uplift it takes."""
+
+
+_INTACT: tuple[State, ...] = ("intact",)
+
+UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
+"""Checks that limit how far an anchor is lifted."""
 
 
 class AllowedTension(NamedTuple):
@@ -57,8 +64,8 @@ class Limits(NamedTuple):
         Largest vertical pull at the anchor, N; infinite when not asked for.
     grounded_length : float
         Least length on the bed, m; 0 when not asked for.
-    offset : float
-        Largest span, m; infinite when not asked for.
+    span : float
+        Largest distance from the anchor to the fairlead, m; infinite when not asked for.
     reserve_buoyancy : float
         Largest vertical pull at the fairlead, N; infinite when not asked for.
     sliding_factor : float
@@ -70,7 +77,7 @@ class Limits(NamedTuple):
     uplift_angle: float = math.inf
     uplift_force: float = math.inf
     grounded_length: float = 0.0
-    offset: float = math.inf
+    span: float = math.inf
     reserve_buoyancy: float = math.inf
     sliding_factor: float = 0.0
     holding_factor: float = 0.0
@@ -97,18 +104,63 @@ class Criteria:
     catalogue: CatalogueChoice
     warnings: tuple[str, ...] = ()
 
-    def of(self, check: CheckKind, kind: LoadCaseKind) -> Iterator[Criterion]:
-        """Yield the criteria of one check for one kind of load case."""
-        return (each for each in self.all if each.check == check and kind in each.states)
+    def of(
+        self, check: CheckKind, kind: LoadCaseKind, state: State = "intact"
+    ) -> Iterator[Criterion]:
+        """Yield the criteria of one check for one kind of load case in one state."""
+        return (
+            each
+            for each in self.all
+            if each.check == check and kind in each.kinds and state in each.states
+        )
 
     def strength(self, segment: Segment, key: str = "segment") -> Strength:
         """Find the strength of a segment at the end of the service life; see `strength_of`."""
         return strength_of(segment, self.service, self.catalogue, key=key)
 
+    def strengths(
+        self,
+        line: Line,
+        kinds: Collection[LoadCaseKind],
+        states: Collection[State] = _INTACT,
+    ) -> tuple[Strength, ...]:
+        """Find the strength of every segment of a line; reports all that is missing at once.
+
+        Parameters
+        ----------
+        line : Line
+            Its segments from the anchor to the fairlead.
+        kinds : collection of {"extreme", "reference"}
+            Kinds of load case that there are.
+        states : collection of {"intact", "one_line_out", "transient"}
+            In which the mooring is looked at.
+
+        Raises
+        ------
+        InputError
+            A criterion needs a strength or a diameter that is not known.
+        """
+        problems: dict[Problem, None] = {}
+        found = []
+        for index, segment in enumerate(line.segments):
+            key = f"line.segments[{index}]"
+            try:
+                strength = self.strength(segment, key)
+            except InputError as error:
+                problems |= dict.fromkeys(error.problems)
+                continue
+            found.append(strength)
+            problems |= dict.fromkeys(self.lacking(strength, kinds, key, states))
+        if problems:
+            raise InputError(tuple(problems), "checks")
+        return tuple(found)
+
     def allowed_tension(
         self, segment: Segment | Strength, kind: LoadCaseKind, *, key: str = "segment"
     ) -> AllowedTension:
-        """Find the largest tension that a segment is allowed: the least of strength over factor.
+        """Find the largest tension that a segment of an intact mooring is allowed.
+
+        It is the least of strength over factor.
 
         Its length does not matter. A catalogue option is asked as
         ``allowed_tension(component.segment(1.0), "extreme")``; looking it up once by `strength`
@@ -139,7 +191,11 @@ class Criteria:
         return least
 
     def lacking(
-        self, strength: Strength, kinds: Collection[LoadCaseKind], key: str
+        self,
+        strength: Strength,
+        kinds: Collection[LoadCaseKind],
+        key: str,
+        states: Collection[State] = _INTACT,
     ) -> Iterator[Problem]:
         """Yield a problem for every strength of a segment that is wanted and not known.
 
@@ -147,14 +203,18 @@ class Criteria:
         ----------
         strength : Strength
             Of the segment.
-        kinds : collection of {"extreme", "reference"}
-            Kinds of load case that there are.
+        kinds, states
+            As for `strengths`.
         key : str
             Of the segment: ``line.segments[0]``.
         """
         told = set()
         for criterion in self.all:
-            wanted = criterion.is_for(strength.kind) and not set(kinds).isdisjoint(criterion.states)
+            wanted = (
+                criterion.is_for(strength.kind)
+                and not set(kinds).isdisjoint(criterion.kinds)
+                and not set(states).isdisjoint(criterion.states)
+            )
             if criterion.of and wanted and criterion.of not in told:
                 told.add(criterion.of)
                 try:
@@ -163,7 +223,7 @@ class Criteria:
                     yield from error.problems
 
     def limits(self, kind: LoadCaseKind) -> Limits:
-        """Find the strictest limit of each kind, for one kind of load case."""
+        """Find the strictest limit of each kind for an intact mooring."""
 
         def values(check: CheckKind) -> list[float]:
             return [criterion.value for criterion in self.of(check, kind)]
@@ -172,15 +232,28 @@ class Criteria:
             uplift_angle=min(values("uplift_angle"), default=math.inf),
             uplift_force=min(values("uplift_force"), default=math.inf),
             grounded_length=max(values("grounded_length"), default=0.0),
-            offset=min(values("offset"), default=math.inf),
+            span=min(values("span"), default=math.inf),
             reserve_buoyancy=min(values("buoyancy"), default=math.inf),
             sliding_factor=max(values("sliding"), default=0.0),
             holding_factor=max(values("holding"), default=0.0),
         )
 
 
-def allowed_by(criterion: Criterion, strength: Strength, key: str) -> float:
+def allowed_by(
+    criterion: Criterion, strength: Strength, key: str, mean_share: float = 1.0
+) -> float:
     """Tension that one criterion allows: strength at the end of life over its factor; N.
+
+    Parameters
+    ----------
+    criterion : Criterion
+        On a tension.
+    strength : Strength
+        Of the segment.
+    key : str
+        Of the segment, for messages.
+    mean_share : float
+        Mean tension over the whole, from 0 to 1, where the criterion has a factor on the mean.
 
     Raises
     ------
@@ -191,10 +264,15 @@ def allowed_by(criterion: Criterion, strength: Strength, key: str) -> float:
     wanted_by = "safety_factor" if criterion.of == "MBL" else "proof_load_factor"
     if criterion.source.confidence is not None:
         wanted_by = criterion.source.code
-    return strength.need(criterion.of, key, wanted_by) / criterion.value
+    factor = criterion.value
+    if criterion.mean_factor is not None:
+        factor = criterion.mean_factor * mean_share + criterion.value * (1.0 - mean_share)
+    return criterion.part * strength.need(criterion.of, key, wanted_by) / factor
 
 
-def criteria_of(case: Case, *, anchor_key: str = "anchor") -> Criteria:
+def criteria_of(
+    case: Case, *, anchor_key: str = "anchor", analysis: Analysis = "quasi-static"
+) -> Criteria:
     """Gather all that a case asks a line to keep.
 
     The factors on sliding and holding are there when the case has such an anchor. A search that
@@ -206,6 +284,8 @@ def criteria_of(case: Case, *, anchor_key: str = "anchor") -> Criteria:
         With its anchor, service and checks.
     anchor_key : str
         Where its anchor stands, for messages.
+    analysis : {"quasi-static", "dynamic"}
+        From which the tensions are: a code's factors for the other are not among the criteria.
 
     Raises
     ------
@@ -214,7 +294,12 @@ def criteria_of(case: Case, *, anchor_key: str = "anchor") -> Criteria:
         has no factor.
     """
     profiles = profiles_of(case.checks)
-    coded = [criterion for each in profiles for criterion in each.criteria]
+    coded = [
+        criterion
+        for each in profiles
+        for criterion in each.criteria
+        if criterion.check != "tension" or criterion.analysis == analysis
+    ]
     found = (
         *_own(case.checks),
         *_buoyancy(case),
@@ -225,28 +310,36 @@ def criteria_of(case: Case, *, anchor_key: str = "anchor") -> Criteria:
         all=(*found, *_no_uplift(case.anchor, found)),
         service=case.service,
         catalogue=case.catalogue,
-        warnings=tuple(_note(each.name, each.note) for each in profiles if each.note),
+        warnings=tuple(_notes(case.checks, profiles)),
     )
 
 
-def _note(code: str, note: str) -> Message:
-    return Message("checks.code_note", code=code, note=note)
+def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:
+    """Yield what is to be known of the codes, and of a key that has another name now."""
+    if checks.max_offset is not None:
+        yield Message("checks.max_offset_is_max_span", limit=checks.max_offset)
+    for each in profiles:
+        if each.note:
+            yield Message("checks.code_note", code=each.name, note=each.note)
 
 
 def _own(checks: Checks) -> Iterator[Criterion]:
-    """List the numbers of the case itself."""
-    factors: tuple[tuple[float | None, StrengthKind], ...] = (
-        (checks.safety_factor if checks.safety_factor > 1.0 else None, "MBL"),
-        (checks.proof_load_factor, "proof_load"),
+    """List the numbers of the case itself; they hold in every state that has none of its own."""
+    damaged = checks.safety_factor_line_out
+    whole: tuple[State, ...] = STATES if damaged is None else ("intact",)
+    factors: tuple[tuple[float | None, StrengthKind, tuple[State, ...]], ...] = (
+        (checks.safety_factor if checks.safety_factor > 1.0 else None, "MBL", whole),
+        (damaged, "MBL", ("one_line_out",)),
+        (checks.proof_load_factor, "proof_load", STATES),
     )
-    for factor, strength in factors:
+    for factor, strength, states in factors:
         if factor is not None:
-            yield Criterion("tension", factor, USER, of=strength)
+            yield Criterion("tension", factor, USER, of=strength, states=states)
     limits: tuple[tuple[CheckKind, float | None], ...] = (
         ("uplift_angle", checks.max_anchor_uplift_angle),
         ("uplift_force", checks.max_anchor_uplift_force),
         ("grounded_length", checks.min_grounded_length or None),
-        ("offset", checks.max_offset),
+        ("span", checks.max_span if checks.max_offset is None else checks.max_offset),
     )
     for check, limit in limits:
         if limit is not None:
@@ -274,7 +367,9 @@ def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Itera
 
 
 def _no_uplift(anchor: Anchor | None, found: tuple[Criterion, ...]) -> Iterator[Criterion]:
-    """Keep the pull on a drag anchor horizontal where nothing else limits its uplift."""
-    is_limited = any(each.check in ("uplift_angle", "uplift_force") for each in found)
-    if anchor is not None and anchor.kind == "drag" and not is_limited:
-        yield Criterion("uplift_angle", 0.0, HORIZONTAL_PULL)
+    """Keep the pull on a drag anchor horizontal in the states where nothing limits its uplift."""
+    if anchor is not None and anchor.kind == "drag":
+        limited = {state for each in found if each.check in UPLIFT for state in each.states}
+        states = tuple(state for state in STATES if state not in limited)
+        if states:
+            yield Criterion("uplift_angle", 0.0, HORIZONTAL_PULL, states=states)

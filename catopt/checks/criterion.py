@@ -7,19 +7,21 @@ from typing import Literal, get_args
 
 from catopt.checks.line_kind import LINE_KINDS, LineKind
 from catopt.checks.result import CheckSource
+from catopt.checks.state import STATES, Analysis, State
 from catopt.model.load_case import LoadCaseKind
 
-__all__ = ["CHECK_KINDS", "STATES", "STRENGTHS", "CheckKind", "Criterion", "StrengthKind"]
+__all__ = ["CHECK_KINDS", "LOAD_KINDS", "STRENGTHS", "CheckKind", "Criterion", "StrengthKind"]
 
 CheckKind = Literal[
     "tension",
     "uplift_angle",
     "uplift_force",
     "grounded_length",
-    "offset",
+    "span",
     "buoyancy",
     "sliding",
     "holding",
+    "equilibrium",
 ]
 CHECK_KINDS: tuple[CheckKind, ...] = get_args(CheckKind)
 """In the order in which a report has them."""
@@ -27,7 +29,7 @@ CHECK_KINDS: tuple[CheckKind, ...] = get_args(CheckKind)
 StrengthKind = Literal["MBL", "proof_load"]
 STRENGTHS: tuple[StrengthKind, ...] = get_args(StrengthKind)
 
-STATES: tuple[LoadCaseKind, ...] = get_args(LoadCaseKind)
+LOAD_KINDS: tuple[LoadCaseKind, ...] = get_args(LoadCaseKind)
 """Kinds of load case."""
 
 
@@ -45,10 +47,19 @@ class Criterion:
         Where it comes from.
     of : {"MBL", "proof_load", ""}
         Of a tension check: the strength that is divided by the factor.
+    part : float
+        Of a tension check: characteristic strength over that of the catalogue or certificate.
+    mean_factor : float or None
+        Of a tension in motion: the factor on its mean, where `value` is that on what is added to
+        the mean; None where `value` is on the whole.
     lines : tuple of str
         Of a tension check: kinds of line that it is for.
-    states : tuple of str
+    kinds : tuple of str
         Kinds of load case that it is for.
+    states : tuple of str
+        States of the mooring that it is for.
+    analysis : {"quasi-static", "dynamic"}
+        Of a tension check: from which analysis its tensions are.
     note : str
         What else the document says of it.
     """
@@ -57,8 +68,12 @@ class Criterion:
     value: float
     source: CheckSource
     of: StrengthKind | Literal[""] = ""
+    part: float = 1.0
+    mean_factor: float | None = None
     lines: tuple[LineKind, ...] = LINE_KINDS
-    states: tuple[LoadCaseKind, ...] = STATES
+    kinds: tuple[LoadCaseKind, ...] = LOAD_KINDS
+    states: tuple[State, ...] = STATES
+    analysis: Analysis = "quasi-static"
     note: str = ""
 
     def is_for(self, line: LineKind | None) -> bool:

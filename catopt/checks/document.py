@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport, CheckResult
+    from catopt.checks.state import Place
     from catopt.model import LoadCase
 
-__all__ = ["check_document", "result_document"]
+__all__ = ["check_document", "result_document", "verdict_document"]
 
 
 def check_document(report: CheckReport) -> dict[str, Any]:
@@ -22,9 +23,25 @@ def check_document(report: CheckReport) -> dict[str, Any]:
         "governing": None if governing is None else report.results.index(governing),
         "load_cases": [
             _load_case(name, solution, report.load_cases[index] if report.load_cases else None)
+            | (_place(report.places[index]) if report.places else {})
             for index, (name, solution) in enumerate(report.solutions)
         ],
-        "checks": [result_document(result) for result in report.results],
+        "checks": [
+            result_document(result) | (_place(result.place) if report.places else {})
+            for result in report.results
+        ],
+        "warnings": list(report.warnings),
+    }
+
+
+def verdict_document(report: CheckReport) -> dict[str, Any]:
+    """Build the verdict of a body as ``catopt system --json`` has it."""
+    found = report.governing
+    return {
+        "checks": len(report.results),
+        "failed": len(report.failed),
+        "passes": report.passes,
+        "governing": None if found is None else result_document(found) | _place(found.place),
         "warnings": list(report.warnings),
     }
 
@@ -46,6 +63,10 @@ def result_document(result: CheckResult) -> dict[str, Any]:
         "confidence": result.source.confidence,
         "note": result.note,
     }
+
+
+def _place(place: Place) -> dict[str, Any]:
+    return {"state": place.state, "line": place.line, "missing_line": place.missing}
 
 
 def _load_case(name: str, solution: Solution, state: LoadCase | None) -> dict[str, Any]:

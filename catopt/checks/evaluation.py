@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import Criteria, allowed_by
@@ -12,13 +12,14 @@ from catopt.checks.excess import (
     buoyancy_excess,
     grounded_excess,
     holding_excess,
-    offset_excess,
     sliding_excess,
+    span_excess,
     tension_excess,
     uplift_angle_excess,
     uplift_force_excess,
 )
 from catopt.checks.result import CheckResult
+from catopt.checks.state import Place
 from catopt.checks.strength import Strength
 from catopt.model import Anchor, Segment
 from catopt.model.anchor import sinker_needed
@@ -28,6 +29,7 @@ from catopt.words import Measure, Message, Several
 __all__ = ["evaluate", "segment_words"]
 
 _STRENGTHS = {"MBL": "checks.MBL", "proof_load": "checks.proof_load"}
+_BY_ITSELF = Place()
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,7 @@ class _Measured:
     unit: str
     excess: float
     note: str
+    segment: int | None = None
 
 
 def evaluate(
@@ -50,8 +53,9 @@ def evaluate(
     *,
     load_case: str,
     kind: LoadCaseKind,
+    place: Place = _BY_ITSELF,
 ) -> tuple[CheckResult, ...]:
-    """Check a line at rest by every criterion that is for its load case.
+    """Check a line at rest by every criterion that is for its load case and its state.
 
     Parameters
     ----------
@@ -65,6 +69,9 @@ def evaluate(
         What holds it.
     load_case, kind : str
         Name and kind of the load case.
+    place : Place
+        Which line of a body it is, and in which state; then nothing is held against the reserve of
+        buoyancy, which all lines share. An intact line by itself when left out.
 
     Returns
     -------
@@ -87,22 +94,24 @@ def evaluate(
             excess=found.excess,
             source=criterion.source,
             note=Several(part for part in (found.note, criterion.note) if part),
+            place=replace(place, segment=found.segment),
         )
         for check in CHECK_KINDS
-        for criterion, found in _measured(check, solution, criteria, strengths, anchor, kind)
+        if place.line is None or check != "buoyancy"
+        for criterion, found in _measured(
+            check, list(criteria.of(check, kind, place.state)), solution, strengths, anchor
+        )
     )
 
 
 def _measured(
     check: CheckKind,
+    wanted: Sequence[Criterion],
     solution: Solution,
-    criteria: Criteria,
     strengths: Sequence[Strength],
     anchor: Anchor | None,
-    kind: LoadCaseKind,
 ) -> Iterator[tuple[Criterion, _Measured]]:
     """Measure one check by each of its criteria."""
-    wanted = list(criteria.of(check, kind))
     if check == "tension":
         for index, strength in enumerate(strengths):
             for criterion in wanted:
@@ -124,8 +133,8 @@ def _of_line(
             return _uplift_force(value, solution)
         case "grounded_length":
             return _grounded_length(value, solution)
-        case "offset":
-            return _offset(value, solution)
+        case "span":
+            return _span(value, solution)
         case "buoyancy":
             return _buoyancy(value, solution)
         case "sliding":
@@ -141,8 +150,10 @@ def _tension(criterion: Criterion, solution: Solution, index: int, strength: Str
     demand = solution.segments[index].max_tension
     capacity = allowed_by(criterion, strength, f"line.segments[{index}]")
     assert criterion.of != ""
-    full = capacity * criterion.value
+    full = strength.need(criterion.of, "", "")
     note = Message(_STRENGTHS[criterion.of], strength=Measure("MBL", full), factor=criterion.value)
+    if criterion.part != 1.0:
+        note = Message("checks.part_of", part=criterion.part, strength=note)
     return _Measured(
         Message("checks.tension", segment=segment_words(solution.line.segments[index], index)),
         demand,
@@ -150,6 +161,7 @@ def _tension(criterion: Criterion, solution: Solution, index: int, strength: Str
         "N",
         tension_excess(demand, capacity),
         Several((note, strength.note), ", ") if strength.note else note,
+        segment=index + 1,
     )
 
 
@@ -193,10 +205,10 @@ def _grounded_length(wanted: float, solution: Solution) -> _Measured:
     )
 
 
-def _offset(limit: float, solution: Solution) -> _Measured:
+def _span(limit: float, solution: Solution) -> _Measured:
     """Span <= limit."""
     span = solution.span
-    return _Measured(Message("checks.offset"), span, limit, "m", offset_excess(span, limit), "")
+    return _Measured(Message("checks.span"), span, limit, "m", span_excess(span, limit), "")
 
 
 def _buoyancy(reserve: float, solution: Solution) -> _Measured:

@@ -18,8 +18,8 @@ __all__ = [
     "buoyancy_excess",
     "grounded_excess",
     "holding_excess",
-    "offset_excess",
     "sliding_excess",
+    "span_excess",
     "tension_excess",
     "uplift_angle_excess",
     "uplift_force_excess",
@@ -63,7 +63,7 @@ def grounded_excess(grounded: float, wanted: float) -> float:
 
 
 @inlined
-def offset_excess(span: float, limit: float) -> float:
+def span_excess(span: float, limit: float) -> float:
     """Span beside the largest allowed one; m."""
     return span / limit - 1.0
 

@@ -12,7 +12,7 @@ from catopt.catalogue.names import nearest
 from catopt.catalogue.table import Table
 from catopt.checks.criterion import (
     CHECK_KINDS,
-    STATES,
+    LOAD_KINDS,
     STRENGTHS,
     CheckKind,
     Criterion,
@@ -20,6 +20,7 @@ from catopt.checks.criterion import (
 )
 from catopt.checks.line_kind import LINE_KINDS
 from catopt.checks.result import CheckSource
+from catopt.checks.state import ANALYSES, STATES
 from catopt.documents import parse_toml
 from catopt.model.checks import Checks
 from catopt.model.validity import Findings
@@ -29,6 +30,9 @@ from catopt.words import Cited
 __all__ = ["SCHEMA", "Profile", "parse_profiles", "profiles", "profiles_of"]
 
 Word = TypeVar("Word", bound=str)
+
+_OF_TENSION = ("of", "part", "mean_factor", "lines", "analysis")
+"""Keys that only a tension check has."""
 
 SCHEMA = "catopt.profiles/1"
 """What the file of profiles has under its key ``schema``."""
@@ -48,6 +52,8 @@ class Profile:
         What it asks for.
     note : str
         What an engineer should know of it.
+    aliases : tuple of str
+        Names that it had before.
     """
 
     name: str
@@ -55,6 +61,7 @@ class Profile:
     document: str
     criteria: tuple[Criterion, ...]
     note: str = ""
+    aliases: tuple[str, ...] = ()
 
     @property
     def is_recalled(self) -> bool:
@@ -78,7 +85,7 @@ def profiles_of(checks: Checks) -> tuple[Profile, ...]:
         For every name: there is no such profile, with the nearest and all there are; or it was read
         in no document and the case does not allow that.
     """
-    known = {each.name.casefold(): each for each in profiles()}
+    known = {name.casefold(): each for each in profiles() for name in (each.name, *each.aliases)}
     findings = Findings("checks")
     found = []
     for index, name in enumerate(checks.codes):
@@ -133,7 +140,7 @@ def parse_profiles(text: str, source: str = "") -> tuple[Profile, ...]:
 
 
 def _profile(table: Table) -> Profile:
-    table.only("name", "title", "document", "edition", "note", "criterion")
+    table.only("name", "title", "document", "edition", "note", "aliases", "criterion")
     name, edition = table.text("name") or "", table.text("edition", required=False)
     document = table.text("document") or ""
     document += f" ({edition})" if edition else ""
@@ -144,11 +151,12 @@ def _profile(table: Table) -> Profile:
         document,
         tuple(each for each in criteria if each is not None),
         table.said("note", required=False) or "",
+        tuple(table.texts("aliases")),
     )
 
 
 def _criterion(table: Table, code: str, document: str) -> Criterion | None:
-    table.only("check", "of", "value", "lines", "states", "clause", "confidence", "note")
+    table.only("check", "value", "kinds", "states", "clause", "confidence", "note", *_OF_TENSION)
     check, confidence = table.word("check", CHECK_KINDS), table.word("confidence", CONFIDENCES)
     value = table.number("value")
     clause, of = table.text("clause"), _strength(table, check)
@@ -159,25 +167,33 @@ def _criterion(table: Table, code: str, document: str) -> Criterion | None:
         value=value,
         source=CheckSource(code, Cited(document), clause, confidence),
         of=of,
-        lines=_words(table, "lines", LINE_KINDS),
-        states=_words(table, "states", STATES),
+        part=_given(table, "part") or 1.0,
+        mean_factor=_given(table, "mean_factor"),
+        lines=_words(table, "lines", LINE_KINDS) or LINE_KINDS,
+        kinds=_words(table, "kinds", LOAD_KINDS) or LOAD_KINDS,
+        states=_words(table, "states", STATES) or ("intact",),
+        analysis=(table.has("analysis") and table.word("analysis", ANALYSES)) or "quasi-static",
         note=table.said("note", required=False) or "",
     )
+
+
+def _given(table: Table, key: str) -> float | None:
+    return table.number(key, above=0.0) if table.has(key) else None
 
 
 def _strength(table: Table, check: CheckKind | None) -> StrengthKind | Literal[""] | None:
     """Read the strength that a tension check is on; no other check has one."""
     if check == "tension":
         return table.word("of", STRENGTHS)
-    for key in ("of", "lines"):
+    for key in _OF_TENSION:
         if table.has(key):
             table.problem(key, "goes with a tension check; leave it out")
     return ""
 
 
 def _words(table: Table, key: str, words: tuple[Word, ...]) -> tuple[Word, ...]:
-    """Read some of a few words, in their own order; all of them when the key is left out."""
+    """Read some of a few words, in their own order."""
     given = table.texts(key)
     if not set(given) <= set(words):
         table.problem(key, f"some of {', '.join(words)} are wanted")
-    return tuple(each for each in words if not given or each in given)
+    return tuple(each for each in words if each in given)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from catopt.catalogue.figure import Confidence
 from catopt.catenary.solution import Solution
 from catopt.checks.document import check_document, result_document
 from catopt.checks.excess import ROUNDING
+from catopt.checks.state import Place
 from catopt.model import LoadCase
 from catopt.ties import largest
 from catopt.words import Message
@@ -55,9 +56,9 @@ class CheckResult:
         What is checked, with the place: ``"tension, segment 2 (chain studless R3 76 mm)"``.
     kind : str
         Key of the criterion: ``tension``, ``uplift_angle``, ``uplift_force``,
-        ``grounded_length``, ``offset``, ``buoyancy``, ``sliding`` or ``holding``.
+        ``grounded_length``, ``span``, ``buoyancy``, ``sliding``, ``holding`` or ``equilibrium``.
     load_case : str
-        Name of the load case.
+        Name of the load case; of a body with several lines, that of its state.
     demand, capacity : float
         SI. For a least grounded length the demand is what is wanted, the capacity what lies there.
     unit : str
@@ -69,6 +70,8 @@ class CheckResult:
         Of the criterion.
     note : str
         What went into the capacity: factor, strength, diameter at the end of life.
+    place : Place
+        Of which line of a body it is, and in which state.
     """
 
     name: str
@@ -80,6 +83,7 @@ class CheckResult:
     excess: float
     source: CheckSource
     note: str = ""
+    place: Place = field(default_factory=Place)
 
     @property
     def utilisation(self) -> float | None:
@@ -103,20 +107,22 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class CheckReport:
-    """All checks of a line under all its load cases.
+    """All checks of a line under all its load cases, or of a body with lines in all its states.
 
     Attributes
     ----------
     title : str
         Of the case.
     results : tuple of CheckResult
-        By load case, then by check.
+        By load case, then by line and by check.
     solutions : mapping as a tuple of (str, Solution)
-        The equilibrium in each load case, by its name.
+        The equilibrium in each load case, by its name; of a body, of each line in each state.
     warnings : tuple of str
         What an engineer should know: notes of the codes, recalled criteria, no check at all.
     load_cases : tuple of LoadCase
         Those of the case, in the order of `solutions`; empty when its load alone was checked.
+    places : tuple of Place
+        Of a body: line and state of each of the `solutions`.
     """
 
     title: str
@@ -124,6 +130,7 @@ class CheckReport:
     solutions: tuple[tuple[str, Solution], ...]
     warnings: tuple[str, ...] = ()
     load_cases: tuple[LoadCase, ...] = ()
+    places: tuple[Place, ...] = ()
 
     @property
     def passes(self) -> bool:
@@ -153,6 +160,36 @@ class CheckReport:
         """Return the check of a kind nearest to its limit, over segments and load cases."""
         made = [result for result in self.results if result.kind == kind]
         return largest(made, lambda result: result.excess, ROUNDING) if made else None
+
+    @property
+    def tightest_by_state(self) -> tuple[int, ...]:
+        """Which results are nearest to their limit, by state, kind and criterion, from 0."""
+        found: dict[tuple[object, ...], int] = {}
+        for index, each in enumerate(self.results):
+            key = (each.place.state, each.kind, each.source)
+            best = found.setdefault(key, index)
+            if each.excess > self.results[best].excess + ROUNDING:
+                found[key] = index
+        return tuple(sorted(found.values()))
+
+    def used(self, *, line: int | None = None, missing: int | None = None) -> float | None:
+        """Return the largest utilisation of a tension; None where none is limited.
+
+        Parameters
+        ----------
+        line : int, optional
+            Of one line of a body, from 1; of any when left out.
+        missing : int, optional
+            The line that is gone, from 1; with all there when left out.
+        """
+        known = [
+            each.demand / each.capacity
+            for each in self.results
+            if each.kind == "tension"
+            and each.place.missing == missing
+            and line in (None, each.place.line)
+        ]
+        return max(known, default=None)
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt check --json`` prints (schema catopt.check/1)."""

@@ -51,7 +51,7 @@ def check(
     as_json: JsonOption = False,
     out: TablesOutOption = None,
 ) -> None:
-    """Check a line under every load case.
+    """Check a line under every load case, or the lines of a body in every state.
 
     Prints demand, capacity and utilisation of every check with its source, and which one governs.
     A check that fails is an answer: the exit status is 0 unless --strict is given.

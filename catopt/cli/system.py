@@ -51,11 +51,13 @@ def system(
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries.
 
-    Prints the zero-load position, the offset under the load, the stiffness, a table of the lines
-    and what else is asked for, with the residual of the balance.
+    Prints the zero-load position, the offset under the load, the stiffness, a table of the lines,
+    whether all checks pass, and what else is asked for, with the residual of the balance.
     """
     from catopt.answers.system import system_answer
     from catopt.casefile import read_case
+    from catopt.checks.case import check_case
+    from catopt.checks.document import verdict_document
     from catopt.mooring.case import report_system
     from catopt.render.terminal import show
     from catopt.units import Dimension
@@ -76,7 +78,9 @@ def system(
         directions=directions,
         levels=levels,
     )
-    answer = system_answer(report)
+    checks = check_case(read)
+    answer = system_answer(report, checks)
+    document = report.to_dict() | {"checks": verdict_document(checks)}
     if watch_circle and report.circle is None:
         output.note(say(Message("mooring.no_circle"), lang.value))
     if out is not None:
@@ -85,10 +89,10 @@ def system(
         from catopt.report.bundle import system_pictures
 
         with output.progress("Tables and figures"):
-            files = files_of(answer, report.to_dict(), lang.value) | system_pictures(report)
+            files = files_of(answer, document, lang.value) | system_pictures(report)
         write_result(output, out, files, read)
     if as_json:
-        output.json(report.to_dict())
+        output.json(document)
         return
     show(output, answer, lang.value)
 

@@ -18,8 +18,8 @@ from catopt.checks.excess import (
     buoyancy_excess,
     grounded_excess,
     holding_excess,
-    offset_excess,
     sliding_excess,
+    span_excess,
     tension_excess,
     uplift_angle_excess,
     uplift_force_excess,
@@ -41,7 +41,7 @@ COST: Final = 3
 UPLIFT_ANGLE: Final = Limits._fields.index("uplift_angle")
 UPLIFT_FORCE: Final = Limits._fields.index("uplift_force")
 GROUNDED: Final = Limits._fields.index("grounded_length")
-SPAN: Final = Limits._fields.index("offset")
+SPAN: Final = Limits._fields.index("span")
 RESERVE: Final = Limits._fields.index("reserve_buoyancy")
 SLIDING: Final = Limits._fields.index("sliding_factor")
 HOLDING: Final = Limits._fields.index("holding_factor")
@@ -281,7 +281,7 @@ def _largest_excess(state: State, tables: Tables, room: Room, segments: int, c: 
     if limit[GROUNDED] > 0.0:
         worst = max(worst, grounded_excess(state.grounded, limit[GROUNDED]))
     if limit[SPAN] < math.inf:
-        worst = max(worst, offset_excess(state.span, limit[SPAN]))
+        worst = max(worst, span_excess(state.span, limit[SPAN]))
     if limit[RESERVE] < math.inf:
         worst = max(worst, buoyancy_excess(state.V, limit[RESERVE]))
     if limit[HOLDING] > 0.0:

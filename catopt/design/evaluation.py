@@ -11,8 +11,9 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from catopt.checks.case import LOAD, NO_CHECK
+from catopt.checks.case import LOAD
 from catopt.checks.criteria import criteria_of
+from catopt.checks.remarks import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, MASS, OFFSET, assess
 from catopt.design.options import resolve

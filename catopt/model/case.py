@@ -10,7 +10,7 @@ from catopt.model.anchor import Anchor
 from catopt.model.body import Body
 from catopt.model.buoy import Buoy
 from catopt.model.catalogue_choice import CatalogueChoice
-from catopt.model.checks import Checks
+from catopt.model.checks import NEEDS_SEVERAL_LINES, Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import Design
 from catopt.model.dynamics import Dynamics, dynamics_misfits
@@ -184,6 +184,9 @@ class Case:
                     "site.seabed_slope": self.site.seabed_slope,
                 }
             )
+        factor = self.checks.safety_factor_line_out
+        if factor is not None and self.system is None:
+            found.add("checks.safety_factor_line_out", f"{factor:g}", NEEDS_SEVERAL_LINES)
         found.problems += dynamics_misfits(
             [k for k in _FOR_MOTION if getattr(self, k) is not None],
             list(self._given_for_motion()),

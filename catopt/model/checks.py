@@ -7,7 +7,10 @@ from dataclasses import dataclass
 
 from catopt.model.validity import Findings
 
-__all__ = ["Checks"]
+__all__ = ["NEEDS_SEVERAL_LINES", "Checks"]
+
+NEEDS_SEVERAL_LINES = "leave it out, or give [system]: of one line none can be lost"
+"""Why a case of one line has no factor for one line out."""
 
 
 @dataclass(frozen=True)
@@ -28,10 +31,14 @@ class Checks:
         Largest vertical pull at the anchor, N; None when not checked.
     min_grounded_length : float or None
         Least length of line that stays on the bed, m, unstretched; None when not checked.
+    max_span : float or None
+        Largest horizontal distance from the anchor to the fairlead, m; None when not checked.
     max_offset : float or None
-        Largest span, m; None when not checked.
+        The same under its old name; one of the two.
     allow_recalled : bool
         Whether criteria that were read in no document (confidence R) may be used.
+    safety_factor_line_out : float or None
+        In the place of `safety_factor` where one line of several is gone; None: the same.
     """
 
     safety_factor: float = 1.0
@@ -42,24 +49,36 @@ class Checks:
     min_grounded_length: float | None = None
     max_offset: float | None = None
     allow_recalled: bool = False
+    max_span: float | None = None
+    safety_factor_line_out: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Checks")
         found.number("safety_factor", self.safety_factor, "", at_least=1.0)
-        if self.max_anchor_uplift_angle is not None:
-            found.number(
-                "max_anchor_uplift_angle",
-                self.max_anchor_uplift_angle,
-                "rad",
-                at_least=0.0,
-                at_most=math.pi / 2.0,
-            )
-        if self.proof_load_factor is not None:
-            found.number("proof_load_factor", self.proof_load_factor, "", at_least=1.0)
-        if self.max_anchor_uplift_force is not None:
-            found.number("max_anchor_uplift_force", self.max_anchor_uplift_force, "N", at_least=0.0)
-        if self.min_grounded_length is not None:
-            found.number("min_grounded_length", self.min_grounded_length, "m", at_least=0.0)
-        if self.max_offset is not None:
-            found.number("max_offset", self.max_offset, "m", above=0.0)
+        for key in ("proof_load_factor", "safety_factor_line_out"):
+            _if_given(found, self, key, "", at_least=1.0)
+        _if_given(
+            found, self, "max_anchor_uplift_angle", "rad", at_least=0.0, at_most=math.pi / 2.0
+        )
+        _if_given(found, self, "max_anchor_uplift_force", "N", at_least=0.0)
+        _if_given(found, self, "min_grounded_length", "m", at_least=0.0)
+        for key in ("max_span", "max_offset"):
+            _if_given(found, self, key, "m", above=0.0)
+        if None not in (self.max_span, self.max_offset):
+            found.add("max_offset", f"{self.max_offset:g} m", "leave it out beside max_span")
         found.raise_if_any()
+
+
+def _if_given(
+    found: Findings,
+    checks: Checks,
+    key: str,
+    unit: str,
+    *,
+    above: float | None = None,
+    at_least: float | None = None,
+    at_most: float | None = None,
+) -> None:
+    value = getattr(checks, key)
+    if value is not None:
+        found.number(key, value, unit, above=above, at_least=at_least, at_most=at_most)

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 from catopt.errors import NoAnswerError
 from catopt.model.system import System
 from catopt.mooring.response import Response, response_of
+from catopt.mooring.solution import SystemSolution
+from catopt.mooring.solve import solution_at
 from catopt.mooring.zero_load import zero_load_position
 from catopt.words import Message
 
@@ -26,11 +28,18 @@ class LineOut:
         system's; None where there is no equilibrium.
     refusal : str
         Why there is none.
+    solution : SystemSolution or None
+        The lines that are left, in their order; None where there is no equilibrium.
     """
 
     missing: int
     response: Response | None
     refusal: str = ""
+    solution: SystemSolution | None = None
+
+    def intact_number(self, index: int) -> int:
+        """Turn the number of a line among those left into that of the intact system, from 0."""
+        return index + (index >= self.missing)
 
 
 def one_line_out(system: System) -> tuple[LineOut, ...]:
@@ -61,11 +70,7 @@ def one_line_out(system: System) -> tuple[LineOut, ...]:
             found.append(LineOut(missing, None, error.args[0]))
             continue
         response = response_of(left, rest, lines, zero)
-        most_loaded = _in_the_intact(response.most_loaded, missing)
-        found.append(LineOut(missing, replace(response, most_loaded=most_loaded)))
+        out = LineOut(missing, response, solution=solution_at(left, rest, lines))
+        most_loaded = out.intact_number(response.most_loaded)
+        found.append(replace(out, response=replace(response, most_loaded=most_loaded)))
     return tuple(found)
-
-
-def _in_the_intact(number: int, missing: int) -> int:
-    """Turn the number of a line among those left into that of the intact system, from 0."""
-    return number + (number >= missing)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -12,7 +13,10 @@ __all__ = ["allowed_tensions"]
 
 
 def allowed_tensions(
-    checks: CheckReport, solution: Solution, load_case: str = ""
+    checks: CheckReport,
+    solution: Solution,
+    load_case: str = "",
+    without: Collection[str] = (),
 ) -> list[float | None]:
     """Find the least tension that each segment is allowed, N.
 
@@ -27,6 +31,8 @@ def allowed_tensions(
         Its segments.
     load_case : str
         Name of the load case; empty where there is only the load.
+    without : collection of str
+        Codes whose checks are left out.
     """
     found: list[float | None] = []
     for index, segment in enumerate(solution.segments, start=1):
@@ -35,16 +41,11 @@ def allowed_tensions(
             for result in checks.results
             if result.kind == "tension"
             and (result.load_case == load_case or not load_case)
-            and _is_of(result.name, index)
+            and result.place.segment == index
+            and result.source.code not in without
         ]
         if checked:
             found.append(min(checked))
         else:
             found.append(None if segment.MBL is None else segment.MBL / solution.safety_factor)
     return found
-
-
-def _is_of(name: str, number: int) -> bool:
-    """Whether a check's name is that of a segment: ``"tension, segment 2 (wire)"``."""
-    prefix = f"tension, segment {number}"
-    return name == prefix or name.startswith(f"{prefix} ")

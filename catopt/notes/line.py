@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 from catopt.casefile import read_case
 from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
 from catopt.catenary.case import solve_case, under_a_load
-from catopt.checks.case import NO_CHECK, check_case, is_of_load
+from catopt.checks.case import check_case, is_of_load
+from catopt.checks.remarks import NO_CHECK
 from catopt.errors import CatoptError
 from catopt.notes.capacity import allowed_tensions
 from catopt.notes.directory import Asked, asked_in, case_path

@@ -6,12 +6,15 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from catopt.checks.criteria import allowed_by, criteria_of
 from catopt.notes.capacity import allowed_tensions
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
+    from catopt.checks.criteria import Criteria
+    from catopt.checks.criterion import Criterion
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
@@ -37,7 +40,8 @@ class SegmentUse:
     largest, at_rest : float
         Tension in motion, at an end or in a bar, and in closed form at rest, N.
     capacity : float or None
-        Least tension that the checks allow at rest, or MBL over the safety factor, N.
+        Least tension that is allowed, N: by the factors that codes have for dynamic analysis, else
+        by the checks at rest, or the MBL over the safety factor.
     """
 
     number: int
@@ -66,12 +70,15 @@ class InMotion:
         Of each segment, by load case as in `found.parts`.
     solutions : tuple of Solution
         At rest, by load case.
+    codes : tuple of str
+        Those by whose factors for dynamic analysis the tensions are judged.
     """
 
     found: DynamicVerification
     drive: Drive
     uses: tuple[tuple[SegmentUse, ...], ...]
     solutions: tuple[Solution, ...]
+    codes: tuple[str, ...] = ()
 
     @property
     def governing(self) -> int:
@@ -114,20 +121,35 @@ def in_motion(
     found = verify_dynamic(case, proof=proof, progress=progress)
     at_rest = dict(checks.solutions)
     solutions = tuple(at_rest[part.name] for part in found.parts)
-    uses = tuple(
-        tuple(_uses(part, solution, checks))
-        for part, solution in zip(found.parts, solutions, strict=True)
-    )
-    return InMotion(found, drive, uses, solutions)
+    criteria = criteria_of(case, analysis="dynamic")
+    kinds = {state.name: state.kind for state in case.load_cases}
+    uses = []
+    for part, solution in zip(found.parts, solutions, strict=True):
+        wanted = criteria.of("tension", kinds.get(part.name, "extreme"))
+        dynamic = [each for each in wanted if each.analysis == "dynamic"]
+        uses.append(tuple(_uses(part, solution, checks, criteria, dynamic)))
+    codes = dict.fromkeys(e.source.code for e in criteria.all if e.analysis == "dynamic")
+    return InMotion(found, drive, tuple(uses), solutions, tuple(codes))
 
 
-def _uses(part: DynamicPart, solution: Solution, checks: CheckReport) -> Iterator[SegmentUse]:
-    """Yield what each segment carries: the largest of its bars, and of its end where it is held."""
+def _uses(
+    part: DynamicPart,
+    solution: Solution,
+    checks: CheckReport,
+    criteria: Criteria,
+    dynamic: Sequence[Criterion],
+) -> Iterator[SegmentUse]:
+    """Yield what each segment carries: the largest of its bars, and of its end where it is held.
+
+    The mean of a tension in motion is that at rest.
+    """
     import numpy as np
 
     high = np.fmax.reduce([run.history.max_tension for run in part.runs])
     arc = part.runs[0].history.arc
-    allowed = allowed_tensions(checks, solution, part.name)
+    allowed = allowed_tensions(
+        checks, solution, part.name, without={each.source.code for each in dynamic}
+    )
     ends = {0: part.of("anchor_tension").maximum}
     last = len(solution.segments) - 1
     ends[last] = max(ends.get(last, 0.0), part.of("fairlead_tension").maximum)
@@ -136,7 +158,15 @@ def _uses(part: DynamicPart, solution: Solution, checks: CheckReport) -> Iterato
         end = start + segment.length
         of_bars = high[(arc >= start) & (arc <= end)]
         largest = float(np.fmax.reduce(of_bars, initial=ends.get(index, 0.0)))
-        yield SegmentUse(index + 1, segment.name, largest, segment.max_tension, capacity)
+        key, part_of = f"line.segments[{index}]", solution.line.segments[index]
+        share = min(1.0, segment.max_tension / largest) if largest > 0.0 else 1.0
+        strength = criteria.strength(part_of, key) if dynamic else None
+        limits = [] if capacity is None else [capacity]
+        if strength is not None:
+            wanted = (each for each in dynamic if each.is_for(strength.kind))
+            limits += (allowed_by(each, strength, key, share) for each in wanted)
+        least = min(limits, default=None)
+        yield SegmentUse(index + 1, segment.name, largest, segment.max_tension, least)
         start = end
 
 

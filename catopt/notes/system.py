@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from catopt.casefile import read_case
+from catopt.checks.remarks import NO_CHECK
+from catopt.checks.system import check_system
 from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
-from catopt.mooring.solve import solve_system
-from catopt.notes.checking import checks_of
 from catopt.notes.directory import Asked
 from catopt.notes.motion import Progress, motion_files
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
@@ -24,13 +24,13 @@ from catopt.verify.motion_words import doubts, stopped_sentence
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
-    from catopt.model import Case
+    from catopt.model import Case, Segment
     from catopt.mooring.line_out import LineOut
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import StaticComparison, Verification
-from catopt.words import Message
+from catopt.words import Message, is_said
 
 __all__ = ["SystemNote", "directions_of", "read_system_note", "system_note"]
 
@@ -51,9 +51,7 @@ class SystemNote:
         The body under its load, with one line out, the watch circle, and the restoring curves along
         the force and across it; what could not be computed is left out, and `warnings` say why.
     checks : CheckReport
-        Of every line by itself, and of the body; the load cases of its results say which.
-    left : tuple of float or None
-        Largest utilisation of any line with each of them gone in turn; None where it is not known.
+        Of every line and of the body, intact and with every line out.
     origin : Origin
         The files that it rests on.
     warnings : tuple of str
@@ -69,7 +67,6 @@ class SystemNote:
     case: Case
     report: SystemReport
     checks: CheckReport
-    left: tuple[float | None, ...]
     origin: Origin
     warnings: tuple[str, ...] = ()
     verification: Verification | None = None
@@ -92,10 +89,24 @@ class SystemNote:
         return self.solution.lines[self.solution.most_loaded]
 
     @property
+    def is_judged(self) -> bool:
+        """Whether any criterion is on the tensions of the intact body."""
+        return self.checks.used() is not None
+
+    @property
     def used(self) -> float | None:
-        """Largest utilisation of any line; None where no breaking load is known."""
-        factor = self.solution.safety_factor
-        used = [line.utilisation(factor) for line in self.solution.lines]
+        """Largest utilisation of any line: by its checks, or else of the MBL; None if unknown."""
+        return self._used(self.solution, None)
+
+    @property
+    def left(self) -> tuple[float | None, ...]:
+        """The same with each line gone in turn."""
+        return tuple(self._used(each.solution, each.missing + 1) for each in self.line_out)
+
+    def _used(self, solution: SystemSolution | None, missing: int | None) -> float | None:
+        if solution is None or self.is_judged:
+            return self.checks.used(missing=missing)
+        used = [line.utilisation() for line in solution.lines]
         return max((each for each in used if each is not None), default=None)
 
     @property
@@ -130,11 +141,22 @@ class SystemNote:
 
     @property
     def allowed_at_fairlead(self) -> float | None:
-        """Tension that the weakest line is allowed at its fairlead: MBL over the factor, N."""
+        """Tension that the weakest line is allowed at its fairlead, by the checks or its MBL, N."""
+        allowed = [
+            each.capacity
+            for each in self.checks.results
+            if each.kind == "tension"
+            and each.place.state == "intact"
+            and each.place.line is not None
+            and each.place.segment == len(self._segments(each.place.line))
+        ]
         known = [leg.line.segments[-1].MBL for leg in self.solution.system.legs]
-        if any(each is None for each in known):
-            return None
-        return min(each for each in known if each is not None) / self.solution.safety_factor
+        if allowed or any(each is None for each in known):
+            return min(allowed, default=None)
+        return min(each for each in known if each is not None)
+
+    def _segments(self, line: int) -> Sequence[Segment]:
+        return self.solution.system.legs[line - 1].line.segments
 
     @property
     def compared(self) -> StaticComparison | None:
@@ -196,12 +218,12 @@ def system_note(
     """
     found = _in_motion(case, asked, progress)
     report, left_out = _report(case)
-    checks = checks_of(case, report.solution)
+    checks = check_system(case, report)
     verification, failure = _verification(case) if verify else (None, "")
     warnings = (
         *_doubts(verification, failure),
         *(() if found is None else _of_motion(found)),
-        *checks.warnings,
+        *(each for each in checks.warnings if not is_said(each, NO_CHECK)),
         *report.solution.warnings,
         *left_out,
     )
@@ -209,7 +231,6 @@ def system_note(
         case=case,
         report=report,
         checks=checks,
-        left=tuple(_left(report)),
         origin=origin_of((*files, *(motion_files(case) if found else ())), date),
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
@@ -267,18 +288,6 @@ def _curve(case: Case, solution: SystemSolution, direction: float) -> RestoringC
         offsets = [far * (k - middle) / middle for k in range(CURVE_POINTS)]
         return restoring_curve(solution.system, direction=direction, offsets=offsets)
     return curve
-
-
-def _left(report: SystemReport) -> Iterator[float | None]:
-    """Yield how far the strongest used line is used with each line gone in turn."""
-    factor = report.solution.safety_factor
-    for each in report.line_out:
-        if each.response is None:
-            yield None
-            continue
-        rest = solve_system(report.solution.system.without([each.missing]))
-        known = [used for line in rest.lines if (used := line.utilisation(factor)) is not None]
-        yield max(known, default=None)
 
 
 def _verification(case: Case) -> tuple[Verification | None, str]:

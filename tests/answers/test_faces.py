@@ -66,8 +66,13 @@ def _system() -> Answer:
     return system_answer(
         report_system(
             case, with_line_out=True, with_circle=True, directions=[math.pi], levels=[1.0]
-        )
+        ),
+        check_case(case),
     )
+
+
+def _checks_of_a_body() -> Answer:
+    return check_answer(check_case(read_case(CASES / "fso-rang-dong" / "case.toml")))
 
 
 def _design() -> Answer:
@@ -189,8 +194,9 @@ def _body_in_motion() -> Answer:
 
 
 KINDS: dict[str, Callable[[], Answer]] = {
-    "solution": _solution, "check": _check, "curve": _curve, "system": _system,
-    "loads": _loads, "component": _component, "sizes": _sizes, "search": _search,
+    "solution": _solution, "check": _check, "checks of a body": _checks_of_a_body,
+    "curve": _curve, "system": _system, "loads": _loads,
+    "component": _component, "sizes": _sizes, "search": _search,
     "list": _list, "design": _design, "reproduction": _reproduction, "size": _size,
     "size by force": _size_by_force, "verification": _verification,
     "verified body": _verified_body, "verified front": _front, "motion": _motion,

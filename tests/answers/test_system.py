@@ -9,6 +9,7 @@ import pytest
 
 from catopt.answers.system import system_answer
 from catopt.casefile import read_case
+from catopt.checks.case import check_case
 from catopt.mooring.case import SystemReport, report_system
 
 from .tables import tables_of
@@ -30,7 +31,7 @@ def report() -> SystemReport:
 def test_the_tables_say_what_was_computed_in_the_units_of_their_headings(
     report: SystemReport,
 ) -> None:
-    made = tables_of(system_answer(report))
+    made = tables_of(system_answer(report, check_case(report.case)))
     assert list(made) == [
         "body", "lines", "line_out", "watch_circle", "restoring_1", "restoring_2", "water_levels",
     ]  # fmt: skip
@@ -49,4 +50,7 @@ def test_the_tables_say_what_was_computed_in_the_units_of_their_headings(
 
 
 def test_the_rule_of_practice_is_listed_only_where_it_applies(report: SystemReport) -> None:
-    assert not any("rule" in str(heading) for heading in tables_of(system_answer(report))["body"])
+    assert not any(
+        "rule" in str(heading)
+        for heading in tables_of(system_answer(report, check_case(report.case)))["body"]
+    )

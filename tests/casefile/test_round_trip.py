@@ -128,7 +128,7 @@ CHECKS = st.builds(
     proof_load_factor=st.none() | FACTOR,
     max_anchor_uplift_force=st.none() | NOT_NEGATIVE,
     min_grounded_length=st.none() | NOT_NEGATIVE,
-    max_offset=st.none() | POSITIVE,
+    max_span=st.none() | POSITIVE,
     allow_recalled=st.booleans(),
 )
 SERVICES = st.builds(Service, life=NOT_NEGATIVE, wear_rate=NOT_NEGATIVE)

@@ -95,9 +95,9 @@ def test_grounded_length() -> None:
     agrees(result, demand=25.0, capacity=20.0, utilisation=1.25, excess=0.2)
 
 
-def test_offset() -> None:
+def test_span() -> None:
     """Span 52.9584 m of 60 m allowed: 0.88264."""
-    result = only(asking(checks=Checks(max_offset=60.0)))
+    result = only(asking(checks=Checks(max_span=60.0)))
     assert round(SPAN, 4) == 52.9584
     agrees(result, demand=SPAN, capacity=60.0, utilisation=SPAN / 60.0, excess=SPAN / 60.0 - 1.0)
 

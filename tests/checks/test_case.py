@@ -24,7 +24,7 @@ EVERYTHING = asking(
         codes=("LR-linkspans-2022", "IALA-CALMAR"),
         max_anchor_uplift_force=1e3,
         min_grounded_length=10.0,
-        max_offset=60.0,
+        max_span=60.0,
         max_anchor_uplift_angle=0.1,
     ),
     anchor=Anchor("sinker", submerged_weight=100e3, friction=0.5),
@@ -35,13 +35,13 @@ EVERYTHING = asking(
 
 
 def test_the_highest_utilisation_governs_what_passes() -> None:
-    """Tension 50 / 100 = 0.5, offset 52.96 / 100 = 0.53; no uplift of 0 is no measure."""
-    checks = Checks(safety_factor=2.0, max_offset=100.0, max_anchor_uplift_angle=0.0)
+    """Tension 50 / 100 = 0.5, span 52.96 / 100 = 0.53; no uplift of 0 is no measure."""
+    checks = Checks(safety_factor=2.0, max_span=100.0, max_anchor_uplift_angle=0.0)
     report = check_case(asking(checks=checks))
     assert report.passes
     assert report.failed == ()
     assert report.governing is not None
-    assert report.governing.kind == "offset"
+    assert report.governing.kind == "span"
 
 
 def test_the_worst_failure_governs() -> None:
@@ -113,7 +113,7 @@ def test_every_load_case_has_every_check() -> None:
     ]
     assert kinds[0] == kinds[1] == [
         "tension", "tension", "tension", "uplift_angle", "uplift_angle", "uplift_force",
-        "grounded_length", "offset", "buoyancy", "sliding",
+        "grounded_length", "span", "buoyancy", "sliding",
     ]  # fmt: skip
 
 
@@ -137,7 +137,7 @@ def test_the_plain_numbers_of_a_search_are_the_strictest() -> None:
         uplift_angle=0.0,
         uplift_force=1e3,
         grounded_length=10.0,
-        offset=60.0,
+        span=60.0,
         reserve_buoyancy=50e3,
         sliding_factor=1.5,
     )

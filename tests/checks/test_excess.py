@@ -33,7 +33,7 @@ BAND = 4.0 * ROUNDING
         max_anchor_uplift_angle=st.floats(0.0, 1.5),
         max_anchor_uplift_force=st.floats(0.0, 1e5),
         min_grounded_length=st.floats(0.1, 100.0),
-        max_offset=st.floats(1.0, 200.0),
+        max_span=st.floats(1.0, 200.0),
     ),
     reserve=st.floats(1e3, 1e6),
     weight=st.floats(1e3, 1e6),
@@ -85,7 +85,7 @@ def test_what_is_not_asked_for_is_never_overrun() -> None:
     assert excess.uplift_angle_excess(1.5, math.inf) < 0.0
     assert excess.uplift_force_excess(1e9, 1.0, math.inf) < 0.0
     assert excess.grounded_excess(0.0, 0.0) < 0.0
-    assert excess.offset_excess(1e9, math.inf) < 0.0
+    assert excess.span_excess(1e9, math.inf) < 0.0
     assert excess.buoyancy_excess(1e9, math.inf) < 0.0
     assert excess.tension_excess(1e9, math.inf) < 0.0
 

@@ -98,7 +98,7 @@ def demanding_case(**changes: object) -> Case:
             max_anchor_uplift_angle=math.radians(2.0),
             max_anchor_uplift_force=5e3,
             min_grounded_length=10.0,
-            max_offset=400.0,
+            max_span=400.0,
         ),
         buoy=Buoy(150e3),
         **changes,  # type: ignore[arg-type]

@@ -128,7 +128,7 @@ kind = "reference"
 [checks]
 codes = ["UFC-4-159-03"]
 safety_factor = 3.5
-max_offset = "60 m"
+max_span = "60 m"
 [buoy]
 reserve_buoyancy = "60 kN"
 """

@@ -272,6 +272,29 @@ def test_more_than_is_allowed_is_told_at_the_top(tmp_path: Path) -> None:
     assert page.table("motion_use").rows[0][6].text == "FAILS"
 
 
+@pytest.mark.parametrize("code", ["API-RP-2SK", "DNV-OS-E301-2008-CC2", "break/5"])
+def test_codes_judge_a_tension_in_motion_by_their_factors_for_it(tmp_path: Path, code: str) -> None:
+    """API 1.67; E301, class 2, 1.40 on the mean and 2.10 on the rest; break/5 has its 5 alone."""
+    path = tmp_path / "coded.toml"
+    path.write_text(HARMONIC.replace("safety_factor = 3.0", f'codes = ["{code}"]'), "utf-8")
+    note = read_note(path, motion=True, verify=False)
+    assert note.motion is not None
+    ((use,),) = note.motion.uses
+    assert use.utilisation is not None
+    demand = {
+        "API-RP-2SK": 1.67 * use.largest / 3000e3,
+        "DNV-OS-E301-2008-CC2": (1.4 * use.at_rest + 2.1 * (use.largest - use.at_rest))
+        / (0.95 * 3000e3),
+        "break/5": 5.0 * use.largest / 3000e3,
+    }
+    assert use.utilisation == pytest.approx(demand[code], rel=1e-12)
+    assert note.motion.codes == (() if code == "break/5" else (code,))
+    page = read_page(page_of(note))
+    assert (f"factors for dynamic analysis of {code}" in page.sections["in_motion"]) == (
+        code != "break/5"
+    )
+
+
 def test_slack_is_told_at_the_top() -> None:
     found = moved("harmonic")
     (part,) = found.found.parts

@@ -10,7 +10,6 @@ import pytest
 
 from catopt.answers.note_system import system_note_answer
 from catopt.errors import NotConvergedError
-from catopt.notes.checking import BODY, line_name
 from catopt.notes.rounding import heading_of
 from catopt.notes.system import SystemNote, directions_of, read_system_note
 
@@ -98,14 +97,15 @@ def test_every_number_is_the_rounding_of_the_value_behind_it(
 
 
 def test_a_line_that_is_gone_loads_the_others_more() -> None:
-    """By the factor of the strength, the utilisation is that of the fairlead's segment at least."""
+    """The utilisation is that of the fairlead's segment at least, by API 1.43 with a line out."""
     note = known_note(TURRET)
     MBL = note.case.line.segments[-1].MBL
     assert MBL is not None
+    allowed = MBL / 1.43
     for each, used in zip(note.report.line_out, note.left, strict=True):
         assert each.response is not None
         assert used is not None
-        assert used >= each.response.largest_tension / MBL * (1.0 - SOLVED)
+        assert used >= each.response.largest_tension / allowed * (1.0 - SOLVED)
 
 
 def test_a_restoring_curve_goes_half_as_far_again_as_the_load_or_nearly_as_far() -> None:
@@ -154,14 +154,15 @@ def test_a_body_that_turns_is_told_to_be_free_to_turn_along_the_curves() -> None
 def test_the_title_block_says_what_decides() -> None:
     page, note = known_page(TURRET), known_note(TURRET)
     told = [element.text for element in page.styled("verdict", "system_identity")]
-    factor = note.solution.lines[1].utilisation()
+    # API RP 2SK: 1585.434 * 2.00 / 6140 = 0.516 intact, 2333.375 * 1.43 / 6140 = 0.543 damaged.
     assert told == [
+        "All 648 checks pass.",
         f"Most loaded is line 2: {note.loaded.tension / 1e3:.3f} kN at its fairlead. Largest "
-        f"utilisation {factor:.3f} of the breaking load, with a safety factor of 1.00.",
+        "utilisation of a tension 0.516, by the strictest check.",
         "The body goes 21.738 m from its zero-load position, towards 180.00 deg.",
         "With any one line gone: at most 2333.375 kN at a fairlead, in line 2 without line 1; the "
-        "body goes at most 26.368 m, without line 1. Largest utilisation 0.380 of the breaking "
-        "load, with a safety factor of 1.00.",
+        "body goes at most 26.368 m, without line 1. Largest utilisation of a tension 0.543, by "
+        "the strictest check.",
     ]
     assert page.table("identity").row("Mooring lines")[1].text == "9"
     force = page.table("identity").row("Force on the body")[1].text
@@ -179,7 +180,8 @@ def test_what_is_overrun_is_told_in_red() -> None:
     page, note = known_page("pulled"), known_note("pulled")
     failing = [each.text for each in page.styled("fails", "system_identity")]
     assert len(failing) == 3  # the checks, the intact body, one line out
-    assert "1 of 6 checks fails" in failing[0]
+    # Line 1, against the force, intact and with each of the others out; line 2 or 6 without it.
+    assert f"{len(note.checks.failed)} of 36 checks fail" in failing[0]
     used = max(line.utilisation(2.0) or 0.0 for line in note.solution.lines)
     assert f"{used:.3f}" in failing[1]
     assert used > 1.0
@@ -205,7 +207,9 @@ def test_a_line_is_checked_as_the_balance_has_it() -> None:
         (tension,) = [
             each
             for each in note.checks.results
-            if each.load_case == line_name(index) and each.kind == "tension"
+            if each.kind == "tension"
+            and each.place.state == "intact"
+            and each.place.line == index + 1
         ]
         expected = line.solution.segments[0].max_tension
         assert tension.demand == pytest.approx(expected, rel=SOLVED)
@@ -216,7 +220,11 @@ def test_a_line_is_checked_as_the_balance_has_it() -> None:
 
 def test_the_reserve_of_buoyancy_is_against_all_lines_together() -> None:
     note = known_note("arms")
-    (found,) = [each for each in note.checks.results if each.load_case == BODY]
+    (found,) = [
+        each
+        for each in note.checks.results
+        if each.kind == "buoyancy" and each.place.state == "intact"
+    ]
     pull = sum(line.solution.fairlead.vertical_force for line in note.solution.lines)
     assert found.demand == pytest.approx(pull, rel=LAST_DIGIT)
     assert found.capacity == 700e3
@@ -284,7 +292,10 @@ def test_what_cannot_be_computed_is_left_out_and_said(
     monkeypatch.setattr("catopt.mooring.case.restoring_curve", stops)
     beside = "is left out, for somewhere on it it wanders"
     note = read_system_note(system_path(tmp_path, TURRET), verify=False)
+    of_codes = note.checks.warnings
+    assert [each.partition(":")[0] for each in of_codes] == ["API-RP-2SK", "DNV-OS-E301-2008-CC1"]
     assert note.warnings == (
+        *of_codes,
         "the watch circle is left out: it wanders",
         f"the restoring curve towards 180.00 deg {beside}",
         f"the restoring curve towards 90.00 deg {beside}",

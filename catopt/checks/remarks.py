@@ -1,0 +1,102 @@
+"""What an engineer should know of a report of checks beside the checks themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final, NamedTuple
+
+from catopt.catenary.solution import Solution
+from catopt.checks.criteria import UPLIFT, Criteria
+from catopt.checks.evaluation import segment_words
+from catopt.checks.state import State
+from catopt.checks.strength import Strength
+from catopt.model import Anchor, Line
+from catopt.model.load_case import LoadCaseKind
+from catopt.ties import largest
+from catopt.words import Measure, Message
+
+__all__ = ["IN_LOAD_CASE", "NO_CHECK", "Lifted", "in_load_case", "of_criteria", "of_uplift"]
+
+NO_CHECK: Final = "checks.none"
+"""Key of the warning that nothing is checked."""
+
+IN_LOAD_CASE: Final = "checks.in_load_case"
+"""Key of what is said of one load case."""
+
+_LEVEL = 1e-9
+"""rad; an inclination that is rounding."""
+
+
+def in_load_case(load_case: str, said: str) -> Message:
+    """Say of which load case something is said."""
+    return Message(IN_LOAD_CASE, name=load_case, said=said)
+
+
+def of_criteria(criteria: Criteria, line: Line, strengths: Sequence[Strength]) -> Iterator[str]:
+    """Say what is to be known of the criteria, and which segments none of them covers."""
+    if not criteria.all:
+        yield Message(NO_CHECK)
+    yield from criteria.warnings
+    for index, strength in enumerate(strengths):
+        covered = any(
+            each.check == "tension" and each.is_for(strength.kind) for each in criteria.all
+        )
+        if criteria.all and not covered:
+            words = segment_words(line.segments[index], index)
+            yield Message("checks.no_strength_criterion", segment=words)
+
+
+class Lifted(NamedTuple):
+    """A line that may lift its anchor.
+
+    Attributes
+    ----------
+    where : str
+        Load case, or line and state, in words.
+    state, kind : str
+        Of the mooring and of the load case.
+    solution : Solution
+        The line there.
+    """
+
+    where: str
+    state: State
+    kind: LoadCaseKind
+    solution: Solution
+
+    @property
+    def angle(self) -> float:
+        """Inclination at the anchor, rad."""
+        return self.solution.anchor.angle
+
+
+def of_uplift(
+    solved: Iterable[Lifted], criteria: Criteria, anchor: Anchor | None
+) -> Iterator[Message]:
+    """Say where an anchor is lifted most and no check is on that, or is lifted though it drags.
+
+    Parameters
+    ----------
+    solved : iterable of Lifted
+        Every line in every state.
+    criteria : Criteria
+        What the line has to keep.
+    anchor : Anchor or None
+        A sinker's check on sliding covers its uplift.
+    """
+    lifted = [each for each in solved if each.angle > _LEVEL]
+    if not lifted or (anchor is not None and anchor.kind == "sinker"):
+        return
+    free = [
+        each
+        for each in lifted
+        if not any(True for check in UPLIFT for _ in criteria.of(check, each.kind, each.state))
+    ]
+    if free or anchor is not None:
+        worst = largest(free or lifted, lambda each: each.angle)
+        yield Message(
+            "checks.uplift_unchecked" if free else "checks.drag_anchor_lifted",
+            where=worst.where,
+            angle=Measure("angle", worst.angle),
+            force=Measure("vertical_force", worst.solution.anchor.vertical_force),
+        )

@@ -1,0 +1,172 @@
+"""Check a body with several lines: every line, with all there and with each of them gone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.criterion import Criterion
+from catopt.checks.evaluation import evaluate
+from catopt.checks.excess import buoyancy_excess
+from catopt.checks.remarks import Lifted, of_criteria, of_uplift
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.state import Place, State
+from catopt.model import Case
+from catopt.mooring.case import SystemReport, report_system
+from catopt.mooring.solution import SystemSolution
+from catopt.words import Message
+
+__all__ = ["check_system"]
+
+
+@dataclass(frozen=True)
+class _InState:
+    """The body in one state: its solution, or why there is none; the numbers of its lines."""
+
+    place: Place
+    solution: SystemSolution | None
+    numbers: tuple[int, ...]
+    refusal: str = ""
+
+    @property
+    def name(self) -> Message:
+        if self.place.missing is None:
+            return Message("checks.intact")
+        return Message("checks.line_out", number=self.place.missing)
+
+
+def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
+    """Check a moored body by every criterion, each in the state that it is for.
+
+    Every line is checked as the balance has it, with all lines there and, where a criterion is for
+    that, with each of them gone in turn; a reserve of buoyancy against the vertical pull of all.
+    Where the body finds no rest without a line, that is a failed check.
+
+    Parameters
+    ----------
+    case : Case
+        With a system.
+    report : SystemReport, optional
+        What `report_system` gave for it, with one line out; solved here when left out.
+
+    Raises
+    ------
+    InputError, NoAnswerError, NotConvergedError
+        As for `check_case` and `report_system`.
+    """
+    assert case.system is not None
+    criteria = criteria_of(case)
+    damaged = _for_line_out(criteria, len(case.system.legs))
+    legs = case.system.legs
+    wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
+    known = {line: criteria.strengths(line, {"extreme"}, wanted) for line in {e.line for e in legs}}
+    report = report or report_system(case, with_line_out=bool(damaged))
+    states = tuple(_states(report, with_line_out=bool(damaged)))
+    results: list[CheckResult] = []
+    solved: list[tuple[Lifted, Place]] = []
+    for state in states:
+        if state.solution is None:
+            results += _lost(state, damaged)
+            continue
+        for number, line in zip(state.numbers, state.solution.lines, strict=True):
+            place = replace(state.place, line=number)
+            where = Message(
+                "checks.of_line",
+                line=Message("checks.line_number", number=number),
+                name=state.name,
+            )
+            solved.append((Lifted(where, place.state, "extreme", line.solution), place))
+            results += evaluate(
+                line.solution,
+                criteria,
+                known[line.leg.line],
+                case.anchor,
+                load_case=state.name,
+                kind="extreme",
+                place=place,
+            )
+        results += _of_the_body(state, criteria)
+    lines = {line: of_criteria(criteria, line, strengths) for line, strengths in known.items()}
+    warnings = (
+        *(warning for told in lines.values() for warning in told),
+        *_of_line_out(criteria, damaged, len(legs)),
+        *of_uplift((each for each, _ in solved), criteria, case.anchor),
+        *report.solution.warnings,
+    )
+    return CheckReport(
+        title=case.title,
+        results=tuple(results),
+        solutions=tuple((each.where, each.solution) for each, _ in solved),
+        warnings=tuple(dict.fromkeys(warnings)),
+        places=tuple(place for _, place in solved),
+    )
+
+
+def _for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
+    """List the criteria for one line out; of one line, those that are for nothing else."""
+    return tuple(
+        each
+        for each in criteria.all
+        if "one_line_out" in each.states and (lines > 1 or "intact" not in each.states)
+    )
+
+
+def _states(report: SystemReport, *, with_line_out: bool) -> Iterator[_InState]:
+    everything = tuple(range(1, len(report.solution.lines) + 1))
+    yield _InState(Place(), report.solution, everything)
+    for each in report.line_out if with_line_out else ():
+        missing = each.missing + 1
+        left = tuple(number for number in everything if number != missing)
+        place = Place("one_line_out", missing=missing)
+        yield _InState(place, each.solution, left, each.refusal)
+
+
+def _lost(state: _InState, damaged: tuple[Criterion, ...]) -> Iterator[CheckResult]:
+    """Fail every source of criteria for one line out: without this line there is no equilibrium."""
+    for source in dict.fromkeys(each.source for each in damaged):
+        yield CheckResult(
+            name=Message("checks.equilibrium"),
+            kind="equilibrium",
+            load_case=state.name,
+            demand=1.0,
+            capacity=0.0,
+            unit="",
+            excess=1.0,
+            source=source,
+            note=state.refusal,
+            place=state.place,
+        )
+
+
+def _of_the_body(state: _InState, criteria: Criteria) -> Iterator[CheckResult]:
+    """Hold the vertical pull of all lines against the reserve of buoyancy, if that is given."""
+    assert state.solution is not None
+    pull = math.fsum(line.solution.fairlead.vertical_force for line in state.solution.lines)
+    for criterion in criteria.of("buoyancy", "extreme", state.place.state):
+        yield CheckResult(
+            name=Message("checks.buoyancy"),
+            kind="buoyancy",
+            load_case=state.name,
+            demand=pull,
+            capacity=criterion.value,
+            unit="N",
+            excess=buoyancy_excess(pull, criterion.value),
+            source=criterion.source,
+            note=criterion.note,
+            place=state.place,
+        )
+
+
+def _of_line_out(
+    criteria: Criteria, damaged: tuple[Criterion, ...], lines: int
+) -> Iterator[Message]:
+    """Say which codes have no factor for one line out, or that nothing has."""
+    if not damaged and criteria.all:
+        yield Message("checks.one_line" if lines == 1 else "checks.line_out_not_judged")
+        return
+    judging = {each.source.code for each in damaged}
+    for code in dict.fromkeys(each.source.code for each in criteria.all):
+        if code not in judging:
+            yield Message("checks.intact_only", code=code)
