@@ -67,6 +67,8 @@ class Input:
         Key of the text that tells that the default was taken.
     left_out : str
         Key of the text that says what is taken, where that is no fixed value.
+    bare : str
+        Unit of a bare number; that of SI when empty.
     tanker : tuple of (str, object)
         Attributes that are others for a tanker.
     """
@@ -91,6 +93,7 @@ class Input:
     why: str = ""
     taken: str = ""
     left_out: str = ""
+    bare: str = ""
     tanker: tuple[tuple[str, object], ...] = ()
 
     @property
@@ -139,7 +142,7 @@ INPUTS: Final = (
     ),
     Input(
         "dwt", "ship.deadweight", "MASS", "50000 t", of=_TANKER, above=0.0,
-        called=("deadweight",), also=("DWT",),
+        called=("deadweight",), also=("DWT",), bare="t",
     ),
     Input(
         "frontal_area", "ship.frontal_area", "AREA", "580 m^2", of=_TANKER, above=0.0,
