@@ -414,7 +414,7 @@ def _rule(of: Pattern) -> Iterator[Text]:
     rule = hardest.rule_force
     if rule is not None:
         values = {
-            "force": _FORCE.format(hardest.force),
+            "force": Measure("horizontal_force", hardest.force),
             "rule": Measure("horizontal_force", rule),
             "found": Measure("horizontal_force", hardest.line_force),
             "ratio": f"{hardest.line_force / rule:.3f}",

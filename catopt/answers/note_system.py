@@ -300,8 +300,8 @@ def _checks(note: SystemNote) -> Iterator[Block]:
         "note_system.checks_governs",
         check=governing.name,
         where=_of_what(governing.load_case),
-        demand=quantity.format(governing.demand, unit=True),
-        capacity=quantity.format(governing.capacity, unit=True),
+        demand=Measure(quantity.key, governing.demand),
+        capacity=Measure(quantity.key, governing.capacity),
     )
     yield Verdict(governs, report.passes)
     _, *columns = check_columns(results)

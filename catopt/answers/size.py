@@ -151,7 +151,7 @@ def _forces_found(of: Sizing) -> Iterator[_Row]:
         ("Horizontal force on the line", "horizontal_force", solution.horizontal_force),
         ("Tension at the fairlead", "tension", solution.fairlead.tension),
     ):
-        words = Message("sizing.force_in", force=force / 1e3, load_case=load_case)
+        words = Message("sizing.force_in", force=Measure(key, force), load_case=load_case)
         yield _Row(term(name), force, QUANTITIES[key], words)
     for name, factor in (
         ("MBL over tension, new", of.break_factor),

@@ -19,7 +19,7 @@ from catopt.sizing.limits import limits
 from catopt.sizing.posed import LoadsAt, Posed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = ["HIGH", "LOW", "pose_buoy", "sized_buoy"]
 
@@ -183,7 +183,10 @@ def _assumptions(request: BuoyRequest, assumed: Assumed) -> tuple[str, ...]:
     levels = {"high": env.levels.high, "crest": env.crest, "low": env.levels.low, "keel": keel}
     crest = Message("sizing.high_water", **levels)
     if isinstance(request.buoy, BuoyShape):
-        values = {"diameter": assumed.diameter * 1e3, "pull": assumed.pull / 1e3}
+        values = {
+            "diameter": assumed.diameter * 1e3,
+            "pull": Measure("vertical_force", assumed.pull),
+        }
         settled = Message("sizing.loads_on_chain", **values)
     else:
         settled = Message("sizing.force_given")

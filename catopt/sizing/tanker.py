@@ -24,7 +24,7 @@ from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = ["EVERYDAY", "EVERYDAY_SHARE", "pose_tanker", "sized_tanker"]
 
@@ -357,7 +357,10 @@ def _share(request: TankerRequest, settled: Settled) -> Iterator[str]:
     """Say how much of the buoy's reserve is left to one line, where that is less than all."""
     reserve, own = _reserve(request), settled.posed.case.buoy
     if reserve is not None and own is not None and own.reserve_buoyancy < reserve:
-        share = {"reserve": reserve / 1e3, "own": own.reserve_buoyancy / 1e3}
+        share = {
+            "reserve": Measure("vertical_force", reserve),
+            "own": Measure("vertical_force", own.reserve_buoyancy),
+        }
         yield Message("sizing.share_of_reserve", **share)
 
 
