@@ -21,6 +21,7 @@ from catopt.cli.reproduce import reproduce
 from catopt.cli.size import size
 from catopt.cli.solve import solve
 from catopt.cli.system import system
+from catopt.cli.units_option import in_units
 from catopt.cli.verify import verify
 
 __all__ = ["app"]
@@ -64,7 +65,7 @@ def catopt(
 
 
 for _command in (solve, curve, design, check, verify, system, report, export, reproduce, new):
-    app.command()(_command)
+    app.command()(_command if _command in (export, new) else in_units(_command))
 app.command("compile")(compile_all)
 app.add_typer(catalog)
 app.add_typer(loads)

@@ -14,6 +14,7 @@ import typer
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
 from catopt.cli.size import is_file
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
+from catopt.cli.units_option import in_units
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
@@ -70,6 +71,7 @@ class Drift(StrEnum):
 
 
 @loads.command()
+@in_units
 @with_inputs("buoy", _BUOY, _TAKEN)
 def buoy(
     context: typer.Context,
@@ -140,6 +142,7 @@ def buoy(
 
 
 @loads.command()
+@in_units
 @with_inputs("tanker", _SHIP, _TAKEN)
 def ship(
     context: typer.Context,

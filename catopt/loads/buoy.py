@@ -12,7 +12,7 @@ from catopt.loads.drag import drag_component
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.source import CALMAR, LoadSource
 from catopt.model.validity import Findings
-from catopt.words import Message, Several, term
+from catopt.words import Measure, Message, Several, term
 
 __all__ = [
     "AIR_DENSITY",
@@ -226,10 +226,10 @@ def _afloat(floating: Floating) -> str:
     reserve = floating.shape.reserve_buoyancy(floating.water_density)
     return Message(
         "loads.afloat",
-        pull=floating.pull / 1e3,
+        pull=Measure("vertical_force", floating.pull),
         draught=floating.draught,
         freeboard=floating.freeboard,
-        reserve=reserve / 1e3,
+        reserve=Measure("vertical_force", reserve),
         origin=term(floating.shape.origin),
     )
 

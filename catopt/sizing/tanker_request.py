@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Final
 
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
@@ -11,11 +12,17 @@ from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
+from catopt.sizing.read_input import ReadInput
 
 __all__ = [
     "MooredShip",
     "TankerRequest",
 ]
+
+
+_LEAST_CARGO: Final = 0.4
+"""Deadweight over displacement of a loaded ship at least; catopt's own. Merchant ships have 0.55 to
+0.86."""
 
 
 @dataclass(frozen=True)
@@ -48,12 +55,12 @@ class MooredShip:
         if self.deadweight is not None:
             found.number("deadweight", self.deadweight, "kg", above=0.0)
             displaced = self.ship.displacement * 1025.0
+            of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
+            own = f"{self.deadweight / 1e3:.6g} t"
             if not found.problems and self.deadweight >= displaced:
-                found.add(
-                    "deadweight",
-                    f"{self.deadweight / 1e3:.6g} t",
-                    f"not below what a ship of these dimensions displaces, {displaced / 1e3:.6g} t",
-                )
+                found.add("deadweight", own, f"not below {of_it}")
+            elif not found.problems and self.deadweight < _LEAST_CARGO * displaced:
+                found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
         found.raise_if_any()
 
 
@@ -89,6 +96,8 @@ class TankerRequest:
         Of the case: where its figures come from; the command when left out.
     defaults, estimates : tuple of str
         What was not given and was taken, and what was estimated, in words; for the answer.
+    inputs : tuple of ReadInput
+        All that is known, as it was read; for the answer.
     """
 
     ships: tuple[MooredShip, ...]
@@ -112,6 +121,7 @@ class TankerRequest:
     title: str = ""
     source: str = ""
     defaults: tuple[str, ...] = ()
+    inputs: tuple[ReadInput, ...] = ()
     estimates: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

@@ -94,7 +94,7 @@ def test_questions_in_vietnamese(run: Run, monkeypatch: pytest.MonkeyPatch) -> N
     assert (ran.status, left) == (0, [])
     assert '"raft" không có trong danh sách' in ran.err
     assert "Độ sâu nước ở mực nước thấp [12 m]: " in ran.err
-    left = answering(monkeypatch, "120 m", "18 m", "7 m", "22 m", "", "", "", "")
+    left = answering(monkeypatch, "", "120 m", "18 m", "7 m", "22 m", "", "", "", "")
     ran = run("size", "tanker", "--lang", "vi")
     assert (ran.status, left) == (0, [])
     assert "Chiều dài toàn bộ của tàu: " in ran.err
