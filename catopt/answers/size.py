@@ -333,6 +333,7 @@ def _forces(of: Sizing) -> Iterator[Block]:
                 "captions.loads_in",
                 load_case=each.load_case,
                 force=Measure("horizontal_force", each.horizontal_force),
+                methods=" + ".join(part.method for part in each.parts),
             ),
             tuple(row for row, name in enumerate(of_rows) if name == each.load_case),
         )

@@ -134,6 +134,7 @@ def buoy_loads(
         tuple(components),
         (*_assumptions(wind, current, sea, levels, speed), _afloat(floating)),
         _warnings(sea, levels),
+        "IALA-CALMAR",
     )
 
 

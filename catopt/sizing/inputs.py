@@ -233,6 +233,15 @@ INPUTS: Final = (
         left_out="left_out.period",
     ),
     Input(
+        "load_method", "environment.load_method", "WHICH", ("UFC-Blendermann", "22TCN-222-95"),
+        "UFC-Blendermann", of=_TANKER, words=("UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95"),
+        several=True, called=("load_methods",), also=("load_methods",),
+    ),
+    Input(
+        "wave_coefficient", "environment.wave_coefficient", "NUMBER", 0.1, of=_TANKER,
+        at_least=0.0, most="1", also=("chi",), left_out="left_out.wave_coefficient",
+    ),
+    Input(
         "growth", "environment.marine_growth", "LENGTH", "50 mm", "0 mm", of=_BUOY, at_least=0.0,
         most="0.5 m", called=("marine_growth",), not_with=("force",), why=_IN_IT,
     ),

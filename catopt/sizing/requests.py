@@ -110,6 +110,8 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         lines=of["lines"],
         pretension=of["pretension"],
         clump_masses=of["clump_weight"] or (),
+        load_methods=of["load_method"],
+        wave_coefficient=of["wave_coefficient"],
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=words,

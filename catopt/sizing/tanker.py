@@ -11,7 +11,7 @@ from catopt.errors import NoAnswerError
 from catopt.loads.buoy import buoy_loads
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
-from catopt.loads.ship_loads import ship_loads
+from catopt.loads.ship_loads import governing_loads
 from catopt.model import Buoy, Case, ClumpWeightChoice, Design, LoadCase, Site
 from catopt.sizing.alternatives import alternatives
 from catopt.sizing.anchorage import DragGround
@@ -256,13 +256,15 @@ def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
 def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsAt:
     env = request.environment
     parts: list[Loads] = [
-        ship_loads(
+        governing_loads(
+            request.load_methods,
             state.moored.ship,
             env.wind,
             env.current,
             env.sea,
             state.depth,
             wind_on=state.moored.wind_on,
+            wave_coefficient=request.wave_coefficient,
             water_density=env.water_density,
         )
     ]

@@ -7,6 +7,7 @@ from typing import Final
 
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
+from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.environment import Environment
@@ -90,6 +91,10 @@ class TankerRequest:
         Clump weights of which the line has one, in air, kg; none when empty.
     clump_density : float
         kg/m3.
+    load_methods : tuple of str
+        Of the loads on the ship; of several the largest force governs.
+    wave_coefficient : float or None
+        chi of 22TCN 222-95, which that method wants in waves.
     title : str
         Of the case; made of the ship and the depth when left out.
     source : str
@@ -118,6 +123,8 @@ class TankerRequest:
     pretension: float = field(default_factory=lambda: usual("pretension", "tanker"))
     clump_masses: tuple[float, ...] = ()
     clump_density: float = 2400.0
+    load_methods: tuple[str, ...] = (METHODS[0],)
+    wave_coefficient: float | None = None
     title: str = ""
     source: str = ""
     defaults: tuple[str, ...] = ()
@@ -139,6 +146,7 @@ class TankerRequest:
         found.number("clump_density", self.clump_density, "kg/m3", above=1100.0, at_most=20e3)
         if self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+        self._check_methods(found)
         low = self.environment.levels.low
         for each in self.ships:
             if each.ship.draught >= low:
@@ -148,6 +156,23 @@ class TankerRequest:
                     f"the water is {low:g} m deep at low water: the ship would be aground",
                 )
         found.raise_if_any()
+
+    def _check_methods(self, found: Findings) -> None:
+        """Note a method that is unknown, or that would leave the waves out."""
+        for index, method in enumerate(self.load_methods):
+            if method not in METHODS:
+                found.add(f"load_methods[{index}]", repr(method), "one of " + ", ".join(METHODS))
+        if not self.load_methods:
+            found.add("load_methods", "none", "one at least of " + ", ".join(METHODS))
+        is_tcn = TCN in self.load_methods
+        if self.wave_coefficient is not None:
+            found.number("wave_coefficient", self.wave_coefficient, "", at_least=0.0, at_most=1.0)
+            if not is_tcn:
+                allowed = f"leave it out, or name {TCN} among the load methods"
+                found.add("wave_coefficient", f"{self.wave_coefficient:g}", allowed)
+        elif is_tcn and self.environment.sea.hmax > 0.0:
+            allowed = f"missing; {TCN} wants its chi in waves, or 0 to leave the waves out"
+            found.add("wave_coefficient", "", allowed)
 
     @property
     def longest(self) -> float:

@@ -17,7 +17,8 @@ WRITTEN_WITH = "0.29"
 
 
 def words(text: str) -> str:
-    return " ".join(text.split())
+    """Undo the breaking of lines, which a hyphen may end."""
+    return " ".join(text.split()).replace("- ", "-")
 
 
 def shown() -> dict[str, str]:

@@ -16,7 +16,7 @@ from catopt.casefile.sizing_file import Moored
 from catopt.cli.size import size as size_commands
 from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
-from catopt.loads import WaterLevels
+from catopt.loads import METHODS, WaterLevels
 from catopt.loads.ship_dimensions import ShipKind
 from catopt.loads.sinker import DENSITIES
 from catopt.sizing import Environment, LineChoice, SinkerGround, TankerRequest
@@ -212,6 +212,7 @@ def test_one_of_several_words_is_one_of_the_model() -> None:
         "ship": get_args(ShipKind),
         "prefer": PREFERENCES,
         "sinker": tuple(DENSITIES),
+        "load_method": METHODS,
     }
 
 
