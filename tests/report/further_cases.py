@@ -114,7 +114,7 @@ spectrum = "jonswap"
 height = "2 m"
 period = "7 s"
 direction = "180 deg"
-components = 60
+components = 20
 seed = 11
 [current]
 profile = "table"
@@ -123,10 +123,10 @@ speeds = ["1 m/s", "0.2 m/s"]
 [motion]
 rao_file = "rao.csv"
 [dynamics]
-duration = "150 s"
+duration = "60 s"
 ramp = "15 s"
 runs = 2
-elements = 24
+elements = 12
 """
 """Two load cases in two seas each, led by a ship."""
 

@@ -388,7 +388,7 @@ def test_the_model_with_drag_and_added_mass_on_their_diameters() -> None:
         assert row[8].value == 1.0
     model = {row[0].text: row[1].value for row in page.table("motion_model").rows}
     run = moved("random").found.parts[0].runs[0]
-    assert model["Bars of the line"] == 24
+    assert model["Bars of the line"] == 12
     assert model["Ramp, over which motion and waves grow"] == 15.0
     assert model["Statistics begin at"] == run.history.since == 15.0
     assert model["Time step"] == run.history.step
@@ -429,7 +429,7 @@ def test_the_envelope_holds_what_the_runs_reached(name: str) -> None:
 
 def test_what_must_be_known_of_it() -> None:
     random, harmonic = (further_page(name).sections["in_motion"] for name in ("random", "harmonic"))
-    assert "statistics, envelope and the largest values are of 15 s to 150 s" in random
+    assert "statistics, envelope and the largest values are of 15 s to 60 s" in random
     assert "2 runs with seeds of their own" in random
     assert "the quasi-static tension is without the current" in random
     assert "The most probable maximum is that of 3 h of this sea" in random
