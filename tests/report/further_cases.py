@@ -123,7 +123,7 @@ speeds = ["1 m/s", "0.2 m/s"]
 [motion]
 rao_file = "rao.csv"
 [dynamics]
-duration = "60 s"
+duration = "150 s"
 ramp = "15 s"
 runs = 2
 elements = 12

@@ -429,7 +429,7 @@ def test_the_envelope_holds_what_the_runs_reached(name: str) -> None:
 
 def test_what_must_be_known_of_it() -> None:
     random, harmonic = (further_page(name).sections["in_motion"] for name in ("random", "harmonic"))
-    assert "statistics, envelope and the largest values are of 15 s to 60 s" in random
+    assert "statistics, envelope and the largest values are of 15 s to 150 s" in random
     assert "2 runs with seeds of their own" in random
     assert "the quasi-static tension is without the current" in random
     assert "The most probable maximum is that of 3 h of this sea" in random
