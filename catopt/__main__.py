@@ -70,9 +70,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(arguments: Sequence[str] | None, output: Output) -> None:
-    from catopt.cli.app import app
+    from catopt.cli.app import command
 
-    app(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
+    command(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
 
 
 def _fault(error: Exception, output: Output) -> str:

@@ -39,6 +39,9 @@ SIZED: dict[str, tuple[str, ...]] = {
 line and by several, with a drag anchor and a sinker."""
 
 
+QUICK = {"given", "sinker"}
+
+
 @pytest.fixture
 def sized(monkeypatch: pytest.MonkeyPatch) -> list[Sizing]:
     """Keep what a run found, so that nothing is sized twice; on a terminal of 80 columns."""
@@ -54,7 +57,13 @@ def sized(monkeypatch: pytest.MonkeyPatch) -> list[Sizing]:
     return kept
 
 
-@pytest.mark.parametrize("arguments", SIZED.values(), ids=SIZED)
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        pytest.param(arguments, id=name, marks=[pytest.mark.slow] * (name not in QUICK))
+        for name, arguments in SIZED.items()
+    ],
+)
 def test_a_sizing_in_vietnamese(
     run: Run, sized: list[Sizing], arguments: tuple[str, ...], tmp_path: Path
 ) -> None:

@@ -118,6 +118,7 @@ def test_a_model_test_has_its_measured_maximum() -> None:
     assert model_test(3.5).of("fairlead_tension").maximum == pytest.approx(51.4, rel=0.03)
 
 
+@pytest.mark.slow  # two models of 33 m of chain, snapping
 def test_a_model_test_goes_slack_in_every_cycle_as_measured() -> None:
     history = model_test(1.25).runs[0].history
     tension = history.fairlead_tension[history.counted, 0]
