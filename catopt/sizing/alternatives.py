@@ -64,22 +64,27 @@ def _alternative(prefer: Prefer, sized: Callable[[Prefer], tuple[Settled, float]
         return Alternative(prefer, None, reason=why_none(error))
 
 
-def trade(of: Alternative, swing: float, mass: float) -> Message:
-    """Say what an alternative gives and takes: ``13 m less swing, 3.4 %, for 8.4 t more chain``.
+def trade(swing: float, mass: float, own_swing: float, own_mass: float) -> Message:
+    """Say what a line gives and takes beside the recommended one.
 
     Parameters
     ----------
-    of : Alternative
-        With a line.
     swing, mass : float
-        Swing radius, m, and mass in air, kg, of the recommended line.
+        Swing radius, m, and mass of the line in air, kg.
+    own_swing, own_mass : float
+        Those of the recommended line.
+
+    Examples
+    --------
+    >>> print(trade(369.0, 19.45e3, 382.0, 11.05e3))
+    13 m less swing, 3.4 %, for 8.4 t more chain, 76 %
     """
-    if (of.swing, of.mass) == (swing, mass):
+    if (swing, mass) == (own_swing, own_mass):
         return Message("sizing.same_line")
     return Message(
         "sizing.trade",
-        swing=_change("swing", "length", of.swing, swing),
-        chain=_change("chain", "mass", of.mass, mass),
+        swing=_change("swing", "length", swing, own_swing),
+        chain=_change("chain", "mass", mass, own_mass),
     )
 
 

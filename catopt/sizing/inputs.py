@@ -265,7 +265,7 @@ INPUTS: Final = (
         left_out="left_out.length_step", tanker=(("default", "13.75 m"), ("left_out", "")),
     ),
     Input(
-        "prefer", "line.prefer", "WHICH", "lightest", "balanced",
+        "prefer", "line.prefer", "WHICH", "balanced", "lightest",
         words=("lightest", "balanced", "least-swing"),
     ),
     Input(

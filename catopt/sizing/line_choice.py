@@ -60,7 +60,7 @@ class LineChoice:
     diameter_max: float | None = None
     diameters: tuple[float, ...] = ()
     length_step: float | None = None
-    prefer: Prefer = "balanced"
+    prefer: Prefer = "lightest"
     life: float = field(default_factory=lambda: usual("life"))
     wear_rate: float = field(default_factory=lambda: usual("wear"))
     allow_recalled: bool = False

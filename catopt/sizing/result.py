@@ -184,7 +184,8 @@ class Sizing:
         of : Alternative
             One of `alternatives` that has a line.
         """
-        return trade(of, self.swing.total, self.point.objectives["mass_kg"])
+        own = self.swing.total, self.point.objectives["mass_kg"]
+        return trade(of.swing, of.mass, *own)
 
     @property
     def warnings(self) -> tuple[str, ...]:

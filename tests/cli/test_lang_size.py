@@ -88,10 +88,10 @@ def test_the_words_of_a_sizing(run: Run) -> None:
     shown = " ".join(run(*SIZED["defaults"], "--lang", "vi").out.split())
     for part in (
         "pillar 1.8 m ở độ sâu nước 12 m",
-        "chain open-link 4D Q2 25 mm, 74 m = 2.69 đường lỉn",
-        "Rùa neo rùa neo bê tông 20 t (cần 16 t)",
-        "xích: 73 m thay cho 74 m: không đạt về góc nghiêng dây neo tại đáy (bão, mực nước cao).",
-        "dòng chảy lên thân phao theo hướng tải 12.452 A",
+        "chain open-link 4D Q2 20 mm, 87 m = 3.16 đường lỉn",
+        "Rùa neo rùa neo bê tông 15 t (cần 14 t)",
+        "xích: 86 m thay cho 87 m: không đạt về góc nghiêng dây neo tại đáy (bão, mực nước cao).",
+        "dòng chảy lên thân phao theo hướng tải 11.295 A",
         "Lấy theo mặc định vì không cho trước: gió 25 m/s;",
     ):
         assert part in shown

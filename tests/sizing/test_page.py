@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ from catopt.loads.ship_estimate import estimated_tanker, estimates
 from catopt.sizing import (
     BuoyRequest,
     Environment,
+    LineChoice,
     MooredShip,
     SinkerGround,
     Sizing,
@@ -20,6 +22,7 @@ from catopt.sizing import (
     size_buoy,
     size_tanker,
 )
+from catopt.sizing.kinds import usual
 
 PAGE = Path(__file__).parents[2] / "docs" / "sizing.md"
 UNITS = {"m": 1.0, "m2": 1.0, "mm": 1e-3, "m/s": 1.0, "1/m": 1.0, "N": 1.0, "kN": 1e3}
@@ -125,7 +128,8 @@ def sized_buoy() -> Sizing:
         WaterLevels(10.0, 12.0), Wind(25.0), SurfaceCurrent(1.5), SeaState(6.0, 1.5)
     )
     ground = SinkerGround("clean fine to medium sand")
-    return size_buoy(BuoyRequest(buoy("pillar 2.4 m"), place, ground=ground))
+    line = LineChoice(usual("chain"), usual("code"), prefer="balanced")
+    return size_buoy(BuoyRequest(buoy("pillar 2.4 m"), place, line, ground))
 
 
 def tanker_request(lines: int = 1) -> TankerRequest:
@@ -134,7 +138,8 @@ def tanker_request(lines: int = 1) -> TankerRequest:
     place = Environment(
         WaterLevels.steady(20.0), Wind(20.0), SurfaceCurrent(1.2), SeaState(8.0, maximum_height=3.5)
     )
-    return TankerRequest((moored,), place, estimates=estimates(), lines=lines)
+    request = TankerRequest((moored,), place, estimates=estimates(), lines=lines)
+    return replace(request, line=replace(request.line, prefer="balanced"))
 
 
 def check(heading: str, *sources: dict[str, float]) -> None:

@@ -7,8 +7,10 @@ import pytest
 import catopt
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
+from catopt.sizing.alternatives import trade
 from catopt.sizing.known import known
 from catopt.sizing.requests import request_of
+from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.sizing.wind_mean import mean_over
 
@@ -113,3 +115,54 @@ def test_a_sinker_by_both_rules() -> None:
     needed = (1.5 * H + V) / (STANDARD_GRAVITY * (1.0 - 1025.0 / 2400.0))
     assert other.needed_mass == pytest.approx(needed, rel=1e-12)
     assert own.mass > 2.0 * other.mass >= 2.0 * needed
+
+
+@pytest.fixture(scope="module")
+def lightest() -> Sizing:
+    return catopt.size_tanker(dwt="50000 t", depth="20 m")
+
+
+def test_the_lightest_line_that_passes_is_recommended(lightest: Sizing) -> None:
+    masses = [point.objectives["mass_kg"] for point in lightest.settled.result.front]
+    assert lightest.point.objectives["mass_kg"] == min(masses)
+    assert lightest.point.checks.passes
+
+
+def test_the_bound_that_the_lightest_line_stands_at_is_told(lightest: Sizing) -> None:
+    """50 mm is the smallest size that is looked at for a ship; the next one below is lighter."""
+    assert lightest.point.line.segments[0].nominal_diameter == pytest.approx(0.05, abs=1e-12)
+    assert "smallest of them, 50 mm: a smaller one may be lighter" in lightest.why
+    bolder = catopt.size_tanker(dwt="50000 t", depth="20 m", diameter_min="30 mm")
+    assert bolder.point.objectives["mass_kg"] < lightest.point.objectives["mass_kg"]
+
+
+def test_the_other_lines_stand_beside_it_each_under_its_own_loads(lightest: Sizing) -> None:
+    balanced, least = lightest.alternatives
+    assert (balanced.prefer, least.prefer) == ("balanced", "least-swing")
+    assert least.swing < balanced.swing < lightest.swing.total
+    for each in (balanced, least):
+        assert each.settled is not None
+        assert each.settled.point.checks.passes
+        same = catopt.size_tanker(dwt="50000 t", depth="20 m", prefer=each.prefer)
+        assert same.swing.total == pytest.approx(each.swing, rel=1e-12)
+        assert same.point.line.mass == pytest.approx(each.mass, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("other", "own", "said"),
+    [
+        # 13/382 = 3.40 %, 8.4/11.05 = 76.0 %
+        (
+            (369.0, 19.45e3), (382.0, 11.05e3),
+            "13 m less swing, 3.4 %, for 8.4 t more chain, 76 %",
+        ),
+        # 13/369 = 3.52 %, 8.4/19.45 = 43.2 %
+        (
+            (382.0, 11.05e3), (369.0, 19.45e3),
+            "13 m more swing, 3.5 %, for 8.4 t less chain, 43 %",
+        ),
+        ((60.0, 2e3), (60.0, 2e3), "the recommended line"),
+    ],
+)  # fmt: skip
+def test_a_trade_in_words(other: tuple[float, float], own: tuple[float, float], said: str) -> None:
+    assert trade(*other, *own) == said
