@@ -362,8 +362,10 @@ def governing_sentence(report: CheckReport) -> str:
     return Message("checks.governing_of_body", **(values | {"load_case": _where(found)}))
 
 
-def _used(result: CheckResult) -> Message:
+def _used(result: CheckResult) -> str:
     """Say how far a check is used; its demand beside its capacity where that is no ratio."""
+    if result.kind == "equilibrium":
+        return result.note
     if result.utilisation is not None:
         return Message("checks.utilisation", used=result.utilisation)
     key = QUANTITY_OF[result.kind].key
