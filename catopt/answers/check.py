@@ -188,11 +188,11 @@ def _yes(passes: bool, yes: str, no: str) -> Message:
     return Message(f"answers.{yes if passes else no}")
 
 
-def _where(result: CheckResult) -> Message:
+def _where(result: CheckResult) -> str:
     """Say of which line a check is, or that it is of the body, and in which state."""
-    line = result.place.line
-    what = Message("checks.body") if line is None else Message("checks.line_number", number=line)
-    return Message("checks.of_line", line=what, name=result.load_case)
+    if result.place.line is not None:
+        return result.where
+    return Message("checks.of_line", line=Message("checks.body"), name=result.load_case)
 
 
 def _short(result: CheckResult) -> str:
