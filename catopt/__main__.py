@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from contextvars import copy_context
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             from catopt.cli.streams import guard_streams
 
             guard_streams()
-        _run(arguments, output)
+        copy_context().run(_run, arguments, output)
     except KeyboardInterrupt:
         status = INTERRUPTED
     except SystemExit as stop:
@@ -69,9 +70,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(arguments: Sequence[str] | None, output: Output) -> None:
-    from catopt.cli.app import app
+    from catopt.cli.app import command
 
-    app(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
+    command(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
 
 
 def _fault(error: Exception, output: Output) -> str:

@@ -3,12 +3,28 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Literal
 
-__all__ = ["GREEK", "QUANTITIES", "Quantity"]
+from catopt.units import UNITS, Dimension
+
+__all__ = ["GREEK", "QUANTITIES", "Quantity", "Units"]
+
+Units = Literal["", "tf", "kN", "si"]
+"""In which forces are shown: each quantity in its own unit of the table, tonne-force, kN, or all of
+SI."""
+
+_WITH_FORCE = re.compile(r"(kN|MN|N|kgf|tf)(²?)(.*)")
+_FORCES: Mapping[str, Mapping[str, str]] = MappingProxyType(
+    {
+        "tf": {"N": "kgf", "kN": "tf", "MN": "tf"},
+        "kN": {"kgf": "N", "tf": "kN"},
+    }
+)
+"""What stands in the place of each unit of force."""
 
 GREEK = MappingProxyType({"theta0": "θ₀", "theta1": "θ₁", "theta": "θ", "mu": "μ", "rho": "ρ"})
 """Symbols of quantities that are Greek letters."""
@@ -74,6 +90,49 @@ class Quantity:
     def to_si(self, field: float) -> float:
         """Convert a value (or an array) in the field unit to SI."""
         return field * self.factor
+
+    def in_units(self, units: Units) -> Quantity:
+        """Take it in the units that somebody reads, to about the same digits.
+
+        A hand calculation (``exact``) stays in SI, in which its formula holds.
+
+        Parameters
+        ----------
+        units : {"", "tf", "kN", "si"}
+            Wanted.
+
+        Examples
+        --------
+        >>> from catopt.quantities import QUANTITIES
+        >>> QUANTITIES["tension"].in_units("tf").format(9806.65e3, unit=True)
+        '1000.0000 tf'
+        """
+        if not units or self.key == "exact":
+            return self
+        if self.field_unit == "-":
+            own = QUANTITIES.get(self.key, self)
+            if own.field_unit == "-":
+                return self
+            shown = own.in_units(units)
+            return replace(self, factor=shown.factor, digits=shown.digits)
+        unit, factor = self._unit_in(units)
+        if unit == self.field_unit:
+            return self
+        digits = self.digits
+        if self.notation in {"fixed", "shortest"}:
+            digits = max(0, digits + round(math.log10(factor / self.factor)))
+        return replace(self, field_unit=unit, factor=factor, digits=digits)
+
+    def _unit_in(self, units: Units) -> tuple[str, float]:
+        """Name the unit, and SI units in one of it."""
+        if units == "si":
+            return self.si_unit, 1.0
+        found = _WITH_FORCE.fullmatch(self.field_unit)
+        if found is None or found[1] not in _FORCES[units]:
+            return self.field_unit, self.factor
+        forces, other = UNITS[Dimension.FORCE], _FORCES[units][found[1]]
+        ratio = forces[other] / forces[found[1]]
+        return f"{other}{found[2]}{found[3]}", self.factor * ratio ** (2 if found[2] else 1)
 
     def format(self, si: float | None, *, unit: bool = False, digits: int | None = None) -> str:
         """Print a value in the field unit.

@@ -18,6 +18,7 @@ from typing import Any
 
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.errors import InputError, Problem
+from catopt.numerals import readings
 
 __all__ = ["UNITS", "Dimension", "as_written", "lasting", "to_si"]
 
@@ -158,20 +159,21 @@ _AMBIGUOUS = {
 _AS_FORCE = {"kg": "kgf", "t": "tf", "tonne": "tf", "tonnes": "tf", "lb": "lbf"}
 
 _LONGEST_UNIT = 24
-_NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
+_NUMBER = re.compile(r"([+-]?(?:\d[\d.,]*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.ASCII | re.DOTALL)
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity)\b.*", re.IGNORECASE | re.DOTALL)
-_DECIMAL_COMMA = re.compile(r"\d,\d", re.ASCII)
 _UNIT_WORD = r"[^\W\d]\w*(?:\^-?[1-9])?"
 _UNIT = re.compile(rf"{_UNIT_WORD}(?:[*/ ]{_UNIT_WORD})*")
 _SPELLINGS = str.maketrans({"−": "-", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
 _SUPERSCRIPTS = str.maketrans("⁻¹²³⁴", "-1234")
 
 
-def to_si(value: object, dimension: Dimension, key: str = "value") -> float:
+def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str = "") -> float:
     """Read a number or a number with a unit.
 
-    A mass per length given where a weight per length is wanted is taken times g0. A mass given
-    where a force is wanted is an error, because nobody can tell which of the two was meant.
+    A number may have a decimal comma where it can mean nothing else; one that is 50 in one country
+    and fifty thousand in another is an error (`catopt.numerals`). A mass per length given where a
+    weight per length is wanted is taken times g0. A mass given where a force is wanted is an error,
+    because nobody can tell which of the two was meant.
 
     Parameters
     ----------
@@ -181,6 +183,8 @@ def to_si(value: object, dimension: Dimension, key: str = "value") -> float:
         What is wanted.
     key : str
         Where the value stands, for the message.
+    bare : str
+        Unit of a bare number, one of the table; that of SI when left out.
 
     Returns
     -------
@@ -192,12 +196,12 @@ def to_si(value: object, dimension: Dimension, key: str = "value") -> float:
     InputError
         When it is not such a value; one problem, which names what was found and gives an example.
     """
-    reading = _Reading(value, dimension, key)
+    reading = _Reading(value, dimension, key, bare or dimension.si_unit)
     if isinstance(value, str):
         digits, unit = reading.split(value)
         si = float(digits) * reading.factor(unit, digits)
     elif isinstance(value, (int, float)) and not isinstance(value, bool):
-        si = _as_float(value)
+        si = _as_float(value) * (UNITS[dimension][bare] if bare else 1.0)
     else:
         raise reading.error(reading.wanted)
     if not math.isfinite(si):
@@ -242,6 +246,7 @@ class _Reading:
     value: object
     dimension: Dimension
     key: str
+    bare: str
 
     @property
     def wanted(self) -> str:
@@ -250,10 +255,9 @@ class _Reading:
     @property
     def unit_hint(self) -> str:
         """Advice for a bare number, which may have been meant in another unit."""
-        unit = self.dimension.si_unit
-        if isinstance(self.value, str) or not unit:
+        if isinstance(self.value, str) or not self.bare:
             return ""
-        return f"; a bare number is in {unit}: give a unit, as in {self.dimension.example}"
+        return f"; a bare number is in {self.bare}: give a unit, as in {self.dimension.example}"
 
     def error(self, allowed: str, note: str = "") -> InputError:
         return InputError([Problem(self.key, as_written(self.value) + note, allowed)])
@@ -261,19 +265,30 @@ class _Reading:
     def split(self, text: str) -> tuple[str, str]:
         """Part a text into number and unit, the unit in the spelling of the table."""
         plain = text.translate(_SPELLINGS).strip()
-        if _DECIMAL_COMMA.search(plain):
-            raise self.error(f"write a decimal point and no comma, as in {self.dimension.example}")
         if _NOT_FINITE.fullmatch(plain):
             raise self.error(f"must be finite; {self.wanted}")
         parts = _NUMBER.fullmatch(plain)
         if parts is None:
             raise self.error(self.wanted)
-        digits, unit = parts[1], _spelt(parts[2])
+        unit, found = _spelt(parts[2]), readings(parts[1])
+        if not found or (unit and unit[0] in "_.,0123456789"):
+            raise self.error(f"the number is not in one piece; {self.wanted}")
+        digits = self._one_of(found, unit)
         if not unit:
             raise self.error(self._without_unit(digits))
-        if unit[0] in "_0123456789":
-            raise self.error(f"the number is not in one piece; {self.wanted}")
         return digits, unit
+
+    def _one_of(self, found: Sequence[str], unit: str) -> str:
+        """Take the one reading of a number; of two, the one that is plausible."""
+        first, *others = found
+        factor = _by_table(unit or self.bare)[1]
+        if math.isnan(factor):
+            factor = 1.0
+        if not others or self.dimension.implausible(float(others[0]) * factor):
+            return first
+        said = unit or self.bare
+        two = [f'"{float(each):.12g} {said}"' if said else f"{float(each):.12g}" for each in found]
+        raise self.error(f"has two meanings: write {' or '.join(two)}")
 
     def factor(self, unit: str, digits: str) -> float:
         """SI units in one `unit`, which must be of the wanted dimension."""

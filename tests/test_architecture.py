@@ -16,7 +16,7 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
-    "errors", "constants", "documents", "units", "quantities", "words",
+    "errors", "constants", "documents", "numerals", "units", "quantities", "words",
     "compiled", "interrupt", "ties",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
@@ -37,7 +37,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "errors": set(),
     "constants": set(),
     "documents": {"errors"},
-    "units": {"errors", "constants"},
+    "numerals": set(),
+    "units": {"errors", "constants", "numerals"},
     "quantities": {"errors", "constants", "units"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code"},

@@ -12,9 +12,9 @@ from catopt.catenary.solution import Regime
 from tests.snippets import FENCE, PAGES, README, ROOT, Block, blocks, produce, shown
 
 
-def _of_the_first_pages() -> list[Block]:
-    """Select what a newcomer types first: README and the quick start."""
-    return [block for block in shown() if block.page.name in (README.name, "quick-start.md")]
+def _of_readme() -> list[Block]:
+    """Select what a newcomer types first."""
+    return [block for block in shown() if block.page == README]
 
 
 def check(block: Block, folder: Path) -> None:
@@ -25,8 +25,8 @@ def check(block: Block, folder: Path) -> None:
         assert block.output.strip("\n") == printed.strip("\n"), fresh
 
 
-@pytest.mark.parametrize("block", _of_the_first_pages(), ids=str)
-def test_what_the_first_pages_show_runs_and_prints_it(block: Block, tmp_path: Path) -> None:
+@pytest.mark.parametrize("block", _of_readme(), ids=str)
+def test_what_readme_shows_runs_and_prints_it(block: Block, tmp_path: Path) -> None:
     check(block, tmp_path)
 
 

@@ -73,6 +73,17 @@ def test_every_example_is_read_without_the_units_library(dimension: Dimension) -
         ("5. m", Dimension.LENGTH, 5.0),
         ("1e3 mm", Dimension.LENGTH, 1.0),
         ("95 mm", Dimension.LENGTH, 0.095),
+        # A comma where no thousands can be meant; both marks; and, with three digits behind one
+        # mark, the one reading that is plausible or is written so.
+        ("31,3 m", Dimension.LENGTH, 31.3),
+        ("0,343 tf", Dimension.FORCE, 0.343 * 9806.65),
+        ("3,5e2 m", Dimension.LENGTH, 350.0),
+        ("1.234,5 kN", Dimension.FORCE, 1234500.0),
+        ("1,234.5 kN", Dimension.FORCE, 1234500.0),
+        ("1.234.567 N", Dimension.FORCE, 1234567.0),
+        ("1,025 t/m^3", Dimension.DENSITY, 1025.0),
+        ("1.020 t/m^3", Dimension.DENSITY, 1020.0),
+        ("17.425 m", Dimension.LENGTH, 17.425),
         ("0.343 tf", Dimension.FORCE, 0.343 * 9806.65),
         ("7100 kN", Dimension.FORCE, 7.1e6),
         ("80 MN", Dimension.FORCE, 8e7),
@@ -119,6 +130,11 @@ def test_a_bare_number_is_si(number: float) -> None:
     assert isinstance(value, float)
 
 
+def test_a_bare_number_may_have_another_unit() -> None:
+    assert to_si(50000, Dimension.MASS, bare="t") == 5e7
+    assert to_si("50000 kg", Dimension.MASS, bare="t") == 50000.0
+
+
 LENGTH = 'a length is wanted, such as "9.5 m"'
 FORCE = 'a force is wanted, such as "50 kN"'
 
@@ -153,7 +169,20 @@ FORCE = 'a force is wanted, such as "50 kN"'
             "a whole number of more than 40 digits",
             f"must be finite; {LENGTH}",
         ),
-        ("9,5 m", Dimension.LENGTH, '"9,5 m"', 'write a decimal point and no comma, as in "9.5 m"'),
+        ("50.000 t", Dimension.MASS, '"50.000 t"', 'has two meanings: write "50 t" or "50000 t"'),
+        ("50,000 t", Dimension.MASS, '"50,000 t"', 'has two meanings: write "50 t" or "50000 t"'),
+        ("50.000", Dimension.MASS, '"50.000"', 'has two meanings: write "50 kg" or "50000 kg"'),
+        ("1,500", Dimension.NUMBER, '"1,500"', "has two meanings: write 1.5 or 1500"),
+        (
+            "2,500 ft",
+            Dimension.LENGTH,
+            '"2,500 ft"',
+            'has two meanings: write "2.5 ft" or "2500 ft"',
+        ),
+        ("1,2,3 m", Dimension.LENGTH, '"1,2,3 m"', f"the number is not in one piece; {LENGTH}"),
+        ("1.5.5 m", Dimension.LENGTH, '"1.5.5 m"', f"the number is not in one piece; {LENGTH}"),
+        ("1,5.5,5 m", Dimension.LENGTH, '"1,5.5,5 m"', f"the number is not in one piece; {LENGTH}"),
+        ("5, m", Dimension.LENGTH, '"5, m"', f"the number is not in one piece; {LENGTH}"),
         ("1 000 m", Dimension.LENGTH, '"1 000 m"', f"the number is not in one piece; {LENGTH}"),
         ("1_000 m", Dimension.LENGTH, '"1_000 m"', f"the number is not in one piece; {LENGTH}"),
         ("5 m 20 cm", Dimension.LENGTH, '"5 m 20 cm"', f"not a unit known here; {LENGTH}"),

@@ -7,6 +7,7 @@ import pytest
 from tests.validation_page import EVIDENCE, PAGE, PARTS, ROOT, below, first_words, parts, up_to_date
 
 
+@pytest.mark.slow  # solves all that the page tells of
 def test_the_page_is_up_to_date() -> None:
     text = PAGE.read_text("utf-8")
     assert parts(text) == list(PARTS)

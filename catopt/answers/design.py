@@ -30,7 +30,7 @@ from catopt.answers.check import (
 )
 from catopt.figures.front import OBJECTIVES
 from catopt.quantities import Quantity
-from catopt.words import Message, Several, term
+from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
@@ -189,7 +189,11 @@ def segment_words(line: Line) -> list[str]:
 def clump_weight_words(line: Line) -> list[str]:
     """Say what hangs on the line: ``"2 t at 7 m"``, with the mass in air."""
     return [
-        Message("design.force_at", force=load.submerged_weight / 1e3, position=load.position)
+        Message(
+            "design.force_at",
+            force=Measure("point_weight", load.submerged_weight),
+            position=load.position,
+        )
         if load.mass is None
         else Message("design.weight_at", mass=load.mass / 1e3, position=load.position)
         for load in line.point_loads
@@ -205,7 +209,9 @@ def _anchor_words(point: DesignPoint) -> str:
         return Message("design.drag_anchor")
     if anchor.mass is not None:
         return Message("design.sinker", mass=anchor.mass / 1e3)
-    return Message("design.sinker_force", force=(anchor.submerged_weight or 0.0) / 1e3)
+    return Message(
+        "design.sinker_force", force=Measure("point_weight", anchor.submerged_weight or 0.0)
+    )
 
 
 def _composition(point: DesignPoint) -> Several:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
@@ -24,53 +24,61 @@ if TYPE_CHECKING:
 __all__ = ["forces_table", "loads_answer", "numbers_table"]
 
 
-def loads_answer(of: Loads) -> Answer:
+def loads_answer(of: Loads, *others: Loads) -> Answer:
     """Lay out the forces on a buoy or a ship, each with its formula, numbers and source.
 
     Parameters
     ----------
     of : Loads
         What came out.
+    *others : Loads
+        The same by other methods, which stand in the same tables.
     """
     forces = Message("terms.forces")
+    every = (of, *others)
     return Answer(
         "loads",
         of.title,
         (
-            Section(forces, (forces_table(of), _how(of))),
-            Section(Message("columns.numbers"), (numbers_table(of),)),
-            Section(Message("terms.notes"), (_notes_table(of), *_notes(of))),
+            Section(forces, (forces_table(*every), _how(every))),
+            Section(Message("columns.numbers"), (numbers_table(*every),)),
+            Section(Message("terms.notes"), (_notes_table(every), *_notes(every))),
         ),
     )
 
 
-def forces_table(of: Loads) -> Table:
-    """Tabulate the forces, a row each, and their sum."""
-    every = of.components
+def forces_table(*by: Loads) -> Table:
+    """Tabulate the forces by one method or several, a row each, and their sum."""
+    rows = [(of, each) for of in by for each in (*of.components, None)]
+    every = [each for _, each in rows]
+    methods = [of.method for of, _ in rows]
+
+    def of_each(value: Callable[[LoadComponent], str]) -> list[str]:
+        return ["" if each is None else value(each) for each in every]
+
+    forces = [of.horizontal_force if each is None else each.force for of, each in rows]
+    total = term("horizontal force")
     return Table(
         "loads",
         (
-            texts("force", [*(each.name for each in every), term("horizontal force")]),
-            texts("axis", [*(term(each.axis) for each in every), ""]),
-            measured(
-                "horizontal_force",
-                [*(each.force for each in every), of.horizontal_force],
-                "force",
-                symbol="F",
-            ),
-            texts("conf", [*(each.source.confidence for each in every), ""], only="people"),
-            texts("formula", [*(each.formula for each in every), ""], only="files"),
-            texts("numbers", [*(each.numbers_text for each in every), ""], only="files"),
-            texts("source", [*(each.source.text for each in every), ""], only="files"),
-            texts("note", [*(each.note for each in every), ""], only="files"),
+            *((texts("method", methods, only="people"),) if len(by) > 1 else ()),
+            texts("force", [total if each is None else each.name for each in every]),
+            texts("axis", of_each(lambda each: term(each.axis))),
+            measured("horizontal_force", forces, "force", symbol="F"),
+            texts("conf", of_each(lambda each: each.source.confidence), only="people"),
+            texts("formula", of_each(lambda each: each.formula), only="files"),
+            texts("numbers", of_each(lambda each: each.numbers_text), only="files"),
+            texts("source", of_each(lambda each: each.source.text), only="files"),
+            texts("note", of_each(lambda each: each.note), only="files"),
+            texts("method", methods, only="files"),
         ),
         Message("terms.forces"),
     )
 
 
-def numbers_table(of: Loads) -> Table:
+def numbers_table(*by: Loads) -> Table:
     """Tabulate every number that was put in, in SI and with all digits."""
-    rows = [(each.name, number) for each in of.components for number in each.numbers]
+    rows = [(each.name, number) for each in _components(by) for number in each.numbers]
     numbers = [number for _, number in rows]
     return Table(
         "numbers",
@@ -85,10 +93,22 @@ def numbers_table(of: Loads) -> Table:
     )
 
 
-def _notes_table(of: Loads) -> Table:
-    """Tabulate assumptions and warnings."""
-    kinds = {"assumption": of.assumptions, "warning": of.warnings, "recalled (R)": of.recalled}
-    rows = [(term(kind), said) for kind, every in kinds.items() for said in every]
+def _components(by: Iterable[Loads]) -> Iterable[LoadComponent]:
+    """List the forces; what methods have in common, once."""
+    return dict.fromkeys(each for of in by for each in of.components)
+
+
+def _notes_table(by: Sequence[Loads]) -> Table:
+    """Tabulate assumptions and warnings, each once."""
+    rows = dict.fromkeys(
+        (term(kind), said)
+        for kind, every in (
+            ("assumption", [said for of in by for said in of.assumptions]),
+            ("warning", [said for of in by for said in of.warnings]),
+            ("recalled (R)", [name for of in by for name in of.recalled]),
+        )
+        for said in every
+    )
     return Table(
         "notes",
         (texts("kind", [kind for kind, _ in rows]), texts("text", [said for _, said in rows])),
@@ -96,9 +116,9 @@ def _notes_table(of: Loads) -> Table:
     )
 
 
-def _how(of: Loads) -> Text:
+def _how(by: Sequence[Loads]) -> Text:
     """Explain each force: its formula, the numbers put in and the source."""
-    explained = Several((_explained(each) for each in of.components), "\n")
+    explained = Several((_explained(each) for each in _components(by)), "\n")
     return Text(explained, Message("loads.how"), "people")
 
 
@@ -108,10 +128,13 @@ def _explained(of: LoadComponent) -> Message:
     return Several((head, *(part for part in below if part)), "\n  ")
 
 
-def _notes(of: Loads) -> Iterator[Block]:
-    for assumption in of.assumptions:
+def _notes(by: Sequence[Loads]) -> Iterator[Block]:
+    for assumption in dict.fromkeys(each for of in by for each in of.assumptions):
         yield Text(assumption, only="people")
-    warnings = list(of.warnings)
-    if of.recalled:
-        warnings.append(Message("loads.recalled", names=Several(of.recalled, ", ")))
+    warnings = list(dict.fromkeys(each for of in by for each in of.warnings))
+    for of in by:
+        if of.recalled:
+            key = "loads.recalled_by" if len(by) > 1 else "loads.recalled"
+            names = Several(of.recalled, ", ")
+            warnings.append(Message(key, method=of.method, names=names))
     yield Warnings(tuple(warnings), "people")

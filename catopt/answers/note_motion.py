@@ -33,7 +33,7 @@ from catopt.verify.motion_words import (
     proof_sentences,
     stopped_sentence,
 )
-from catopt.words import Listed, Measure, Message, Several, term
+from catopt.words import Listed, Measure, Message, Several, Unit, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -182,7 +182,7 @@ def _cases(moved: InMotion) -> Table:
             column("note_motion.amplification", (part.amplification for part in parts), _FACTOR),
             measured("utilisation", (moved.used(index) for index in range(len(parts)))),
         ),
-        Message("note_motion.cases", unit=_TENSION.field_unit),
+        Message("note_motion.cases", unit=Unit(_TENSION)),
         marked=moved.governing,
         only="not csv",
     )
@@ -450,7 +450,7 @@ def _lines(note: SystemNote, found: DynamicVerification) -> Table:
             column("note_motion.amplification", (part.amplification for part in parts), _FACTOR),
             column("columns.slack_in_all", (part.slack_time for part in parts), SECONDS),
         ),
-        Message("note_motion.lines", unit=_TENSION.field_unit),
+        Message("note_motion.lines", unit=Unit(_TENSION)),
         marked=parts.index(found.governing),
         only="not csv",
     )

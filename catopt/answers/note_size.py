@@ -36,7 +36,7 @@ from catopt.answers.note import (
 from catopt.answers.note_hold import hold_blocks, what_holds
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import plan_blocks
-from catopt.answers.size import candidates_table, pattern_table
+from catopt.answers.size import alternatives_table, candidates_table, pattern_table, read_table
 from catopt.constants import STANDARD_GRAVITY
 from catopt.quantities import GREEK, QUANTITIES, Quantity
 from catopt.words import Cited, Measure, Message, Several, term
@@ -325,6 +325,7 @@ def _candidates(note: SizeNote) -> Iterator[Block]:
     yield replace(table, columns=columns, marked=marked)
     if of.limits:
         yield _limits(note)
+    yield alternatives_table(of)
     if len(of.settled.result.front) < 2 and of.why:
         yield Text(of.why)
 
@@ -414,7 +415,7 @@ def _rule(of: Pattern) -> Iterator[Text]:
     rule = hardest.rule_force
     if rule is not None:
         values = {
-            "force": _FORCE.format(hardest.force),
+            "force": Measure("horizontal_force", hardest.force),
             "rule": Measure("horizontal_force", rule),
             "found": Measure("horizontal_force", hardest.line_force),
             "ratio": f"{hardest.line_force / rule:.3f}",
@@ -471,7 +472,9 @@ def _assumptions(note: SizeNote) -> Iterator[Block]:
 
 
 def _inputs(note: SizeNote) -> Iterator[Block]:
-    """Tabulate the keys of the file, and the options that were typed."""
+    """Tabulate all inputs as read, the keys of the file, and the options that were typed."""
+    if note.sizing.inputs:
+        yield replace(read_table(note.sizing), name="size_inputs")
     if note.origin.files:
         yield Text(Message("note_size.inputs_about"))
         yield inputs_table(note.origin)

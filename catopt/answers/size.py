@@ -18,12 +18,13 @@ from catopt.answers.blocks import (
     measured,
     of_row,
     texts,
+    where_known,
 )
 from catopt.answers.check import check_columns, tightest_table
 from catopt.answers.loads import forces_table, numbers_table
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
-from catopt.words import Measure, Message, Several, term
+from catopt.words import Cited, Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.loads.component import Loads
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from catopt.sizing.candidates import Candidate
     from catopt.sizing.pattern import Pattern
 
-__all__ = ["candidates_table", "pattern_table", "size_answer"]
+__all__ = ["alternatives_table", "candidates_table", "pattern_table", "read_table", "size_answer"]
 
 
 class _Row(NamedTuple):
@@ -55,7 +56,8 @@ def size_answer(of: Sizing) -> Answer:
         "size",
         of.case.title,
         (
-            Section(term("Sizing"), (_summary(of), *_why(of))),
+            *_inputs(of),
+            Section(term("Sizing"), (_summary(of), *_why(of), alternatives_table(of))),
             Section(term("Candidates"), (candidates_table(of),)),
             Section(Message("captions.checks"), (tightest_table(of.point.checks), _checks(of))),
             *_pattern(of),
@@ -63,6 +65,26 @@ def size_answer(of: Sizing) -> Answer:
             Section(Message("columns.numbers"), (_numbers(of),)),
             Section(term("Notes"), (_notes_table(of), *_notes(of))),
         ),
+    )
+
+
+def _inputs(of: Sizing) -> Iterator[Section]:
+    """Begin with what was given and what was estimated from it; none where a request was made."""
+    if of.inputs:
+        own = [k for k, each in enumerate(of.inputs) if each.origin != "taken"]
+        yield Section(Message("sizing.inputs"), (replace(read_table(of), shown=tuple(own)),))
+
+
+def read_table(of: Sizing) -> Table:
+    """Tabulate every input as it was read."""
+    return Table(
+        "inputs",
+        (
+            texts("input", (each.name for each in of.inputs)),
+            texts("value", (each.said for each in of.inputs)),
+            texts("origin", (each.from_where for each in of.inputs)),
+        ),
+        Message("sizing.inputs"),
     )
 
 
@@ -124,9 +146,19 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         assert of.sinker is not None
         name, words = term("Sinker"), Message(_SINKERS[of.sinker.material], **values)
     yield _Row(name, mass, QUANTITIES["mass"], words)
+    yield from _other_rule(of)
     if size.factor is not None:
         wanted = Message("sizing.factor", factor=size.factor, wanted=size.safety_factor)
         yield _Row(term("Factor on holding"), size.factor, QUANTITIES["safety_factor"], wanted)
+
+
+def _other_rule(of: Sizing) -> Iterator[_Row]:
+    """Put the sinker by the other rule beside it; they differ by a factor of two and more."""
+    other = of.other_sinker
+    if other is not None:
+        values = {"mass": other.mass / 1e3, "friction": other.friction}
+        said = Message("sizing.other_sinker", rule=Cited(of.other_rule), **values)
+        yield _Row(Message("sizing.by_other_rule"), other.mass, QUANTITIES["mass"], said)
 
 
 _SINKERS = {"concrete": "sizing.concrete_sinker", "steel": "sizing.steel_sinker"}
@@ -151,7 +183,7 @@ def _forces_found(of: Sizing) -> Iterator[_Row]:
         ("Horizontal force on the line", "horizontal_force", solution.horizontal_force),
         ("Tension at the fairlead", "tension", solution.fairlead.tension),
     ):
-        words = Message("sizing.force_in", force=force / 1e3, load_case=load_case)
+        words = Message("sizing.force_in", force=Measure(key, force), load_case=load_case)
         yield _Row(term(name), force, QUANTITIES[key], words)
     for name, factor in (
         ("MBL over tension, new", of.break_factor),
@@ -193,6 +225,26 @@ def _governing(of: Sizing) -> Iterator[Message]:
     if governing is not None and governing.utilisation is not None:
         values = {"check": governing.in_case, "used": governing.utilisation}
         yield Message("sizing.nearest", **values)
+
+
+def alternatives_table(of: Sizing) -> Table:
+    """Tabulate what another preference would recommend, and what it gives for what."""
+    every = of.alternatives
+    lines = [None if each.settled is None else each.settled.point.line for each in every]
+    return Table(
+        "alternatives",
+        (
+            texts("which", (term(each.prefer) for each in every)),
+            texts("chain", where_known(lines, lambda line: line.segments[0].name)),
+            measured("length", where_known(lines, lambda line: line.length)),
+            measured("mass", where_known(lines, lambda line: line.mass), "mass_in_air", symbol=""),
+            texts(
+                "verdict",
+                (each.reason if each.settled is None else of.trade(each) for each in every),
+            ),
+        ),
+        Message("sizing.alternatives"),
+    )
 
 
 def candidates_table(of: Sizing) -> Table:
@@ -281,6 +333,7 @@ def _forces(of: Sizing) -> Iterator[Block]:
                 "captions.loads_in",
                 load_case=each.load_case,
                 force=Measure("horizontal_force", each.horizontal_force),
+                methods=" + ".join(part.method for part in each.parts),
             ),
             tuple(row for row, name in enumerate(of_rows) if name == each.load_case),
         )

@@ -23,7 +23,7 @@ from catopt.answers.blocks import (
 )
 from catopt.quantities import Quantity
 from catopt.verify.truss_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
-from catopt.words import Message, Several, term
+from catopt.words import Message, Several, Unit, term
 
 if TYPE_CHECKING:
     from catopt.verify.compared import Compared
@@ -162,7 +162,7 @@ def label(quantity: Quantity, *, with_symbol: bool = False) -> Message:
     name = term(quantity.name)
     if with_symbol:
         name = Message("words.label", name=name, symbol=quantity.symbol)
-    return Message("words.heading", label=name, unit=quantity.field_unit)
+    return Message("words.heading", label=name, unit=Unit(quantity))
 
 
 def _label(each: Compared) -> Message:

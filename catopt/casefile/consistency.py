@@ -49,6 +49,7 @@ from catopt.model.drag_method import drag_misfits
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
 from catopt.model.line import END_ROUNDING
 from catopt.model.system import system_misfits
+from catopt.model.wear import wear_misfits
 from catopt.units import Dimension, as_written
 
 if TYPE_CHECKING:
@@ -83,6 +84,7 @@ def consistency_findings(
         *_system(document),
         *_checks(document),
         *_anchor(document),
+        *_wear(document, line),
     ]
 
 
@@ -99,6 +101,13 @@ def _load(document: dict[str, Any]) -> Iterator[Finding]:
     except InputError as error:
         for problem in error.problems:
             yield Finding(("load",), problem.found, problem.allowed)
+
+
+def _wear(document: dict[str, Any], line: dict[str, Any]) -> Iterator[Finding]:
+    """Find rates, tables and zones of wear that do not go together, as the model has it."""
+    segments = [segment for _, segment in tables(line, "line", "segments")]
+    for problem in wear_misfits(table(document, "service"), segments):
+        yield as_in_file(document, Finding(parts(problem.key), problem.found, problem.allowed))
 
 
 def _find(document: dict[str, Any]) -> Iterator[Finding]:

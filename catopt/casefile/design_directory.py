@@ -142,6 +142,7 @@ def _segment(each: dict[str, Any]) -> Segment:
         proof_load=each.get("proof_load_N"),
         price=each.get("price_USD_per_m"),
         wear_rate=each.get("wear_rate_m_per_s"),
+        wear_zone=each.get("wear_zone"),
     )
 
 

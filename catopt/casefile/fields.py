@@ -57,6 +57,8 @@ class Measured(Kind):
         Bounds in SI: exclusive below, inclusive below, inclusive above.
     example : str
         For messages, where that of the dimension is not to the point.
+    bare : str
+        Unit of a bare number; that of SI when empty.
     """
 
     dimension: Dimension
@@ -64,6 +66,7 @@ class Measured(Kind):
     at_least: float | None = None
     at_most: float | None = None
     example: str = ""
+    bare: str = ""
 
     @property
     def wanted(self) -> str:
@@ -73,7 +76,7 @@ class Measured(Kind):
     def read(self, value: object) -> float:
         """Return the value in SI."""
         try:
-            si = to_si(value, self.dimension)
+            si = to_si(value, self.dimension, bare=self.bare)
         except InputError as error:
             (problem,) = error.problems
             example = self.example or self.dimension.example

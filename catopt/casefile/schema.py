@@ -27,6 +27,7 @@ from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
 from catopt.model.site import STEEPEST
 from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
+from catopt.model.wear import WEAR_TABLES, WEAR_ZONES
 from catopt.units import Dimension
 
 __all__ = [
@@ -165,6 +166,7 @@ class SegmentTable(Table):
     proof_load: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
     price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
     wear_rate: WearRate | None = None
+    wear_zone: Annotated[str, OneOf(WEAR_ZONES)] | None = None
     drag_diameter: Length | None = None
     drag_normal: Coefficient | None = None
     drag_axial: Coefficient | None = None
@@ -291,6 +293,7 @@ class ServiceTable(Table):
 
     life: Annotated[float, Measured(Dimension.TIME, at_least=0.0, example='"10 years"')]
     wear_rate: WearRate | None = None
+    wear_table: Annotated[str, OneOf(tuple(WEAR_TABLES))] | None = None
 
 
 class BuoyTable(Table):

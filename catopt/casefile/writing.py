@@ -108,6 +108,7 @@ def _segment(segment: Segment) -> Iterator[str]:
     yield from measured("proof_load", segment.proof_load, "N")
     yield from measured("price", segment.price, "USD/m")
     yield from measured("wear_rate", segment.wear_rate, "m/s")
+    yield from text("wear_zone", segment.wear_zone or "")
     yield from measured("drag_diameter", segment.drag_diameter, "m")
     for key in ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial"):
         yield from measured(key, getattr(segment, key))
@@ -194,7 +195,8 @@ def _checks(case: Case) -> Iterator[str]:
 
 def _service(service: Service) -> Iterator[str]:
     yield from measured("life", service.life, "s")
-    yield from measured("wear_rate", service.wear_rate, "m/s")
+    yield from measured("wear_rate", service.wear_rate or None, "m/s")
+    yield from text("wear_table", service.wear_table or "")
 
 
 def _buoy(buoy: Buoy) -> Iterator[str]:

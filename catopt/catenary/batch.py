@@ -27,6 +27,8 @@ __all__ = ["Solutions", "room_for_runs", "solve_many"]
 _A_PIECE = 2e-4
 """Time that a piece of one line takes as plain Python, s: 6e-5 under a known force, 2e-4 to 1e-3
 where the span is known."""
+_A_LOOK = 0.1
+"""Time after which it is asked anew whether compiling is the sooner done, s."""
 
 Numbers = npt.ArrayLike
 Array = npt.NDArray[np.float64]
@@ -170,15 +172,18 @@ def solve_many(
         runs = room_for_runs(size)
         loop(known, *columns, *tables, grips, room, owner, runs, first, end, status, regime, out)
 
-    # Lines differ by a factor of thousands in what they take: the first ones tell.
-    at, a_line = 0, _A_PIECE * size
+    # Lines differ by a factor of thousands in what they take: those done tell of those to come.
+    at, a_line, began = 0, _A_PIECE * size, perf_counter()
     while at < count:
         loop = compiled(fill, a_line * (count - at))
-        end = count if is_compiled(fill) else min(2 * at + 1, count)
-        began = perf_counter()
-        _share(partial(run, loop), (at, end), workers)
-        a_line = max(a_line, (perf_counter() - began) / (end - at))
-        at = end
+        if is_compiled(fill):
+            _share(partial(run, loop), (at, count), workers)
+            break
+        pause = perf_counter() + _A_LOOK
+        while at < count and perf_counter() < pause:
+            run(loop, at, at + 1)
+            at += 1
+        a_line = (perf_counter() - began) / at
     return Solutions(
         status,
         regime,

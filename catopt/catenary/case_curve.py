@@ -18,8 +18,7 @@ from catopt.catenary.solve import solve
 from catopt.catenary.surface import check_buoys
 from catopt.errors import FloatsUpError, InputError, NoAnswerError, Problem
 from catopt.model import Case
-from catopt.quantities import QUANTITIES
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]
 
@@ -176,7 +175,7 @@ def curve_case(
     if first is None or last is None:
         force, what = _size(case, reference)
         least, why = _least_force(case, reference, LEAST * force)
-        words = _words(first, last, {"force": _kN(force), "what": what}, why)
+        words = _words(first, last, {"force": _force(force), "what": what}, why)
         first = _stepped(case, reference, over, least) if first is None else first
         last = _stepped(case, reference, over, BEYOND * force) if last is None else last
         if first == last and start is None and stop is None:
@@ -243,7 +242,7 @@ def _least_force(case: Case, reference: Solution, least: float) -> tuple[float, 
             high = middle
         except FloatsUpError:
             low = middle
-    return high, Message("catenary.range_afloat", low=_kN(high))
+    return high, Message("catenary.range_afloat", low=_force(high))
 
 
 def _at(case: Case, reference: Solution, force: float) -> Solution:
@@ -263,7 +262,7 @@ def _stepped(case: Case, reference: Solution, over: Stepped, force: float) -> fl
     return force if over == "force" else _at(case, reference, force).span
 
 
-def _words(first: float | None, last: float | None, size: Mapping[str, str], why: str) -> str:
+def _words(first: float | None, last: float | None, size: Mapping[str, object], why: str) -> str:
     """Say where a range comes from, of which one end may be given."""
     low, high = 100 * LEAST, 100 * BEYOND
     if first is not None:
@@ -275,5 +274,5 @@ def _words(first: float | None, last: float | None, size: Mapping[str, str], why
     return Message("catenary.range", low=low, high=high, **size)
 
 
-def _kN(force: float) -> str:
-    return QUANTITIES["horizontal_force"].format(force, unit=True)
+def _force(force: float) -> Measure:
+    return Measure("horizontal_force", force)

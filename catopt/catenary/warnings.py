@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from catopt.catenary.solution import Solution
 from catopt.catenary.surface import check_buoys
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = ["above_water", "other_tensions", "plausibility", "slides"]
 
@@ -106,7 +106,7 @@ def _strength(solution: Solution) -> tuple[Message, ...]:
     found = []
     for index, state in enumerate(solution.segments):
         if state.MBL is not None and state.max_tension > state.MBL:
-            carried, MBL = state.max_tension / 1e3, state.MBL / 1e3
+            carried, MBL = Measure("tension", state.max_tension), Measure("MBL", state.MBL)
             found.append(Message("catenary.beyond_MBL", number=index + 1, tension=carried, MBL=MBL))
     return tuple(found)
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING
 
 from catopt.checks.criterion import StrengthKind
 from catopt.checks.line_kind import LineKind, line_kind
-from catopt.constants import SEA_WATER_DENSITY
+from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Segment, Service
 from catopt.words import Measure, Message
@@ -108,11 +108,11 @@ def strength_of(
     Raises
     ------
     InputError
-        There is wear but no diameter, or the wear takes all of it, or the catalogue has no such
-        component.
+        There is wear but no diameter, or no zone for the table of wear, or the wear takes all of
+        it, or the catalogue has no such component.
     """
     kind = line_kind(segment.component)
-    loss = _loss(segment, service, kind)
+    loss = _loss(segment, service, kind, key)
     new = segment.nominal_diameter
     end = _end_diameter(new, loss, key)
     component = _component(segment, catalogue, loss)
@@ -127,16 +127,21 @@ def strength_of(
         proof_load=_worn(proof_load, "proof_load", component, new, end),
         diameter=new,
         end_diameter=end,
-        note=_note(new, end),
+        note=_note(new, end, segment, service),
         missing=tuple(each for each in lacks if each[0] in ("MBL", "proof_load")),
     )
 
 
-def _loss(segment: Segment, service: Service | None, kind: LineKind | None) -> float:
+def _loss(segment: Segment, service: Service | None, kind: LineKind | None, key: str) -> float:
     """Loss of nominal diameter, m."""
-    if service is None or (kind == "rope" and segment.wear_rate is None):
+    has_own = segment.wear_rate is not None or segment.wear_zone
+    if service is None or (kind == "rope" and not has_own):
         return 0.0
-    return service.diameter_loss(segment.wear_rate)
+    try:
+        return service.diameter_loss(segment.wear_rate, segment.wear_zone)
+    except InputError as error:
+        problems = [replace(each, key=f"{key}.{each.key}") for each in error.problems]
+        raise InputError(problems, "checks") from None
 
 
 def _end_diameter(new: float | None, loss: float, key: str) -> float | None:
@@ -197,11 +202,23 @@ def _worn(
     return strength * (end / new) ** 2
 
 
-def _note(new: float | None, end: float | None) -> str:
+def _note(new: float | None, end: float | None, segment: Segment, service: Service | None) -> str:
     if new is None or end is None or end == new:
         return ""
-    return Message(
+    worn = Message(
         "checks.worn",
         new=Measure("nominal_diameter", new),
         worn=Measure("nominal_diameter", end),
+    )
+    if service is None or service.table is None or not segment.wear_zone:
+        return worn
+    table, zone = service.table, segment.wear_zone
+    key = "checks.wear_recalled" if table.confidence == "R" else "checks.wear_by_table"
+    return Message(
+        key,
+        worn=worn,
+        source=table.source,
+        confidence=table.confidence,
+        zone=Message(f"checks.zone_{zone}"),
+        rate=table.rates[zone] * YEAR * 1e3,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 import typer
+import typer.main
 
 from catopt._version import __version__
 from catopt.cli.catalog import catalog
@@ -21,9 +22,10 @@ from catopt.cli.reproduce import reproduce
 from catopt.cli.size import size
 from catopt.cli.solve import solve
 from catopt.cli.system import system
+from catopt.cli.units_option import in_units
 from catopt.cli.verify import verify
 
-__all__ = ["app"]
+__all__ = ["app", "command"]
 
 # Without rich markup the help imports no rich, and its text is the same on every terminal.
 app = typer.Typer(
@@ -64,8 +66,11 @@ def catopt(
 
 
 for _command in (solve, curve, design, check, verify, system, report, export, reproduce, new):
-    app.command()(_command)
+    app.command()(_command if _command in (export, new) else in_units(_command))
 app.command("compile")(compile_all)
 app.add_typer(catalog)
 app.add_typer(loads)
 app.add_typer(size)
+
+command = typer.main.get_command(app)
+"""The command line, built once: that takes longer than most answers."""

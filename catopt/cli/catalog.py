@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
+from catopt.cli.units_option import in_units
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
@@ -61,6 +62,7 @@ WaterOption = Annotated[
 
 
 @catalog.command("list")
+@in_units
 def list_families(
     context: typer.Context,
     families: FamiliesOption = None,
@@ -75,6 +77,7 @@ def list_families(
 
 
 @catalog.command()
+@in_units
 def show(
     context: typer.Context,
     family: Annotated[
@@ -130,6 +133,7 @@ def show(
 
 
 @catalog.command()
+@in_units
 def search(
     context: typer.Context,
     mbl: Annotated[

@@ -14,6 +14,7 @@ import typer
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
 from catopt.cli.size import is_file
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
+from catopt.cli.units_option import in_units
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
@@ -47,7 +48,10 @@ _TAKEN = {
 
 _WEATHER = ("depth", "wind", "current", "hs", "hmax", "period", "water_density")
 _BUOY = (*_WEATHER, "low_water", "growth", "buoys")
-_SHIP = (*_WEATHER, "length", "breadth", "draught", "frontal_area", "lateral_area")
+_SHIP = (
+    *(*_WEATHER, "length", "breadth", "draught", "frontal_area", "lateral_area"),
+    *("load_method", "wave_coefficient"),
+)
 
 
 def measure(flag: str, dimension: str, text: str) -> Any:
@@ -70,6 +74,7 @@ class Drift(StrEnum):
 
 
 @loads.command()
+@in_units
 @with_inputs("buoy", _BUOY, _TAKEN)
 def buoy(
     context: typer.Context,
@@ -136,10 +141,11 @@ def buoy(
         )
         of.telling.raise_if_any()
     assert result is not None
-    _give(context.obj, result, lang, as_json=as_json, out=out)
+    _give(context.obj, result, lang=lang, as_json=as_json, out=out)
 
 
 @loads.command()
+@in_units
 @with_inputs("tanker", _SHIP, _TAKEN)
 def ship(
     context: typer.Context,
@@ -202,14 +208,16 @@ def ship(
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves.
 
-    Wind after Blendermann, current after UFC 4-159-03, mean wave drift of a box that reflects.
+    Every method that applies stands in one table: UFC-Blendermann (wind after Blendermann, current
+    after UFC 4-159-03, mean wave drift of a box that reflects), UFC-4-159-03 alone, 22TCN-222-95.
+    The one named, or of several the largest, comes first.
 
     Without angles the ship is taken for weathervaning, head to everything. Of a file the loaded
     tanker is taken; what it leaves out of wind, current and waves is 0, and what is given as an
     option goes before it.
     """
     from catopt.cli.values import in_si
-    from catopt.loads import Headings, Ship, SurfaceCurrent, Wind, ship_loads
+    from catopt.loads import METHODS, Headings, Ship, SurfaceCurrent, Wind
     from catopt.units import Dimension
 
     angles = {
@@ -243,18 +251,23 @@ def ship(
                 propeller,
             )
         )
-        result = make(
-            lambda ship, wind, current, sea, headings: ship_loads(
+        how = {
+            "wind_on": kind,
+            "reflection": reflection,
+            "drift": "sea state" if drift is Drift.SEA_STATE else "largest wave",
+            "wave_coefficient": of["wave_coefficient"],
+            "water_density": of["water_density"],
+        }
+        results = make(
+            lambda ship, wind, current, sea, headings: _by_methods(
+                of["load_method"] or METHODS[:1],
                 ship,
                 wind,
                 current,
                 sea,
                 of["depth"],
-                wind_on=kind,
                 headings=headings,
-                reflection=reflection,
-                drift="sea state" if drift is Drift.SEA_STATE else "largest wave",
-                water_density=of["water_density"],
+                **how,
             ),
             body,
             make(Wind, of["wind"]),
@@ -263,11 +276,11 @@ def ship(
             make(Headings, *(own[angle] for angle in angles)),
         )
         of.telling.raise_if_any()
-    assert result is not None
+    assert results is not None
     form = {"length": at_waterline, "block": block, "midship": midship}
-    hull = Message("loads.hull_form", **form)
-    result = replace(result, assumptions=(*result.assumptions, hull, *estimated))
-    _give(context.obj, result, lang, as_json=as_json, out=out)
+    said = (Message("loads.hull_form", **form), *estimated)
+    told = [replace(each, assumptions=(*each.assumptions, *said)) for each in results]
+    _give(context.obj, *told, lang=lang, as_json=as_json, out=out)
 
 
 # ------------------------------------------------------------------ parts of the commands
@@ -283,6 +296,7 @@ _OF_SHIPS = {
     "Headings.current": "current_angle",
     "Headings.waves": "wave_angle",
     "reflection": "reflection",
+    "method": "load_method",
 }
 """Options that a sizing does not have, by what they are called in Python."""
 
@@ -335,23 +349,32 @@ def _sea(of: Known) -> SeaState:
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 
+def _by_methods(named: tuple[str, ...], *on: Any, **how: Any) -> tuple[Loads, ...]:
+    """Compute by every method, the one that is named first; of several, the largest."""
+    from catopt.loads import every_method, governing_loads
+
+    governs = governing_loads(named, *on, **how)
+    others = (each for each in every_method(*on, **how) if each.method != governs.method)
+    return (governs, *others)
+
+
 def _give(
-    output: Output, result: Loads, lang: ReportLanguage, *, as_json: bool, out: Path | None
+    output: Output, *results: Loads, lang: ReportLanguage, as_json: bool, out: Path | None
 ) -> None:
     """Write the files, then print the document or the answer."""
     from catopt.answers.loads import loads_answer
     from catopt.loads.document import loads_document
     from catopt.render.terminal import show
 
-    answer = loads_answer(result)
+    answer = loads_answer(*results)
     if out is not None:
         from catopt.render.files import files_of
         from catopt.report.files import check_directory, write_files
 
         check_directory(out)
-        written = write_files(out, files_of(answer, loads_document(result), lang.value))
+        written = write_files(out, files_of(answer, loads_document(*results), lang.value))
         output.note(f"{len(written)} files written to {out}")
     if as_json:
-        output.json(loads_document(result))
+        output.json(loads_document(*results))
     else:
         show(output, answer, lang.value)

@@ -9,6 +9,7 @@ import typer
 
 from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 from catopt.cli.size_options import with_inputs
+from catopt.cli.units_option import in_units
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
@@ -37,6 +38,7 @@ SaveOption = Annotated[
 
 
 @size.command()
+@in_units
 @with_inputs("buoy")
 def buoy(
     context: typer.Context,
@@ -67,6 +69,7 @@ def buoy(
 
 
 @size.command()
+@in_units
 @with_inputs("tanker")
 def tanker(
     context: typer.Context,

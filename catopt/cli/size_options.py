@@ -21,6 +21,8 @@ Command = TypeVar("Command", bound=Callable[..., None])
 
 _NOTHING: Mapping[str, str] = MappingProxyType({})
 _NO_OPTIONS = {"buoy": ("title", "source", "buoy"), "tanker": ("title", "source")}
+_NAMED = ("depth", "draught", "dwt", "hs", "hmax", "soil")
+"""Inputs that stand in what is said of others."""
 _METAVARS = {"code": "NAME", "soil": "SOIL", "buoy": "BUOY", "sinker": "MATERIAL", "lines": "N"}
 
 
@@ -45,7 +47,7 @@ def help_of(each: Input, taken: str | None = None) -> str:
     taken : str, optional
         What is taken, where that is not what a sizing takes.
     """
-    flags = {name: as_option(name) for name in ("depth", "draught", "hs", "hmax", "soil")}
+    flags = {name: as_option(name) for name in _NAMED}
     left_out = Message(each.left_out, **flags) if each.left_out else each.default
     left_out = left_out if taken is None else taken
     which = f": {', '.join(each.words)}" if each.words else ""

@@ -30,6 +30,7 @@ def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]
         With every one that is wrong.
     """
     from catopt.errors import InputError, Problem
+    from catopt.numerals import bare_number
     from catopt.units import to_si
 
     values: dict[str, float] = {}
@@ -38,17 +39,9 @@ def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]
         if text is None:
             continue
         try:
-            values[option] = to_si(_bare(text), dimension, option)
+            values[option] = to_si(bare_number(text), dimension, option)
         except InputError as error:
             problems += error.problems
     if problems:
         raise InputError(problems, "options")
     return values
-
-
-def _bare(text: str) -> str | float:
-    """Return the number of a text without a unit, which is SI; else the text."""
-    try:
-        return float(text)
-    except ValueError:
-        return text

@@ -62,7 +62,7 @@ def asked(
         is_known = {**given, **answers}
         if each.asked and name not in is_known and not is_needless(each, is_known):
             answers[name] = _answer(each, spell(name), _offered(each, is_known), language)
-            if answers[name] == _OWN:
+            if answers[name] in {_OWN, ""}:
                 del answers[name]
     return answers
 
@@ -115,7 +115,7 @@ def _say(words: str) -> None:
 def _wrong(each: Input, spelled: str, answer: object, choices: tuple[str, ...]) -> str:
     """Say what is wrong with an answer; empty when nothing is."""
     if answer == "":
-        return term("an answer is wanted")
+        return term("an answer is wanted") if each.required else ""
     if choices:
         return "" if answer in choices else Message("answers.none_of_them", answer=answer)
     from catopt.sizing.kinds import kind_of

@@ -89,6 +89,7 @@ def _segment(segment: Segment) -> dict[str, Any]:
         "proof_load_N": segment.proof_load,
         "price_USD_per_m": segment.price,
         "wear_rate_m_per_s": segment.wear_rate,
+        "wear_zone": segment.wear_zone,
     }
 
 

@@ -11,7 +11,7 @@ from catopt.design.outcome import Outcome
 from catopt.design.result import NearMiss
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Line
-from catopt.words import Message, Sentence, Several
+from catopt.words import Measure, Message, Sentence, Several
 
 __all__ = ["NoFeasibleDesignError", "near_miss", "no_feasible_design"]
 
@@ -101,7 +101,7 @@ def _check_words(result: CheckResult) -> str:
 def _shown(value: float, unit: str) -> str:
     """Print a number as the field reads it."""
     if unit == "N":
-        return f"{value / 1e3:.4g} kN"
+        return Message("design.about", value=Measure("tension", value))
     if unit == "rad":
         return f"{math.degrees(value):.4g} deg"
     return f"{value:.4g} {unit}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 from catopt.catalogue import Catalogue, Component
 from catopt.catalogue.choice import ChosenCatalogue, chosen
@@ -71,7 +72,7 @@ def resolve(case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]) -> 
         components = list(_components(choice, catalogue, key, found))
         warnings += _doubts(components, catalogue.families)
         options = [
-            replace(each.segment(choice.lengths[0]), wear_rate=_wear_rate(case, index, each))
+            replace(each.segment(choice.lengths[0]), **_wear(case, index, each))
             for each in components
         ]
         if not choice.components:
@@ -119,17 +120,18 @@ def _bounds(choice: SegmentChoice) -> str:
     return " ".join(parts) if parts else "as far as is known; give diameters"
 
 
-def _wear_rate(case: Case, index: int, component: Component) -> float | None:
-    """Wear rate that the case's line has at this place; None where it has none of its own, m/s.
+def _wear(case: Case, index: int, component: Component) -> dict[str, Any]:
+    """Wear that the case's line has of its own at this place.
 
     It goes with the place in the water, not with the size; but what steel loses to corrosion says
     nothing of a fibre rope.
     """
     if index >= len(case.line.segments):
-        return None
+        return {}
     own = case.line.segments[index]
-    is_rope = line_kind(component.family) == "rope"
-    return None if is_rope and line_kind(own.component) != "rope" else own.wear_rate
+    if line_kind(component.family) == "rope" and line_kind(own.component) != "rope":
+        return {}
+    return {"wear_rate": own.wear_rate, "wear_zone": own.wear_zone}
 
 
 def _own(

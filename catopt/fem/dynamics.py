@@ -35,7 +35,7 @@ from catopt.fem.solve import Leg, solve_line, solve_system
 from catopt.model import Line
 from catopt.model.validity import Findings
 from catopt.waves import Sea
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = [
     "BodyInertia",
@@ -293,7 +293,7 @@ def _check_beginning(simulation: Simulation) -> list[str]:
     jump, speed = max(jerks)
     if jump <= _JERK * float(simulation.state.tension.max()):
         return []
-    return [Message("motion.sets_off", speed=speed, jump=jump / 1e3)]
+    return [Message("motion.sets_off", speed=speed, jump=Measure("tension", jump))]
 
 
 def _run(

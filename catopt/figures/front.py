@@ -151,11 +151,14 @@ def composition(point: Document) -> str:
         f"{segment.get('name') or segment['component'] or '?'}, {segment['length_m']:g} m"
         for segment in point["segments"]
     ]
-    parts += [f"{_load(load)}, s = {load['position_m']:g} m" for load in point["point_loads"]]
-    return "; ".join(parts)
+    parts += [
+        Several((_load(load), f"s = {load['position_m']:g} m"), ", ")
+        for load in point["point_loads"]
+    ]
+    return Several(parts)
 
 
 def _load(load: Document) -> str:
     if load["mass_kg"] is not None:
         return f"{load['mass_kg'] / 1e3:g} t"
-    return f"{load['submerged_weight_N'] / 1e3:g} kN"
+    return Message("figures.weight", weight=Measure("point_weight", load["submerged_weight_N"]))

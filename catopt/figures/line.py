@@ -283,7 +283,7 @@ def capacities(
             name = basis or Message("figures.allowed")
             notes.append(Message("figures.off_scale", number=number, what=name, capacity=shown))
         else:
-            said = f"{Measure('tension', capacity)}"
+            said = Message("sizing.measure", value=Measure("tension", capacity))
             name = basis or Message("figures.allowed")
             end = start + segment.length
             levels.append(Level("capacity", "y", capacity, name, start, end, said))

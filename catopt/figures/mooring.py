@@ -156,7 +156,7 @@ def _force(solution: SystemSolution) -> str:
     """Write the size of the force in four digits or so: ``"4281 kN"``."""
     size = math.hypot(*solution.system.force)
     digits = 0 if size >= 1e5 else 1
-    return QUANTITIES["horizontal_force"].format(size, unit=True, digits=digits)
+    return Message("sizing.measure", value=Measure("horizontal_force", size, digits=digits))
 
 
 def _beside(words: str, start: Place, end: Place, size: float, lines: Sequence[Series]) -> Mark:

@@ -16,9 +16,10 @@ from catopt.loads.drag_anchor import (
     size_drag_anchor,
 )
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
+from catopt.loads.heading import HEAD_ON, Headings
 from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import estimated_tanker
-from catopt.loads.ship_loads import HEAD_ON, Headings, ship_loads
+from catopt.loads.ship_loads import METHODS, every_method, governing_loads, ship_loads
 from catopt.loads.sinker import SinkerSize, size_sinker
 from catopt.loads.source import LoadSource
 from catopt.loads.tanker_20m import TankerComparison, compare_tanker
@@ -26,6 +27,7 @@ from catopt.loads.ufc_wind import UfcWind
 
 __all__ = [
     "HEAD_ON",
+    "METHODS",
     "BuoyShape",
     "DragAnchorSize",
     "Floating",
@@ -48,6 +50,8 @@ __all__ = [
     "buoys",
     "compare_tanker",
     "estimated_tanker",
+    "every_method",
+    "governing_loads",
     "holding_capacity",
     "read_buoys",
     "ship_loads",

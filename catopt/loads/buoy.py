@@ -12,7 +12,7 @@ from catopt.loads.drag import drag_component
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.source import CALMAR, LoadSource
 from catopt.model.validity import Findings
-from catopt.words import Message, Several, term
+from catopt.words import Measure, Message, Several, term
 
 __all__ = [
     "AIR_DENSITY",
@@ -134,6 +134,7 @@ def buoy_loads(
         tuple(components),
         (*_assumptions(wind, current, sea, levels, speed), _afloat(floating)),
         _warnings(sea, levels),
+        "IALA-CALMAR",
     )
 
 
@@ -226,10 +227,10 @@ def _afloat(floating: Floating) -> str:
     reserve = floating.shape.reserve_buoyancy(floating.water_density)
     return Message(
         "loads.afloat",
-        pull=floating.pull / 1e3,
+        pull=Measure("vertical_force", floating.pull),
         draught=floating.draught,
         freeboard=floating.freeboard,
-        reserve=reserve / 1e3,
+        reserve=Measure("vertical_force", reserve),
         origin=term(floating.shape.origin),
     )
 

@@ -59,8 +59,9 @@ class LoadComponent:
     ----------
     name : str
         What pushes on what: ``"current on the hull"``.
-    kind : {"wind", "current", "wave drift"}
-        For sums by cause. The current on a buoy includes the motion of the water in waves.
+    kind : {"wind", "current", "wave drift", "wave"}
+        For sums by cause; a wave is the maximum of an oscillating force. The current on a buoy
+        includes the motion of the water in waves.
     axis : {"along", "surge", "sway"}
         See `Axis`.
     factors : tuple of str
@@ -77,7 +78,7 @@ class LoadComponent:
     """
 
     name: str
-    kind: Literal["wind", "current", "wave drift"]
+    kind: Literal["wind", "current", "wave drift", "wave"]
     axis: Axis
     factors: tuple[str, ...]
     numbers: tuple[Number, ...]
@@ -111,12 +112,15 @@ class Loads:
         What the answer rests on.
     warnings : tuple of str
         What an engineer should know: a wave cut by breaking, figures out of their range.
+    method : str
+        By which: ``"22TCN-222-95"``.
     """
 
     title: str
     components: tuple[LoadComponent, ...]
     assumptions: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
+    method: str = ""
 
     def along(self, axis: Axis) -> float:
         """Sum of the forces along an axis, N."""

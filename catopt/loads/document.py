@@ -11,13 +11,15 @@ __all__ = ["SCHEMA", "loads_document"]
 SCHEMA = "catopt.loads/1"
 
 
-def loads_document(of: Loads) -> dict[str, Any]:
+def loads_document(of: Loads, *others: Loads) -> dict[str, Any]:
     """Lay loads out for JSON, in SI.
 
     Parameters
     ----------
     of : Loads
         On a buoy or a ship.
+    *others : Loads
+        By other methods, for comparison.
     """
     return {
         "schema": SCHEMA,
@@ -30,6 +32,8 @@ def loads_document(of: Loads) -> dict[str, Any]:
         "assumptions": list(of.assumptions),
         "recalled": list(of.recalled),
         "warnings": list(of.warnings),
+        "method": of.method,
+        "others": [loads_document(each) for each in others],
     }
 
 

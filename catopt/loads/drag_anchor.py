@@ -12,7 +12,7 @@ from catopt.loads.holding_data import ANCHORS, CURVES, DATA_SETS, SOILS, DataSet
 from catopt.loads.sizes import ANCHOR_MASSES, neighbours, next_size
 from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.validity import Findings
-from catopt.words import Message, Several, term
+from catopt.words import Measure, Message, Several, term
 
 __all__ = [
     "FACTOR_SOURCE",
@@ -55,7 +55,9 @@ class HoldingCapacity:
         if source.recalled:
             notes.append(Message("loads.capacity_recalled"))
         for name, value in self.others:
-            notes.append(Message("loads.capacity_other", data=name, capacity=value / 1e3))
+            notes.append(
+                Message("loads.capacity_other", data=name, capacity=Measure("tension", value))
+            )
         return Several(notes)
 
 

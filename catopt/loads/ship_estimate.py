@@ -50,6 +50,7 @@ def estimated_tanker(
     condition: Condition = "loaded",
     frontal_area: float | None = None,
     lateral_area: float | None = None,
+    propeller: str = "tanker",
 ) -> Ship:
     """Make a tanker out of its main dimensions.
 
@@ -65,6 +66,8 @@ def estimated_tanker(
         For the block coefficient.
     frontal_area, lateral_area : float, optional
         Above water, m2; estimated when left out.
+    propeller : str
+        As of `Ship`.
 
     Raises
     ------
@@ -100,5 +103,5 @@ def estimated_tanker(
         midship_area=MIDSHIP * section,
         lateral_area=lateral if lateral_area is None else lateral_area,
         frontal_area=frontal if frontal_area is None else frontal_area,
-        propeller="tanker",
+        propeller=propeller,
     )

@@ -3,56 +3,38 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Final
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any, Final
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.loads.blendermann import blendermann_loads
 from catopt.loads.component import LoadComponent, Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
+from catopt.loads.heading import HEAD_ON, Headings
 from catopt.loads.ship import Ship
+from catopt.loads.tcn_222_95 import tcn_loads
 from catopt.loads.ufc_current import FASTEST_SHALLOW, longitudinal_loads, transverse_load
-from catopt.loads.ufc_wind import UfcWind, ufc_wind_loads
+from catopt.loads.ufc_wind import UfcWind, recalled_longitudinal_coefficient, ufc_wind_loads
 from catopt.loads.wave_drift import DriftWave, ship_drift
 from catopt.model.validity import Findings
-from catopt.words import Message
+from catopt.ties import largest
+from catopt.words import Message, Several
 
-__all__ = ["AIR_DENSITY", "HEAD_ON", "Headings", "ship_loads"]
+__all__ = ["AIR_DENSITY", "METHODS", "every_method", "governing_loads", "ship_loads"]
+
+UFC_BLENDERMANN: Final = "UFC-Blendermann"
+UFC_ALONE: Final = "UFC-4-159-03"
+TCN: Final = "22TCN-222-95"
+
+METHODS: Final = (UFC_BLENDERMANN, UFC_ALONE, TCN)
+"""Current after UFC and wind after Blendermann; both after UFC, whose wind coefficients are
+recalled (R); 22TCN 222-95, all of it recalled (R)."""
 
 AIR_DENSITY: Final = 1.221
 """kg/m3, of UFC 4-159-03, table 4-2 (A)."""
 
 _ALONG: Final = 1e-9
-
-
-@dataclass(frozen=True)
-class Headings:
-    """Angles from the bow to where wind, current and waves come from, rad: 0 from ahead.
-
-    Attributes
-    ----------
-    wind, current, waves : float
-        From -pi to pi; positive to one side, negative to the other.
-    """
-
-    wind: float = 0.0
-    current: float = 0.0
-    waves: float = 0.0
-
-    def __post_init__(self) -> None:
-        found = Findings("Headings")
-        for key in ("wind", "current", "waves"):
-            found.number(key, getattr(self, key), "rad", at_least=-math.pi, at_most=math.pi)
-        found.raise_if_any()
-
-    @property
-    def head_on(self) -> bool:
-        """Whether everything comes from ahead."""
-        return max(abs(self.wind), abs(self.current), abs(self.waves)) < _ALONG
-
-
-HEAD_ON: Final = Headings()
-"""The collinear case of a weathervaning ship."""
 
 
 def ship_loads(
@@ -63,13 +45,15 @@ def ship_loads(
     depth: float,
     *,
     wind_on: str | UfcWind,
+    method: str = UFC_BLENDERMANN,
     headings: Headings = HEAD_ON,
     reflection: float = 1.0,
     drift: DriftWave = "sea state",
+    wave_coefficient: float | None = None,
     water_density: float = SEA_WATER_DENSITY,
     allow_recalled: bool = False,
 ) -> Loads:
-    """Add up the steady forces of wind, current and wave drift on a ship.
+    """Add up the forces of wind, current and waves on a ship, by one method.
 
     Parameters
     ----------
@@ -84,15 +68,21 @@ def ship_loads(
     depth : float
         Of the water, m.
     wind_on : str or UfcWind
-        A kind of ship after Blendermann such as ``"tanker loaded"``, or coefficients after UFC.
+        A kind of ship after Blendermann such as ``"tanker loaded"``, or coefficients after UFC,
+        which make the method UFC's alone.
+    method : str
+        One of `METHODS`. To name one that is recalled is to ask for it.
     headings : Headings
         When left out, the collinear case: a weathervaning ship head to wind, current and waves.
     reflection, drift
-        As of `catopt.loads.wave_drift.flat_side_drift`.
+        As of `catopt.loads.wave_drift.flat_side_drift`; 22TCN has no drift.
+    wave_coefficient : float, optional
+        chi of 22TCN 222-95; without it that method leaves the waves out, and warns.
     water_density : float
         kg/m3.
     allow_recalled : bool
-        Whether recalled figures (R) may be used; UFC's transverse wind is one.
+        Whether recalled figures (R) may be used beside coefficients of one's own; UFC's transverse
+        wind is one.
 
     Returns
     -------
@@ -103,12 +93,136 @@ def ship_loads(
     Raises
     ------
     InputError
-        A draught deeper than the water, an unknown kind of ship, recalled figures not allowed.
+        A draught deeper than the water, an unknown method or kind of ship, recalled figures not
+        allowed, wind off the bow by UFC alone.
     """
     ship.check_afloat(depth)
+    if isinstance(wind_on, UfcWind):
+        method = UFC_ALONE
+    _check_method(method, wind_on, headings)
+    if method == TCN:
+        components = tcn_loads(
+            ship,
+            wind,
+            current,
+            sea,
+            depth,
+            headings=headings,
+            wave_coefficient=wave_coefficient,
+            water_density=water_density,
+        )
+        notes = (Message("loads.tcn_basis"), Message("loads.tcn_current"))
+        warnings = _tcn_warnings(sea, wave_coefficient)
+    else:
+        is_recalled = method == UFC_ALONE and not isinstance(wind_on, UfcWind)
+        blow = _RECALLED_WIND if is_recalled else wind_on
+        components = (
+            *_wind(ship, wind, blow, headings.wind, allow_recalled or is_recalled),
+            *_ufc(ship, current, sea, depth, headings, reflection, drift, water_density),
+        )
+        notes = (Message("loads.steady"), Message("loads.box_drift"))
+        warnings = _warnings(current, sea, depth, headings, drift)
+    return Loads(
+        Message(
+            "loads.ship_in", ship=ship.name, wind=wind.speed, current=current.speed, height=sea.hs
+        ),
+        tuple(each for each in components if _counts(each, headings)),
+        (_lie(headings), *notes),
+        warnings,
+        method,
+    )
+
+
+def every_method(*on: Any, headings: Headings = HEAD_ON, **how: Any) -> tuple[Loads, ...]:
+    """Compute the loads by every method that applies, in the order of `METHODS`.
+
+    UFC alone is left out where the wind is off the bow: its coefficients there were not read. The
+    last of the methods says so.
+
+    Parameters
+    ----------
+    *on, headings, **how
+        As of `ship_loads`, but for the method.
+    """
+    off_the_bow = _is_off_the_bow(headings)
+    *first, last = (
+        ship_loads(*on, method=method, headings=headings, **how)
+        for method in METHODS
+        if method != UFC_ALONE or not off_the_bow
+    )
+    left_out = (Message("loads.ufc_head_on"),) if off_the_bow else ()
+    return (*first, replace(last, assumptions=(*last.assumptions, *left_out)))
+
+
+def governing_loads(methods: Sequence[str], *on: Any, **how: Any) -> Loads:
+    """Compute the loads by one method, or the largest of several.
+
+    Parameters
+    ----------
+    methods : sequence of str
+        Of `METHODS`, one at least.
+    *on, **how
+        As of `ship_loads`.
+    """
+    every = [ship_loads(*on, method=method, **how) for method in methods]
+    governs = largest(every, lambda each: each.horizontal_force)
+    if len(every) == 1:
+        return governs
+    forces = Several(
+        (
+            Message("loads.by_method", method=each.method, force=each.horizontal_force / 1e3)
+            for each in every
+        ),
+        ", ",
+    )
+    said = Message("loads.largest_of", forces=forces)
+    return replace(governs, assumptions=(said, *governs.assumptions))
+
+
+_RECALLED_WIND: Final = UfcWind(
+    transverse=0.92,
+    from_ahead=recalled_longitudinal_coefficient(False, allow_recalled=True),
+    from_astern=recalled_longitudinal_coefficient(False, allow_recalled=True),
+    zero_angle=0.5 * math.pi,
+    superstructure="distributed",
+    recalled=True,
+)
+"""Of any ship that its hull does not dominate. For wind along the ship alone: there the transverse
+coefficient and the zero angle, which were not read, do not count."""
+
+
+def _check_method(method: str, wind_on: str | UfcWind, headings: Headings) -> None:
+    found = Findings("loads on a ship")
+    if method not in METHODS:
+        found.add("method", repr(method), "one of " + ", ".join(METHODS))
+    if method == UFC_ALONE and isinstance(wind_on, str) and _is_off_the_bow(headings):
+        found.add(
+            "Headings.wind",
+            f"{math.degrees(headings.wind):g} deg off the bow",
+            f"{UFC_ALONE} has coefficients here for wind along the ship only: take "
+            f"{UFC_BLENDERMANN}, or give the coefficients of your edition (UfcWind)",
+        )
+    found.raise_if_any()
+
+
+def _is_off_the_bow(headings: Headings) -> bool:
+    """Whether the wind is neither from ahead nor from astern."""
+    return abs(math.sin(headings.wind)) > _ALONG
+
+
+def _ufc(
+    ship: Ship,
+    current: SurfaceCurrent,
+    sea: SeaState,
+    depth: float,
+    headings: Headings,
+    reflection: float,
+    drift: DriftWave,
+    water_density: float,
+) -> tuple[LoadComponent, ...]:
+    """Compute current after UFC and the mean drift of the waves."""
     stream = {"angle": headings.current, "water_density": water_density}
-    components = (
-        *_wind(ship, wind, wind_on, headings.wind, allow_recalled),
+    return (
         *longitudinal_loads(ship, current.speed, **stream),
         transverse_load(ship, current.speed, depth, **stream),
         *ship_drift(
@@ -121,14 +235,6 @@ def ship_loads(
             of=drift,
             water_density=water_density,
         ),
-    )
-    return Loads(
-        Message(
-            "loads.ship_in", ship=ship.name, wind=wind.speed, current=current.speed, height=sea.hs
-        ),
-        tuple(each for each in components if _counts(each, headings)),
-        _assumptions(headings),
-        _warnings(current, sea, depth, headings, drift),
     )
 
 
@@ -152,17 +258,21 @@ def _counts(component: LoadComponent, headings: Headings) -> bool:
     return not (headings.head_on and component.axis == "sway")
 
 
-def _assumptions(headings: Headings) -> tuple[str, ...]:
+def _lie(headings: Headings) -> Message:
     if headings.head_on:
-        lie = Message("loads.collinear")
-    else:
-        lie = Message(
-            "loads.heading_given",
-            wind=math.degrees(headings.wind),
-            current=math.degrees(headings.current),
-            waves=math.degrees(headings.waves),
-        )
-    return lie, Message("loads.steady"), Message("loads.box_drift")
+        return Message("loads.collinear")
+    return Message(
+        "loads.heading_given",
+        wind=math.degrees(headings.wind),
+        current=math.degrees(headings.current),
+        waves=math.degrees(headings.waves),
+    )
+
+
+def _tcn_warnings(sea: SeaState, wave_coefficient: float | None) -> tuple[str, ...]:
+    if wave_coefficient is None and sea.hmax > 0.0:
+        return (Message("loads.tcn_no_waves"),)
+    return ()
 
 
 def _warnings(

@@ -15,6 +15,7 @@ __all__ = [
     "MOORPY",
     "NAVFAC",
     "OWN",
+    "TCN_222_95",
     "UFC",
     "LoadSource",
     "joined",
@@ -23,6 +24,7 @@ __all__ = [
 
 CALMAR = "IALA CALMAR technical reference, 27 February 2014"
 UFC = "UFC 4-159-03 Design: Moorings, 3 October 2005 (superseded by the edition of 12 March 2020)"
+TCN_222_95 = "22TCN 222-95, after SNiP 2.06.04-82, section 5"
 BLENDERMANN = "Blendermann 1994, as the MSS toolbox has it (blendermann94.m)"
 DTOCEAN = "DTOcean moorings, loads.py and its database"
 MOORPY = "MoorPy, fit to Vryhof's figures"

@@ -1,7 +1,7 @@
-"""S3's tanker: the force from the weather printed there, beside the 450 kN printed without a way.
+"""S3's tanker: the force of the weather printed there, by every method, beside S3's 450 kN.
 
-Nothing is tuned to the printed sum: the coefficients are those of the sources, the estimates of the
-ship are stated, and the sum falls where it falls.
+S3 prints no derivation. Nothing is tuned to the printed sum: the coefficients are those of the
+sources and the estimates of the ship are stated.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from catopt.loads.component import Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import estimated_tanker, estimates
-from catopt.loads.ship_loads import ship_loads
+from catopt.loads.ship_loads import METHODS, ship_loads
 from catopt.loads.wave_drift import DriftWave
 from catopt.words import Message, Sentence
 
@@ -30,7 +30,7 @@ __all__ = [
 ]
 
 PRINTED_FORCE: Final = 450e3
-"""N, from wind, waves and current; S3 prints no way to it."""
+"""N, from wind, waves and current; S3 prints no derivation."""
 
 WIND: Final = Wind(20.0)
 CURRENT: Final = SurfaceCurrent(1.2)
@@ -108,7 +108,9 @@ def tanker(condition: Literal["loaded", "ballast"] = "loaded") -> Ship:
 
 
 def compare_tanker(
-    condition: Literal["loaded", "ballast"] = "loaded", drift: DriftWave = "sea state"
+    condition: Literal["loaded", "ballast"] = "loaded",
+    drift: DriftWave = "sea state",
+    method: str = METHODS[0],
 ) -> TankerComparison:
     """Compute the force on S3's tanker, head to everything, beside the printed 450 kN.
 
@@ -118,6 +120,8 @@ def compare_tanker(
         Draught 12.4 or 3.2 m.
     drift : {"sea state", "largest wave"}
         Mean drift of the sea whose Hmax is 3.5 m, or of regular waves of that height.
+    method : str
+        One of `catopt.loads.METHODS`; by 22TCN 222-95 it is wind and current alone.
     """
     loads = ship_loads(
         tanker(condition),
@@ -126,6 +130,7 @@ def compare_tanker(
         SEA,
         WATER_DEPTH,
         wind_on=f"tanker {condition}",
+        method=method,
         drift=drift,
     )
     size = {"length": _LENGTH, "breadth": _BREADTH, "depth": _MOULDED_DEPTH}

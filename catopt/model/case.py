@@ -24,6 +24,7 @@ from catopt.model.site import Site
 from catopt.model.system import System, system_misfits
 from catopt.model.validity import Findings
 from catopt.model.wave_state import WaveState
+from catopt.model.wear import wear_misfits
 
 __all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "SwarmSettings"]
 
@@ -198,6 +199,10 @@ class Case:
         lower = self.anchor_motion
         if lower is not None and (lower.rao_file or lower.of_a_body):
             found.add("anchor_motion", "RAOs or a drift", "give period, or file")
+        found.problems += wear_misfits(
+            {} if self.service is None else vars(self.service),
+            [vars(segment) for segment in self.line.segments],
+        )
         self._check_load_cases(found)
         found.raise_if_any()
 

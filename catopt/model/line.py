@@ -10,6 +10,7 @@ from itertools import pairwise
 from catopt.errors import InputError
 from catopt.model.drag_method import DRAG_METHODS, DragMethod, drag_misfits
 from catopt.model.validity import Findings
+from catopt.model.wear import WEAR_ZONES
 
 __all__ = ["Line", "PointLoad", "Segment"]
 
@@ -42,6 +43,8 @@ class Segment:
         Material only, USD/m; None when not known.
     wear_rate : float or None
         Loss of nominal diameter, m/s; None: that of the case's service.
+    wear_zone : str or None
+        One of `WEAR_ZONES`, for the table of wear that the case's service names.
     drag_diameter : float or None
         That both drag coefficients refer to, m; None when not known.
     drag_normal, drag_axial : float or None
@@ -72,6 +75,7 @@ class Segment:
     proof_load: float | None = None
     price: float | None = None
     wear_rate: float | None = None
+    wear_zone: str | None = None
     drag_diameter: float | None = None
     drag_normal: float | None = None
     drag_axial: float | None = None
@@ -99,6 +103,8 @@ class Segment:
             found.number("price", self.price, "USD/m", at_least=0.0)
         if self.wear_rate is not None:
             found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
+        if self.wear_zone is not None and self.wear_zone not in WEAR_ZONES:
+            found.add("wear_zone", f'"{self.wear_zone}"', "one of " + ", ".join(WEAR_ZONES))
         self._check_drag(found)
         found.raise_if_any()
 

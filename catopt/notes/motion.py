@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Drive
     from catopt.verify.proof import Proof
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = ["InMotion", "SegmentUse", "in_motion", "motion_files", "motion_warnings"]
 
@@ -203,7 +203,7 @@ def _of_part(
 def _beyond(uses: tuple[SegmentUse, ...]) -> Iterator[str]:
     for use in uses:
         if use.utilisation is not None and use.utilisation > 1.0:
-            values = {"tension": use.largest / 1e3, "used": use.utilisation}
+            values = {"tension": Measure("tension", use.largest), "used": use.utilisation}
             yield Message("notes.over_used", number=use.number, **values)
 
 

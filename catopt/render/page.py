@@ -33,6 +33,7 @@ from catopt.quantities import GREEK, Quantity
 from catopt.render.looks import stylesheet
 from catopt.render.svg import svg
 from catopt.render.trail import in_numbers, in_symbols
+from catopt.render.units import as_wanted
 from catopt.render.values import cell, shown
 from catopt.words import Language, Message, say
 
@@ -91,7 +92,7 @@ def page(answer: Answer, language: Language = "en") -> bytes:
     bytes
         HTML in UTF-8, complete: it refers to no other file and to no network.
     """
-    script = _file("script.js")
+    answer, script = as_wanted(answer), _file("script.js")
     sections = [
         {
             "name": section.name,

@@ -21,6 +21,7 @@ from matplotlib.patches import Patch
 from catopt.figures.chart import Arrow, Axis, Chart, Dimension, Level, Mark, Series, legend
 from catopt.render.looks import COLOURS, LOOKS, Look
 from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
+from catopt.render.units import as_wanted
 from catopt.words import Language, say
 
 if TYPE_CHECKING:
@@ -100,7 +101,7 @@ def picture(
     columns : int
         Charts in a row.
     """
-    drawn = [charts] if isinstance(charts, Chart) else list(charts)
+    drawn = as_wanted([charts] if isinstance(charts, Chart) else list(charts))
     rows = [drawn[k : k + columns] for k in range(0, len(drawn), columns)]
     wide = WIDTH / columns
     heights = [max(_height(chart, wide, language) for chart in row) for row in rows]

@@ -19,6 +19,7 @@ from catopt.answers.blocks import (
     Warnings,
 )
 from catopt.quantities import QUANTITIES
+from catopt.render.units import as_wanted
 from catopt.render.values import cell, shown
 from catopt.words import Language, Message, Sentence, Several, say
 
@@ -71,6 +72,7 @@ def show(output: Printer, answer: Answer, language: Language = "en") -> None:
     language : {"en", "vi"}
         Of its words.
     """
+    answer = as_wanted(answer)
     output.text(say(answer.title, language), bold=True)
     in_text = True
     for block in answer.blocks:

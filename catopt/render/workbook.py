@@ -26,6 +26,7 @@ from catopt.render.drawing import draw
 from catopt.render.sheet import Book, Cell, Chart, Number, Series, Sheet, Style, number_pattern
 from catopt.render.sheet import Text as Words
 from catopt.render.trail import in_numbers, in_symbols
+from catopt.render.units import as_wanted
 from catopt.render.values import shown
 from catopt.words import Language, Listed, Message, say
 
@@ -56,6 +57,7 @@ def workbook(answer: Answer, language: Language = "en") -> bytes:
     bytes
         An .xlsx file.
     """
+    answer = as_wanted(answer)
     book = Book(say(answer.title, language), language)
     charts = sum(isinstance(block, Figure) for block in answer.blocks)
     # The cells of drawings stand on the last sheet, which the charts before it refer to.

@@ -9,6 +9,7 @@ from catopt.reproduce import (
     buoy_9p5m,
     fso_rang_dong,
     fso_rang_dong_dynamic,
+    fso_rang_dong_loads,
     load_sharing,
     ship_200m,
     tanker_20m,
@@ -29,6 +30,7 @@ _STUDIES: dict[str, Callable[[Progress | None], Study]] = {
     tanker_20m_sinker.NAME: lambda _progress: tanker_20m_sinker.study(),
     load_sharing.NAME: lambda _progress: load_sharing.study(),
     fso_rang_dong.NAME: lambda _progress: fso_rang_dong.study(),
+    fso_rang_dong_loads.NAME: lambda _progress: fso_rang_dong_loads.study(),
     fso_rang_dong_dynamic.NAME: lambda _progress: fso_rang_dong_dynamic.study(),
 }
 

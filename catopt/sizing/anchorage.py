@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal
 
+from catopt.errors import NoAnswerError
 from catopt.loads.drag_anchor import DragAnchorSize, size_drag_anchor
 from catopt.loads.holding_data import DataSet
 from catopt.loads.sinker import (
@@ -27,6 +28,8 @@ HEAVY_SINKERS: Final = (
     *(1e3 * tonnes for tonnes in (80, 100, 125, 150, 200, 250, 300, 400, 500, 600, 800, 1000)),
 )
 """kg, in air: `SINKER_MASSES` and what is cast for ships; catopt's own list."""
+
+_CALMAR_SOIL: Final = "IALA default"
 
 
 @dataclass(frozen=True)
@@ -88,6 +91,28 @@ class SinkerGround:
             friction=self.mu,
             safety_factor=None if coded else self.safety_factor,
         )
+
+    def by_other_rule(self, of: SinkerSize, water_density: float) -> SinkerSize | None:
+        """Size it for the same pull by the rule that was not chosen; None beyond what is cast.
+
+        One rule takes the friction of the soil (NAVFAC), the other phi = 45 deg whatever the soil
+        (IALA CALMAR). They differ by a factor of two and more.
+
+        Parameters
+        ----------
+        of : SinkerSize
+            By the rule that was chosen.
+        water_density : float
+            kg/m3.
+        """
+        soil = usual("soil") if self.soil == _CALMAR_SOIL else _CALMAR_SOIL
+        steel = self.material == "steel"  # CALMAR's angle is that of any sinker
+        rule = {"soil": None, "friction": 1.0} if steel else {"soil": soil, "friction": None}
+        try:
+            other = replace(self, **rule)
+            return other.sized(of.horizontal_force, of.vertical_force, water_density)
+        except NoAnswerError:
+            return None
 
     def sized(
         self, horizontal_force: float, vertical_force: float, water_density: float

@@ -11,15 +11,17 @@ from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Case, Design, LoadCase, Site
+from catopt.sizing.alternatives import alternatives
 from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.candidates import candidates
 from catopt.sizing.components import catalogue_of, first_line, sold
 from catopt.sizing.limits import limits
+from catopt.sizing.line_choice import Prefer
 from catopt.sizing.posed import LoadsAt, Posed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = ["HIGH", "LOW", "pose_buoy", "sized_buoy"]
 
@@ -70,16 +72,28 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
                 replace(settled.needed, diameter=diameter),
             ),
         ),
+        alternatives=alternatives(request.line.prefer, lambda prefer: _by(request, prefer)),
         limits=limits(settled),
-        swing=SwingRadius(
-            Message("sizing.storm_low"),
-            ((Message("sizing.line_at_low_water"), solutions[LOW].span),),
-        ),
+        swing=_swing(settled),
         sinker=sinker,
+        other_sinker=request.ground.by_other_rule(sinker, request.environment.water_density),
         reserve_buoyancy=request.reserve_buoyancy,
         assumptions=_assumptions(request, settled.assumed),
         defaults=request.defaults,
+        inputs=request.inputs,
     )
+
+
+def _by(request: BuoyRequest, prefer: Prefer) -> tuple[Settled, float]:
+    """Settle the line of another preference, with its swing radius."""
+    settled = _settled(replace(request, line=replace(request.line, prefer=prefer)))
+    return settled, _swing(settled).total
+
+
+def _swing(settled: Settled) -> SwingRadius:
+    span = dict(settled.point.checks.solutions)[LOW].span
+    parts = ((Message("sizing.line_at_low_water"), span),)
+    return SwingRadius(Message("sizing.storm_low"), parts)
 
 
 def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:
@@ -183,7 +197,10 @@ def _assumptions(request: BuoyRequest, assumed: Assumed) -> tuple[str, ...]:
     levels = {"high": env.levels.high, "crest": env.crest, "low": env.levels.low, "keel": keel}
     crest = Message("sizing.high_water", **levels)
     if isinstance(request.buoy, BuoyShape):
-        values = {"diameter": assumed.diameter * 1e3, "pull": assumed.pull / 1e3}
+        values = {
+            "diameter": assumed.diameter * 1e3,
+            "pull": Measure("vertical_force", assumed.pull),
+        }
         settled = Message("sizing.loads_on_chain", **values)
     else:
         settled = Message("sizing.force_given")

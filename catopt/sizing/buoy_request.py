@@ -10,6 +10,7 @@ from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
+from catopt.sizing.read_input import ReadInput
 
 __all__ = ["BuoyRequest", "GivenBuoy"]
 
@@ -77,6 +78,7 @@ class BuoyRequest:
     title: str = ""
     source: str = ""
     defaults: tuple[str, ...] = ()
+    inputs: tuple[ReadInput, ...] = ()
 
     def __post_init__(self) -> None:
         found = Findings("BuoyRequest")

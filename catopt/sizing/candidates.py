@@ -12,7 +12,7 @@ from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.words import Message, Several
 
-__all__ = ["Candidate", "candidates"]
+__all__ = ["Candidate", "candidates", "why_none"]
 
 Role = Literal["smaller", "recommended", "larger"]
 
@@ -81,11 +81,11 @@ def _candidate(
     try:
         return Candidate(role, component, diameter, of_size(component, diameter))
     except (NoAnswerError, InputError) as error:
-        return Candidate(role, component, diameter, None, _why(error))
+        return Candidate(role, component, diameter, None, why_none(error))
 
 
-def _why(error: CatoptError) -> str:
-    """Say in one line why no length of a size passes."""
+def why_none(error: CatoptError) -> str:
+    """Say in one line why no line of what was asked for passes."""
     if isinstance(error, NoFeasibleDesignError) and error.near_miss is not None:
         failing = error.near_miss.failing
         if failing:

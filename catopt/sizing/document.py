@@ -6,14 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.checks.document import result_document
 from catopt.loads.document import loads_document
+from catopt.units import Dimension
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.loads.drag_anchor import DragAnchorSize
     from catopt.loads.sinker import SinkerSize
+    from catopt.sizing.alternatives import Alternative
     from catopt.sizing.candidates import Candidate
     from catopt.sizing.pattern import Pattern
     from catopt.sizing.posed import LoadsAt
+    from catopt.sizing.read_input import ReadInput
     from catopt.sizing.result import Sizing
 
 __all__ = ["SCHEMA", "sizing_document"]
@@ -36,6 +39,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         "schema": SCHEMA,
         "kind": of.kind,
         "title": of.case.title,
+        "inputs": [_input(each) for each in of.inputs],
         "chain": {
             "component": segment.component,
             "nominal_diameter_m": segment.nominal_diameter,
@@ -50,6 +54,9 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
             for load in of.point.line.point_loads
         ],
         "sinker": None if of.sinker is None else _sinker(of.sinker, of),
+        "other_sinker": None
+        if of.other_sinker is None
+        else _other_sinker(of.other_sinker, of.other_rule),
         "drag_anchor": None if of.drag_anchor is None else _drag_anchor(of.drag_anchor),
         "swing_radius": {
             "total_m": of.swing.total,
@@ -72,6 +79,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         "checks": [result_document(check) for check in of.point.checks.results],
         "governing": "" if governing is None else governing.in_case,
         "limits": [{"change": each.change, "fails": each.words} for each in of.limits],
+        "alternatives": [_alternative(each, of) for each in of.alternatives],
         "candidates": [_candidate(each) for each in of.candidates],
         "pattern": None if of.pattern is None else _pattern(of.pattern),
         "design": {
@@ -86,6 +94,12 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         "recalled": list(of.recalled),
         "warnings": list(of.warnings),
     }
+
+
+def _input(of: ReadInput) -> dict[str, Any]:
+    value = list(of.value) if isinstance(of.value, tuple) else of.value
+    unit = Dimension[of.of.takes].si_unit if of.of.is_measure else ""
+    return {"name": of.of.name, "value": value, "unit": unit, "origin": of.origin}
 
 
 def _solutions(of: Sizing) -> tuple[tuple[str, Solution], ...]:
@@ -137,6 +151,15 @@ def _sinker(of: SinkerSize, sizing: Sizing) -> dict[str, Any]:
     }
 
 
+def _other_sinker(of: SinkerSize, rule: str) -> dict[str, Any]:
+    return {
+        "mass_kg": of.mass,
+        "needed_mass_kg": of.needed_mass,
+        "friction": of.friction,
+        "rule": rule,
+    }
+
+
 def _drag_anchor(of: DragAnchorSize) -> dict[str, Any]:
     return {
         "anchor": of.anchor,
@@ -174,6 +197,23 @@ def _candidate(of: Candidate) -> dict[str, Any]:
         "" if governing is None else governing.in_case,
     )
     return document | dict(zip(keys, values, strict=True))
+
+
+def _alternative(of: Alternative, sizing: Sizing) -> dict[str, Any]:
+    document: dict[str, Any] = {"prefer": of.prefer, "feasible": of.settled is not None}
+    if of.settled is None:
+        keys = ("component", "nominal_diameter_m", "length_m", "mass_kg", "swing_radius_m", "trade")
+        return document | dict.fromkeys(keys) | {"reason": of.reason}
+    line = of.settled.point.line
+    return document | {
+        "component": line.segments[0].component,
+        "nominal_diameter_m": line.segments[0].nominal_diameter,
+        "length_m": line.length,
+        "mass_kg": of.mass,
+        "swing_radius_m": of.swing,
+        "trade": sizing.trade(of),
+        "reason": "",
+    }
 
 
 def _pattern(of: Pattern) -> dict[str, Any]:

@@ -67,6 +67,10 @@ class Input:
         Key of the text that tells that the default was taken.
     left_out : str
         Key of the text that says what is taken, where that is no fixed value.
+    bare : str
+        Unit of a bare number; that of SI when empty.
+    estimated_from : str
+        Input from which it is estimated, where that is given; empty where there is none.
     tanker : tuple of (str, object)
         Attributes that are others for a tanker.
     """
@@ -91,6 +95,8 @@ class Input:
     why: str = ""
     taken: str = ""
     left_out: str = ""
+    bare: str = ""
+    estimated_from: str = ""
     tanker: tuple[tuple[str, object], ...] = ()
 
     @property
@@ -119,16 +125,27 @@ INPUTS: Final = (
     Input("title", "title", "TEXT", "Pillar buoy in 12 m", left_out="left_out.title"),
     Input("source", "source", "TEXT", "Harbour survey of 2024", left_out="left_out.source"),
     Input(
+        "ship", "ship.kind", "WHICH", "bulk carrier", "tanker", of=_TANKER,
+        words=("tanker", "bulk carrier", "general cargo"), also=("type",),
+    ),
+    Input(
+        "dwt", "ship.deadweight", "MASS", "50000 t", of=_TANKER, above=0.0, asked=True,
+        called=("deadweight",), also=("DWT",), bare="t",
+    ),
+    Input(
         "length", "ship.length", "LENGTH", "234 m", of=_TANKER, above=0.0, most="600 m",
         required=True, asked=True, called=("length_overall",), also=("LOA", "L"),
+        estimated_from="dwt", left_out="left_out.by_deadweight",
     ),
     Input(
         "breadth", "ship.breadth", "LENGTH", "31.3 m", of=_TANKER, above=0.0, most="100 m",
         required=True, asked=True, also=("B", "beam"),
+        estimated_from="dwt", left_out="left_out.by_deadweight",
     ),
     Input(
         "draught", "ship.draught", "LENGTH", "12.4 m", of=_TANKER, above=0.0,
         required=True, asked=True, also=("T", "draft"),
+        estimated_from="dwt", left_out="left_out.by_deadweight",
     ),
     Input(
         "ballast_draught", "ship.ballast_draught", "LENGTH", "3.2 m", of=_TANKER, above=0.0,
@@ -136,10 +153,6 @@ INPUTS: Final = (
     Input(
         "moulded_depth", "ship.moulded_depth", "LENGTH", "16 m", of=_TANKER, above=0.0,
         also=("D", "depth"), left_out="left_out.moulded_depth",
-    ),
-    Input(
-        "dwt", "ship.deadweight", "MASS", "50000 t", of=_TANKER, above=0.0,
-        called=("deadweight",), also=("DWT",),
     ),
     Input(
         "frontal_area", "ship.frontal_area", "AREA", "580 m^2", of=_TANKER, above=0.0,
@@ -194,6 +207,14 @@ INPUTS: Final = (
         taken="sizing.taken_wind",
     ),
     Input(
+        "wind_mean", "environment.wind_mean", "TIME", "10 min", "30 s", of=_TANKER, at_least=1.0,
+        most="3600 s", called=("wind mean.given",), taken="sizing.taken_wind_mean",
+    ),
+    Input(
+        "return_period", "environment.return_period", "TIME", "100 years", above=0.0,
+        left_out="left_out.return_period",
+    ),
+    Input(
         "current", "environment.current", "SPEED", "1.2 m/s", "1 m/s", at_least=0.0,
         most="10 m/s", asked=True, called=("SurfaceCurrent.speed", "current.speed"),
         also=("current_speed",), not_with=("force",), why=_IN_IT, taken="sizing.taken_current",
@@ -210,6 +231,15 @@ INPUTS: Final = (
     Input(
         "period", "environment.period", "TIME", "8 s", above=0.0, most="30 s", also=("T", "Tp"),
         left_out="left_out.period",
+    ),
+    Input(
+        "load_method", "environment.load_method", "WHICH", ("UFC-Blendermann", "22TCN-222-95"),
+        "UFC-Blendermann", of=_TANKER, words=("UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95"),
+        several=True, called=("load_methods",), also=("load_methods",),
+    ),
+    Input(
+        "wave_coefficient", "environment.wave_coefficient", "NUMBER", 0.1, of=_TANKER,
+        at_least=0.0, most="1", also=("chi",), left_out="left_out.wave_coefficient",
     ),
     Input(
         "growth", "environment.marine_growth", "LENGTH", "50 mm", "0 mm", of=_BUOY, at_least=0.0,
@@ -236,7 +266,7 @@ INPUTS: Final = (
     ),
     Input(
         "prefer", "line.prefer", "WHICH", "lightest", "balanced",
-        words=("balanced", "lightest", "least-swing"),
+        words=("lightest", "balanced", "least-swing"),
     ),
     Input(
         "clump_weight", "line.clump_weights", "MASS", ("5 t", "10 t"), of=_TANKER, above=0.0,
@@ -251,7 +281,7 @@ INPUTS: Final = (
         "anchor", "anchor.name", "NAME", "Stevpris Mk5", "Stevpris Mk5", of=_TANKER,
         also=("kind", "anchor"),
     ),
-    Input("soil", "anchor.soil", "NAME", "sand", "sand", of=_TANKER, left_out="left_out.soil"),
+    Input("soil", "anchor.soil", "NAME", "mud", "sand", of=_TANKER, left_out="left_out.soil"),
     Input(
         "sinker", "sinker.material", "WHICH", "steel", "concrete", words=("concrete", "steel"),
         called=("material",),

@@ -7,6 +7,7 @@ from typing import Any
 
 from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.casefile.sizing_file import Moored
+from catopt.numerals import bare_number
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.units import Dimension, as_written
 
@@ -34,7 +35,8 @@ def kind_of(each: Input) -> Kind:
             return Whole(each.name, example)
         case "FLAG":
             return Flag()
-    return Measured(Dimension[each.takes], each.above, each.at_least, example=as_written(example))
+    bounds = (each.above, each.at_least)
+    return Measured(Dimension[each.takes], *bounds, example=as_written(example), bare=each.bare)
 
 
 def from_text(each: Input, text: str) -> object:
@@ -47,12 +49,7 @@ def from_text(each: Input, text: str) -> object:
     text : str
         As it was typed.
     """
-    for number in (int, float) if each.is_measure or each.takes == "COUNT" else ():
-        try:
-            return number(text)
-        except ValueError:
-            continue
-    return text
+    return bare_number(text) if each.is_measure or each.takes == "COUNT" else text
 
 
 @cache

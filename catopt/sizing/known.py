@@ -9,10 +9,13 @@ from typing import Any
 
 from catopt.casefile.sizing_file import Moored
 from catopt.catalogue.names import nearest
+from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
 from catopt.sizing.inputs import SINKER, Input, inputs_of
-from catopt.sizing.kinds import default_of, kind_of
+from catopt.sizing.kinds import default_of, kind_of, usual
+from catopt.sizing.read_input import Origin, ReadInput
 from catopt.sizing.telling import Spelling, Telling, as_keyword
 from catopt.units import as_written
+from catopt.words import Cited
 
 __all__ = ["Known", "is_needless", "known"]
 
@@ -31,12 +34,15 @@ class Known:
         What was given, with faults or without.
     telling : Telling
         Keeps what is wrong.
+    estimated : frozenset of str
+        What was estimated from others that were given.
     """
 
     moored: Moored
     values: Mapping[str, Any]
     given: frozenset[str]
     telling: Telling
+    estimated: frozenset[str] = frozenset()
 
     def __getitem__(self, name: str) -> Any:
         """Return a value; None where it is not known."""
@@ -46,15 +52,28 @@ class Known:
         """Tell which of some inputs are missing, each with an example."""
         inputs = inputs_of(self.moored)
         for name in names:
-            if name not in self.given:
-                allowed = f"missing; it is wanted, such as {as_written(inputs[name].example)}"
-                self.telling.add(name, "", allowed)
+            known_by = inputs[name].estimated_from
+            if name in self.given or name in self.values or known_by in self.given:
+                continue  # what it is estimated from may be wrong, which is told there
+            allowed = f"missing; it is wanted, such as {as_written(inputs[name].example)}"
+            if known_by:
+                allowed += f", or {self.telling.spell(known_by)}, from which it is estimated"
+            self.telling.add(name, "", allowed)
 
     @property
-    def taken(self) -> list[Input]:
-        """What was taken, as far as it is told."""
-        inputs = inputs_of(self.moored)
-        return [inputs[name] for name in self.values if name not in self.given]
+    def read(self) -> tuple[ReadInput, ...]:
+        """Every input that is known, in the order of the table."""
+        inputs = inputs_of(self.moored, held_by=_held_by(self.moored, self.values))
+        return tuple(
+            ReadInput(each, self.values[name], *self._origin(name))
+            for name, each in inputs.items()
+            if name in self.values
+        )
+
+    def _origin(self, name: str) -> tuple[Origin, str]:
+        if name in self.estimated:
+            return "estimated", Cited(DIMENSIONS_SOURCE)
+        return ("given" if name in self.given else "taken"), ""
 
 
 def is_needless(each: Input, given: Collection[str]) -> bool:
@@ -68,7 +87,7 @@ def is_needless(each: Input, given: Collection[str]) -> bool:
         Names of what is given.
     """
     follows = each.name == "hs" and "hmax" in given
-    return follows or any(other in given for other in each.not_with)
+    return follows or any(other in given for other in (*each.not_with, each.estimated_from))
 
 
 def known(
@@ -105,6 +124,8 @@ def known(
             read = _read(telling, inputs[name], value)
             values |= {} if read is None else {name: read}
     _contradictions(telling, inputs, given)
+    estimated = _estimated(telling, given, values) if moored == "tanker" else {}
+    values |= estimated
     for name, each in inputs.items():
         if name in values or is_needless(each, values):
             continue
@@ -112,7 +133,21 @@ def known(
             values[name] = default_of(each)
         elif defaults and defaults.get(name):
             values[name] = kind_of(each).read(defaults[name])
-    return Known(moored, values, frozenset(given), telling)
+    return Known(moored, values, frozenset(given), telling, frozenset(estimated))
+
+
+def _estimated(
+    telling: Telling, given: Mapping[str, object], values: Mapping[str, Any]
+) -> dict[str, float]:
+    """Estimate the ship's dimensions from its deadweight, as far as they are not given."""
+    missing = {"length", "breadth", "draught"} - given.keys()
+    if "dwt" not in values or not missing:
+        return {}
+    if "draught" in missing:
+        missing |= {"moulded_depth"} - given.keys()
+    kind = values.get("ship", usual("ship", "tanker"))
+    found = telling.make(ship_dimensions, kind, values["dwt"])
+    return {} if found is None else {name: getattr(found, name) for name in missing}
 
 
 def _held_by(moored: Moored, given: Mapping[str, object]) -> str:

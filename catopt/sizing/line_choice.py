@@ -16,8 +16,8 @@ from catopt.words import Message
 
 __all__ = ["PREFERENCES", "LineChoice", "Prefer"]
 
-Prefer = Literal["balanced", "lightest", "least-swing"]
-PREFERENCES: tuple[str, ...] = get_args(Prefer)
+Prefer = Literal["lightest", "balanced", "least-swing"]
+PREFERENCES: tuple[Prefer, ...] = get_args(Prefer)
 
 _STEPS: Final = (0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 _STEPS_A_HEIGHT: Final = 25.0
@@ -46,8 +46,8 @@ class LineChoice:
         Only these, m; empty: every size that is sold within the bounds.
     length_step : float or None
         Step of the length, m; None: a round one near a 25th of the height that the line spans.
-    prefer : {"balanced", "lightest", "least-swing"}
-        Which design of the front is recommended: its knee, or one of its ends.
+    prefer : {"lightest", "balanced", "least-swing"}
+        Which design of the front is recommended: one of its ends, or its knee.
     life, wear_rate : float
         Service life, s, and loss of nominal diameter, m/s.
     allow_recalled : bool

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from types import MappingProxyType
+from typing import Any, Final
 
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy_library import buoy as look_up
@@ -23,9 +24,14 @@ from catopt.sizing.line_choice import LineChoice
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
+from catopt.sizing.wind_mean import mean_over
+from catopt.units import lasting
 from catopt.words import Message, term
 
-__all__ = ["request_of", "shape_of", "size"]
+__all__ = ["WIND_MEAN", "request_of", "shape_of", "size"]
+
+WIND_MEAN: Final = 30.0
+"""s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
 
 
 def size(of: Known) -> Sizing:
@@ -81,6 +87,7 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=_taken(of, place, ground),
+        inputs=of.read,
     )
     return of.telling.make(maker, body, place, line, ground)
 
@@ -88,7 +95,7 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
 def _of_a_tanker(of: Known) -> TankerRequest | None:
     of.want("length", "breadth", "draught", "depth")
     ships = _ships(of)
-    place = _environment(of)
+    place = _environment(of, wind=_wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
     line = _line(of, *_sizes(of))
     ground = _ground(of)
@@ -103,10 +110,13 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         lines=of["lines"],
         pretension=of["pretension"],
         clump_masses=of["clump_weight"] or (),
+        load_methods=of["load_method"],
+        wave_coefficient=of["wave_coefficient"],
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=words,
-        estimates=estimates(),
+        estimates=(*estimates(), *_of_the_wind(of)),
+        inputs=of.read,
     )
     is_found = of["buoy"] is None or shape is not None
     return of.telling.make(maker, ships, place, line, ground) if is_found else None
@@ -115,15 +125,31 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
 # ------------------------------------------------------------------ place and weather
 
 
-def _environment(of: Known, *, is_pushed: bool = True) -> Environment | None:
+def _wind_of_30_s(of: Known) -> float | None:
+    """Convert the wind to the mean that loads on a ship are computed for."""
+    return of.telling.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], of["wind_mean"])
+
+
+def _of_the_wind(of: Known) -> tuple[str, ...]:
+    """Say to which speed the wind was converted."""
+    speed = _wind_of_30_s(of)
+    if speed is None or of["wind_mean"] == WIND_MEAN:
+        return ()
+    given = {"given": of["wind"], "mean": lasting(of["wind_mean"])}
+    return (Message("sizing.wind_converted", speed=speed, **given),)
+
+
+def _environment(
+    of: Known, *, is_pushed: bool = True, wind: float | None = None
+) -> Environment | None:
     """Make depths and weather; where the force is given, wind and current do not count."""
     make = of.telling.make
     high = of["depth"]
     levels = make(WaterLevels, of["low_water"] or high, high)
-    wind = make(Wind, of["wind"] if is_pushed else 0.0)
+    blows = make(Wind, (wind or of["wind"]) if is_pushed else 0.0)
     current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
     maker = partial(Environment, water_density=of["water_density"])
-    return make(maker, levels, wind, current, make(_sea, of))
+    return make(maker, levels, blows, current, make(_sea, of))
 
 
 def _sea(of: Known) -> SeaState:
@@ -189,6 +215,17 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
     return made if len(made) == len(ships) else None
 
 
+_TAKEN_FOR: Final = MappingProxyType(
+    {
+        "tanker": ("tanker {}", "tanker"),
+        "bulk carrier": ("tanker {}", "cargo"),
+        "general cargo": ("cargo loaded", "cargo"),
+    }
+)
+"""For which kind of ship each is taken by wind, after Blendermann, and by propeller, after UFC. The
+first lacks bulk carriers; a tanker's bow has the largest coefficient."""
+
+
 def _ship(of: Known, condition: str) -> MooredShip:
     is_loaded = condition == "loaded"
     loaded = of["draught"]
@@ -198,8 +235,10 @@ def _ship(of: Known, condition: str) -> MooredShip:
     risen = loaded - draught
     frontal, lateral = of["frontal_area"], of["lateral_area"]
     dwt = of["dwt"]
+    kind = of["ship"]
+    wind_on, propeller = _TAKEN_FOR[kind]
     ship = estimated_tanker(
-        term("tanker") if dwt is None else Message("loads.tanker_of", mass=dwt / 1e3),
+        term(kind) if dwt is None else Message("sizing.ship_of", kind=term(kind), mass=dwt / 1e3),
         of["length"],
         of["breadth"],
         draught,
@@ -207,10 +246,11 @@ def _ship(of: Known, condition: str) -> MooredShip:
         condition="loaded" if is_loaded else "ballast",
         frontal_area=None if frontal is None else frontal + of["breadth"] * risen,
         lateral_area=None if lateral is None else lateral + of["length"] * risen,
+        propeller=propeller,
     )
     fairlead = moulded - loaded if of["fairlead"] is None else of["fairlead"]
     return MooredShip(
-        condition, ship, f"tanker {condition}", fairlead + risen, dwt if is_loaded else None
+        condition, ship, wind_on.format(condition), fairlead + risen, dwt if is_loaded else None
     )
 
 
@@ -246,11 +286,16 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
     return line if is_known else None
 
 
+_AS_CLAY: Final = MappingProxyType({"mud": "soft clay", "soft mud": "soft clay"})
+"""Soils of a drag anchor by names of practice; soft clay has the lowest figures."""
+
+
 def _ground(of: Known) -> DragGround | SinkerGround | None:
     """Make what holds the line: a sinker, or of a tanker a drag anchor by its kind."""
     recalled = bool(of["recalled"])
     if of.moored == "tanker" and of["anchor"] != SINKER:
-        drag = partial(DragGround, of["anchor"], of["soil"], allow_recalled=recalled)
+        soil = _AS_CLAY.get(of["soil"], of["soil"])
+        drag = partial(DragGround, of["anchor"], soil, allow_recalled=recalled)
         return of.telling.make(drag)
     material, density = of["sinker"], of["sinker_density"]
     return of.telling.make(
@@ -264,13 +309,21 @@ def _taken(
     of: Known, place: Environment | None, ground: DragGround | SinkerGround | None
 ) -> tuple[str, ...]:
     """Say what was taken because it was not given."""
-    words = [Message(each.taken, value=each.default) for each in of.taken if each.taken]
+    words = [
+        Message(each.of.taken, value=each.said)
+        for each in of.read
+        if each.origin == "taken" and each.of.taken
+    ]
     if "period" not in of.given and place is not None:
         words.append(Message("sizing.taken_period", period=place.sea.period))
     if "low_water" not in of.given:
         words.append(Message("sizing.no_tide"))
     if of.given.isdisjoint({"soil", "friction"}) and ground is not None:
         words.append(Message("sizing.taken_soil", soil=term(str(ground.soil))))
+    if of["soil"] in _AS_CLAY and isinstance(ground, DragGround):
+        words.append(Message("sizing.mud_as_clay", soil=term(of["soil"])))
+    if "return_period" not in of.given:
+        words.append(Message("sizing.no_return_period"))
     taken_chain = () if "chain" in of.given else of["chain"]
     if "code" not in of.given:
         return (*words, *taken_chain, Message("sizing.taken_code", code=of["code"]))

@@ -10,15 +10,18 @@ from catopt.catenary.solution import Solution
 from catopt.design.result import DesignPoint
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
+from catopt.loads.source import CALMAR
 from catopt.model import Case
+from catopt.sizing.alternatives import Alternative, trade
 from catopt.sizing.candidates import Candidate
 from catopt.sizing.document import sizing_document
 from catopt.sizing.limits import Limit
 from catopt.sizing.pattern import Pattern
-from catopt.sizing.settle import Settled
+from catopt.sizing.read_input import ReadInput
+from catopt.sizing.settle import Settled, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
-from catopt.words import Message, Sentence
+from catopt.words import Message, Sentence, Several
 
 __all__ = ["SHOT", "Sizing", "SwingRadius"]
 
@@ -59,12 +62,16 @@ class Sizing:
         Loads, case, front and the recommended design.
     candidates : tuple of Candidate
         The recommended size between its neighbours.
+    alternatives : tuple of Alternative
+        The lines that other preferences would recommend.
     limits : tuple of Limit
         Steps to less that fail.
     swing : SwingRadius
         At low water.
     sinker : SinkerSize or None
         For the pull of the recommended line; its mass is that of the design's sinker.
+    other_sinker : SinkerSize or None
+        By the rule that was not chosen, for comparison; None where there is none.
     drag_anchor : DragAnchorSize or None
         For the largest horizontal force.
     reserve_buoyancy : float or None
@@ -73,19 +80,24 @@ class Sizing:
         The mooring equilibrium of several lines.
     assumptions, defaults : tuple of str
         What the answer rests on; what was not given and was taken.
+    inputs : tuple of ReadInput
+        All that was known, as it was read.
     """
 
     kind: Literal["buoy", "tanker"]
     settled: Settled
     candidates: tuple[Candidate, ...]
+    alternatives: tuple[Alternative, ...]
     limits: tuple[Limit, ...]
     swing: SwingRadius
     sinker: SinkerSize | None = None
+    other_sinker: SinkerSize | None = None
     drag_anchor: DragAnchorSize | None = None
     reserve_buoyancy: float | None = None
     pattern: Pattern | None = None
     assumptions: tuple[str, ...] = ()
     defaults: tuple[str, ...] = ()
+    inputs: tuple[ReadInput, ...] = ()
 
     @property
     def case(self) -> Case:
@@ -115,8 +127,18 @@ class Sizing:
         settled = self.settled
         if settled.index == settled.result.recommended:
             return settled.result.recommendation
+        if settled.index == 0 and self._is_smallest:
+            size = 1e3 * point_diameter(self.point)
+            return Message("sizing.smallest_looked_at", size=size)
         ends = {0: "sizing.lightest", len(settled.result.front) - 1: "sizing.least_swing"}
         return Message(ends.get(settled.index, "sizing.near_knee"))
+
+    @property
+    def _is_smallest(self) -> bool:
+        """Whether a smaller size is sold, but was not looked at."""
+        bound = self.case.design.segments[0].diameter_min if self.case.design else None
+        smaller = [each.diameter for each in self.candidates if each.role == "smaller"]
+        return bound is not None and bool(smaller) and smaller[0] < bound
 
     @property
     def hardest(self) -> tuple[str, Solution]:
@@ -149,10 +171,27 @@ class Sizing:
         return tuple(dict.fromkeys(name for part in parts for name in part.recalled))
 
     @property
+    def other_rule(self) -> str:
+        """Document of the rule that `other_sinker` is by."""
+        source = None if self.other_sinker is None else self.other_sinker.friction_source
+        return CALMAR if source is None else source.document
+
+    def trade(self, of: Alternative) -> Message:
+        """Say what another line gives and takes beside the recommended one.
+
+        Parameters
+        ----------
+        of : Alternative
+            One of `alternatives` that has a line.
+        """
+        return trade(of, self.swing.total, self.point.objectives["mass_kg"])
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         """What an engineer should know before using the answer, each once."""
         parts = (part for each in self.settled.posed.loads for part in each.parts)
         notes = [
+            *self._estimated,
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.result.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
@@ -161,6 +200,15 @@ class Sizing:
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))
+
+    @property
+    def _estimated(self) -> tuple[str, ...]:
+        """Say which dimensions the answer rests on that were estimated."""
+        found = [each for each in self.inputs if each.origin == "estimated"]
+        if not found:
+            return ()
+        names = Several((Message(f"inputs.{each.of.name}") for each in found), ", ")
+        return (Message("sizing.estimated_dimensions", names=names, source=found[0].source),)
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt size --json`` prints (schema catopt.size/1)."""

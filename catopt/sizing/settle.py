@@ -96,7 +96,7 @@ def settle(
         Makes the case out of what is assumed.
     needed : callable
         Says what a design comes to.
-    prefer : {"balanced", "lightest", "least-swing"}
+    prefer : {"lightest", "balanced", "least-swing"}
         Which design of a front is recommended.
     start : Assumed, optional
         Where to begin; the nearer to what comes out, the fewer rounds.

@@ -11,20 +11,22 @@ from catopt.errors import NoAnswerError
 from catopt.loads.buoy import buoy_loads
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
-from catopt.loads.ship_loads import ship_loads
+from catopt.loads.ship_loads import governing_loads
 from catopt.model import Buoy, Case, ClumpWeightChoice, Design, LoadCase, Site
+from catopt.sizing.alternatives import alternatives
 from catopt.sizing.anchorage import DragGround
 from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.candidates import candidates
 from catopt.sizing.components import catalogue_of, first_line
 from catopt.sizing.limits import limits
+from catopt.sizing.line_choice import Prefer
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
 from catopt.sizing.posed import LoadsAt, Posed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 __all__ = ["EVERYDAY", "EVERYDAY_SHARE", "pose_tanker", "sized_tanker"]
 
@@ -80,13 +82,14 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     settled = _settled(request)
     around = _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
     solutions = [solution for _, solution in settled.point.checks.solutions]
-    sinker = None
+    sinker = other = None
     if not isinstance(request.ground, DragGround):
         sinker = request.ground.sized(
             max(each.anchor.horizontal_force for each in solutions),
             max(0.0, *(each.anchor.vertical_force for each in solutions)),
             request.environment.water_density,
         )
+        other = request.ground.by_other_rule(sinker, request.environment.water_density)
     return Sizing(
         kind="tanker",
         settled=settled,
@@ -101,15 +104,28 @@ def sized_tanker(request: TankerRequest) -> Sizing:
                 settled.needed,
             ),
         ),
+        alternatives=alternatives(
+            request.line.prefer, lambda prefer: _by(request, prefer, settled)
+        ),
         limits=limits(settled),
         swing=_swing(request, settled, around),
         sinker=sinker,
+        other_sinker=other,
         drag_anchor=settled.posed.drag_anchor,
         reserve_buoyancy=_reserve(request),
         pattern=around,
         assumptions=tuple(_assumptions(request, settled)),
         defaults=request.defaults,
+        inputs=request.inputs,
     )
+
+
+def _by(request: TankerRequest, prefer: Prefer, own: Settled) -> tuple[Settled, float]:
+    """Settle the line of another preference, with its swing radius."""
+    request = replace(request, line=replace(request.line, prefer=prefer))
+    settled = _settled(request, own.needed)
+    around = _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
+    return settled, _swing(request, settled, around).total
 
 
 def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None = None) -> Posed:
@@ -240,13 +256,15 @@ def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
 def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsAt:
     env = request.environment
     parts: list[Loads] = [
-        ship_loads(
+        governing_loads(
+            request.load_methods,
             state.moored.ship,
             env.wind,
             env.current,
             env.sea,
             state.depth,
             wind_on=state.moored.wind_on,
+            wave_coefficient=request.wave_coefficient,
             water_density=env.water_density,
         )
     ]
@@ -357,7 +375,10 @@ def _share(request: TankerRequest, settled: Settled) -> Iterator[str]:
     """Say how much of the buoy's reserve is left to one line, where that is less than all."""
     reserve, own = _reserve(request), settled.posed.case.buoy
     if reserve is not None and own is not None and own.reserve_buoyancy < reserve:
-        share = {"reserve": reserve / 1e3, "own": own.reserve_buoyancy / 1e3}
+        share = {
+            "reserve": Measure("vertical_force", reserve),
+            "own": Measure("vertical_force", own.reserve_buoyancy),
+        }
         yield Message("sizing.share_of_reserve", **share)
 
 

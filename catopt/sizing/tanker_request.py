@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Final
 
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
+from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
+from catopt.sizing.read_input import ReadInput
 
 __all__ = [
     "MooredShip",
     "TankerRequest",
 ]
+
+
+_LEAST_CARGO: Final = 0.4
+"""Deadweight over displacement of a loaded ship at least; catopt's own. Merchant ships have 0.55 to
+0.86."""
 
 
 @dataclass(frozen=True)
@@ -48,12 +56,12 @@ class MooredShip:
         if self.deadweight is not None:
             found.number("deadweight", self.deadweight, "kg", above=0.0)
             displaced = self.ship.displacement * 1025.0
+            of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
+            own = f"{self.deadweight / 1e3:.6g} t"
             if not found.problems and self.deadweight >= displaced:
-                found.add(
-                    "deadweight",
-                    f"{self.deadweight / 1e3:.6g} t",
-                    f"not below what a ship of these dimensions displaces, {displaced / 1e3:.6g} t",
-                )
+                found.add("deadweight", own, f"not below {of_it}")
+            elif not found.problems and self.deadweight < _LEAST_CARGO * displaced:
+                found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
         found.raise_if_any()
 
 
@@ -83,12 +91,18 @@ class TankerRequest:
         Clump weights of which the line has one, in air, kg; none when empty.
     clump_density : float
         kg/m3.
+    load_methods : tuple of str
+        Of the loads on the ship; of several the largest force governs.
+    wave_coefficient : float or None
+        chi of 22TCN 222-95, which that method wants in waves.
     title : str
         Of the case; made of the ship and the depth when left out.
     source : str
         Of the case: where its figures come from; the command when left out.
     defaults, estimates : tuple of str
         What was not given and was taken, and what was estimated, in words; for the answer.
+    inputs : tuple of ReadInput
+        All that is known, as it was read; for the answer.
     """
 
     ships: tuple[MooredShip, ...]
@@ -109,9 +123,12 @@ class TankerRequest:
     pretension: float = field(default_factory=lambda: usual("pretension", "tanker"))
     clump_masses: tuple[float, ...] = ()
     clump_density: float = 2400.0
+    load_methods: tuple[str, ...] = (METHODS[0],)
+    wave_coefficient: float | None = None
     title: str = ""
     source: str = ""
     defaults: tuple[str, ...] = ()
+    inputs: tuple[ReadInput, ...] = ()
     estimates: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -129,6 +146,7 @@ class TankerRequest:
         found.number("clump_density", self.clump_density, "kg/m3", above=1100.0, at_most=20e3)
         if self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+        self._check_methods(found)
         low = self.environment.levels.low
         for each in self.ships:
             if each.ship.draught >= low:
@@ -138,6 +156,23 @@ class TankerRequest:
                     f"the water is {low:g} m deep at low water: the ship would be aground",
                 )
         found.raise_if_any()
+
+    def _check_methods(self, found: Findings) -> None:
+        """Note a method that is unknown, or that would leave the waves out."""
+        for index, method in enumerate(self.load_methods):
+            if method not in METHODS:
+                found.add(f"load_methods[{index}]", repr(method), "one of " + ", ".join(METHODS))
+        if not self.load_methods:
+            found.add("load_methods", "none", "one at least of " + ", ".join(METHODS))
+        is_tcn = TCN in self.load_methods
+        if self.wave_coefficient is not None:
+            found.number("wave_coefficient", self.wave_coefficient, "", at_least=0.0, at_most=1.0)
+            if not is_tcn:
+                allowed = f"leave it out, or name {TCN} among the load methods"
+                found.add("wave_coefficient", f"{self.wave_coefficient:g}", allowed)
+        elif is_tcn and self.environment.sea.hmax > 0.0:
+            allowed = f"missing; {TCN} wants its chi in waves, or 0 to leave the waves out"
+            found.add("wave_coefficient", "", allowed)
 
     @property
     def longest(self) -> float:

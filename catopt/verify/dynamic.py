@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +22,7 @@ from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerific
 from catopt.verify.dynamic_setup import Drive, check_for_motion, read_drive
 from catopt.verify.effort import Effort, effort_of
 from catopt.verify.motion_file import energy_beyond
-from catopt.verify.proof import Again, Proof, Way
+from catopt.verify.proof import FINER, Again, Proof, Way, work_of_proof
 from catopt.verify.side_by_side import side_by_side
 from catopt.words import Message, is_said
 
@@ -135,7 +135,7 @@ def _with_twice_the_bars(
     bars = 2 * drive.dynamics.bars
     case = replace(drive.case, dynamics=replace(drive.dynamics, elements=bars))
     try:
-        share = _going_on(progress)
+        share = _share(progress, 1, 3, part=2)
         finer = _parts(name, replace(drive, case=case), proof, workers, share, announce)
     except NotConvergedError:
         return found
@@ -227,9 +227,9 @@ def _workers(effort: Effort, runs: int) -> int:
 
 def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> _Seed | None:
     """Run one seed and prove it; stopped, what there is of it, or None."""
-    pieces = 1 if proof == "none" else 1 + len(_PARTS)
+    total = 1 + work_of_proof(proof)
     try:
-        runs, said = _run(lines, number, _share(progress, 0, pieces))
+        runs, said = _run(lines, number, _share(progress, 0, total))
     except KeyboardInterrupt:
         return None
     if runs[0].history.time.size < 2:
@@ -238,8 +238,11 @@ def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> 
         return _Seed(runs, said, is_whole=False)
     ways = _ways(proof, runs)
     with suppress(KeyboardInterrupt):  # what there is of the proof is kept
-        for piece, way in enumerate(ways, start=1):
-            again = _again(lines, number, way, _share(progress, piece, pieces))
+        done = 1
+        for way in ways:
+            part = math.prod(FINER[way])
+            again = _again(lines, number, way, _share(progress, done, total, part))
+            done += part
             runs = [
                 replace(run, again=(*run.again, one)) for run, one in zip(runs, again, strict=True)
             ]
@@ -257,7 +260,7 @@ def _ways(proof: Proof, runs: Sequence[DynamicRun]) -> list[Way]:
 
 def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> list[Again]:
     """Run once more at half the step, or so with twice the bars, in the same sea."""
-    finer, more = _PARTS[way]
+    finer, more = FINER[way]
     elements = more * lines.drive.dynamics.bars
     sea = lines.drive.sea(number)
     step = lines.drive.stepping(sea, lines.driven_by(sea), finer).step
@@ -313,10 +316,6 @@ def _run(
     return runs, said
 
 
-_PARTS: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars": (2, 2)})
-"""Steps in place of one, and bars in place of one, by the way in which a run is made again."""
-
-
 def _as_in_file(problem: Problem) -> Problem:
     """Name the truss model's argument by the key that gives it."""
     return replace(problem, key="dynamics.time_step") if problem.key == "step" else problem
@@ -334,16 +333,11 @@ def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
     return [*drive.remarks, *remarks]
 
 
-def _share(progress: Progress | None, done: int, total: int) -> Progress:
-    """Tell of one of several equal parts as of the whole."""
+def _share(progress: Progress | None, done: int, total: int, part: int = 1) -> Progress:
+    """Tell of a part of some work as of the whole, of which some is done."""
     if progress is None:
         return lambda *_: None
-    return lambda at, end: progress(done * end + at, total * end)
-
-
-def _going_on(progress: Progress) -> Progress:
-    """Tell of a run with twice the bars, and twice the work, as of what follows the first run."""
-    return lambda at, end: progress(end + 2 * at, 3 * end)
+    return lambda at, end: progress(done * end + part * at, total * end)
 
 
 def _telling(progress: Progress, ask: Callable[[], None]) -> Progress:

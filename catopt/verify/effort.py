@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from catopt.errors import InputError, Problem
 from catopt.verify.dynamic_lines import LinesAtRest
-from catopt.verify.proof import Proof
+from catopt.verify.proof import Proof, work_of_proof
 
 __all__ = ["Effort", "effort_of"]
 
@@ -26,7 +26,9 @@ class Effort:
     Attributes
     ----------
     steps, bars, runs : float
-        Of one run, of all lines together, and how many with those that prove them.
+        Of one run, of all lines together, and how many runs.
+    proof : int
+        How often the work of a run its proof takes at most: where a line goes slack.
     samples : float
         That are kept of each line in each run.
     lines : int
@@ -36,13 +38,14 @@ class Effort:
     steps: float
     bars: int
     runs: int
+    proof: int
     samples: float
     lines: int
 
     @property
     def work(self) -> float:
-        """Bars times steps of all runs."""
-        return self.steps * self.bars * self.runs
+        """Bars times steps of all runs, with the most that proves them."""
+        return self.steps * self.bars * self.runs * (1 + self.proof)
 
     @property
     def seconds(self) -> float:
@@ -59,8 +62,10 @@ class Effort:
         words = f"{time:.0f} min" if time < 120.0 else f"{time / 60.0:.0f} h"
         if time > 100.0 * 60.0:
             words = f"{time / 1440.0:,.0f} days"
+        often = f"{self.runs} time{'s' if self.runs > 1 else ''}"
+        proof = f" and up to {self.proof} times that for the proof" if self.proof else ""
         return (
-            f"{self.steps:,.0f} steps of {self.bars} bars, {self.runs} times: some {words} on one "
+            f"{self.steps:,.0f} steps of {self.bars} bars, {often}{proof}: some {words} on one "
             f"core, {self.bytes / 1e9:.2g} GB for the samples"
         )
 
@@ -91,11 +96,11 @@ def effort_of(lines: LinesAtRest, proof: Proof) -> Effort:
     drive = lines.drive
     dynamics, sea = drive.dynamics, drive.sea(0)
     stepping = drive.stepping(sea, lines.driven_by(sea))
-    ways = 1 if proof == "none" else 3
     return Effort(
         steps=dynamics.duration / stepping.step,
         bars=dynamics.bars * len(lines.legs),
-        runs=dynamics.runs * ways,
+        runs=dynamics.runs,
+        proof=work_of_proof(proof),
         samples=dynamics.duration / (stepping.output_interval or stepping.step),
         lines=len(lines.legs),
     )

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
 from catopt.verify.proof import LIMIT
-from catopt.words import Message, Several
+from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Extreme
@@ -66,8 +66,6 @@ _OF = {
     "offset": "motion.of_offset",
 }
 
-_TENSION = DYNAMIC_QUANTITY_OF["fairlead_tension"]
-
 
 def dynamic_sentences(part: DynamicPart) -> list[str]:
     """Say what the motion does to the line, and how far that hangs on step and bars."""
@@ -77,10 +75,10 @@ def dynamic_sentences(part: DynamicPart) -> list[str]:
 def motion_sentences(part: DynamicPart) -> list[str]:
     """Say what the motion does to the line: amplification, most probable maximum, slack."""
     largest = part.of("fairlead_tension").maximum
-    reached = _TENSION.format(largest, unit=True)
+    reached = Measure("tension", largest)
     told = Message("motion.reaches", tension=reached)
-    if part.amplification is not None:
-        still = _TENSION.format(part.quasi_static_max, unit=True)
+    if part.amplification is not None and part.quasi_static_max is not None:
+        still = Measure("tension", part.quasi_static_max)
         values = {"tension": reached, "times": part.amplification, "still": still}
         told = Message("motion.reaches_times", **values)
     slack = Message("motion.no_slack")
@@ -93,9 +91,7 @@ def _friction_sentences(part: DynamicPart) -> list[str]:
     """Say between what the anchor's tension at rest lies, by what friction was left in the line."""
     if not part.anchor_at_rest:
         return []
-    values = {
-        state: _TENSION.format(tension, unit=True) for state, tension in part.anchor_at_rest.items()
-    }
+    values = {state: Measure("tension", tension) for state, tension in part.anchor_at_rest.items()}
     return [Message("motion.friction_at_rest", **values)]
 
 
@@ -117,9 +113,9 @@ def _extremes(part: DynamicPart) -> Iterator[str]:
             duration=lasting(tail.extreme.duration),
             what=what,
             interval=interval(quantity, tail.extreme),
-            expected=quantity.format(tail.extreme.expected, unit=True),
+            expected=Measure(quantity.key, tail.extreme.expected),
             count=len(tail.clusters),
-            threshold=quantity.format(tail.threshold, unit=True),
+            threshold=Measure(quantity.key, tail.threshold),
             time=lasting(tail.time),
         )
         if runs is not None:
@@ -131,10 +127,10 @@ def interval(quantity: Quantity, extreme: Extreme) -> Message:
     """Write a most probable maximum with its interval, in the unit of the field."""
     return Message(
         "motion.interval",
-        value=quantity.format(extreme.most_probable, unit=True),
+        value=Measure(quantity.key, extreme.most_probable),
         part=extreme.confidence,
-        low=quantity.format(extreme.low),
-        high=quantity.format(extreme.high, unit=True),
+        low=Measure(quantity.key, extreme.low),
+        high=Measure(quantity.key, extreme.high),
     )
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.verify.compared import ROUNDING
 from catopt.verify.richardson import ORDER
-from catopt.words import Message, Several
+from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
     from catopt.verify.compared import Compared
@@ -128,9 +128,9 @@ def part_sentence(part: StaticComparison) -> Message:
     return Message(key, differences=Several(differences), allowed=allowed)
 
 
-def _amount(each: Compared) -> str:
+def _amount(each: Compared) -> Measure:
     quantity = QUANTITY_OF[each.quantity]
-    return quantity.format(each.difference, unit=True, digits=quantity.digits + 1)
+    return Measure(quantity.key, each.difference, digits=quantity.digits + 1)
 
 
 def rough_sentence(part: StaticComparison) -> str:

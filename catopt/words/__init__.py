@@ -32,7 +32,7 @@ of loads (`catopt.loads.component`), names of drawings of a reproduction, texts 
 """
 
 from catopt.words.labels import heading, is_term, quantity_label, quantity_name, term
-from catopt.words.measure import Measure
+from catopt.words.measure import Measure, Unit
 from catopt.words.message import Cited, Listed, Message, Sentence, Several, Told, is_said, say
 from catopt.words.texts import LANGUAGES, Language
 
@@ -46,6 +46,7 @@ __all__ = [
     "Sentence",
     "Several",
     "Told",
+    "Unit",
     "heading",
     "is_said",
     "is_term",

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from catopt.quantities import QUANTITIES
+from catopt.quantities import QUANTITIES, Quantity, Units
 
-__all__ = ["Measure"]
+__all__ = ["Measure", "Unit"]
 
 
 @dataclass(frozen=True)
@@ -19,6 +19,10 @@ class Measure:
         Key of `catopt.quantities.QUANTITIES`.
     value : float
         SI.
+    units : {"", "tf", "kN", "si"}
+        In which it is said, in place of the field's.
+    digits : int, optional
+        Behind the decimal point in the field's unit, in place of the quantity's own.
 
     Examples
     --------
@@ -29,13 +33,28 @@ class Measure:
 
     quantity: str
     value: float
+    units: Units = ""
+    digits: int | None = None
 
     def __format__(self, spec: str) -> str:
-        """Say the value in the field's unit, by the format of a number."""
-        quantity = QUANTITIES[self.quantity]
-        if not spec:
-            return quantity.format(self.value, unit=True)
+        """Say the value with its unit, by the format of a number; ``bare`` is without the unit."""
+        own = QUANTITIES[self.quantity]
+        if self.digits is not None:
+            own = replace(own, digits=self.digits)
+        quantity = own.in_units(self.units)
+        if spec in {"", "bare"}:
+            return quantity.format(self.value, unit=not spec)
         return f"{quantity.to_field(self.value):{spec}} {quantity.field_unit}"
 
     def __str__(self) -> str:
         return f"{self}"
+
+
+@dataclass(frozen=True)
+class Unit:
+    """The unit of a quantity, said where its values stand without: ``kN``."""
+
+    quantity: Quantity
+
+    def __str__(self) -> str:
+        return self.quantity.field_unit

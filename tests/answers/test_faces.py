@@ -161,7 +161,7 @@ period = "8 s"
 surge = "0.5 m"
 [dynamics]
 duration = "24 s"
-elements = 10
+elements = 6
 """
 AT_SEA = """
 duration_of_interest = "1 h"
@@ -169,8 +169,8 @@ runs = 5
 [waves]
 spectrum = "jonswap"
 height = "2 m"
-period = "6 s"
-components = 20
+period = "3 s"
+components = 10
 [load]
 horizontal_force = "300 kN"
 """
@@ -185,7 +185,7 @@ force = ["30 kN", "0 kN"]
 
 def _motion() -> Answer:
     """Five short runs in random waves."""
-    case = parse_case(MOVING.replace("24 s", "60 s") + AT_SEA)
+    case = parse_case(MOVING + AT_SEA)
     return motion_answer(verify_dynamic(case, proof="none"), with_series=True)
 
 

@@ -20,12 +20,13 @@ LOADED = fso((-3e6, 1e6), fairlead_radius=12.0, moment=2e7)
 
 
 def test_a_slice() -> None:
-    _is_clean(run(150, seed=2026))
+    _is_clean(run(50, seed=2026))
 
 
 @pytest.mark.slow
-def test_a_larger_slice() -> None:
-    _is_clean(run(3000, seed=2027))
+@pytest.mark.parametrize(("count", "seed"), [(150, 2026), (3000, 2027)])
+def test_a_larger_slice(count: int, seed: int) -> None:
+    _is_clean(run(count, seed))
 
 
 def _is_clean(tally: Tally) -> None:

@@ -50,8 +50,9 @@ def test_what_is_commented_out_is_right_too() -> None:
     """With its comment marks off every optional key is read; some are given another way."""
     text = re.sub(r"^# (?=\[|\w+ = )", "", template("buoy"), flags=re.MULTILINE)
     others = ("span", "fairlead_tension", "density", "volume", "point_load", "grounded_length")
+    worn = ("wear_zone", "wear_table")
     rough = ("drag_method", "roughness", "keulegan_carpenter", "wake_amplification")
-    for other in (*others, *rough, "code", "holding_capacity", "file"):
+    for other in (*others, *rough, *worn, "code", "holding_capacity", "file"):
         assert re.search(rf"^{other} = ", text, re.MULTILINE)
         text = re.sub(rf"^{other} = .*\n", "", text, flags=re.MULTILINE)
     case = parse_case(text)

@@ -32,6 +32,14 @@ TAKEN_IN: dict[tuple[str, str], Keys] = {
     ("quantity", "limit_force"): {"line.segments": ["MBL"]},
     ("drag_axial_area", "pi D"): {"line.segments": ["drag_axial"]},
     ("profile", "wind"): {"current": ["depth"]},
+    **{
+        ("wear_zone", zone): {"service": ["[]", "life", "wear_table"]}
+        for zone in ("splash", "catenary", "wire")
+    },
+    **{
+        ("wear_table", name): {"service": ["[]", "life"]}
+        for name in ("E301", "E301-inspected", "E301-Norway", "tropical")
+    },
     ("profile", "table"): {"current": ["depths", "speeds"]},
 }
 """Keys that are commented out and go with an alternative, by section."""

@@ -62,9 +62,10 @@ def test_the_misprint_in_vryhof_s_table_is_not_followed() -> None:
 def test_proof_and_break_loads_are_a_maker_s(
     family: str, grade: str, proof: int, break_: int
 ) -> None:
-    """Rounded up to the whole kN, most of them."""
+    """Rounded up to the whole kN, most of them; of R3 it has the higher of two proof loads."""
+    variants = {"proof_load": "0.0156"} if grade == "R3" else {}
     for row in rows(PILOTFITS):
-        chain = of(family, row[0], grade)
+        chain = of(family, row[0], grade, **variants)
         assert chain.proof_load == pytest.approx(row[proof] * KN, abs=KN)
         assert chain.MBL == pytest.approx(row[break_] * KN, abs=KN)
 
@@ -87,12 +88,13 @@ def test_loads_of_the_other_offshore_grades(
         assert chain.proof_load == pytest.approx(proof * 360e3 * KN, rel=1e-12)
 
 
-def test_the_older_proof_load_of_r3_is_a_variant() -> None:
-    """0.0148 x 360 000 = 5328 kN where the default is 0.0156 x 360 000 = 5616 kN."""
-    assert of("chain studless", 100, "R3").proof_load == pytest.approx(5616 * KN, rel=1e-12)
-    older = of("chain studless", 100, "R3", proof_load="0.0148")
-    assert older.proof_load == pytest.approx(5328 * KN, rel=1e-12)
-    assert older.provenance["proof_load"].confidence == "C"
+def test_of_two_proof_loads_of_r3_the_lower_is_the_default() -> None:
+    """0.0148 x 360 000 = 5328 kN; the other, 0.0156 x 360 000 = 5616 kN, is a variant."""
+    lower = of("chain studless", 100, "R3")
+    assert lower.proof_load == pytest.approx(5328 * KN, rel=1e-12)
+    assert lower.provenance["proof_load"].confidence == "C"
+    other = of("chain studless", 100, "R3", proof_load="0.0156")
+    assert other.proof_load == pytest.approx(5616 * KN, rel=1e-12)
 
 
 @pytest.mark.parametrize(("column", "grade"), [(1, "U1"), (3, "U2"), (5, "U3")])

@@ -205,7 +205,7 @@ def test_a_segment_of_it() -> None:
 
 def test_strength_at_a_worn_diameter() -> None:
     """R3 of 76 mm worn to 70 mm: 4196 kN in Vryhof's table, proof 2936 kN in a maker's."""
-    chain = catalogue.component("chain studless R3", 0.076)
+    chain = catalogue.component("chain studless R3", 0.076, variants={"proof_load": "0.0156"})
     assert chain.MBL_at(0.070) == pytest.approx(4196e3, abs=0.6e3)
     assert chain.proof_load_at(0.070) == pytest.approx(2936e3, abs=1e3)
     assert chain.mass == pytest.approx(115.52, rel=1e-12), "the weight stays that of the new chain"
@@ -215,13 +215,13 @@ def test_strength_at_a_worn_diameter() -> None:
 
 
 def test_strength_at_a_worn_diameter_keeps_the_variant() -> None:
-    """R3 with the older proof load: 0.0148 / 0.0156 of the default."""
-    older = catalogue.component("chain studless R3", 0.076, variants={"proof_load": "0.0148"})
-    newer = catalogue.component("chain studless R3", 0.076)
-    first, second = older.proof_load_at(0.07), newer.proof_load_at(0.07)
+    """R3 with the higher proof load: 0.0156 / 0.0148 of the default."""
+    higher = catalogue.component("chain studless R3", 0.076, variants={"proof_load": "0.0156"})
+    usual = catalogue.component("chain studless R3", 0.076)
+    first, second = higher.proof_load_at(0.07), usual.proof_load_at(0.07)
     assert first is not None
     assert second is not None
-    assert first / second == pytest.approx(0.0148 / 0.0156, rel=1e-12)
+    assert first / second == pytest.approx(0.0156 / 0.0148, rel=1e-12)
 
 
 def test_components_are_values() -> None:

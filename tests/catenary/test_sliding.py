@@ -25,10 +25,10 @@ TWO_LOADS_IN_ONE_PLACE = (7, 114949)
 """Two point loads in one place of a buoyant segment, on the bed."""
 
 
-def test_at_a_jump_the_line_is_held() -> None:
-    for case in (*LOOSE_BELOW_A_BUOY, *TOUCHING_OR_CLEAR, TWO_LOADS_IN_ONE_PLACE):
-        (outcome,) = evaluate([draw(*case)])
-        assert (case, outcome.verdict, outcome.reason) == (case, ANSWERED, "")
+@pytest.mark.parametrize("case", [*LOOSE_BELOW_A_BUOY, *TOUCHING_OR_CLEAR, TWO_LOADS_IN_ONE_PLACE])
+def test_at_a_jump_the_line_is_held(case: tuple[int, int]) -> None:
+    (outcome,) = evaluate([draw(*case)])
+    assert (outcome.verdict, outcome.reason) == (ANSWERED, "")
 
 
 @pytest.mark.parametrize("case", [(2, 87154), (7, 32341), (2, 182098)])
@@ -37,7 +37,7 @@ def test_every_span_across_a_jump_has_its_line(case: tuple[int, int]) -> None:
     trial = draw(*case)
     assert any("slides there" in each for each in solved(trial).warnings)
     length = trial.line.length
-    spans = np.linspace(trial.value - 0.1 * length, trial.value + 0.1 * length, 201)
+    spans = np.linspace(trial.value - 0.1 * length, trial.value + 0.1 * length, 101)
     many = solve_many(
         trial.line,
         height=trial.height,
@@ -47,7 +47,7 @@ def test_every_span_across_a_jump_has_its_line(case: tuple[int, int]) -> None:
     )
     assert (many.status == 0).all()
     assert np.abs(np.diff(many.grounded_length)).max() < 20 * np.diff(spans)[0]
-    for span in spans[60:140:20].tolist():
+    for span in spans[30:70:10].tolist():
         assert check(solved(replace(trial, value=span)), "span", span).is_right
 
 

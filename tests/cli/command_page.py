@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
-import sys
 from collections.abc import Iterator
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
+from unittest import mock
 
 import typer
 
+from catopt.__main__ import main
 from catopt.cli.app import app
 
 PAGE = Path(__file__).parents[2] / "docs" / "commands.md"
@@ -40,16 +42,11 @@ def _commands_below(group: typer.Typer, typed: str) -> Iterator[str]:
 
 def help_of(command: str) -> str:
     """Help of a command at a fixed width."""
-    environment = {**os.environ, "COLUMNS": "100", "NO_COLOR": "1", "TERM": "dumb"}
-    ran = subprocess.run(
-        [sys.executable, "-m", *command.split(), "--help"],
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        env=environment,
-        check=True,
-    )
-    return ran.stdout
+    out = StringIO()
+    environment = {"COLUMNS": "100", "NO_COLOR": "1", "TERM": "dumb"}
+    with mock.patch.dict(os.environ, environment), redirect_stdout(out):
+        assert main([*command.split()[1:], "--help"]) == 0
+    return out.getvalue()
 
 
 def blocks(page: str) -> dict[str, str]:

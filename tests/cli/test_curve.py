@@ -121,7 +121,7 @@ def test_an_offset_may_be_negative(run: Run) -> None:
         (["--from", "10 m"], '--from: found "10 m", a length; a force is wanted'),
         (["--over", "span", "--to", "10 kN"], '--to: found "10 kN", a force; a length is wanted'),
         (["--over", "span", "--to", "wide"], '--to: found "wide"; a length is wanted'),
-        (["--to", "nan"], "--to: found nan; must be finite"),
+        (["--to", "nan"], '--to: found "nan"; must be finite'),
         (["--from", "5 kN", "--to", "4 kN"], "--to: found 4 kN; must be above the start"),
         (["--from", "5 kN"], "--to: found 3531.86 N; must be above the start"),
         (["--from", "0"], "--from: found 0; must be above 0 N"),

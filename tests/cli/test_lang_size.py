@@ -39,6 +39,9 @@ SIZED: dict[str, tuple[str, ...]] = {
 line and by several, with a drag anchor and a sinker."""
 
 
+QUICK = {"given", "sinker"}
+
+
 @pytest.fixture
 def sized(monkeypatch: pytest.MonkeyPatch) -> list[Sizing]:
     """Keep what a run found, so that nothing is sized twice; on a terminal of 80 columns."""
@@ -54,7 +57,13 @@ def sized(monkeypatch: pytest.MonkeyPatch) -> list[Sizing]:
     return kept
 
 
-@pytest.mark.parametrize("arguments", SIZED.values(), ids=SIZED)
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        pytest.param(arguments, id=name, marks=[pytest.mark.slow] * (name not in QUICK))
+        for name, arguments in SIZED.items()
+    ],
+)
 def test_a_sizing_in_vietnamese(
     run: Run, sized: list[Sizing], arguments: tuple[str, ...], tmp_path: Path
 ) -> None:
@@ -94,7 +103,7 @@ def test_questions_in_vietnamese(run: Run, monkeypatch: pytest.MonkeyPatch) -> N
     assert (ran.status, left) == (0, [])
     assert '"raft" không có trong danh sách' in ran.err
     assert "Độ sâu nước ở mực nước thấp [12 m]: " in ran.err
-    left = answering(monkeypatch, "120 m", "18 m", "7 m", "22 m", "", "", "", "")
+    left = answering(monkeypatch, "", "120 m", "18 m", "7 m", "22 m", "", "", "", "")
     ran = run("size", "tanker", "--lang", "vi")
     assert (ran.status, left) == (0, [])
     assert "Chiều dài toàn bộ của tàu: " in ran.err

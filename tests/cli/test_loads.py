@@ -12,7 +12,7 @@ import openpyxl
 import pytest
 
 from catopt import schemas
-from catopt.loads import compare_tanker
+from catopt.loads import METHODS, compare_tanker
 
 from .conftest import Run
 
@@ -75,15 +75,35 @@ def test_a_ship_on_the_beam_and_the_largest_wave(run: Run) -> None:
     assert larger["horizontal_force_N"] > 2.0 * ahead["horizontal_force_N"]
 
 
+def test_every_method_is_shown_and_the_one_that_is_named_comes_first(run: Run) -> None:
+    """Two that are named: the larger, 22TCN's 438 kN, before UFC-Blendermann's 288 kN."""
+    found = document(run, *TANKER)
+    assert [found["method"], *(each["method"] for each in found["others"])] == list(METHODS)
+    named = ("--load-method", "UFC-Blendermann", "--load-method", "22TCN-222-95")
+    found = document(run, *TANKER, *named, "--wave-coefficient", "0.01")
+    assert found["method"] == "22TCN-222-95"
+    assert [each["method"] for each in found["others"]] == ["UFC-Blendermann", "UFC-4-159-03"]
+    (wave,) = (each for each in found["components"] if each["kind"] == "wave")
+    # A tenth of the 903.3 kN of tests/loads/test_tcn_222_95.py, with the tanker of options.
+    assert wave["force_N"] == pytest.approx(-90.33e3, abs=5.0)
+    shown = run(*TANKER).out
+    for words in (
+        "22TCN-222-95      current along the ship              surge   -329.747   R",
+        "Warning: 22TCN-222-95 rests on recalled figures (R)",
+    ):
+        assert words in shown
+
+
 def test_what_is_written(run: Run, tmp_path: Path) -> None:
     ran = run(*TANKER, "--out", str(tmp_path))
     assert ran.status == 0
     names = {"loads.json", "loads.xlsx", "loads.csv", "numbers.csv", "notes.csv"}
     assert {path.name for path in tmp_path.iterdir()} == names
     rows = list(csv.DictReader((tmp_path / "loads.csv").read_text("utf-8").splitlines()))
-    assert rows[-1]["Force"] == "horizontal force"
-    total = compare_tanker().loads.horizontal_force / 1e3
-    assert float(rows[-1]["Force F (kN)"]) == pytest.approx(total, rel=1e-12)  # every digit
+    sums = {row["Method"]: row for row in rows if row["Force"] == "horizontal force"}
+    for method in METHODS:
+        total = compare_tanker(method=method).loads.horizontal_force / 1e3
+        assert float(sums[method]["Force F (kN)"]) == pytest.approx(total, rel=1e-12)  # every digit
     book = openpyxl.load_workbook(tmp_path / "loads.xlsx")
     assert {"Forces", "Numbers", "Notes"} <= set(book.sheetnames)
     book.close()
@@ -129,6 +149,15 @@ def test_buoys_of_one_s_own(run: Run, tmp_path: Path) -> None:
         ((*BUOY, "--depth", "9 m"), ("--depth: found 9 m; below low water, 10 m",)),
         ((*BUOY, "--wind", "25 kg"), ("--wind",)),
         ((*TANKER, "--depth", "10 m"), ("--draught: found 12.4 m; the water is 10 m deep",)),
+        (
+            (*TANKER, "--load-method", "22TCN"),
+            ('--load-method (1): found "22TCN"; one of UFC-Blendermann',),
+        ),
+        ((*TANKER, "--wave-coefficient", "2"), ("--wave-coefficient: found 2",)),
+        (
+            (*TANKER, "--load-method", "UFC-4-159-03", "--wind-angle", "30 deg"),
+            ("--wind-angle: found 30 deg off the bow; UFC-4-159-03 has coefficients here",),
+        ),
         ((*TANKER, "--kind", "VLCC"), ("--kind: found 'VLCC'; one of car carrier",)),
         ((*TANKER, "--block", "1.2"), ("--block", "above length x breadth x draught")),
     ],

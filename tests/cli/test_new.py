@@ -11,7 +11,10 @@ from catopt.casefile import TEMPLATES, template
 from .conftest import Run
 
 
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=[pytest.mark.slow] * (n == "motion")) for n in TEMPLATES],
+)
 def test_what_it_says_to_type_next_works(
     run: Run, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

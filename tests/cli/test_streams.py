@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from .conftest import BUOY
+from .conftest import BUOY, Run
 
 pytestmark = pytest.mark.skipif(
     not Path("/dev/full").exists(), reason="needs a device that is always full"
@@ -32,11 +32,13 @@ def test_an_answer_that_cannot_be_written_is_2_and_says_so(where: str, rest: str
 
 
 @pytest.mark.parametrize("where", ["2> /dev/full", "2>&-"])
-def test_the_answer_is_the_same_where_no_message_can_be_written(where: str, tmp_path: Path) -> None:
-    plain = shell(SOLVE)
-    assert (plain.returncode, json.loads(plain.stdout)["status"]) == (0, "converged")
+def test_the_answer_is_the_same_where_no_message_can_be_written(
+    run: Run, where: str, tmp_path: Path
+) -> None:
+    plain = run("solve", BUOY, "--json")
+    assert (plain.status, json.loads(plain.out)["status"]) == (0, "converged")
     ran = shell(f"{SOLVE} --out {tmp_path / 'out'} {where}")
-    assert (ran.returncode, ran.stdout) == (0, plain.stdout)
+    assert (ran.returncode, ran.stdout) == (0, plain.out)
     assert json.loads((tmp_path / "out" / "solution.json").read_text("utf-8"))["status"]
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from .conftest import CASES, Run
+
+slow = partial(pytest.param, marks=pytest.mark.slow)
 
 HEAVY = {"matplotlib", "numba", "pandas", "pymoo", "pyswarms", "scipy"}
 
@@ -40,12 +43,12 @@ def without(names: set[str], *arguments: object) -> str:
     ("command", "case", "missing"),
     [
         ("solve", "ship-200m-sinker/case.toml", HEAVY | {"numpy"}),
-        ("check", "tanker-20m-find-length/case.toml", HEAVY | {"numpy"}),
-        ("system", "fso-rang-dong/case.toml", HEAVY | {"numpy"}),
         ("curve", "buoy-9.5m/case.toml", HEAVY),
         ("design", "design-buoy-9.5m/case.toml", HEAVY),
-        ("size buoy", "size-buoy/sizing.toml", HEAVY),
-        ("size tanker", "size-tanker/sizing.toml", HEAVY),
+        slow("check", "tanker-20m-find-length/case.toml", HEAVY | {"numpy"}),
+        slow("system", "fso-rang-dong/case.toml", HEAVY | {"numpy"}),
+        slow("size buoy", "size-buoy/sizing.toml", HEAVY),
+        slow("size tanker", "size-tanker/sizing.toml", HEAVY),
     ],
 )
 def test_the_document_is_the_same_to_the_byte(
@@ -55,7 +58,7 @@ def test_the_document_is_the_same_to_the_byte(
     assert without(missing, *arguments) == run(*arguments).out
 
 
-@pytest.mark.parametrize("case", ["buoy-9.5m/case.toml", "size-buoy/sizing.toml"])
+@pytest.mark.parametrize("case", ["buoy-9.5m/case.toml", slow("size-buoy/sizing.toml")])
 def test_the_page_of_a_note_is_the_same_to_the_byte(run: Run, tmp_path: Path, case: str) -> None:
     arguments = ["report", CASES / case, "--no-verify", "--out"]
     without(HEAVY, *arguments, tmp_path / "without.html")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 
@@ -12,10 +13,12 @@ from catopt.catenary.solve import solve
 from catopt.figures import curve, front, line, mooring, studies, swarm
 from catopt.figures.chart import Chart
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site
+from catopt.mooring.solution import SystemSolution
+from catopt.mooring.watch_circle import WatchCircle
 from tests.report.conftest import report_with
 from tests.report.system_page_cases import TURRET, known_note
 
-__all__ = ["LONG", "every_chart", "leg", "short"]
+__all__ = ["KINDS", "LONG", "leg", "made", "short"]
 
 LONG = (
     "Phao $dấu hiệu$ luồng số 1, độ sâu 9,5 m: a title that somebody made far longer than any "
@@ -59,41 +62,58 @@ def front_document(objectives: tuple[str, ...]) -> dict[str, object]:
     }
 
 
-@cache
-def every_chart() -> dict[str, Chart]:
-    """Make charts of all kinds that need no long computation, by names of their own."""
+def _busy() -> Case:
     loads = [PointLoad(7.0 + k, 4e4, name=LONG) for k in range(4)]
-    busy = Case(
+    return Case(
         Site(20.0), Line([Segment(55.0, 2100.0, MBL=7.5e6, name=LONG)], loads),
         Load(horizontal_force=3e5), 20.0, title=LONG,
     )  # fmt: skip
+
+
+def _circle() -> tuple[SystemSolution, WatchCircle]:
     note = known_note(TURRET)
-    body, circle = note.solution, note.report.circle
-    near = mooring.near(body)
-    flat = line.magnified(note.loaded.solution, 56.0)
-    assert circle is not None
-    assert near is not None
-    assert flat is not None
-    charts = {
-        "suspended": line.line_in_water(short(28.0, 4e3), 28.0),
-        "on the bed": line.line_in_water(leg(), 56.0),
-        "upright": line.line_in_water(short(28.0, 10.0), 28.0),
-        "nearly on the bed": line.line_in_water(short(0.1, 1e3), 3.0),
-        "flat": line.line_in_water(note.loaded.solution, 56.0),
-        "magnified": flat,
-        "tension": line.tension_along(leg(), (3.07e6, None)),
-        "tension far below": line.tension_along(short(28.0, 4e3), (9e9,), "MBL / 5"),
-        "curve": curve.load_curve(curve_case(busy)),
-        "fitness": swarm.fitness(report_with((1.0, 1e-3, 3.55e-15, 0.0))),
-        "swarm tension": swarm.swarm_tension(report_with((1.0, 1e-3)), 4376.8),
-        "front": front.front(front_document(("mass_kg", "offset_m")), 3),
-        "front of three": front.front(front_document(("mass_kg", "offset_m", "cost_USD"))),
-        "lines": studies.lines_to_scale([("first", short(28.0, 4e3)), (LONG, leg())], 71.4),
-        "plan": mooring.plan(body),
-        "near": near,
-        "track": mooring.watch_track(body, circle),
-        "round": mooring.watch_round(body, circle, 3e6),
-        "restoring": mooring.restoring(note.report.curves, body, 4.0),
-    }
-    assert all(math.isfinite(chart.x.high - chart.x.low) for chart in charts.values())
-    return charts
+    assert note.report.circle is not None
+    return note.solution, note.report.circle
+
+
+def _there(chart: Chart | None) -> Chart:
+    assert chart is not None
+    return chart
+
+
+def _flat() -> Solution:
+    return known_note(TURRET).loaded.solution
+
+
+KINDS: dict[str, Callable[[], Chart]] = {
+    "suspended": lambda: line.line_in_water(short(28.0, 4e3), 28.0),
+    "on the bed": lambda: line.line_in_water(leg(), 56.0),
+    "upright": lambda: line.line_in_water(short(28.0, 10.0), 28.0),
+    "nearly on the bed": lambda: line.line_in_water(short(0.1, 1e3), 3.0),
+    "flat": lambda: line.line_in_water(_flat(), 56.0),
+    "magnified": lambda: _there(line.magnified(_flat(), 56.0)),
+    "tension": lambda: line.tension_along(leg(), (3.07e6, None)),
+    "tension far below": lambda: line.tension_along(short(28.0, 4e3), (9e9,), "MBL / 5"),
+    "curve": lambda: curve.load_curve(curve_case(_busy())),
+    "fitness": lambda: swarm.fitness(report_with((1.0, 1e-3, 3.55e-15, 0.0))),
+    "swarm tension": lambda: swarm.swarm_tension(report_with((1.0, 1e-3)), 4376.8),
+    "front": lambda: front.front(front_document(("mass_kg", "offset_m")), 3),
+    "front of three": lambda: front.front(front_document(("mass_kg", "offset_m", "cost_USD"))),
+    "lines": lambda: studies.lines_to_scale([("first", short(28.0, 4e3)), (LONG, leg())], 71.4),
+    "plan": lambda: mooring.plan(known_note(TURRET).solution),
+    "near": lambda: _there(mooring.near(known_note(TURRET).solution)),
+    "track": lambda: mooring.watch_track(*_circle()),
+    "round": lambda: mooring.watch_round(*_circle(), 3e6),
+    "restoring": lambda: mooring.restoring(
+        known_note(TURRET).report.curves, known_note(TURRET).solution, 4.0
+    ),
+}
+"""What makes a chart of each kind, by names of their own."""
+
+
+@cache
+def made(kind: str) -> Chart:
+    """Make a chart, once."""
+    chart = KINDS[kind]()
+    assert math.isfinite(chart.x.high - chart.x.low)
+    return chart

@@ -22,15 +22,15 @@ from catopt.words import Message
 from tests.report.conftest import report_with
 from tests.report.system_page_cases import EVERY, TURRET, known_note
 
-from .kinds import LONG, every_chart, leg, short
+from .kinds import KINDS, LONG, leg, made, short
 
 NEUTRAL = {"x", "y", LONG, "first"}
 """Letters of axes, and a user's own words."""
 
 
-@pytest.fixture(params=list(every_chart()))
+@pytest.fixture(params=KINDS)
 def chart(request: pytest.FixtureRequest) -> Chart:
-    return every_chart()[str(request.param)]
+    return made(request.param)
 
 
 def roles(chart: Chart) -> Iterator[str]:

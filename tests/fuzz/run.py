@@ -13,15 +13,10 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from unittest import mock
-
-from typer.main import get_command
 
 from catopt.__main__ import main
-from catopt.cli.app import app
 from catopt.errors import CatoptError
 from tests.fuzz.kinds import Kind, kinds
 from tests.fuzz.mutations import mutated
@@ -147,20 +142,13 @@ def _inside(kind: Kind, command: tuple[str, ...], path: Path) -> Ended:
     """Run in this process."""
     out, err = io.StringIO(), io.StringIO()
     start = time.perf_counter()
-    built = mock.patch("catopt.cli.app.app", _built())
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), built:
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         if command:
             status = main(list(command))
         else:
             assert kind.read is not None
             status = _status_of(kind, path, err)
     return Ended(status, out.getvalue(), err.getvalue(), time.perf_counter() - start)
-
-
-@cache
-def _built() -> object:
-    """Build the command line once; typer does it anew for each call, and takes most of the time."""
-    return get_command(app)
 
 
 def _status_of(kind: Kind, path: Path, err: io.StringIO) -> int:

@@ -8,12 +8,15 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads import (
+    HEAD_ON,
     Headings,
     SeaState,
     SurfaceCurrent,
     UfcWind,
     Wind,
     compare_tanker,
+    every_method,
+    governing_loads,
     ship_loads,
 )
 from catopt.loads.component import Loads
@@ -94,6 +97,56 @@ def test_aground_and_headings_out_of_range() -> None:
         Headings(current=4.0)
 
 
+# ------------------------------------------------------------------ by several methods
+
+WEATHER = (Wind(20.0), SurfaceCurrent(1.2), SeaState(8.0, maximum_height=3.5), 20.0)
+
+
+def by_method(headings: Headings = HEAD_ON) -> dict[str, Loads]:
+    every = every_method(SHIP, *WEATHER, wind_on="tanker loaded", headings=headings)
+    return {of.method: of for of in every}
+
+
+def test_s3_s_tanker_by_three_methods() -> None:
+    """Of UFC alone the wind is 1/2 x 1.221 x 400 x 582.18 x 0.70 = 99.52 kN.
+
+    The rest is UFC-Blendermann's, 66.14 + 93.95 kN: 259.6 kN. 22TCN: 329.75 + 108.36 = 438.1 kN.
+    """
+    every = by_method()
+    assert list(every) == ["UFC-Blendermann", "UFC-4-159-03", "22TCN-222-95"]
+    sums = [round(of.horizontal_force / 1e3, 1) for of in every.values()]
+    assert sums == [288.0, 259.6, 438.1]
+    assert every["UFC-4-159-03"].recalled == ("wind along the ship",)
+    assert len(every["22TCN-222-95"].recalled) == 2
+    assert "without its wave load" in every["22TCN-222-95"].warnings[0]
+
+
+def test_ufc_alone_is_left_out_where_the_wind_is_off_the_bow() -> None:
+    askew = Headings(wind=0.5)
+    every = by_method(headings=askew)
+    assert list(every) == ["UFC-Blendermann", "22TCN-222-95"]
+    assert "UFC-4-159-03 alone is not shown" in every["22TCN-222-95"].assumptions[-1]
+    with pytest.raises(InputError, match="wind along the ship only"):
+        loads(method="UFC-4-159-03", headings=askew)
+    assert "UFC-4-159-03" in by_method(headings=Headings(wind=math.pi))
+
+
+def test_an_unknown_method_is_told_with_those_there_are() -> None:
+    with pytest.raises(InputError, match="one of UFC-Blendermann, UFC-4-159-03, 22TCN-222-95"):
+        loads(method="OCIMF")
+
+
+def test_of_several_methods_the_largest_governs_and_says_so() -> None:
+    one = governing_loads(["UFC-Blendermann"], SHIP, *WEATHER, wind_on="tanker loaded")
+    assert one == loads()
+    names = ["UFC-Blendermann", "22TCN-222-95"]
+    two = governing_loads(names, SHIP, *WEATHER, wind_on="tanker loaded")
+    assert two.method == "22TCN-222-95"
+    assert two.assumptions[0] == (
+        "The largest of the methods named: UFC-Blendermann 288.0 kN, 22TCN-222-95 438.1 kN."
+    )
+
+
 # ------------------------------------------------------------------ S3's tanker
 
 
@@ -125,3 +178,5 @@ def test_s3_tanker_does_not_agree_with_its_printed_force() -> None:
     largest = compare_tanker(drift="largest wave")
     assert largest.statement.endswith("86 % above it.")
     assert loaded.loads.recalled == ()
+    by_tcn = compare_tanker(method="22TCN-222-95")
+    assert by_tcn.statement == "438 kN computed agrees with 450 kN printed: 3 % below it."

@@ -48,10 +48,11 @@ def drawn(kind: str, draw: random.Random) -> System:
     )
 
 
+@pytest.mark.parametrize("count", [5, pytest.param(25, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("kind", EA)
-def test_each_rests(kind: str) -> None:
+def test_each_rests(kind: str, count: int) -> None:
     draw = random.Random(7)
-    for index in range(25):
+    for index in range(count):
         system = drawn(kind, draw)
         solution = solve_system(system)
         x, y = system.force

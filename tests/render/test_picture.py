@@ -12,15 +12,15 @@ from matplotlib.transforms import Bbox
 
 from catopt.figures.chart import Chart, legend
 from catopt.render.picture import DPI, WIDTH, image, picture, pictures
-from tests.figures.kinds import LONG, every_chart
+from tests.figures.kinds import KINDS, LONG, made
 
 _ROUNDING = 1e-12
 """Relative: a change of unit."""
 
 
-@pytest.fixture(params=list(every_chart()))
+@pytest.fixture(params=KINDS)
 def chart(request: pytest.FixtureRequest) -> Chart:
-    return every_chart()[str(request.param)]
+    return made(request.param)
 
 
 def frame_of(figure: Figure) -> Any:
@@ -88,7 +88,7 @@ def test_what_is_said_is_in_the_picture_in_both_languages(chart: Chart) -> None:
 
 
 def test_a_picture_is_the_same_bytes_each_time() -> None:
-    charts = [every_chart()[name] for name in ("plan", "restoring")]
+    charts = [made(name) for name in ("plan", "restoring")]
     first, second = (pictures("a", charts, "$T$", columns=2) for _ in range(2))
     assert first == second
     assert list(first) == ["a.png", "a.svg"]
@@ -101,5 +101,5 @@ def test_no_global_state_is_left_behind() -> None:
     import matplotlib as mpl
 
     before = dict(mpl.rcParams)
-    image(picture(every_chart()["tension"]), "svg")
+    image(picture(made("tension")), "svg")
     assert dict(mpl.rcParams) == before

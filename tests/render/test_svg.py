@@ -11,13 +11,13 @@ from catopt.quantities import QUANTITIES
 from catopt.render.looks import COLOURS, LOOKS, stylesheet
 from catopt.render.svg import WIDTH, Figure, Shape, breadth, svg
 from catopt.render.ticks import tick_words, ticks
-from tests.figures.kinds import every_chart
+from tests.figures.kinds import KINDS, made
 
 ROUNDED = 0.02
 """Coordinates are written to a hundredth of a unit; a difference of two is off by two halves."""
 
 
-@pytest.fixture(params=list(every_chart()))
+@pytest.fixture(params=KINDS)
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
@@ -34,7 +34,7 @@ def places(shape: Shape) -> list[tuple[float, float]]:
 
 
 def test_lines_are_where_the_frame_has_their_values(name: str) -> None:
-    chart = every_chart()[name]
+    chart = made(name)
     figure = svg(chart)
     (frame,) = of_role(figure, "frame")
     left, top, wide, tall = (
@@ -56,7 +56,7 @@ def test_lines_are_where_the_frame_has_their_values(name: str) -> None:
 
 def test_points_and_words_are_on_the_paper(name: str) -> None:
     """In the widest letters."""
-    figure = svg(every_chart()[name], "vi")
+    figure = svg(made(name), "vi")
     for point in figure.points:
         assert 0.0 <= point.x <= WIDTH
         assert 0.0 <= point.y <= figure.height
@@ -72,7 +72,7 @@ def test_points_and_words_are_on_the_paper(name: str) -> None:
 
 
 def test_words_are_in_the_language_that_is_asked_for(name: str) -> None:
-    chart = every_chart()[name]
+    chart = made(name)
     english, vietnamese = svg(chart), svg(chart, "vi")
     assert english.title != vietnamese.title
     assert len(english.shapes) == len(vietnamese.shapes)
@@ -81,7 +81,7 @@ def test_words_are_in_the_language_that_is_asked_for(name: str) -> None:
 
 
 def test_the_values_along_an_axis_are_where_they_say() -> None:
-    figure = svg(every_chart()["tension"])
+    figure = svg(made("tension"))
     (curve,) = of_role(figure, "first")
     labels = [
         (float(shape.text), float(dict(shape.attributes)["y"]) - 5.0)
@@ -89,7 +89,7 @@ def test_the_values_along_an_axis_are_where_they_say() -> None:
         if dict(shape.attributes)["text-anchor"] == "end"
     ]
     (low, low_y), *_, (high, high_y) = labels
-    series = every_chart()["tension"].series[0]
+    series = made("tension").series[0]
     for (_, y), tension in zip(places(curve), series.y, strict=True):
         value = low + (high - low) * (low_y - y) / (low_y - high_y)
         assert value == pytest.approx(tension / 1e3, abs=1e-3 * high)

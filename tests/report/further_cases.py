@@ -114,7 +114,7 @@ spectrum = "jonswap"
 height = "2 m"
 period = "7 s"
 direction = "180 deg"
-components = 60
+components = 20
 seed = 11
 [current]
 profile = "table"
@@ -126,7 +126,7 @@ rao_file = "rao.csv"
 duration = "150 s"
 ramp = "15 s"
 runs = 2
-elements = 24
+elements = 12
 """
 """Two load cases in two seas each, led by a ship."""
 

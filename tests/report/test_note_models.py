@@ -411,7 +411,7 @@ def test_the_model_with_drag_and_added_mass_on_their_diameters() -> None:
         assert row[8].value == 1.0
     model = {row[0].text: row[1].value for row in page.table("motion_model").rows}
     run = moved("random").found.parts[0].runs[0]
-    assert model["Bars of the line"] == 24
+    assert model["Bars of the line"] == 12
     assert model["Ramp, over which motion and waves grow"] == 15.0
     assert model["Statistics begin at"] == run.history.since == 15.0
     assert model["Time step"] == run.history.step

@@ -15,6 +15,9 @@ from catopt.reproduce.fso_rang_dong_dynamic import SeaSpectrum, run, synthetic_f
 SPECTRA: tuple[SeaSpectrum, ...] = get_args(SeaSpectrum)
 MEAN, SAMPLE = -4281e3, -9824e3
 
+in_full = pytest.mark.slow
+"""Needs the runs of the study: four times 20 minutes of nine lines."""
+
 
 @pytest.fixture(scope="module")
 def study() -> Study:
@@ -67,6 +70,7 @@ def test_the_force_is_the_same_every_time() -> None:
     assert np.array_equal(first.rows, second.rows)
 
 
+@in_full
 def test_no_printed_number_is_judged(study: Study) -> None:
     assert len(study.items) == 30
     for item in study.items:
@@ -76,6 +80,7 @@ def test_no_printed_number_is_judged(study: Study) -> None:
         assert item.note == "inputs missing: the load series FT(t) is a lost figure"
 
 
+@in_full
 def test_the_light_turret_follows_the_force_nearly_as_at_rest() -> None:
     """S4's model at rest under the largest force, within 10 %: what the body's inertia adds."""
     at_rest = as_run(force=SAMPLE)
@@ -87,6 +92,7 @@ def test_the_light_turret_follows_the_force_nearly_as_at_rest() -> None:
         assert found.offset == pytest.approx(-at_rest.position[0], abs=0.02)
 
 
+@in_full
 @pytest.mark.parametrize("of", SPECTRA)
 def test_the_mooring_is_symmetric_and_so_is_the_answer(of: SeaSpectrum) -> None:
     """Lines 1 and 3, 4 and 9, 5 and 8, 6 and 7 mirror each other in the direction of the force.
@@ -98,6 +104,7 @@ def test_the_mooring_is_symmetric_and_so_is_the_answer(of: SeaSpectrum) -> None:
         assert tension[k] == pytest.approx(tension[other], rel=1e-3)
 
 
+@in_full
 def test_a_bed_that_only_pushes_lets_the_turret_out() -> None:
     """At rest under the mean force alone it is 21.738 m out there."""
     for of in SPECTRA:
@@ -105,6 +112,7 @@ def test_a_bed_that_only_pushes_lets_the_turret_out() -> None:
         assert run(of).offset < 7.0
 
 
+@in_full
 def test_the_tables_show_prints_in_full_and_ours_with_two_digits(study: Study) -> None:
     beside, beds = study.side_by_side
     assert "orders of magnitude, not a reproduction" in beside.title
@@ -118,6 +126,7 @@ def test_the_tables_show_prints_in_full_and_ours_with_two_digits(study: Study) -
             assert len(cell.replace(",", "").replace(".", "").rstrip("0")) <= 2
 
 
+@in_full
 def test_it_is_said_that_the_force_is_synthetic_and_what_follows(study: Study) -> None:
     told = " ".join(study.findings)
     for words in (
@@ -132,6 +141,7 @@ def test_it_is_said_that_the_force_is_synthetic_and_what_follows(study: Study) -
     assert "under a synthetic force" in page.splitlines()[6]
 
 
+@in_full
 def test_the_printed_maxima_against_the_static_model(study: Study) -> None:
     """What the finding says of 12,085 kN, from the model at rest: the printed 5,125 kN."""
     at_rest = as_run(force=-12085e3)

@@ -24,6 +24,7 @@ NAMES = (
     "tanker_20m_sinker",
     "load_sharing",
     "fso_rang_dong",
+    "fso_rang_dong_loads",
     "fso_rang_dong_dynamic",
 )
 WITHOUT_SWARM = NAMES[1:]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 import typer.main
@@ -16,7 +16,8 @@ from catopt.casefile.sizing_file import Moored
 from catopt.cli.size import size as size_commands
 from catopt.cli.size_options import as_option, by_option, typed
 from catopt.errors import InputError
-from catopt.loads import WaterLevels
+from catopt.loads import METHODS, WaterLevels
+from catopt.loads.ship_dimensions import ShipKind
 from catopt.loads.sinker import DENSITIES
 from catopt.sizing import Environment, LineChoice, SinkerGround, TankerRequest
 from catopt.sizing.file import read_file, read_sizing
@@ -207,7 +208,12 @@ def test_example_default_and_words_are_right(each: Input) -> None:
 
 def test_one_of_several_words_is_one_of_the_model() -> None:
     words = {each.name: each.words for each in INPUTS if each.words}
-    assert words == {"prefer": PREFERENCES, "sinker": tuple(DENSITIES)}
+    assert words == {
+        "ship": get_args(ShipKind),
+        "prefer": PREFERENCES,
+        "sinker": tuple(DENSITIES),
+        "load_method": METHODS,
+    }
 
 
 def test_what_requests_take_is_what_the_table_says() -> None:

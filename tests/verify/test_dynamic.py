@@ -118,6 +118,7 @@ def test_a_model_test_has_its_measured_maximum() -> None:
     assert model_test(3.5).of("fairlead_tension").maximum == pytest.approx(51.4, rel=0.03)
 
 
+@pytest.mark.slow  # two models of 33 m of chain, snapping
 def test_a_model_test_goes_slack_in_every_cycle_as_measured() -> None:
     history = model_test(1.25).runs[0].history
     tension = history.fairlead_tension[history.counted, 0]
@@ -444,7 +445,7 @@ def test_what_was_computed_is_kept_when_it_is_stopped() -> None:
 
     def stop(done: int, total: int) -> None:
         reached.append(done / total)
-        if done / total > 0.4:  # in the first third of the second
+        if done / total > 0.35:  # in the first seventh of the second
             raise KeyboardInterrupt
 
     found = verify_dynamic(case, progress=stop)

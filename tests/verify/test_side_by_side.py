@@ -10,7 +10,6 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
-from functools import cache
 from multiprocessing.synchronize import SemLock
 from pathlib import Path
 
@@ -21,15 +20,12 @@ from catopt.errors import CatoptError, InputError, NoEquilibriumError, NotConver
 from catopt.model import Case, Motion, WaveState
 from catopt.verify import dynamic
 from catopt.verify.dynamic import verify_dynamic
-from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.motion_words import stopped_sentence
-from catopt.verify.side_by_side import Progress, side_by_side
+from catopt.verify.side_by_side import side_by_side
 
+from . import tasks
+from .tasks import ends, fails, has_nothing_yet, refuses, says_it_is_through, silent
 from .test_dynamic import EXAMPLE, chain
-
-
-def silent(*_: object) -> None:
-    """Tell nothing."""
 
 
 def sea(runs: int, duration: float = 20.0) -> Case:
@@ -39,25 +35,19 @@ def sea(runs: int, duration: float = 20.0) -> Case:
     )
 
 
-@cache
-def ran(workers: int) -> DynamicVerification:
-    return verify_dynamic(sea(3), workers=workers)
-
-
 def test_the_digits_are_those_of_one_after_the_other() -> None:
-    alone, together = (ran(workers).parts[0] for workers in (1, 2))
+    told: list[float] = []
+    first = verify_dynamic(sea(3))
+    second = verify_dynamic(sea(3), workers=2, progress=lambda at, end: told.append(at / end))
+    alone, together = first.parts[0], second.parts[0]
     assert [run.number for run in together.runs] == [0, 1, 2]
     for one, other in zip(alone.runs, together.runs, strict=True):
         assert np.array_equal(one.history.fairlead_tension, other.history.fairlead_tension)
         assert np.array_equal(one.history.max_tension, other.history.max_tension)
         # The proof at half the step goes along.
         assert one.again == other.again != ()
-    assert ran(1).to_dict() == ran(2).to_dict()
-
-
-def test_progress_is_of_all_runs_together() -> None:
-    told: list[float] = []
-    verify_dynamic(sea(4), proof="none", workers=2, progress=lambda at, end: told.append(at / end))
+    assert first.to_dict() == second.to_dict()
+    # Progress is of all runs together.
     assert told == sorted(told)
     assert told[-1] == 1.0
 
@@ -109,43 +99,13 @@ def stop_at_once(*_: int) -> None:
     raise KeyboardInterrupt
 
 
-def says_it_is_through(number: int, tell: Progress) -> int:
-    time.sleep(1.0)
-    tell(1, 1)
-    return number
-
-
 def test_a_run_that_has_nothing_when_it_is_stopped_is_left_out() -> None:
     assert side_by_side(has_nothing_yet, 2, 2, stop_at_once) == []
-
-
-def has_nothing_yet(_: int, tell: Progress) -> int:
-    while True:
-        tell(0, 1)
-        time.sleep(0.05)
-
-
-def fails(number: int, tell: Progress) -> int:
-    tell(0, 1)
-    if number == 1:
-        raise NotConvergedError("the step at t = 3 s did not close")
-    return number
-
-
-def ends(number: int, tell: Progress) -> int:
-    tell(number, 2)
-    os._exit(3)
 
 
 def test_an_error_of_a_run_is_that_of_all() -> None:
     with pytest.raises(NotConvergedError, match="t = 3 s"):
         side_by_side(fails, 3, 2, silent)
-
-
-def refuses(number: int, tell: Progress) -> int:
-    tell(number, 1)
-    dynamic.verify_dynamic(sea(1), workers=0)
-    return number
 
 
 def test_every_problem_of_an_input_comes_through() -> None:
@@ -162,7 +122,7 @@ def test_nothing_shared_outlives_an_error(task: str) -> None:
     gc.disable()
     try:
         with pytest.raises(CatoptError):
-            side_by_side(globals()[task], 2, 2, silent)
+            side_by_side(getattr(tasks, task), 2, 2, silent)
         assert not [each for each in gc.get_objects() if issubclass(type(each), SemLock)]
     finally:
         gc.enable()
@@ -236,20 +196,11 @@ def test_ctrl_c_ends_all_in_order(tmp_path: Path) -> None:
     assert "Line in motion" in out
 
 
-def writes_on(number: int, tell: Progress) -> int:
-    """Say that it lives, in a file, until it is stopped."""
-    path = Path(os.environ["CATOPT_TEST_ALIVE"])
-    while True:
-        (path / str(number)).write_text(f"{os.getpid()}", encoding="utf-8")
-        tell(0, 1)
-        time.sleep(0.05)
-
-
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks in /proc")
 def test_runs_end_with_the_process_that_started_them(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(
-        "from tests.verify.test_side_by_side import silent, writes_on\n"
+        "from tests.verify.tasks import silent, writes_on\n"
         "from catopt.verify.side_by_side import side_by_side\n"
         "side_by_side(writes_on, 2, 2, silent)\n",
         encoding="utf-8",

@@ -1,0 +1,43 @@
+"""Where wind, current and waves come from, as a ship sees them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Final
+
+from catopt.model.validity import Findings
+
+__all__ = ["HEAD_ON", "Headings"]
+
+_ALONG: Final = 1e-9
+
+
+@dataclass(frozen=True)
+class Headings:
+    """Angles from the bow to where wind, current and waves come from, rad: 0 from ahead.
+
+    Attributes
+    ----------
+    wind, current, waves : float
+        From -pi to pi; positive to one side, negative to the other.
+    """
+
+    wind: float = 0.0
+    current: float = 0.0
+    waves: float = 0.0
+
+    def __post_init__(self) -> None:
+        found = Findings("Headings")
+        for key in ("wind", "current", "waves"):
+            found.number(key, getattr(self, key), "rad", at_least=-math.pi, at_most=math.pi)
+        found.raise_if_any()
+
+    @property
+    def head_on(self) -> bool:
+        """Whether everything comes from ahead."""
+        return max(abs(self.wind), abs(self.current), abs(self.waves)) < _ALONG
+
+
+HEAD_ON: Final = Headings()
+"""The collinear case of a weathervaning ship."""

@@ -1,0 +1,78 @@
+"""Dimensions of a ship from its deadweight: the table, its fits and another register."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from catopt.errors import InputError
+from catopt.loads.ship_dimensions import ship_dimensions
+
+FITS = {
+    "tanker": {
+        "length": (10.38, 0.2785, 0.07),
+        "breadth": (0.779, 0.3478, 0.04),
+        "moulded_depth": (0.749, 0.2843, 0.03),
+        "draught": (0.669, 0.2713, 0.04),
+    },
+    "bulk carrier": {
+        "length": (8.75, 0.2932, 0.04),
+        "breadth": (0.910, 0.3264, 0.04),
+        "moulded_depth": (0.664, 0.2982, 0.04),
+        "draught": (0.415, 0.3134, 0.04),
+    },
+    "general cargo": {
+        "length": (6.69, 0.3243, 0.02),
+        "breadth": (1.175, 0.3067, 0.02),
+        "moulded_depth": (0.440, 0.3495, 0.02),
+        "draught": (0.390, 0.3275, 0.02),
+    },
+}
+"""a DWT^b and the largest error that is stated of it (engineering facts, second sheet, 3)."""
+
+ROUNDED = 0.006
+"""Beside that: the errors are whole per cent, and 0.1 m of a draught of 8 m is another."""
+
+RANGES = {"tanker": (3e3, 300e3), "bulk carrier": (10e3, 300e3), "general cargo": (5e3, 40e3)}
+
+
+@pytest.mark.parametrize("kind", FITS)
+def test_every_deadweight_is_near_the_fit_of_the_same_source(kind: str) -> None:
+    first, last = RANGES[kind]
+    for step in range(61):
+        tonnes = first * (last / first) ** (step / 60)
+        found = ship_dimensions(kind, tonnes * 1e3)
+        for name, (a, b, error) in FITS[kind].items():
+            assert getattr(found, name) == pytest.approx(a * tonnes**b, rel=error + ROUNDED)
+
+
+@pytest.mark.parametrize(
+    ("kind", "a", "b"), [("tanker", 1621.4, 0.0165), ("bulk carrier", 2040.7, 0.0156)]
+)
+@pytest.mark.parametrize("tonnes", [20e3, 45e3, 100e3, 300e3])
+def test_lengths_agree_with_another_register(kind: str, a: float, b: float, tonnes: float) -> None:
+    """Danish Maritime Authority: DWT = a exp(b LOA); within 15 % from 20,000 t, as stated."""
+    length = math.log(tonnes / a) / b
+    assert ship_dimensions(kind, tonnes * 1e3).length == pytest.approx(length, rel=0.15)
+
+
+def test_a_row_of_the_table_is_met_and_halfway_is_the_geometric_mean() -> None:
+    """Tankers of 10,000 and 20,000 t: 145 and 174 m, 19.0 and 24.5 m; 14,142 t lies between."""
+    assert ship_dimensions("tanker", 50e6) == (210.0, 32.2, 16.4, 12.6)
+    between = ship_dimensions("tanker", 1e7 * math.sqrt(2.0))
+    assert between.length == pytest.approx(math.sqrt(145.0 * 174.0), rel=1e-12)  # 158.84 m
+    assert between.breadth == pytest.approx(math.sqrt(19.0 * 24.5), rel=1e-12)  # 21.58 m
+
+
+@pytest.mark.parametrize(
+    ("kind", "tonnes", "allowed"),
+    [
+        ("tanker", 2999.0, "from 3000 to 300000 t"),
+        ("general cargo", 50e3, "from 5000 to 40000 t"),
+        ("ferry", 5e3, "one of tanker, bulk carrier, general cargo"),
+    ],
+)
+def test_nothing_is_estimated_beyond_the_table(kind: str, tonnes: float, allowed: str) -> None:
+    with pytest.raises(InputError, match=allowed):
+        ship_dimensions(kind, tonnes * 1e3)
