@@ -188,11 +188,11 @@ def _yes(passes: bool, yes: str, no: str) -> Message:
     return Message(f"answers.{yes if passes else no}")
 
 
-def _where(result: CheckResult) -> Message:
+def _where(result: CheckResult) -> str:
     """Say of which line a check is, or that it is of the body, and in which state."""
-    line = result.place.line
-    what = Message("checks.body") if line is None else Message("checks.line_number", number=line)
-    return Message("checks.of_line", line=what, name=result.load_case)
+    if result.place.line is not None:
+        return result.where
+    return Message("checks.of_line", line=Message("checks.body"), name=result.load_case)
 
 
 def _short(result: CheckResult) -> str:
@@ -362,8 +362,10 @@ def governing_sentence(report: CheckReport) -> str:
     return Message("checks.governing_of_body", **(values | {"load_case": _where(found)}))
 
 
-def _used(result: CheckResult) -> Message:
+def _used(result: CheckResult) -> str:
     """Say how far a check is used; its demand beside its capacity where that is no ratio."""
+    if result.kind == "equilibrium":
+        return result.note
     if result.utilisation is not None:
         return Message("checks.utilisation", used=result.utilisation)
     key = QUANTITY_OF[result.kind].key

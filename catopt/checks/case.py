@@ -10,7 +10,14 @@ from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import criteria_of
 from catopt.checks.evaluation import evaluate
-from catopt.checks.remarks import IN_LOAD_CASE, Lifted, in_load_case, of_criteria, of_uplift
+from catopt.checks.remarks import (
+    IN_LOAD_CASE,
+    Lifted,
+    in_load_case,
+    of_criteria,
+    of_other_states,
+    of_uplift,
+)
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Anchor, Case, Line, Load
@@ -87,6 +94,7 @@ def check_case(case: Case) -> CheckReport:
         solutions=tuple(solutions),
         warnings=(
             *of_criteria(criteria, case.line, strengths),
+            *of_other_states(criteria),
             *of_uplift(lifted, criteria, case.anchor),
             *_warned(solutions),
         ),

@@ -13,9 +13,17 @@ from catopt.checks.strength import Strength
 from catopt.model import Anchor, Line
 from catopt.model.load_case import LoadCaseKind
 from catopt.ties import largest
-from catopt.words import Measure, Message
+from catopt.words import Listed, Measure, Message
 
-__all__ = ["IN_LOAD_CASE", "NO_CHECK", "Lifted", "in_load_case", "of_criteria", "of_uplift"]
+__all__ = [
+    "IN_LOAD_CASE",
+    "NO_CHECK",
+    "Lifted",
+    "in_load_case",
+    "of_criteria",
+    "of_other_states",
+    "of_uplift",
+]
 
 NO_CHECK: Final = "checks.none"
 """Key of the warning that nothing is checked."""
@@ -44,6 +52,14 @@ def of_criteria(criteria: Criteria, line: Line, strengths: Sequence[Strength]) -
         if criteria.all and not covered:
             words = segment_words(line.segments[index], index)
             yield Message("checks.no_strength_criterion", segment=words)
+
+
+def of_other_states(criteria: Criteria) -> Iterator[Message]:
+    """Say which codes are for one line out, too: a line by itself is not judged by that."""
+    damaged = (each for each in criteria.all if each.states == ("one_line_out",))
+    codes = dict.fromkeys(each.source.code for each in damaged)
+    if codes:
+        yield Message("checks.line_by_itself", codes=Listed(codes, "and"))
 
 
 class Lifted(NamedTuple):

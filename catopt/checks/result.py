@@ -97,7 +97,16 @@ class CheckResult:
     @property
     def in_case(self) -> Message:
         """Its name with that of the load case: ``"tension, segment 1 (storm)"``."""
-        return Message("checks.in_case", check=self.name, load_case=self.load_case)
+        return Message("checks.in_case", check=self.name, load_case=self.where)
+
+    @property
+    def where(self) -> str:
+        """Its load case; of a line of a body its number and the state: ``"line 2, intact"``."""
+        number = self.place.line
+        if number is None:
+            return self.load_case
+        line = Message("checks.line_number", number=number)
+        return Message("checks.of_line", line=line, name=self.load_case)
 
     @property
     def passes(self) -> bool:

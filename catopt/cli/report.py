@@ -231,7 +231,7 @@ def _document(
         "load_case": "" if line is None else line.load_case,
         "sections": sections,
         "passes": checks.passes if checks.results else None,
-        "governing": "" if governing is None else f"{governing.name} ({governing.load_case})",
+        "governing": "" if governing is None else governing.in_case,
         "verification": _verification(of),
         "swarm": None if line is None else swarm_document(line),
         "motion": motion_document(of),

@@ -26,7 +26,7 @@ from .tables import tables_of
 @pytest.fixture
 def report() -> CheckReport:
     """Check the buoy of S1: T = 4.377 kN and 230 kN / 5 = 46 kN; lifted off its bed."""
-    checks = Checks(5.0, max_anchor_uplift_angle=0.0, max_offset=20.0)
+    checks = Checks(5.0, max_anchor_uplift_angle=0.0, max_span=20.0)
     return check_case(buoy_case(checks=checks))
 
 

@@ -181,6 +181,8 @@ def test_recalled_profiles_are_off_unless_allowed_and_marked_where_they_are() ->
     assert result.utilisation == pytest.approx(0.5, rel=CLOSE)
     assert report.warnings == (
         "ISO-19901-7: recalled, read in no document: its line factors equal those of API RP 2SK",
+        "ISO-19901-7: what is for one line out is not judged on a line by itself; give all lines "
+        "as [system]",
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import pytest
 
 import catopt
 
-from .conftest import Run, without_digest
+from .conftest import CASES, Run, without_digest
 from .test_json import document_of
 from .test_out import column, names, rows
 
@@ -155,3 +156,61 @@ def test_a_file_in_the_way_is_2(run: Run, case: Path) -> None:
     ran = run("check", case, "--out", case)
     assert (ran.status, ran.out) == (2, "")
     assert "is a file; give a directory" in ran.err
+
+
+# ------------------------------------------------------------------ a body with several lines
+
+
+def test_a_body_is_judged_intact_and_with_every_line_out_by_two_codes(
+    run: Run, tmp_path: Path
+) -> None:
+    """API: 1585.434 * 2.00 / 6140 = 0.516 intact, 2333.375 * 1.43 / 6140 = 0.543 without line 1.
+
+    E301, class 1: 1585.434 * 1.70 / (0.95 * 6140) = 0.462, 2333.375 * 1.10 / (0.95 * 6140) = 0.440.
+    """
+    fso = CASES / "fso-rang-dong" / "case.toml"
+    ran = run("check", fso, "--out", tmp_path / "out")
+    shown = words(ran.out)
+    assert ran.status == 0
+    assert "intact 0.516 0.462 passes" in shown
+    assert "line 1 out 0.543 0.440 passes" in shown
+    assert "line 9 out" in shown
+    # 9 lines and 9 times 8, each of 4 segments, by two codes.
+    assert f"All {(9 + 9 * 8) * 4 * 2} checks pass." in shown
+    assert "line 2, line 1 out: utilisation 0.543 (API RP 2SK (3rd edition, 2005)" in shown
+    with (tmp_path / "out" / "checks.csv").open(encoding="utf-8", newline="") as file:
+        assert len(list(csv.reader(file))) == 1 + 648
+
+
+def test_a_line_that_cannot_be_lost_fails_by_the_code_for_that(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "one.toml"
+    path.write_text(ONE_LEG, encoding="utf-8")
+    for language, said in (("en", "no line is left"), ("vi", "không còn dây nào")):
+        ran = run("check", path, "--strict", "--lang", language)
+        assert (ran.status, said in ran.out) == (3, True)
+    assert json.loads(run("check", path, "--json").out)["checks"][-1]["kind"] == "equilibrium"
+
+
+def test_a_wrong_code_stops_the_equilibrium_of_a_body_too(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "one.toml"
+    path.write_text(ONE_LEG.replace("DNV-OS-E301-2008-CC1", "NONSENSE"), encoding="utf-8")
+    ran = run("system", path)
+    assert (ran.status, ran.out) == (2, "")
+    assert 'checks.codes[0]: found "NONSENSE"' in ran.err
+
+
+ONE_LEG = """
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "60 m"
+submerged_weight = "1 kN/m"
+MBL = "200 kN"
+[system]
+anchor_radius = "40 m"
+azimuths = ["0 deg"]
+force = ["-60 kN", "0 kN"]
+[checks]
+codes = ["DNV-OS-E301-2008-CC1"]
+"""

@@ -124,7 +124,7 @@ def test_what_the_user_writes_is_text_and_nothing_else(text: str) -> None:
 
 
 def test_sections_are_there_only_where_there_is_something_to_show(designed: Note) -> None:
-    shown = set(known_page("buoy-9.5m").sections)
+    shown = set(known_page("buoy-9.5m-slack").sections)
     assert not {"checks", "load_cases", "front", "warnings"} & shown
     every = read_page(page_of(designed)).sections
     assert {"checks", "load_cases", "front", "warnings"} | shown == set(every)
@@ -237,7 +237,7 @@ def test_a_curve_that_cannot_be_is_left_out_and_said(monkeypatch: pytest.MonkeyP
         raise NotConvergedError("it wanders")
 
     monkeypatch.setattr(case_curve, "curve_case", fail)
-    note = read_note(CASES / "buoy-9.5m" / "case.toml")
+    note = read_note(CASES / "ship-200m" / "case.toml")
     assert note.curve is None
     assert note.warnings == ("the load curve is left out: it wanders",)
     assert "curve" not in read_page(page_of(note)).sections
