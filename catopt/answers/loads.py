@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
     Answer,
     Block,
+    Column,
     Section,
     Table,
     Text,
@@ -20,11 +22,12 @@ from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
+    from catopt.loads.weathervane import Lying
 
 __all__ = ["forces_table", "loads_answer", "numbers_table"]
 
 
-def loads_answer(of: Loads, *others: Loads) -> Answer:
+def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> Answer:
     """Lay out the forces on a buoy or a ship, each with its formula, numbers and source.
 
     Parameters
@@ -33,6 +36,8 @@ def loads_answer(of: Loads, *others: Loads) -> Answer:
         What came out.
     *others : Loads
         The same by other methods, which stand in the same tables.
+    lyings : sequence of Lying
+        The cases of which the worst is laid out.
     """
     forces = Message("terms.forces")
     every = (of, *others)
@@ -40,11 +45,47 @@ def loads_answer(of: Loads, *others: Loads) -> Answer:
         "loads",
         of.title,
         (
+            *_headings(lyings),
             Section(forces, (forces_table(*every), _how(every))),
             Section(Message("columns.numbers"), (numbers_table(*every),)),
             Section(Message("terms.notes"), (_notes_table(every), *_notes(every))),
         ),
     )
+
+
+def _headings(lyings: Sequence[Lying]) -> Iterator[Section]:
+    """Tabulate how the ship lies under each set of directions, and mark the worst."""
+    if not lyings:
+        return
+    forces = [each.loads.horizontal_force for each in lyings]
+    worst = max(range(len(forces)), key=forces.__getitem__)
+    directions = [each.directions for each in lyings]
+
+    def angles(name: str, values: Iterable[float]) -> Column:
+        return measured("angle", values, name, symbol="")
+
+    table = Table(
+        "headings",
+        (
+            texts("condition", (term(each.afloat.condition) for each in lyings)),
+            angles("wind_from", (each.wind for each in directions)),
+            angles("current_from", (each.current for each in directions)),
+            angles("waves_from", (each.waves for each in directions)),
+            angles("heading", (each.heading for each in lyings)),
+            measured("horizontal_force", forces, "force", symbol="F"),
+            texts("method", (each.loads.method for each in lyings), priority=1),
+        ),
+        Message("loads.how_it_lies"),
+        marked=worst,
+    )
+    said = Message(
+        "loads.worst",
+        force=forces[worst] / 1e3,
+        condition=term(lyings[worst].afloat.condition),
+        current=math.degrees(directions[worst].current),
+        heading=math.degrees(lyings[worst].heading),
+    )
+    yield Section(Message("terms.headings"), (table, Text(said, only="people")))
 
 
 def forces_table(*by: Loads) -> Table:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from enum import StrEnum
@@ -12,6 +12,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
+from catopt.cli.ship_form import (
+    Form,
+    read_turning,
+    refuse_needless,
+    ships_afloat,
+    turned_round,
+    what_is_taken,
+)
 from catopt.cli.size import is_file
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 from catopt.cli.units_option import in_units
@@ -19,10 +27,9 @@ from catopt.cli.units_option import in_units
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
     from catopt.cli.output import Output
-    from catopt.loads import Loads, SeaState
+    from catopt.loads import Loads, Lying, SeaState
     from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
-from catopt.words import Message
 
 __all__ = ["loads"]
 
@@ -49,7 +56,8 @@ _TAKEN = {
 _WEATHER = ("depth", "wind", "current", "hs", "hmax", "period", "water_density")
 _BUOY = (*_WEATHER, "low_water", "growth", "buoys")
 _SHIP = (
-    *(*_WEATHER, "length", "breadth", "draught", "frontal_area", "lateral_area"),
+    *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
+    *("frontal_area", "lateral_area"),
     *("load_method", "wave_coefficient"),
 )
 
@@ -157,9 +165,13 @@ def ship(
     ] = None,
     *,
     kind: Annotated[
-        str,
-        typer.Option(metavar="KIND", help='Kind for the wind, such as "tanker ballast".'),
-    ] = "tanker loaded",
+        str | None,
+        typer.Option(
+            metavar="KIND",
+            help='Kind for the wind, such as "cargo loaded"; if left out, "tanker loaded", and in '
+            'ballast "tanker ballast".',
+        ),
+    ] = None,
     propeller: Annotated[
         str | None,
         typer.Option(
@@ -173,8 +185,12 @@ def ship(
         measure("--waterline", "LENGTH", "Waterline length; 0.97 of --length when left out."),
     ] = None,
     block: Annotated[
-        float, typer.Option(metavar="NUMBER", help="Block coefficient, for the displacement.")
-    ] = 0.8,
+        float | None,
+        typer.Option(
+            metavar="NUMBER",
+            help="Block coefficient, for the displacement; if left out, 0.80, and in ballast 0.72.",
+        ),
+    ] = None,
     midship: Annotated[
         float, typer.Option(metavar="NUMBER", help="Midship coefficient, for the midship area.")
     ] = 0.98,
@@ -187,6 +203,43 @@ def ship(
     wave_angle: Annotated[
         str, measure("--wave-angle", "ANGLE", "From the bow to where the waves come from.")
     ] = "0 deg",
+    weathervane: Annotated[
+        bool,
+        typer.Option(
+            "--weathervane",
+            help="The ship lies on one point and turns until the moments of wind, current and "
+            "waves cancel: the angles are then counted from any one line, not from the bow.",
+        ),
+    ] = False,
+    mooring_point: Annotated[
+        str | None,
+        measure(
+            "--mooring-point", "LENGTH", "Forward of midships; if left out, half the waterline."
+        ),
+    ] = None,
+    wind_centre: Annotated[
+        str | None,
+        measure(
+            "--wind-centre",
+            "LENGTH",
+            "Centre of the lateral area, forward of midships; if left out, that of the estimated "
+            "area with its deckhouse at the stern, and midships of an area that is given.",
+        ),
+    ] = None,
+    current_yaw: Annotated[
+        str | None,
+        typer.Option(
+            metavar="TYPE",
+            help="Turning of the current by UFC's table 4-10: series-60 (cargo ships, tankers) or "
+            'FFG, both recalled (R), or "a, b" of your edition, b per degree.',
+        ),
+    ] = None,
+    scan: Annotated[
+        str | None,
+        measure(
+            "--scan", "ANGLE", "Step in which the current is turned right round, to find the worst."
+        ),
+    ] = None,
     reflection: Annotated[
         float,
         typer.Option(
@@ -212,75 +265,84 @@ def ship(
     after UFC 4-159-03, mean wave drift of a box that reflects), UFC-4-159-03 alone, 22TCN-222-95.
     The one named, or of several the largest, comes first.
 
-    Without angles the ship is taken for weathervaning, head to everything. Of a file the loaded
-    tanker is taken; what it leaves out of wind, current and waves is 0, and what is given as an
-    option goes before it.
+    Without angles the ship is taken for weathervaning, head to everything. With a ballast draught
+    both conditions are computed, and the worst is shown. What a file leaves out of wind, current
+    and waves is 0, and what is given as an option goes before it.
     """
     from catopt.cli.values import in_si
-    from catopt.loads import METHODS, Headings, Ship, SurfaceCurrent, Wind
+    from catopt.loads import METHODS, Headings, SurfaceCurrent, Wind, every_lying
+    from catopt.ties import largest
     from catopt.units import Dimension
 
-    angles = {
+    given = {
         "--wind-angle": (wind_angle, Dimension.ANGLE),
         "--current-angle": (current_angle, Dimension.ANGLE),
         "--wave-angle": (wave_angle, Dimension.ANGLE),
+        "--waterline": (waterline, Dimension.LENGTH),
+        "--mooring-point": (mooring_point, Dimension.LENGTH),
+        "--wind-centre": (wind_centre, Dimension.LENGTH),
+        "--scan": (scan, Dimension.ANGLE),
+    }
+    needless = {
+        "mooring_point": mooring_point,
+        "wind_centre": wind_centre,
+        "current_yaw": current_yaw,
+        "scan": scan,
     }
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
         make = of.telling.make
         areas = () if file else ("frontal_area", "lateral_area")
         of.want("length", "breadth", "draught", "depth", *areas)
-        own = make(in_si, angles | {"--waterline": (waterline, Dimension.LENGTH)})
+        own = make(in_si, given)
+        make(refuse_needless, {} if weathervane else needless)
+        turning = make(read_turning, current_yaw or "", own) if weathervane else None
         of.telling.raise_if_any()
         assert own is not None
         if file is not None:
             propeller = propeller or "tanker"
-        frontal, lateral, estimated = _areas(of)
-        at_waterline = own.pop("--waterline", 0.97 * of["length"])
-        section = of["breadth"] * of["draught"]
-        body = make(
-            lambda: Ship(
-                Message("loads.ship_of", length=of["length"]),
-                of["length"],
-                at_waterline,
-                of["breadth"],
-                of["draught"],
-                block * at_waterline * section,
-                midship * section,
-                lateral,
-                frontal,
-                propeller,
-            )
+        form = Form(
+            own.get("--waterline", 0.97 * of["length"]),
+            block,
+            midship,
+            kind,
+            propeller,
+            own.get("--wind-centre"),
+        )
+        ships, estimated = ships_afloat(of, form)
+        directions = make(
+            Headings, *(own[f"--{each}-angle"] for each in ("wind", "current", "wave"))
         )
         how = {
-            "wind_on": kind,
             "reflection": reflection,
             "drift": "sea state" if drift is Drift.SEA_STATE else "largest wave",
             "wave_coefficient": of["wave_coefficient"],
             "water_density": of["water_density"],
         }
-        results = make(
-            lambda ship, wind, current, sea, headings: _by_methods(
-                of["load_method"] or METHODS[:1],
-                ship,
-                wind,
-                current,
-                sea,
-                of["depth"],
-                headings=headings,
-                **how,
-            ),
-            body,
+        weather = (
             make(Wind, of["wind"]),
             make(SurfaceCurrent, of["current"]),
             make(_sea, of),
-            make(Headings, *(own[angle] for angle in angles)),
+            of["depth"],
+        )
+        lyings = make(
+            lambda *known: every_lying(
+                ships, *known, methods=of["load_method"] or METHODS[:1], turning=turning, **how
+            ),
+            *weather,
+            make(turned_round, directions, own),
         )
         of.telling.raise_if_any()
-    assert results is not None
-    form = {"length": at_waterline, "block": block, "midship": midship}
-    said = (Message("loads.hull_form", **form), *estimated)
-    told = [replace(each, assumptions=(*each.assumptions, *said)) for each in results]
-    _give(context.obj, *told, lang=lang, as_json=as_json, out=out)
+        assert lyings is not None
+        worst = largest(lyings, lambda each: each.loads.horizontal_force)
+        others = make(lambda: _others(worst, of, how, is_balanced=weathervane))
+        of.telling.raise_if_any()
+    said = (*what_is_taken(form, worst, turning), *estimated)
+    told = [
+        replace(each, assumptions=(*each.assumptions, *said))
+        for each in (worst.loads, *(others or ()))
+    ]
+    shown = lyings if weathervane or len(lyings) > 1 else ()
+    _give(context.obj, *told, lyings=shown, lang=lang, as_json=as_json, out=out)
 
 
 # ------------------------------------------------------------------ parts of the commands
@@ -297,6 +359,11 @@ _OF_SHIPS = {
     "Headings.waves": "wave_angle",
     "reflection": "reflection",
     "method": "load_method",
+    "current_yaw": "current_yaw",
+    "mooring_point": "mooring_point",
+    "wind_centre": "wind_centre",
+    "lateral_centre": "wind_centre",
+    "scan": "scan",
 }
 """Options that a sizing does not have, by what they are called in Python."""
 
@@ -322,21 +389,6 @@ def _known(
         yield file.known(given, spell, defaults=_TAKEN, called=called)
 
 
-def _areas(of: Known) -> tuple[float, float, tuple[str, ...]]:
-    """Return frontal and lateral area; a tanker's are estimated where they are not given."""
-    from catopt.loads.ship_estimate import MOULDED, estimated_tanker, estimates
-
-    frontal, lateral = of["frontal_area"], of["lateral_area"]
-    if frontal is not None and lateral is not None:
-        return frontal, lateral, ()
-    moulded = of["moulded_depth"] or MOULDED * of["draught"]
-    main = (of["length"], of["breadth"], of["draught"])
-    ship = of.telling.make(lambda: estimated_tanker("tanker", *main, moulded_depth=moulded))
-    of.telling.raise_if_any()
-    assert ship is not None
-    return frontal or ship.frontal_area, lateral or ship.lateral_area, estimates()[1:]
-
-
 def _sea(of: Known) -> SeaState:
     """Make the waves; none when no height is given."""
     from catopt.errors import InputError, Problem
@@ -349,32 +401,47 @@ def _sea(of: Known) -> SeaState:
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 
-def _by_methods(named: tuple[str, ...], *on: Any, **how: Any) -> tuple[Loads, ...]:
-    """Compute by every method, the one that is named first; of several, the largest."""
-    from catopt.loads import every_method, governing_loads
+def _others(worst: Lying, of: Known, how: dict[str, Any], *, is_balanced: bool) -> list[Loads]:
+    """Compute the loads by the other methods that apply, for comparison."""
+    from catopt.loads import SurfaceCurrent, Wind, every_method
 
-    governs = governing_loads(named, *on, **how)
-    others = (each for each in every_method(*on, **how) if each.method != governs.method)
-    return (governs, *others)
+    weather = (Wind(of["wind"]), SurfaceCurrent(of["current"]), _sea(of), of["depth"])
+    ship = worst.afloat
+    every = every_method(
+        ship.ship,
+        *weather,
+        wind_on=ship.wind_on,
+        headings=worst.headings,
+        is_balanced=is_balanced,
+        **how,
+    )
+    return [each for each in every if each.method != worst.loads.method]
 
 
 def _give(
-    output: Output, *results: Loads, lang: ReportLanguage, as_json: bool, out: Path | None
+    output: Output,
+    *results: Loads,
+    lyings: Sequence[Lying] = (),
+    lang: ReportLanguage,
+    as_json: bool,
+    out: Path | None,
 ) -> None:
     """Write the files, then print the document or the answer."""
     from catopt.answers.loads import loads_answer
     from catopt.loads.document import loads_document
     from catopt.render.terminal import show
 
-    answer = loads_answer(*results)
+    answer = loads_answer(*results, lyings=lyings)
     if out is not None:
         from catopt.render.files import files_of
         from catopt.report.files import check_directory, write_files
 
         check_directory(out)
-        written = write_files(out, files_of(answer, loads_document(*results), lang.value))
+        written = write_files(
+            out, files_of(answer, loads_document(*results, lyings=lyings), lang.value)
+        )
         output.note(f"{len(written)} files written to {out}")
     if as_json:
-        output.json(loads_document(*results))
+        output.json(loads_document(*results, lyings=lyings))
     else:
         show(output, answer, lang.value)

@@ -24,11 +24,23 @@ from catopt.loads.sinker import SinkerSize, size_sinker
 from catopt.loads.source import LoadSource
 from catopt.loads.tanker_20m import TankerComparison, compare_tanker
 from catopt.loads.ufc_wind import UfcWind
+from catopt.loads.weathervane import (
+    YAW_TYPES,
+    Afloat,
+    CurrentYaw,
+    Lying,
+    Turning,
+    equilibrium_headings,
+    every_lying,
+)
 
 __all__ = [
     "HEAD_ON",
     "METHODS",
+    "YAW_TYPES",
+    "Afloat",
     "BuoyShape",
+    "CurrentYaw",
     "DragAnchorSize",
     "Floating",
     "Headings",
@@ -36,12 +48,14 @@ __all__ = [
     "LoadComponent",
     "LoadSource",
     "Loads",
+    "Lying",
     "Number",
     "SeaState",
     "Ship",
     "SinkerSize",
     "SurfaceCurrent",
     "TankerComparison",
+    "Turning",
     "UfcWind",
     "WaterLevels",
     "Wind",
@@ -49,7 +63,9 @@ __all__ = [
     "buoy_loads",
     "buoys",
     "compare_tanker",
+    "equilibrium_headings",
     "estimated_tanker",
+    "every_lying",
     "every_method",
     "governing_loads",
     "holding_capacity",

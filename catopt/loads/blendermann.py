@@ -14,7 +14,7 @@ from catopt.loads.source import BLENDERMANN, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Message, term
 
-__all__ = ["TYPES", "WindType", "blendermann_loads", "coefficients"]
+__all__ = ["TYPES", "WindType", "blendermann_loads", "coefficients", "pressure_centre", "wind_type"]
 
 
 @dataclass(frozen=True)
@@ -87,6 +87,44 @@ def coefficients(kind: WindType, angle: float, frontal_over_lateral: float) -> t
     return -along * math.cos(angle) / divisor, kind.transverse * math.sin(angle) / divisor
 
 
+def pressure_centre(angle: float, length: float, lateral_centre: float) -> float:
+    """Return where the wind across the ship acts, m forward of midships: Loa CN/CY.
+
+    CN = (sL/Loa - 0.18 (gamma - 90 deg)) CY with gamma in rad: 0.28 Loa forward of the centre of
+    the lateral area in a head wind, at that centre on the beam.
+
+    Parameters
+    ----------
+    angle : float
+        gamma, from the bow to where the wind comes from, rad; either side.
+    length : float
+        Loa, m.
+    lateral_centre : float
+        sL, of the lateral area, m forward of midships.
+    """
+    return lateral_centre - 0.18 * (abs(angle) - 0.5 * math.pi) * length
+
+
+def wind_type(kind: str) -> WindType:
+    """Look a kind of ship up.
+
+    Parameters
+    ----------
+    kind : str
+        A key of `TYPES`.
+
+    Raises
+    ------
+    InputError
+        For an unknown kind.
+    """
+    if kind not in TYPES:
+        found = Findings("wind after Blendermann")
+        found.add("kind", repr(kind), "one of " + ", ".join(TYPES))
+        found.raise_if_any()
+    return TYPES[kind]
+
+
 def blendermann_loads(
     ship: Ship, wind: Wind, kind: str, *, angle: float, air_density: float
 ) -> tuple[LoadComponent, LoadComponent]:
@@ -110,11 +148,7 @@ def blendermann_loads(
     InputError
         For an unknown kind.
     """
-    if kind not in TYPES:
-        found = Findings("wind after Blendermann")
-        found.add("kind", repr(kind), "one of " + ", ".join(TYPES))
-        found.raise_if_any()
-    cx, cy = coefficients(TYPES[kind], angle, ship.frontal_area / ship.lateral_area)
+    cx, cy = coefficients(wind_type(kind), angle, ship.frontal_area / ship.lateral_area)
     note = Message("loads.wind_note", kind=term(kind), angle=math.degrees(angle))
     air = (air_density, wind.speed)
     frontal = Number("AF", ship.frontal_area, "m2", Message("loads.frontal_area"))

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from catopt.loads.component import LoadComponent, Loads
+
+if TYPE_CHECKING:
+    from catopt.loads.weathervane import Lying
 
 __all__ = ["SCHEMA", "loads_document"]
 
 SCHEMA = "catopt.loads/1"
 
 
-def loads_document(of: Loads, *others: Loads) -> dict[str, Any]:
+def loads_document(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> dict[str, Any]:
     """Lay loads out for JSON, in SI.
 
     Parameters
@@ -20,8 +24,10 @@ def loads_document(of: Loads, *others: Loads) -> dict[str, Any]:
         On a buoy or a ship.
     *others : Loads
         By other methods, for comparison.
+    lyings : sequence of Lying
+        The cases of which the worst is laid out.
     """
-    return {
+    document = {
         "schema": SCHEMA,
         "title": of.title,
         "horizontal_force_N": of.horizontal_force,
@@ -34,6 +40,19 @@ def loads_document(of: Loads, *others: Loads) -> dict[str, Any]:
         "warnings": list(of.warnings),
         "method": of.method,
         "others": [loads_document(each) for each in others],
+    }
+    return document | ({"headings": [_lying(each) for each in lyings]} if lyings else {})
+
+
+def _lying(of: Lying) -> dict[str, Any]:
+    return {
+        "condition": of.afloat.condition,
+        "wind_from_rad": of.directions.wind,
+        "current_from_rad": of.directions.current,
+        "waves_from_rad": of.directions.waves,
+        "heading_rad": of.heading,
+        "horizontal_force_N": of.loads.horizontal_force,
+        "method": of.loads.method,
     }
 
 

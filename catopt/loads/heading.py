@@ -33,10 +33,32 @@ class Headings:
             found.number(key, getattr(self, key), "rad", at_least=-math.pi, at_most=math.pi)
         found.raise_if_any()
 
+    def seen_at(self, heading: float) -> Headings:
+        """Turn directions that are counted from any one line into angles from a bow.
+
+        Parameters
+        ----------
+        heading : float
+            Of the bow, counted from the same line, rad.
+
+        Examples
+        --------
+        >>> Headings(wind=0.0, current=0.5).seen_at(0.2).current
+        0.3
+        """
+        return Headings(
+            *(_wrapped(each - heading) for each in (self.wind, self.current, self.waves))
+        )
+
     @property
     def head_on(self) -> bool:
         """Whether everything comes from ahead."""
         return max(abs(self.wind), abs(self.current), abs(self.waves)) < _ALONG
+
+
+def _wrapped(angle: float) -> float:
+    """Bring an angle between -pi and pi."""
+    return math.remainder(angle, 2.0 * math.pi)
 
 
 HEAD_ON: Final = Headings()

@@ -41,6 +41,8 @@ class Ship:
     propeller : str or None
         Kind for the propeller's area, a key of `PROPELLER_AREA_RATIOS`; None: no propeller, or one
         that is not locked.
+    lateral_centre : float
+        Of the lateral area above water, m forward of midships.
     """
 
     name: str
@@ -53,6 +55,7 @@ class Ship:
     lateral_area: float
     frontal_area: float
     propeller: str | None = None
+    lateral_centre: float = 0.0
 
     def __post_init__(self) -> None:
         found = Findings(f"ship {self.name}".rstrip())
@@ -63,6 +66,8 @@ class Ship:
         found.number("displacement", self.displacement, "m3", above=0.0)
         for key in ("midship_area", "lateral_area", "frontal_area"):
             found.number(key, getattr(self, key), "m2", above=0.0)
+        half = 0.5 * self.length_overall
+        found.number("lateral_centre", self.lateral_centre, "m", at_least=-half, at_most=half)
         if self.propeller is not None and self.propeller not in PROPELLER_AREA_RATIOS:
             found.add(
                 "propeller", repr(self.propeller), "one of " + ", ".join(PROPELLER_AREA_RATIOS)

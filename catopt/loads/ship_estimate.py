@@ -51,6 +51,7 @@ def estimated_tanker(
     frontal_area: float | None = None,
     lateral_area: float | None = None,
     propeller: str = "tanker",
+    lateral_centre: float = 0.0,
 ) -> Ship:
     """Make a tanker out of its main dimensions.
 
@@ -68,6 +69,9 @@ def estimated_tanker(
         Above water, m2; estimated when left out.
     propeller : str
         As of `Ship`.
+    lateral_centre : float
+        Of a lateral area that is given, m forward of midships; that of the estimated one follows
+        from a deckhouse at the stern.
 
     Raises
     ------
@@ -92,7 +96,9 @@ def estimated_tanker(
     waterline = WATERLINE * length
     section = breadth * draught
     frontal = breadth * (freeboard + HOUSE_HEIGHT)
-    lateral = length * freeboard + HOUSE_HEIGHT * HOUSE_LENGTH
+    house = HOUSE_HEIGHT * HOUSE_LENGTH
+    lateral = length * freeboard + house
+    house_lever = -house * 0.5 * (length - HOUSE_LENGTH) / lateral
     return Ship(
         name,
         length_overall=length,
@@ -104,4 +110,5 @@ def estimated_tanker(
         lateral_area=lateral if lateral_area is None else lateral_area,
         frontal_area=frontal if frontal_area is None else frontal_area,
         propeller=propeller,
+        lateral_centre=house_lever if lateral_area is None else lateral_centre,
     )

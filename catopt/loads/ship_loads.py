@@ -47,6 +47,7 @@ def ship_loads(
     wind_on: str | UfcWind,
     method: str = UFC_BLENDERMANN,
     headings: Headings = HEAD_ON,
+    is_balanced: bool = False,
     reflection: float = 1.0,
     drift: DriftWave = "sea state",
     wave_coefficient: float | None = None,
@@ -74,6 +75,9 @@ def ship_loads(
         One of `METHODS`. To name one that is recalled is to ask for it.
     headings : Headings
         When left out, the collinear case: a weathervaning ship head to wind, current and waves.
+    is_balanced : bool
+        Whether the ship stays at these headings by itself, for the assumptions:
+        `catopt.loads.equilibrium_headings` finds them.
     reflection, drift
         As of `catopt.loads.wave_drift.flat_side_drift`; 22TCN has no drift.
     wave_coefficient : float, optional
@@ -127,7 +131,7 @@ def ship_loads(
             "loads.ship_in", ship=ship.name, wind=wind.speed, current=current.speed, height=sea.hs
         ),
         tuple(each for each in components if _counts(each, headings)),
-        (_lie(headings), *notes),
+        (_lie(headings, is_balanced), *notes),
         warnings,
         method,
     )
@@ -258,11 +262,11 @@ def _counts(component: LoadComponent, headings: Headings) -> bool:
     return not (headings.head_on and component.axis == "sway")
 
 
-def _lie(headings: Headings) -> Message:
+def _lie(headings: Headings, is_balanced: bool) -> Message:
     if headings.head_on:
         return Message("loads.collinear")
     return Message(
-        "loads.heading_given",
+        "loads.heading_found" if is_balanced else "loads.heading_given",
         wind=math.degrees(headings.wind),
         current=math.degrees(headings.current),
         waves=math.degrees(headings.waves),

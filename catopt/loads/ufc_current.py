@@ -162,6 +162,7 @@ def transverse_load(
             exponent=exponent,
             ratio=ship.draught / depth,
             coefficient=coefficient,
+            factor=coefficient / deep,
         ),
     )
 

@@ -19,6 +19,7 @@ __all__ = [
     "depth_factor",
     "flat_side_drift",
     "ship_drift",
+    "width_across",
 ]
 
 SLENDEREST: Final = 0.4
@@ -134,6 +135,19 @@ _MEAN_SQUARE: Final = {
 }
 
 
+def width_across(length: float, breadth: float, angle: float) -> float:
+    """Width of a box across the waves, L |sin| + B |cos|, m.
+
+    Parameters
+    ----------
+    length, breadth : float
+        m.
+    angle : float
+        From the bow to where the waves come from, rad.
+    """
+    return length * abs(math.sin(angle)) + breadth * abs(math.cos(angle))
+
+
 def ship_drift(
     sea: SeaState,
     length: float,
@@ -166,7 +180,7 @@ def ship_drift(
         sea, depth, reflection=reflection, of=of, water_density=water_density
     )
     sine, cosine = math.sin(angle), math.cos(angle)
-    width = length * abs(sine) + breadth * abs(cosine)
+    width = width_across(length, breadth, angle)
     square = _half_mean_square(sea, depth, of)
     numbers = (
         Number("rho", water_density, "kg/m3", Message("loads.water_density")),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from itertools import product
 from typing import Final
@@ -9,10 +10,12 @@ from typing import Final
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.loads.component import Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
+from catopt.loads.heading import Headings
 from catopt.loads.ship import Ship
 from catopt.loads.ship_estimate import BLOCK, MIDSHIP
 from catopt.loads.ship_loads import METHODS, TCN, ship_loads
 from catopt.loads.tcn_222_95 import wave_height
+from catopt.loads.weathervane import YAW_TYPES, Afloat, Lying, Turning, every_lying
 from catopt.reproduce.comparison import compare, study_of
 from catopt.reproduce.items import Input, SideBySide, Study, in_unit
 from catopt.reproduce.published import Published, published
@@ -21,13 +24,15 @@ from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.words import Message, Several, term
 
-__all__ = ["CONDITIONS", "NAME", "fso", "fso_loads", "study"]
+__all__ = ["CONDITIONS", "NAME", "fso", "fso_loads", "fso_lyings", "study"]
 
 NAME = "fso_rang_dong_loads"
 
 CONDITIONS: Final = ("loaded", "ballast")
 
 _KN = UNITS[Dimension.FORCE]["kN"]
+_CURRENT_OFF = (0.0, 30.0, 60.0, 90.0)
+"""deg: S4's own directions for what is not collinear are not at hand."""
 
 
 def fso(source: Published, condition: str) -> Ship:
@@ -77,16 +82,19 @@ def fso_loads(source: Published, condition: str, method: str) -> Loads:
     method : str
         One of `catopt.loads.METHODS`.
     """
-    given = source.inputs
     return ship_loads(
         fso(source, condition),
-        Wind(given["wind_speed_m_per_s"]),
-        SurfaceCurrent(given["current_speed_m_per_s"]),
-        _sea(source),
-        given["water_depth_m"],
+        *_weather(source),
         wind_on=f"tanker {condition}",
         method=method,
     )
+
+
+def _weather(source: Published) -> tuple[Wind, SurfaceCurrent, SeaState, float]:
+    given = source.inputs
+    wind = Wind(given["wind_speed_m_per_s"])
+    current = SurfaceCurrent(given["current_speed_m_per_s"])
+    return wind, current, _sea(source), given["water_depth_m"]
 
 
 def _sea(source: Published) -> SeaState:
@@ -113,7 +121,7 @@ def study() -> Study:
         ),
         findings=(_differs(source, condition, governs), _about_the_ship(source)),
     )
-    return replace(made, side_by_side=(_side_by_side(source),))
+    return replace(made, side_by_side=(_side_by_side(source), _not_collinear(source)))
 
 
 def _inputs(source: Published) -> tuple[Input, ...]:
@@ -143,6 +151,53 @@ def _side_by_side(source: Published) -> SideBySide:
     header = ("method", *(in_unit(name, "kN") for name in ("wind", "current", "waves", "sum")))
     last = ("S4", "-", "-", "-", printed.text, "-")
     return SideBySide("The force by each method and draught", (*header, "grade"), (*rows, last))
+
+
+def fso_lyings(source: Published, degrees: float) -> tuple[Lying, ...]:
+    """Find how the ship lies on its external turret when the current comes from another side.
+
+    Parameters
+    ----------
+    source : Published
+        The figures.
+    degrees : float
+        From the direction of wind and waves to that of the current.
+    """
+    return every_lying(
+        [Afloat(each, fso(source, each), f"tanker {each}") for each in CONDITIONS],
+        *_weather(source),
+        [Headings(current=math.radians(degrees))],
+        methods=METHODS[:1],
+        turning=Turning(YAW_TYPES["series-60"]),
+    )
+
+
+def _not_collinear(source: Published) -> SideBySide:
+    """Tabulate headings and forces with the current off wind and waves."""
+    rows = []
+    for degrees in _CURRENT_OFF:
+        for each in fso_lyings(source, degrees):
+            lies = (_degrees(each.heading), _degrees(each.headings.current))
+            force = f"{each.loads.horizontal_force / _KN:.0f}"
+            words = Message(
+                "reproduce.current_off", condition=term(each.afloat.condition), angle=degrees
+            )
+            rows.append((words, *lies, force))
+    return SideBySide(
+        "Weathervaning by UFC-Blendermann, yaw of the current recalled (R)",
+        (
+            "current off wind and waves",
+            in_unit("heading", "deg"),
+            in_unit("current off the bow", "deg"),
+            in_unit("sum", "kN"),
+        ),
+        tuple(rows),
+    )
+
+
+def _degrees(angle: float) -> str:
+    """Write an angle to a tenth, without the sign of a zero."""
+    return f"{round(math.degrees(angle), 1) + 0.0:.1f}"
 
 
 def _differs(source: Published, condition: str, governs: Loads) -> Message:

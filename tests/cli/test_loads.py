@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -94,6 +95,31 @@ def test_every_method_is_shown_and_the_one_that_is_named_comes_first(run: Run) -
         assert words in shown
 
 
+VANE = ("--weathervane", "--current-yaw", "series-60")
+
+
+def test_a_ship_that_weathervanes_under_a_current_that_is_turned_round(run: Run) -> None:
+    found = document(run, *TANKER, *VANE, "--scan", "90 deg")
+    turned = [round(math.degrees(each["current_from_rad"])) for each in found["headings"]]
+    assert sorted(set(turned)) == [-90, 0, 90, 180]
+    forces = [each["horizontal_force_N"] for each in found["headings"]]
+    assert found["horizontal_force_N"] == max(forces) > 2.0 * min(forces)
+    assert "Weathervaning: at this heading" in found["assumptions"][0]
+    shown = run(*TANKER, *VANE, "--scan", "90 deg").out
+    assert "The worst governs: " in shown
+    assert "b = 0.00353 per degree, recalled (R)" in " ".join(shown.split())
+    own = document(run, *TANKER, "--weathervane", "--current-yaw", "-0.291, 0.00353")
+    assert own["horizontal_force_N"] == pytest.approx(288048.0, abs=0.5)  # docs/loads.md
+    assert not any("recalled" in said for said in own["assumptions"] if "eq. 25" in said)
+
+
+def test_a_ballast_draught_counts_beside_the_loaded_one(run: Run) -> None:
+    found = document(run, *TANKER, "--ballast-draught", "3.2 m")
+    assert [each["condition"] for each in found["headings"]] == ["loaded", "ballast"]
+    # docs/loads.md: 293 kN in ballast, whose windage is higher by the rise.
+    assert found["horizontal_force_N"] == pytest.approx(293e3, abs=0.5e3)
+
+
 def test_what_is_written(run: Run, tmp_path: Path) -> None:
     ran = run(*TANKER, "--out", str(tmp_path))
     assert ran.status == 0
@@ -158,6 +184,17 @@ def test_buoys_of_one_s_own(run: Run, tmp_path: Path) -> None:
             (*TANKER, "--load-method", "UFC-4-159-03", "--wind-angle", "30 deg"),
             ("--wind-angle: found 30 deg off the bow; UFC-4-159-03 has coefficients here",),
         ),
+        ((*TANKER, "--weathervane"), ("--current-yaw: missing; one of series-60, FFG",)),
+        (
+            (*TANKER, "--scan", "10 deg", "--mooring-point", "100 m"),
+            ("2 errors", "--scan: found 10 deg; leave it out, or give --weathervane with it"),
+        ),
+        ((*TANKER, *VANE, "--scan", "0.5 deg"), ("--scan: found 0.5 deg; a step of 1",)),
+        (
+            (*TANKER, *VANE, "--mooring-point", "200 m"),
+            ("--mooring-point: found 200.0; must be 117 m or less",),
+        ),
+        ((*TANKER, *VANE[:2], "VLCC"), ('--current-yaw: found "VLCC"',)),
         ((*TANKER, "--kind", "VLCC"), ("--kind: found 'VLCC'; one of car carrier",)),
         ((*TANKER, "--block", "1.2"), ("--block", "above length x breadth x draught")),
     ],

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
 import pytest
 
 from catopt.loads import (
+    YAW_TYPES,
+    Afloat,
+    Headings,
     Loads,
     SeaState,
     SurfaceCurrent,
+    Turning,
     WaterLevels,
     Wind,
     buoy,
     buoy_loads,
     compare_tanker,
+    every_lying,
     size_sinker,
     surface_speed,
 )
-from catopt.loads.tanker_20m import SEA, WATER_DEPTH, tanker
+from catopt.loads.ship_estimate import Condition
+from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
 from catopt.loads.ufc_current import propeller_area, wetted_surface
 from catopt.loads.wave_drift import depth_factor
 
@@ -133,3 +140,27 @@ def test_the_sentences_about_s3() -> None:
         f"{largest.loads.horizontal_force / 1e3:.0f} kN, is {100.0 * (largest.ratio - 1.0):.0f} %",
     ):
         assert words in text.replace("\n", " ")
+
+
+def test_the_sentences_about_headings() -> None:
+    """Head on, and with the current 45 and 135 deg off wind and waves."""
+    text = PAGE.read_text("utf-8").replace("\n", " ")
+    conditions: tuple[Condition, ...] = ("loaded", "ballast")
+    ships = [Afloat(each, tanker(each), f"tanker {each}") for each in conditions]
+    for degrees, words in (
+        (0, "{} kN head on, in ballast"),
+        (45, "{} kN, loaded"),
+        (135, "{} kN at"),
+    ):
+        found = every_lying(
+            ships,
+            WIND,
+            CURRENT,
+            SEA,
+            WATER_DEPTH,
+            [Headings(current=math.radians(degrees))],
+            methods=["UFC-Blendermann"],
+            turning=Turning(YAW_TYPES["series-60"]),
+        )
+        worst = max(each.loads.horizontal_force for each in found)
+        assert words.format(f"{worst / 1e3:.0f}") in text

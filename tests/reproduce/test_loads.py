@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from catopt.reproduce import reproduce
-from catopt.reproduce.fso_rang_dong_loads import fso
+from catopt.reproduce.fso_rang_dong_loads import fso, fso_loads, fso_lyings
 from catopt.reproduce.published import published
 
 
 def rows(name: str) -> dict[str, tuple[str, ...]]:
     (study,) = reproduce(name).studies
-    (table,) = study.side_by_side
+    table = study.side_by_side[0]
     return {str(row[0]): tuple(map(str, row[1:])) for row in table.rows}
 
 
@@ -47,6 +49,43 @@ def test_s4_s_fso_by_hand() -> None:
     assert found["22TCN-222-95, ballast"] == ("516.3", "248.9", "-", "765.2", "R")
     assert found["S4"] == ("-", "-", "-", "4281", "-")
     assert len(found) == 7
+
+
+def test_s4_s_fso_when_the_current_comes_from_another_side() -> None:
+    """At the heading that was found the moments about the bow cancel, each worked out here.
+
+    Loaded, current 60 deg off wind and waves, everything 93 m aft of the turret: wind at
+    0.18 x 186 x (pi/2 - |g|), current at 186 (-0.291 + 0.00353 (180 - |theta|)), drift amidships.
+    """
+    source = published("fso_rang_dong_loads")
+    loaded, ballast = fso_lyings(source, 60.0)
+    seen = loaded.headings
+    moments = []
+    for kind, angle in (("wind", seen.wind), ("current", seen.current), ("wave drift", seen.waves)):
+        (sway,) = (
+            each.force
+            for each in loaded.loads.components
+            if each.kind == kind and each.axis == "sway"
+        )
+        at = {
+            "wind": 0.18 * 186.0 * (0.5 * math.pi - abs(angle)),
+            "current": 186.0 * (-0.291 + 0.00353 * (180.0 - abs(math.degrees(angle)))),
+            "wave drift": 0.0,
+        }[kind]
+        moments.append(sway * (at - 93.0))
+    # Double precision of the heading, and of moments of some 1e8 N m.
+    assert abs(sum(moments)) < 1e-9 * max(map(abs, moments))
+    assert 0.0 < loaded.heading < math.radians(60.0)
+    assert ballast.heading < loaded.heading
+    collinear = [each.loads.horizontal_force for each in fso_lyings(source, 0.0)]
+    # The headings come by halving, to double precision.
+    sums = [
+        found.horizontal_force
+        for found in (fso_loads(source, each, "UFC-Blendermann") for each in ("loaded", "ballast"))
+    ]
+    assert collinear == pytest.approx(sums, rel=1e-12)
+    (study,) = reproduce("fso_rang_dong_loads").studies
+    assert len(study.side_by_side[1].rows) == 8
 
 
 def test_the_lateral_area_of_the_loaded_fso_is_not_the_misprint() -> None:

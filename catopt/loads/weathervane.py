@@ -1,0 +1,303 @@
+"""The heading of a ship on one point under wind, current and waves from different directions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any, Final, NamedTuple
+
+from catopt.constants import SEA_WATER_DENSITY
+from catopt.errors import NoAnswerError
+from catopt.loads.blendermann import coefficients, pressure_centre, wind_type
+from catopt.loads.component import Loads
+from catopt.loads.drag import drag
+from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
+from catopt.loads.heading import Headings
+from catopt.loads.ship import Ship
+from catopt.loads.ship_loads import AIR_DENSITY, governing_loads
+from catopt.loads.ufc_current import transverse_load, yaw_moment
+from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+__all__ = [
+    "YAW_TYPES",
+    "Afloat",
+    "CurrentYaw",
+    "Lying",
+    "Turning",
+    "equilibrium_headings",
+    "every_lying",
+]
+
+_STEPS: Final = 720
+_HALVINGS: Final = 60
+
+
+class CurrentYaw(NamedTuple):
+    """Where the current across a ship acts: ec/LwL = a + b theta (UFC eq. 25, A).
+
+    Attributes
+    ----------
+    intercept, slope : float
+        a, and b per degree; theta is 180 deg bow-on. ec is forward of midships.
+    recalled : bool
+        Whether they are of table 4-10, which was not read.
+    """
+
+    intercept: float
+    slope: float
+    recalled: bool = False
+
+
+YAW_TYPES: Final = MappingProxyType(
+    {
+        "series-60": CurrentYaw(-0.291, 0.00353, recalled=True),
+        "FFG": CurrentYaw(-0.201, 0.00221, recalled=True),
+    }
+)
+"""Hulls of UFC's table 4-10, recalled (R): cargo ships and tankers, and a frigate."""
+
+
+@dataclass(frozen=True)
+class Turning:
+    """What a ship turns about, and what turns it.
+
+    Attributes
+    ----------
+    yaw : CurrentYaw
+        Of the current.
+    mooring_point : float or None
+        m forward of midships; None: the bow, half the waterline.
+    """
+
+    yaw: CurrentYaw
+    mooring_point: float | None = None
+
+    def lever(self, ship: Ship) -> float:
+        """Return how far forward of midships the mooring holds a ship, m."""
+        return 0.5 * ship.length_waterline if self.mooring_point is None else self.mooring_point
+
+
+class Afloat(NamedTuple):
+    """A ship in one condition.
+
+    Attributes
+    ----------
+    condition : str
+        ``"loaded"`` or ``"ballast"``; empty where there is one.
+    ship : Ship
+        At its draught.
+    wind_on : str
+        Its kind for the wind, after Blendermann.
+    """
+
+    condition: str
+    ship: Ship
+    wind_on: str
+
+
+@dataclass(frozen=True)
+class Lying:
+    """How a ship lies, and what the mooring holds.
+
+    Attributes
+    ----------
+    afloat : Afloat
+        The ship.
+    directions : Headings
+        That wind, current and waves come from, counted from any one line.
+    heading : float
+        Of the bow, from the same line, rad.
+    loads : Loads
+        At that heading.
+    """
+
+    afloat: Afloat
+    directions: Headings
+    heading: float
+    loads: Loads
+
+    @property
+    def headings(self) -> Headings:
+        """Angles from the bow."""
+        return self.directions.seen_at(self.heading)
+
+
+def equilibrium_headings(
+    ship: Ship,
+    wind: Wind,
+    current: SurfaceCurrent,
+    sea: SeaState,
+    depth: float,
+    directions: Headings,
+    turning: Turning,
+    *,
+    wind_on: str,
+    reflection: float = 1.0,
+    drift: DriftWave = "sea state",
+    water_density: float = SEA_WATER_DENSITY,
+) -> tuple[float, ...]:
+    """Find the headings at which a ship on one point stays, rad.
+
+    The forces across the ship turn it about the mooring point: wind at Blendermann's CN/CY, current
+    at UFC's ec, the drift of the box amidships. A heading is one of equilibrium where their moments
+    cancel, and stable where a small turn is turned back. Roots are sought between headings half a
+    degree apart.
+
+    Parameters
+    ----------
+    ship, wind, current, sea, depth
+        As of `catopt.loads.ship_loads`.
+    directions : Headings
+        That wind, current and waves come from, counted from any one line.
+    turning : Turning
+        Mooring point and yaw of the current.
+    wind_on, reflection, drift, water_density
+        As of `catopt.loads.ship_loads`.
+
+    Returns
+    -------
+    tuple of float
+        From -pi to pi, counted as the directions are; one at least.
+
+    Raises
+    ------
+    InputError
+        A mooring point off the ship; nothing that pushes.
+    NoAnswerError
+        No heading is stable: the mooring point lies too near midships.
+
+    Examples
+    --------
+    >>> from catopt.loads import SeaState, SurfaceCurrent, Wind
+    >>> from catopt.loads.tanker_20m import tanker
+    >>> calm, across = SeaState(1.0, 0.0), Headings(current=0.5)
+    >>> by = Turning(CurrentYaw(-0.3, 0.0035))
+    >>> (heading,) = equilibrium_headings(
+    ...     tanker(), Wind(0.0), SurfaceCurrent(1.0), calm, 20.0, across, by,
+    ...     wind_on="tanker loaded")
+    >>> round(heading, 6)
+    0.5
+    """
+    lever = turning.lever(ship)
+    found = Findings("weathervaning")
+    half = 0.5 * ship.length_overall
+    found.number("mooring_point", lever, "m", at_least=-half, at_most=half)
+    found.raise_if_any()
+    beam = transverse_load(
+        ship, current.speed, depth, angle=0.5 * math.pi, water_density=water_density
+    ).force
+    per_metre = flat_side_drift(
+        sea, depth, reflection=reflection, of=drift, water_density=water_density
+    )
+    type_ = wind_type(wind_on)
+    ratio = ship.frontal_area / ship.lateral_area
+
+    def by_wind(angle: float) -> float:
+        _, cy = coefficients(type_, angle, ratio)
+        force = drag(AIR_DENSITY, wind.speed, ship.lateral_area, cy)
+        centre = pressure_centre(angle, ship.length_overall, ship.lateral_centre)
+        return force * (centre - lever)
+
+    def by_current(angle: float) -> float:
+        force, length = beam * math.sin(angle), ship.length_waterline
+        theta = 180.0 - abs(math.degrees(angle))
+        return yaw_moment(force, length, *turning.yaw[:2], theta) - force * lever
+
+    def by_waves(angle: float) -> float:
+        width = width_across(ship.length_waterline, ship.breadth, angle)
+        return -per_metre * width * math.sin(angle) * lever
+
+    def turned(heading: float) -> float:
+        """Moment about the mooring point, N m: positive turns the heading down."""
+        seen = directions.seen_at(heading)
+        return by_wind(seen.wind) + by_current(seen.current) + by_waves(seen.waves)
+
+    if wind.speed == current.speed == sea.hmax == 0.0:
+        found.add("wind", "no wind, no current and no waves", "something has to push the ship")
+        found.raise_if_any()
+    return _stable(turned)
+
+
+def _stable(turned: Callable[[float], float]) -> tuple[float, ...]:
+    """Find where a moment rises through zero, all round."""
+    step = 2.0 * math.pi / _STEPS
+    # Off the round degrees: a root on a sample would be one of rounding.
+    at = [-math.pi + (index - 0.3819660113) * step for index in range(_STEPS + 1)]
+    moments = [turned(each) for each in at]
+    stable = [
+        math.remainder(_root(turned, low, low + step), 2.0 * math.pi)
+        for low, first, last in zip(at, moments, moments[1:], strict=False)
+        if first < 0.0 <= last
+    ]
+    if not stable:
+        raise NoAnswerError(Message("loads.no_heading"))
+    return tuple(sorted(stable))
+
+
+def _root(turned: Callable[[float], float], low: float, high: float) -> float:
+    """Halve to double precision between a heading that is turned up and one that is turned down."""
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if turned(middle) < 0.0 else (low, middle)
+    return 0.5 * (low + high)
+
+
+def every_lying(
+    ships: Sequence[Afloat],
+    wind: Wind,
+    current: SurfaceCurrent,
+    sea: SeaState,
+    depth: float,
+    directions: Sequence[Headings],
+    *,
+    methods: Sequence[str],
+    turning: Turning | None = None,
+    wave_coefficient: float | None = None,
+    **how: Any,
+) -> tuple[Lying, ...]:
+    """Find how a ship lies in each condition under each set of directions.
+
+    Parameters
+    ----------
+    ships : sequence of Afloat
+        Loaded, in ballast.
+    wind, current, sea, depth
+        As of `catopt.loads.ship_loads`.
+    directions : sequence of Headings
+        Each is one case.
+    methods : sequence of str
+        Of the loads at the heading; of several the largest.
+    turning : Turning, optional
+        Of a ship that weathervanes: then every stable heading counts. Without it the directions are
+        angles from the bow.
+    wave_coefficient, **how
+        As of `catopt.loads.ship_loads`.
+    """
+    weather = (wind, current, sea, depth)
+    found = []
+    for each in ships:
+        for case in directions:
+            stay = (
+                (0.0,)
+                if turning is None
+                else equilibrium_headings(
+                    each.ship, *weather, case, turning, wind_on=each.wind_on, **how
+                )
+            )
+            for heading in stay:
+                loads = governing_loads(
+                    methods,
+                    each.ship,
+                    *weather,
+                    wind_on=each.wind_on,
+                    headings=case.seen_at(heading),
+                    is_balanced=turning is not None,
+                    wave_coefficient=wave_coefficient,
+                    **how,
+                )
+                found.append(Lying(each, case, heading, loads))
+    return tuple(found)
