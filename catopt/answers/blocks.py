@@ -40,7 +40,6 @@ __all__ = [
     "exact",
     "fact",
     "in_si",
-    "in_tonne_force",
     "keyed",
     "measured",
     "named",
@@ -473,15 +472,6 @@ def in_si(quantity: Quantity, digits: int) -> Quantity:
 def bare(quantity: Quantity) -> Quantity:
     """Take a quantity whose unit stands in another place than behind its value."""
     return replace(quantity, field_unit="-")
-
-
-def in_tonne_force(quantity: Quantity) -> Quantity:
-    """Take a force in tf; a decimal more than in kN, for a tf is about 10 kN."""
-    from catopt.constants import STANDARD_GRAVITY
-
-    return replace(
-        quantity, field_unit="tf", factor=1000.0 * STANDARD_GRAVITY, digits=quantity.digits + 1
-    )
 
 
 def exact(unit: str) -> Quantity:

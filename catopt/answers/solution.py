@@ -19,7 +19,6 @@ from catopt.answers.blocks import (
     Text,
     Warnings,
     fact,
-    in_tonne_force,
     measured,
     named,
     texts,
@@ -287,7 +286,7 @@ def profile_table(solution: Solution, *, only: For = "all") -> Table:
             measured("x", shape.x),
             measured("z", shape.z),
             tension,
-            Column(tension.name, tension.values, in_tonne_force(named("tension")), only="people"),
+            Column(tension.name, tension.values, named("tension").in_units("tf"), only="people"),
         ),
         Message("captions.along_the_line"),
         tuple(sorted({*range(0, rows, _SHOWN_EVERY), rows - 1})),
@@ -440,7 +439,7 @@ def _force(
 ) -> Fact:
     made = fact(key, value, name, symbol=symbol, said=said)
     assert made.quantity is not None
-    return Fact(made.name, value, made.quantity, (in_tonne_force(made.quantity),))
+    return Fact(made.name, value, made.quantity, (made.quantity.in_units("tf"),))
 
 
 def _angle(value: float, name: str, symbol: str) -> Fact:
@@ -450,5 +449,5 @@ def _angle(value: float, name: str, symbol: str) -> Fact:
 
 def _in_tf(column: Column) -> Column:
     assert column.quantity is not None
-    tonnes = in_tonne_force(column.quantity)
+    tonnes = column.quantity.in_units("tf")
     return Column(column.name, column.values, tonnes, only=column.only)

@@ -43,7 +43,7 @@ class Scale:
     zero: float = 0.0
 
 
-IN_TONNES = Scale("", replace(QUANTITIES["tension"], field_unit="tf", factor=9806.65, digits=4))
+IN_TONNES = Scale("", QUANTITIES["tension"].in_units("tf"))
 """A force in tf, beside kN."""
 
 

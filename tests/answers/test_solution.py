@@ -8,7 +8,7 @@ from typing import Any
 import pandas as pd
 import pytest
 
-from catopt.answers.blocks import in_tonne_force, named
+from catopt.answers.blocks import named
 from catopt.answers.solution import (
     given_facts,
     given_tables,
@@ -130,6 +130,6 @@ def test_no_two_facts_share_a_heading(leg: Solution) -> None:
 
 
 def test_a_force_in_tf() -> None:
-    force = in_tonne_force(named("tension"))
+    force = named("tension").in_units("tf")
     assert force.field_unit == "tf"
     assert force.format(9806.65, unit=True) == "1.0000 tf"
