@@ -45,7 +45,7 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> Ans
         "loads",
         of.title,
         (
-            *_headings(lyings),
+            *_headings(of, lyings),
             Section(forces, (forces_table(*every), _how(every))),
             Section(Message("columns.numbers"), (numbers_table(*every),)),
             Section(Message("terms.notes"), (_notes_table(every), *_notes(every))),
@@ -53,12 +53,12 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> Ans
     )
 
 
-def _headings(lyings: Sequence[Lying]) -> Iterator[Section]:
-    """Tabulate how the ship lies under each set of directions, and mark the worst."""
+def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[Section]:
+    """Tabulate how the ship lies under each set of directions, and mark what is laid out."""
     if not lyings:
         return
     forces = [each.loads.horizontal_force for each in lyings]
-    worst = max(range(len(forces)), key=forces.__getitem__)
+    worst = next(k for k, each in enumerate(lyings) if each.loads.components == of.components)
     directions = [each.directions for each in lyings]
 
     def angles(name: str, values: Iterable[float]) -> Column:

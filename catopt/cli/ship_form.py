@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from catopt.words import Message
+from catopt.words import Message, term
 
 if TYPE_CHECKING:
     from catopt.loads import Afloat, Headings, Lying, Ship, Turning
@@ -53,9 +53,10 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
         section = of["breadth"] * draught
         block = BLOCK[condition] if form.block is None else form.block
         centre = windage.lateral_centre if form.wind_centre is None else form.wind_centre
+        key = "loads.ship_of" if of["ballast_draught"] is None else "loads.ship_in_condition"
         make_ship = partial(
             Ship,
-            Message("loads.ship_of", length=of["length"]),
+            Message(key, length=of["length"], condition=term(condition)),
             length_overall=of["length"],
             length_waterline=form.waterline,
             breadth=of["breadth"],
