@@ -36,7 +36,13 @@ from catopt.answers.note import (
 from catopt.answers.note_hold import hold_blocks, what_holds
 from catopt.answers.note_line import of_the_front, of_the_line
 from catopt.answers.note_system import plan_blocks
-from catopt.answers.size import alternatives_table, candidates_table, pattern_table, read_table
+from catopt.answers.size import (
+    alternatives_table,
+    candidates_table,
+    pattern_table,
+    read_table,
+    steady_sentence,
+)
 from catopt.constants import STANDARD_GRAVITY
 from catopt.quantities import GREEK, QUANTITIES, Quantity
 from catopt.words import Cited, Measure, Message, Several, term
@@ -103,6 +109,7 @@ def _identity(note: SizeNote) -> Iterator[Block]:
     checks = note.line.checks
     yield Verdict(_recommendation(note), checks.passes)
     yield Text(verdict_sentence(checks))
+    yield Text(steady_sentence(note.sizing))
     governs = [governing_sentence(checks)]
     for each in note.sizing.limits:
         values = {"change": each.change, "check": each.words}

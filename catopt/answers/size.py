@@ -32,7 +32,14 @@ if TYPE_CHECKING:
     from catopt.sizing.candidates import Candidate
     from catopt.sizing.pattern import Pattern
 
-__all__ = ["alternatives_table", "candidates_table", "pattern_table", "read_table", "size_answer"]
+__all__ = [
+    "alternatives_table",
+    "candidates_table",
+    "pattern_table",
+    "read_table",
+    "size_answer",
+    "steady_sentence",
+]
 
 
 class _Row(NamedTuple):
@@ -57,7 +64,10 @@ def size_answer(of: Sizing) -> Answer:
         of.case.title,
         (
             *_inputs(of),
-            Section(term("Sizing"), (_summary(of), *_why(of), alternatives_table(of))),
+            Section(
+                term("Sizing"),
+                (Text(steady_sentence(of)), _summary(of), *_why(of), alternatives_table(of)),
+            ),
             Section(term("Candidates"), (candidates_table(of),)),
             Section(Message("captions.checks"), (tightest_table(of.point.checks), _checks(of))),
             *_pattern(of),
@@ -89,6 +99,28 @@ def read_table(of: Sizing) -> Table:
 
 
 # ------------------------------------------------------------------ what was found
+
+
+def steady_sentence(of: Sizing) -> Message:
+    """Say that the answer rests on steady forces, and what an allowance for motion makes of it."""
+    taken = any(each.of.name == "dynamic_factor" and each.origin == "taken" for each in of.inputs)
+    tension = of.hardest[1].fairlead.tension
+    used = (
+        Message(
+            "sizing.used_beyond" if value > 1.0 else "sizing.used_in_motion",
+            kind=Message(f"checks.{kind}_in_motion"),
+            used=value,
+        )
+        for kind, value in of.in_motion.items()
+    )
+    return Message(
+        "sizing.steady",
+        factor=of.dynamic_factor,
+        source=Message("sizing.factor_taken" if taken or not of.inputs else "sizing.factor_given"),
+        moving=Measure("tension", of.dynamic_factor * tension),
+        still=Measure("tension", tension),
+        used=Several(used, "; "),
+    )
 
 
 def _summary(of: Sizing) -> Table:

@@ -75,6 +75,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         alternatives=alternatives(request.line.prefer, lambda prefer: _by(request, prefer)),
         limits=limits(settled),
         swing=_swing(settled),
+        dynamic_factor=request.line.dynamic_factor,
         sinker=sinker,
         other_sinker=request.ground.by_other_rule(sinker, request.environment.water_density),
         reserve_buoyancy=request.reserve_buoyancy,

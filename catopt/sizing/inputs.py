@@ -311,6 +311,10 @@ INPUTS: Final = (
         "wear", "service.wear_rate", "SPEED", "0.4 mm/year", "0.4 mm/year", at_least=0.0,
         most="10 mm/year", called=("wear_rate",), taken="sizing.taken_wear",
     ),
+    # API RP 2SK's factors on quasi-static over those on dynamic analysis, 2.00 / 1.67.
+    Input(
+        "dynamic_factor", "service.dynamic_factor", "NUMBER", 1.5, "1.2", at_least=1.0, most="10",
+    ),
 )  # fmt: skip
 """In the order in which they are asked for and listed."""
 

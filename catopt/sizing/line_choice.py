@@ -50,6 +50,9 @@ class LineChoice:
         Which design of the front is recommended: one of its ends, or its knee.
     life, wear_rate : float
         Service life, s, and loss of nominal diameter, m/s.
+    dynamic_factor : float
+        Allowance for motion: tension in waves over that under the steady forces. The answer is
+        shown with and without it; the checks are by the steady forces.
     allow_recalled : bool
         Whether figures and criteria that were read in no document may be used.
     """
@@ -63,6 +66,7 @@ class LineChoice:
     prefer: Prefer = "lightest"
     life: float = field(default_factory=lambda: usual("life"))
     wear_rate: float = field(default_factory=lambda: usual("wear"))
+    dynamic_factor: float = field(default_factory=lambda: usual("dynamic_factor"))
     allow_recalled: bool = False
 
     def __post_init__(self) -> None:
@@ -85,6 +89,7 @@ class LineChoice:
         if self.wear_rate > _FASTEST_WEAR / YEAR:
             rate = f"{self.wear_rate * YEAR * 1e3:g} mm/year"
             found.add("wear_rate", rate, f"must be {_FASTEST_WEAR * 1e3:g} mm/year or less")
+        found.number("dynamic_factor", self.dynamic_factor, "", at_least=1.0, at_most=10.0)
         try:
             profiles_of(self.checks)
         except InputError as error:

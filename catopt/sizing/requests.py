@@ -275,6 +275,7 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
         "prefer": of["prefer"],
         "life": of["life"],
         "wear_rate": of["wear"],
+        "dynamic_factor": of["dynamic_factor"],
         "allow_recalled": bool(of["recalled"]),
     }
     make = of.telling.make

@@ -78,6 +78,8 @@ class Sizing:
         Of the buoy, N; None without one.
     pattern : Pattern or None
         The mooring equilibrium of several lines.
+    dynamic_factor : float
+        Allowance for motion, on tensions and pulls under the steady forces.
     assumptions, defaults : tuple of str
         What the answer rests on; what was not given and was taken.
     inputs : tuple of ReadInput
@@ -90,6 +92,7 @@ class Sizing:
     alternatives: tuple[Alternative, ...]
     limits: tuple[Limit, ...]
     swing: SwingRadius
+    dynamic_factor: float
     sinker: SinkerSize | None = None
     other_sinker: SinkerSize | None = None
     drag_anchor: DragAnchorSize | None = None
@@ -153,6 +156,18 @@ class Sizing:
             for _, solution in self.point.checks.solutions
             for segment in solution.segments
         )
+
+    @property
+    def in_motion(self) -> dict[str, float]:
+        """Largest utilisation of tension and of holding with the allowance for motion, by kind.
+
+        Both go with the pull; a check that does not is left out.
+        """
+        used: dict[str, float] = {}
+        for each in self.point.checks.results:
+            if each.kind in ("tension", "holding") and each.utilisation is not None:
+                used[each.kind] = max(used.get(each.kind, 0.0), each.utilisation)
+        return {kind: self.dynamic_factor * value for kind, value in used.items()}
 
     @property
     def break_factor(self) -> float | None:

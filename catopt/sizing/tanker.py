@@ -109,6 +109,7 @@ def sized_tanker(request: TankerRequest) -> Sizing:
         ),
         limits=limits(settled),
         swing=_swing(request, settled, around),
+        dynamic_factor=request.line.dynamic_factor,
         sinker=sinker,
         other_sinker=other,
         drag_anchor=settled.posed.drag_anchor,
