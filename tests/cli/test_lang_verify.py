@@ -274,7 +274,7 @@ def test_a_run_that_was_stopped_says_so_in_vietnamese(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def tell(done: int, total: int) -> None:
-        if done > total / 2:
+        if done > total / 14:
             raise KeyboardInterrupt
 
     def stops(*args: Any, **options: Any) -> Any:
