@@ -28,13 +28,18 @@ NAMES = (
     "fso_rang_dong_dynamic",
 )
 WITHOUT_SWARM = NAMES[1:]
+STUDIES = [
+    pytest.param(name, marks=[pytest.mark.slow] if name.endswith("dynamic") else [])
+    for name in WITHOUT_SWARM
+]
+"""The nine lines in a storm run for half a minute."""
 
 
 def test_the_names() -> None:
     assert names() == NAMES
 
 
-@pytest.mark.parametrize("name", WITHOUT_SWARM)
+@pytest.mark.parametrize("name", STUDIES)
 def test_the_document_keeps_to_its_schema(name: str) -> None:
     document = reproduce(name).to_dict()
     jsonschema.validate(document, schema("catopt.reproduction/1"))
@@ -90,9 +95,10 @@ def test_every_number_of_the_source_is_judged_once(name: str) -> None:
             "fso_rang_dong",
             "Of 28 printed numbers 25 reproduce, 3 differ and 0 cannot be reproduced.",
         ),
-        (
+        pytest.param(
             "fso_rang_dong_dynamic",
             "Of 30 printed numbers 0 reproduce, 0 differ and 30 cannot be reproduced.",
+            marks=pytest.mark.slow,
         ),
     ],
 )
@@ -100,7 +106,7 @@ def test_the_tally(name: str, tally: str) -> None:
     assert reproduce(name).tally == tally
 
 
-@pytest.mark.parametrize("name", WITHOUT_SWARM)
+@pytest.mark.parametrize("name", STUDIES)
 def test_the_page_has_a_heading_for_each_method(name: str) -> None:
     page = book(reproduce(name))
     headings = re.findall(r"^### (.+)$", page, re.MULTILINE)
