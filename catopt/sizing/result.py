@@ -17,11 +17,11 @@ from catopt.sizing.candidates import Candidate
 from catopt.sizing.document import sizing_document
 from catopt.sizing.limits import Limit
 from catopt.sizing.pattern import Pattern
-from catopt.sizing.read_input import ReadInput
+from catopt.sizing.read_input import ReadInput, estimated_dimensions
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
-from catopt.words import Message, Sentence, Several
+from catopt.words import Message, Sentence
 
 __all__ = ["SHOT", "Sizing", "SwingRadius"]
 
@@ -207,7 +207,7 @@ class Sizing:
         """What an engineer should know before using the answer, each once."""
         parts = (part for each in self.settled.posed.loads for part in each.parts)
         notes = [
-            *self._estimated,
+            *estimated_dimensions(self.inputs),
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.result.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
@@ -216,15 +216,6 @@ class Sizing:
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))
-
-    @property
-    def _estimated(self) -> tuple[str, ...]:
-        """Say which dimensions the answer rests on that were estimated."""
-        found = [each for each in self.inputs if each.origin == "estimated"]
-        if not found:
-            return ()
-        names = Several((Message(f"inputs.{each.of.name}") for each in found), ", ")
-        return (Message("sizing.estimated_dimensions", names=names, source=found[0].source),)
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt size --json`` prints (schema catopt.size/1)."""
