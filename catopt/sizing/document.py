@@ -66,7 +66,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
         "excursion_m": of.excursion,
         "largest_tension_N": of.largest_tension,
         "dynamic_factor": of.dynamic_factor,
-        "utilisation_in_motion": of.in_motion,
+        "utilisation_in_motion": {key: of.in_motion.get(key) for key in ("tension", "holding")},
         "break_factor": of.break_factor,
         "proof_factor": of.proof_factor,
         "reserve_buoyancy_N": of.reserve_buoyancy,

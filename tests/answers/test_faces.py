@@ -41,6 +41,7 @@ from catopt.verify.case import verify_case
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.front import Design, verify_front
 from catopt.words import LANGUAGES, Language, Message
+from tests.cli.conftest import CHAIN_IN_MOTION
 
 from .sizings import around, by_force
 
@@ -145,24 +146,8 @@ def _front() -> Answer:
     return front_answer(verify_front("Front", designs, elements=20))
 
 
-MOVING = """
-[site]
-water_depth = "20 m"
-[line]
-[[line.segments]]
-length = "120 m"
-submerged_weight = "1110 N/m"
-mass = "130 kg/m"
-EA = "400 MN"
-drag_diameter = "76 mm"
-drag_normal = 2.4
-[motion]
-period = "8 s"
-surge = "0.5 m"
-[dynamics]
-duration = "24 s"
-elements = 6
-"""
+_LOADED = '[load]\nhorizontal_force = "300 kN"\n'
+MOVING = CHAIN_IN_MOTION.replace(_LOADED, "").replace("elements = 20", "elements = 6")
 AT_SEA = """
 duration_of_interest = "1 h"
 runs = 5

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pandas as pd
 import pytest
 
 from catopt.answers.check import check_answer
 from catopt.answers.loads import loads_answer
-from catopt.answers.size import size_answer
+from catopt.answers.size import size_answer, steady_sentence
 from catopt.words import say
 
 from .sizings import around, by_force
@@ -92,3 +93,16 @@ def test_what_governs_is_said() -> None:
     assert of.point.governing is not None
     assert f"{of.point.governing.utilisation:.3f}" in governs[-1]
     assert say(governs[-1], "vi").startswith("Sát giới hạn nhất: ")
+
+
+def test_the_allowance_for_motion_is_said_first() -> None:
+    """Tensions and a drag anchor's pull go with the factor, and so do their utilisations."""
+    of = replace(by_force(), dynamic_factor=1.5)
+    tension = of.hardest[1].fairlead.tension / 1e3
+    checks = [each for each in of.point.checks.results if each.kind == "tension"]
+    worst = max(each.demand / each.capacity for each in checks)
+    said = say(steady_sentence(of), "en")
+    assert f"the tension at the fairlead is {1.5 * tension:.4g} kN, not {tension:.4g} kN" in said
+    assert f"tension then stands at {1.5 * worst:.3f} of its limit" in said
+    beyond = say(steady_sentence(replace(of, dynamic_factor=1.1 / worst)), "en")
+    assert "tension then stands at 1.100 of its limit: MORE THAN ALLOWED" in beyond

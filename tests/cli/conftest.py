@@ -45,6 +45,30 @@ safety_factor = 2.0
 """
 
 
+CHAIN_IN_MOTION = """
+title = "A chain in motion"
+[site]
+water_depth = "20 m"
+[line]
+[[line.segments]]
+length = "120 m"
+submerged_weight = "1110 N/m"
+mass = "130 kg/m"
+EA = "400 MN"
+drag_diameter = "76 mm"
+drag_normal = 2.4
+[load]
+horizontal_force = "300 kN"
+[motion]
+period = "8 s"
+surge = "0.5 m"
+[dynamics]
+duration = "24 s"
+elements = 20
+"""
+"""Three periods of a line that stays taut."""
+
+
 @dataclass(frozen=True)
 class Ran:
     """What a run of the command left behind."""
