@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final, Literal
 
 from catopt.catenary.solution import Solution
+from catopt.checks.case import check_line
+from catopt.checks.result import CheckResult
 from catopt.design.result import DesignPoint
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
@@ -161,13 +163,32 @@ class Sizing:
     def in_motion(self) -> dict[str, float]:
         """Largest utilisation of tension and of holding with the allowance for motion, by kind.
 
-        Both go with the pull; a check that does not is left out.
+        Both go with the pull; those that do not are in `fails_in_motion`.
         """
         used: dict[str, float] = {}
         for each in self.point.checks.results:
             if each.kind in ("tension", "holding") and each.utilisation is not None:
                 used[each.kind] = max(used.get(each.kind, 0.0), each.utilisation)
         return {kind: self.dynamic_factor * value for kind, value in used.items()}
+
+    @property
+    def fails_in_motion(self) -> tuple[CheckResult, ...]:
+        """Other checks that fail under the extreme forces times that factor, the worst of a kind.
+
+        What lies on the bed, how far the anchor is lifted and the sinker that is needed do not go
+        with the pull: the line is solved anew.
+        """
+        load_cases = tuple(
+            replace(each, horizontal_force=self.dynamic_factor * each.horizontal_force)
+            if each.kind == "extreme"
+            else each
+            for each in self.case.load_cases
+        )
+        pulled = replace(self.case, load_cases=load_cases)
+        failed = check_line(self.point.line, pulled, self.point.anchor).failed
+        told = ("tension", "holding")
+        worst = {each.kind: each for each in reversed(failed) if each.kind not in told}
+        return tuple(reversed(worst.values()))
 
     @property
     def break_factor(self) -> float | None:
