@@ -114,7 +114,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     maker = partial(
         TankerRequest,
         buoy=shape,
-        hawser=of["hawser"] if shape is not None or "hawser" in of.given else 0.0,
+        hawser=0.0 if shape is None else of["hawser"],
         lines=of["lines"],
         pretension=of["pretension"],
         clump_masses=of["clump_weight"] or (),
