@@ -233,6 +233,7 @@ class Sizing:
             *map(Sentence, self.settled.result.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
             *(() if self.pattern is None else self.pattern.warnings),
+            *(() if self.pattern is None else (Message("sizing.all_lines_there"),)),
         ]
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))

@@ -132,3 +132,11 @@ def test_what_does_not_go_with_the_pull_is_looked_at_under_the_larger_one() -> N
     assert f"sliding of the sinker then FAILS: {needed / 1e3:.4g} kN beside " in said
     vietnamese = say(steady_sentence(of), "vi")
     assert "khi đó trượt của rùa neo KHÔNG ĐẠT: " in vietnamese
+
+
+def test_what_a_sizing_does_not_judge_is_said() -> None:
+    """Several lines are sized whole, and a ship without a ballast draught loaded."""
+    of = around()
+    assert any("when one is lost is not judged" in each for each in of.warnings)
+    assert any("with its ballast draught both" in each for each in of.assumptions)
+    assert not any("when one is lost" in each for each in by_force().warnings)
