@@ -18,7 +18,7 @@ from catopt.answers.blocks import (
     of_row,
     texts,
 )
-from catopt.words import Message, Several, term
+from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
@@ -80,7 +80,7 @@ def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[Section]:
     )
     said = Message(
         "loads.worst",
-        force=forces[worst] / 1e3,
+        force=Measure("horizontal_force", forces[worst]),
         condition=term(lyings[worst].afloat.condition),
         current=math.degrees(directions[worst].current),
         heading=math.degrees(lyings[worst].heading),

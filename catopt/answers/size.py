@@ -20,7 +20,7 @@ from catopt.answers.blocks import (
     texts,
     where_known,
 )
-from catopt.answers.check import check_columns, tightest_table
+from catopt.answers.check import QUANTITY_OF, check_columns, tightest_table
 from catopt.answers.loads import forces_table, numbers_table
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
@@ -105,14 +105,19 @@ def steady_sentence(of: Sizing) -> Message:
     """Say that the answer rests on steady forces, and what an allowance for motion makes of it."""
     taken = any(each.of.name == "dynamic_factor" and each.origin == "taken" for each in of.inputs)
     tension = of.hardest[1].fairlead.tension
-    used = (
+    used = [
         Message(
             "sizing.used_beyond" if value > 1.0 else "sizing.used_in_motion",
             kind=Message(f"checks.{kind}_in_motion"),
             used=value,
         )
         for kind, value in of.in_motion.items()
-    )
+    ]
+    for each in of.fails_in_motion:
+        key = QUANTITY_OF[each.kind].key
+        demand, capacity = (Measure(key, value) for value in (each.demand, each.capacity))
+        values = {"check": each.name, "demand": demand, "capacity": capacity}
+        used.append(Message("sizing.fails_in_motion", **values))
     return Message(
         "sizing.steady",
         factor=of.dynamic_factor,

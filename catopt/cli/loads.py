@@ -58,7 +58,7 @@ _BUOY = (*_WEATHER, "low_water", "growth", "buoys")
 _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
     *("frontal_area", "lateral_area"),
-    *("load_method", "wave_coefficient"),
+    *("load_method", "wave_coefficient", "wind_mean", "ship", "dwt"),
 )
 
 
@@ -168,8 +168,8 @@ def ship(
         str | None,
         typer.Option(
             metavar="KIND",
-            help='Kind for the wind, such as "cargo loaded"; if left out, "tanker loaded", and in '
-            'ballast "tanker ballast".',
+            help='Kind for the wind, such as "cargo loaded"; if left out, that of --ship, "tanker '
+            'loaded", and in ballast "tanker ballast".',
         ),
     ] = None,
     propeller: Annotated[
@@ -177,7 +177,7 @@ def ship(
         typer.Option(
             metavar="KIND",
             help="Kind for a locked propeller: destroyer, cruiser, carrier, cargo, tanker or "
-            "submarine; none when left out, with a file tanker.",
+            "submarine; none when left out, with a file that of its ship.",
         ),
     ] = None,
     waterline: Annotated[
@@ -271,6 +271,8 @@ def ship(
     """
     from catopt.cli.values import in_si
     from catopt.loads import METHODS, Headings, SurfaceCurrent, Wind, every_lying
+    from catopt.sizing.read_input import estimated_dimensions
+    from catopt.sizing.requests import TAKEN_FOR, of_the_wind, wind_of_30_s
     from catopt.ties import largest
     from catopt.units import Dimension
 
@@ -299,7 +301,7 @@ def ship(
         of.telling.raise_if_any()
         assert own is not None
         if file is not None:
-            propeller = propeller or "tanker"
+            propeller = propeller or TAKEN_FOR[of["ship"] or "tanker"][1]
         form = Form(
             own.get("--waterline", 0.97 * of["length"]),
             block,
@@ -319,7 +321,7 @@ def ship(
             "water_density": of["water_density"],
         }
         weather = (
-            make(Wind, of["wind"]),
+            make(Wind, wind_of_30_s(of)),
             make(SurfaceCurrent, of["current"]),
             make(_sea, of),
             of["depth"],
@@ -334,11 +336,16 @@ def ship(
         of.telling.raise_if_any()
         assert lyings is not None
         worst = largest(lyings, lambda each: each.loads.horizontal_force)
-        others = make(lambda: _others(worst, of, how, is_balanced=weathervane))
+        others = make(lambda: _others(worst, weather, how, is_balanced=weathervane))
         of.telling.raise_if_any()
-    said = (*what_is_taken(form, worst, turning), *estimated)
+    said = (*what_is_taken(form, worst, turning), *estimated, *of_the_wind(of))
+    warned = estimated_dimensions(of.read)
     told = [
-        replace(each, assumptions=(*each.assumptions, *said))
+        replace(
+            each,
+            assumptions=(*each.assumptions, *said),
+            warnings=(*each.warnings, *warned),
+        )
         for each in (worst.loads, *(others or ()))
     ]
     shown = lyings if weathervane or len(lyings) > 1 else ()
@@ -401,11 +408,12 @@ def _sea(of: Known) -> SeaState:
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 
-def _others(worst: Lying, of: Known, how: dict[str, Any], *, is_balanced: bool) -> list[Loads]:
+def _others(
+    worst: Lying, weather: tuple[Any, ...], how: dict[str, Any], *, is_balanced: bool
+) -> list[Loads]:
     """Compute the loads by the other methods that apply, for comparison."""
-    from catopt.loads import SurfaceCurrent, Wind, every_method
+    from catopt.loads import every_method
 
-    weather = (Wind(of["wind"]), SurfaceCurrent(of["current"]), _sea(of), of["depth"])
     ship = worst.afloat
     every = every_method(
         ship.ship,

@@ -40,7 +40,9 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
     """Make the ship at each draught that is known, and say what was estimated."""
     from catopt.loads import Afloat, Ship
     from catopt.loads.ship_estimate import BLOCK, estimates
+    from catopt.sizing.requests import TAKEN_FOR
 
+    wind_on, _ = TAKEN_FOR[of["ship"] or "tanker"]
     ships = []
     conditions: dict[Condition, float | None] = {
         "loaded": of["draught"],
@@ -71,7 +73,7 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
         body = of.telling.make(make_ship)
         of.telling.raise_if_any()
         assert body is not None
-        ships.append(Afloat(condition, body, form.kind or f"tanker {condition}"))
+        ships.append(Afloat(condition, body, form.kind or wind_on.format(condition)))
     is_given = of["frontal_area"] is not None and of["lateral_area"] is not None
     return ships, () if is_given else estimates()[1:]
 

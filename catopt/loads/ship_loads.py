@@ -19,7 +19,7 @@ from catopt.loads.ufc_wind import UfcWind, recalled_longitudinal_coefficient, uf
 from catopt.loads.wave_drift import DriftWave, ship_drift
 from catopt.model.validity import Findings
 from catopt.ties import largest
-from catopt.words import Message, Several
+from catopt.words import Measure, Message, Several
 
 __all__ = ["AIR_DENSITY", "METHODS", "every_method", "governing_loads", "ship_loads"]
 
@@ -174,7 +174,11 @@ def governing_loads(methods: Sequence[str], *on: Any, **how: Any) -> Loads:
         return governs
     forces = Several(
         (
-            Message("loads.by_method", method=each.method, force=each.horizontal_force / 1e3)
+            Message(
+                "loads.by_method",
+                method=each.method,
+                force=Measure("horizontal_force", each.horizontal_force),
+            )
             for each in every
         ),
         ", ",

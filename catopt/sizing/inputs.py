@@ -185,7 +185,7 @@ INPUTS: Final = (
     ),
     Input(
         "hawser", "buoy.hawser_length", "LENGTH", "60 m", "50 m", of=_TANKER, at_least=0.0,
-        most="1000 m",
+        most="1000 m", only_with="buoy",
     ),
     Input(
         "depth", "site.water_depth", "LENGTH", "12 m", above=0.0, most="200 m", required=True,

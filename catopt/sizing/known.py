@@ -62,12 +62,12 @@ class Known:
 
     @property
     def read(self) -> tuple[ReadInput, ...]:
-        """Every input that is known, in the order of the table."""
+        """Every input that is known and counts, in the order of the table."""
         inputs = inputs_of(self.moored, held_by=_held_by(self.moored, self.values))
         return tuple(
             ReadInput(each, self.values[name], *self._origin(name))
             for name, each in inputs.items()
-            if name in self.values
+            if name in self.values and each.only_with in {"", *self.given}
         )
 
     def _origin(self, name: str) -> tuple[Origin, str]:

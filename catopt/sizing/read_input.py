@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -9,7 +10,7 @@ from catopt.sizing.inputs import Input
 from catopt.units import UNITS, Dimension
 from catopt.words import Measure, Message, Several, term
 
-__all__ = ["Origin", "ReadInput"]
+__all__ = ["Origin", "ReadInput", "estimated_dimensions"]
 
 Origin = Literal["given", "taken", "estimated"]
 
@@ -72,3 +73,18 @@ class ReadInput:
             if isinstance(text, str) and " " in text:
                 return text.partition(" ")[2]
         return _FIELD.get(self.of.takes, "")
+
+
+def estimated_dimensions(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:
+    """Say which dimensions an answer rests on that were estimated.
+
+    Parameters
+    ----------
+    inputs : iterable of ReadInput
+        What was read.
+    """
+    found = [each for each in inputs if each.origin == "estimated"]
+    if not found:
+        return ()
+    names = Several((each.name for each in found), ", ")
+    return (Message("sizing.estimated_dimensions", names=names, source=found[0].source),)

@@ -28,7 +28,15 @@ from catopt.sizing.wind_mean import mean_over
 from catopt.units import lasting
 from catopt.words import Message, term
 
-__all__ = ["WIND_MEAN", "request_of", "shape_of", "size"]
+__all__ = [
+    "TAKEN_FOR",
+    "WIND_MEAN",
+    "of_the_wind",
+    "request_of",
+    "shape_of",
+    "size",
+    "wind_of_30_s",
+]
 
 WIND_MEAN: Final = 30.0
 """s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
@@ -95,7 +103,7 @@ def _of_a_buoy(of: Known) -> BuoyRequest | None:
 def _of_a_tanker(of: Known) -> TankerRequest | None:
     of.want("length", "breadth", "draught", "depth")
     ships = _ships(of)
-    place = _environment(of, wind=_wind_of_30_s(of))
+    place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
     line = _line(of, *_sizes(of))
     ground = _ground(of)
@@ -106,7 +114,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     maker = partial(
         TankerRequest,
         buoy=shape,
-        hawser=of["hawser"] if shape is not None or "hawser" in of.given else 0.0,
+        hawser=0.0 if shape is None else of["hawser"],
         lines=of["lines"],
         pretension=of["pretension"],
         clump_masses=of["clump_weight"] or (),
@@ -115,7 +123,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=words,
-        estimates=(*estimates(), *_of_the_wind(of)),
+        estimates=(*estimates(), *of_the_wind(of)),
         inputs=of.read,
     )
     is_found = of["buoy"] is None or shape is not None
@@ -125,15 +133,28 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
 # ------------------------------------------------------------------ place and weather
 
 
-def _wind_of_30_s(of: Known) -> float | None:
-    """Convert the wind to the mean that loads on a ship are computed for."""
-    return of.telling.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], of["wind_mean"])
+def wind_of_30_s(of: Known) -> float | None:
+    """Convert the wind to the mean that loads on a ship are computed for, m/s.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs; a wind whose averaging time is not known is taken for a mean of 30 s.
+    """
+    mean = of["wind_mean"] or WIND_MEAN
+    return of.telling.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], mean)
 
 
-def _of_the_wind(of: Known) -> tuple[str, ...]:
-    """Say to which speed the wind was converted."""
-    speed = _wind_of_30_s(of)
-    if speed is None or of["wind_mean"] == WIND_MEAN:
+def of_the_wind(of: Known) -> tuple[Message, ...]:
+    """Say to which speed the wind was converted.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs.
+    """
+    speed = wind_of_30_s(of)
+    if speed is None or of["wind_mean"] in (None, WIND_MEAN):
         return ()
     given = {"given": of["wind"], "mean": lasting(of["wind_mean"])}
     return (Message("sizing.wind_converted", speed=speed, **given),)
@@ -215,7 +236,7 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
     return made if len(made) == len(ships) else None
 
 
-_TAKEN_FOR: Final = MappingProxyType(
+TAKEN_FOR: Final = MappingProxyType(
     {
         "tanker": ("tanker {}", "tanker"),
         "bulk carrier": ("tanker {}", "cargo"),
@@ -236,7 +257,7 @@ def _ship(of: Known, condition: str) -> MooredShip:
     frontal, lateral = of["frontal_area"], of["lateral_area"]
     dwt = of["dwt"]
     kind = of["ship"]
-    wind_on, propeller = _TAKEN_FOR[kind]
+    wind_on, propeller = TAKEN_FOR[kind]
     ship = estimated_tanker(
         term(kind) if dwt is None else Message("sizing.ship_of", kind=term(kind), mass=dwt / 1e3),
         of["length"],

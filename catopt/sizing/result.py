@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final, Literal
 
 from catopt.catenary.solution import Solution
+from catopt.checks.case import check_line
+from catopt.checks.result import CheckResult
 from catopt.design.result import DesignPoint
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
@@ -17,11 +19,11 @@ from catopt.sizing.candidates import Candidate
 from catopt.sizing.document import sizing_document
 from catopt.sizing.limits import Limit
 from catopt.sizing.pattern import Pattern
-from catopt.sizing.read_input import ReadInput
+from catopt.sizing.read_input import ReadInput, estimated_dimensions
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
-from catopt.words import Message, Sentence, Several
+from catopt.words import Message, Sentence
 
 __all__ = ["SHOT", "Sizing", "SwingRadius"]
 
@@ -161,13 +163,32 @@ class Sizing:
     def in_motion(self) -> dict[str, float]:
         """Largest utilisation of tension and of holding with the allowance for motion, by kind.
 
-        Both go with the pull; a check that does not is left out.
+        Both go with the pull; those that do not are in `fails_in_motion`.
         """
         used: dict[str, float] = {}
         for each in self.point.checks.results:
             if each.kind in ("tension", "holding") and each.utilisation is not None:
                 used[each.kind] = max(used.get(each.kind, 0.0), each.utilisation)
         return {kind: self.dynamic_factor * value for kind, value in used.items()}
+
+    @property
+    def fails_in_motion(self) -> tuple[CheckResult, ...]:
+        """Other checks that fail under the extreme forces times that factor, the worst of a kind.
+
+        What lies on the bed, how far the anchor is lifted and the sinker that is needed do not go
+        with the pull: the line is solved anew.
+        """
+        load_cases = tuple(
+            replace(each, horizontal_force=self.dynamic_factor * each.horizontal_force)
+            if each.kind == "extreme"
+            else each
+            for each in self.case.load_cases
+        )
+        pulled = replace(self.case, load_cases=load_cases)
+        failed = check_line(self.point.line, pulled, self.point.anchor).failed
+        told = ("tension", "holding")
+        worst = {each.kind: each for each in reversed(failed) if each.kind not in told}
+        return tuple(reversed(worst.values()))
 
     @property
     def break_factor(self) -> float | None:
@@ -207,24 +228,16 @@ class Sizing:
         """What an engineer should know before using the answer, each once."""
         parts = (part for each in self.settled.posed.loads for part in each.parts)
         notes = [
-            *self._estimated,
+            *estimated_dimensions(self.inputs),
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.result.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
             *(() if self.pattern is None else self.pattern.warnings),
+            *(() if self.pattern is None else (Message("sizing.all_lines_there"),)),
         ]
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))
-
-    @property
-    def _estimated(self) -> tuple[str, ...]:
-        """Say which dimensions the answer rests on that were estimated."""
-        found = [each for each in self.inputs if each.origin == "estimated"]
-        if not found:
-            return ()
-        names = Several((Message(f"inputs.{each.of.name}") for each in found), ", ")
-        return (Message("sizing.estimated_dimensions", names=names, source=found[0].source),)
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt size --json`` prints (schema catopt.size/1)."""

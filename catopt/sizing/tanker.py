@@ -386,6 +386,8 @@ def _share(request: TankerRequest, settled: Settled) -> Iterator[str]:
 def _assumptions(request: TankerRequest, settled: Settled) -> Iterator[str]:
     env = request.environment
     yield Message("sizing.weathervanes")
+    if all(each.condition == "loaded" for each in request.ships):
+        yield Message("sizing.loaded_alone")
     yield from request.estimates
     if request.buoy is None:
         yield Message("sizing.at_the_bow")

@@ -120,6 +120,51 @@ def test_a_ballast_draught_counts_beside_the_loaded_one(run: Run) -> None:
     assert found["horizontal_force_N"] == pytest.approx(293e3, abs=0.5e3)
 
 
+def test_a_file_of_a_sizing_is_read_as_the_sizing_reads_it(run: Run, tmp_path: Path) -> None:
+    """The wind of another mean, the kind of the ship and what is estimated count as there."""
+    place = tmp_path / "cargo.toml"
+    place.write_text(
+        '[site]\nwater_depth = "22 m"\n'
+        '[ship]\nkind = "general cargo"\ndeadweight = "30000 t"\n'
+        '[environment]\nwind = "25 m/s"\nwind_mean = "10 min"\ncurrent = "1 m/s"\n'
+        'hs = "2 m"\nperiod = "6 s"\n'
+    )
+    found = document(run, "loads", "ship", str(place))
+    sized = run("size", "tanker", str(place), "--json")
+    assert sized.status == 0
+    (loaded,) = json.loads(sized.out)["loads"][0]["parts"]
+    assert found["components"] == loaded["components"]
+    # NPD/ISO: U0 of an hour from 25 = U0 (1 + 0.0441 (1 + 0.043 U0)), 0.0246 ln(3600/600) = 0.0441:
+    # U0 = 23.0 m/s; over 30 s U0 (1 + 0.1178 (1 + 0.043 U0)) = 28.37 m/s.
+    (speed,) = (
+        number["value"] for number in found["components"][0]["numbers"] if number["symbol"] == "V"
+    )
+    assert speed == pytest.approx(28.37, abs=0.005)
+    assert found["components"][0]["note"].startswith("cargo loaded")
+    assert any("mean of 10 min is 28.37 m/s" in said for said in found["assumptions"])
+    assert any("recalled (PIANC 2002 / ROM 3.1 [R])" in said for said in found["warnings"])
+
+
+def test_a_ship_by_its_deadweight(run: Run) -> None:
+    """The table's tanker of 50,000 t: 210 m by 32.2 m, 12.6 m deep in the water."""
+    areas = ("--frontal-area", "580 m^2", "--lateral-area", "1200 m^2", "--depth", "20 m")
+    found = document(run, "loads", "ship", "--dwt", "50000 t", "--current", "1 m/s", *areas)
+    form = next(each for each in found["components"] if "form" in each["name"])
+    area = next(each["value"] for each in form["numbers"] if each["symbol"] == "B T")
+    assert area == pytest.approx(32.2 * 12.6, rel=1e-12)
+    assert any("estimated from the deadweight" in said for said in found["warnings"])
+
+
+def test_the_worst_and_the_largest_are_said_in_the_units_that_are_asked_for(run: Run) -> None:
+    named = ("--load-method", "UFC-Blendermann", "--load-method", "22TCN-222-95")
+    shown = run(
+        *TANKER, *named, "--wave-coefficient", "0", "--ballast-draught", "3.2 m", "--units", "tf"
+    ).out
+    assert "The worst governs: " in shown
+    assert "The largest of the methods named: " in shown
+    assert "kN" not in shown
+
+
 def test_what_is_written(run: Run, tmp_path: Path) -> None:
     ran = run(*TANKER, "--out", str(tmp_path))
     assert ran.status == 0

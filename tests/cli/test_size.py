@@ -178,7 +178,7 @@ def test_what_is_written(run: Run, tmp_path: Path) -> None:
         ((*SHIP, "--moulded-depth", "12 m"), ("--moulded-depth", "the deck would be under water")),
         ((*SHIP, "--dwt", "90000 t"), ("--dwt", "not below what a ship of these dimensions")),
         ((*SHIP, "--lines", "2"), ("--lines: found 2; 1, or 3 to 24",)),
-        ((*SHIP, "--hawser", "40 m"), ("--hawser", "goes to a buoy")),
+        ((*SHIP, "--hawser", "40 m"), ("--hawser", "give --buoy with it")),
         ((*SHIP, "--anchor", "hook"), ("--anchor: found 'hook'",)),
         ((*SHIP, "--soil", "rock"), ("--soil: found 'rock'",)),
     ],

@@ -32,6 +32,7 @@ def test_a_deadweight_gives_the_dimensions_and_each_is_marked() -> None:
     assert estimated == {"length", "breadth", "draught", "moulded_depth"}
     assert origins["dwt"] == origins["depth"] == "given"
     assert origins["wind"] == "taken"
+    assert not {"hawser", "pretension"} & origins.keys()  # neither buoy nor several lines
 
 
 def test_what_is_given_is_not_estimated() -> None:
