@@ -75,6 +75,7 @@ def curve(
     """
     from catopt.answers.curve import curve_answer
     from catopt.casefile import read_case
+    from catopt.cli.known_codes import with_known_codes
     from catopt.render.terminal import show
 
     output: Output = context.obj
@@ -82,7 +83,7 @@ def curve(
         from catopt.report.files import check_directory
 
         check_directory(out)
-    read = read_case(case)
+    read = with_known_codes(read_case(case))
     result = _curve(read, over, start, stop, points)
     answer = curve_answer(result)
     if out is not None:

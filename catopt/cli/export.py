@@ -97,11 +97,12 @@ def export(
     standard error.
     """
     from catopt.casefile.design_directory import read_case_or_design
+    from catopt.cli.known_codes import with_known_codes
     from catopt.cli.state import in_state
 
     output: Output = context.obj
     EA = _settings(to, stiffness, elements, true_depth=true_depth)
-    read = in_state(read_case_or_design(case, design), load_case)
+    read = in_state(with_known_codes(read_case_or_design(case, design)), load_case)
     found = _exported(
         read, to, EA, elements, _sources(case, design), true_depth=true_depth, given=stiffness
     )

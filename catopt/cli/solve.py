@@ -85,6 +85,7 @@ def solve(
     """
     from catopt.answers.solution import solution_answer
     from catopt.casefile.design_directory import read_case_or_design
+    from catopt.cli.known_codes import with_known_codes
     from catopt.cli.state import in_state
     from catopt.render.terminal import show
 
@@ -101,7 +102,8 @@ def solve(
         "boundary": boundary,
     }
     given = {key: value for key, value in settings.items() if value is not None}
-    read = _with_settings(in_state(read_case_or_design(case, design), load_case), given, method)
+    whole = with_known_codes(read_case_or_design(case, design))
+    read = _with_settings(in_state(whole, load_case), given, method)
     solution = _solved(read, method, output)
     given_case, read = read, _as_solved(read)
     answer = solution_answer(read, solution, with_profile=profile)

@@ -253,8 +253,9 @@ def stop_if_not_converged(output: Output, found: DynamicVerification, lang: Repo
 def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
     """Read the case; what a line in motion lacks is told before anything is solved."""
     from catopt.casefile.design_directory import read_case_or_design
+    from catopt.cli.known_codes import with_known_codes
 
-    case = read_case_or_design(path, design)
+    case = with_known_codes(read_case_or_design(path, design))
     if with_motion:
         from catopt.verify.dynamic_setup import check_for_motion, read_drive
 

@@ -67,9 +67,15 @@ PRINTED: dict[str, list[Row]] = {
         tension(2.1, INTACT, "B", "dynamic"),
         tension(1.25, OUT, "B", "dynamic"),
     ],
-    # D203: 1.2 times 1.70 and 2.50.
-    "DNV-OS-E301-2008-CC1-SPM": [tension(2.04, INTACT, "C")],
-    "DNV-OS-E301-2008-CC2-SPM": [tension(3.0, INTACT, "C")],
+    # D203: 1.2 times 1.70 and 2.50, and times 1.50 and 2.10.
+    "DNV-OS-E301-2008-CC1-SPM": [
+        tension(2.04, INTACT, "C"),
+        tension(1.8, INTACT, "C", "dynamic"),
+    ],
+    "DNV-OS-E301-2008-CC2-SPM": [
+        tension(3.0, INTACT, "C"),
+        tension(2.52, INTACT, "C", "dynamic"),
+    ],
     # API RP 2SK, 3rd edition (2005): 2.00/1.67 intact, 1.43/1.25 damaged, 1.18/1.05 transient;
     # gravity anchors, permanent, lateral: 1.6 intact, 1.2 damaged.
     "API-RP-2SK": [
@@ -93,6 +99,8 @@ PRINTED: dict[str, list[Row]] = {
 MEAN_FACTORS = {
     "DNV-OS-E301-2008-CC1": {INTACT: 1.1, OUT: 1.0},
     "DNV-OS-E301-2008-CC2": {INTACT: 1.4, OUT: 1.0},
+    "DNV-OS-E301-2008-CC1-SPM": {INTACT: 1.32},
+    "DNV-OS-E301-2008-CC2-SPM": {INTACT: 1.68},
 }
 """E301, Tables D1 and D2: gamma_mean of dynamic analysis; no other code splits the tension."""
 

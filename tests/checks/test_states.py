@@ -119,12 +119,14 @@ def test_a_factor_on_the_mean_and_one_on_what_is_dynamic() -> None:
 
     1.10 * 60 + 1.50 * 40 = 126 kN, so that 100 * 190 / 126 = 150.79 kN of that kind are allowed;
     by D202 1.3 * 100 = 130 kN, 146.15 kN allowed. Class 2: 1.40 * 60 + 2.10 * 40 = 168 kN,
-    113.10 kN.
+    113.10 kN. Single point moorings, D203: 1.2 times 126 and 168 kN.
     """
     strength = criteria_of(GROUNDED).strength(PLAIN)
     for code, expected in (
         ("DNV-OS-E301-2008-CC1", [100.0 * 190.0 / 126.0, 190.0 / 1.3]),
         ("DNV-OS-E301-2008-CC2", [100.0 * 190.0 / 168.0]),
+        ("DNV-OS-E301-2008-CC1-SPM", [100.0 * 190.0 / (1.2 * 126.0)]),
+        ("DNV-OS-E301-2008-CC2-SPM", [100.0 * 190.0 / (1.2 * 168.0)]),
         ("API-RP-2SK", [200.0 / 1.67]),
     ):
         criteria = criteria_of(asking(checks=by(code)), analysis="dynamic")

@@ -214,3 +214,15 @@ force = ["-60 kN", "0 kN"]
 [checks]
 codes = ["DNV-OS-E301-2008-CC1"]
 """
+
+
+@pytest.mark.parametrize("command", ["solve", "curve", "verify", "export --to moordyn"])
+def test_a_code_that_is_none_is_refused_by_every_command(
+    run: Run, tmp_path: Path, command: str
+) -> None:
+    case = tmp_path / "case.toml"
+    text = (CASES / "buoy-9.5m" / "case.toml").read_text("utf-8")
+    case.write_text(text + '[checks]\ncodes = ["NONSENSE"]\n', encoding="utf-8")
+    ran = run(*command.split(), case)
+    assert ran.status == 2
+    assert 'checks.codes[0]: found "NONSENSE"; there are break/5, IALA-CALMAR' in ran.err
