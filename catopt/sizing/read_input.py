@@ -61,6 +61,8 @@ class ReadInput:
         if not self.of.is_measure:
             return term(str(value).lower() if isinstance(value, bool) else str(value))
         unit = self._unit
+        if not unit:
+            return f"{value:.6g}"
         factor = UNITS[Dimension[self.of.takes]].get(unit, 1.0)
         return Message("sizing.in_unit", value=value / factor, unit=term(unit))
 
