@@ -35,9 +35,8 @@ def test_no_line_fails() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("count", "seed"), [(20_000, 1), (200_000, 2)])
-def test_no_line_fails_in_many(count: int, seed: int) -> None:
-    tally = run(count, seed, workers=2)
+def test_no_line_fails_in_many() -> None:
+    tally = run(100_000, seed=2, workers=2)
     assert tally.failures == 0, tally.table()
 
 
