@@ -297,7 +297,7 @@ def main() -> None:
     sections = {
         "study": _study({1: 20, 20: 5} if quick else {1: 150, 5: 60, 20: 40}),
         "line": _line(20 if quick else 200, 10 if quick else 20),
-        "speed": _speed(4 if quick else 8, 12 if quick else 40, 1),
+        "speed": _speed(4 if quick else 20, 12 if quick else 40, 1),
     }
     for name in arguments.sections:
         for row in sections[name]:
