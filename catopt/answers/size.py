@@ -23,6 +23,7 @@ from catopt.answers.blocks import (
 from catopt.answers.check import QUANTITY_OF, check_columns, tightest_table
 from catopt.answers.loads import forces_table, numbers_table
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.sizing.kinds import usual
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Several, term
 
@@ -103,7 +104,7 @@ def read_table(of: Sizing) -> Table:
 
 def steady_sentence(of: Sizing) -> Message:
     """Say that the answer rests on steady forces, and what an allowance for motion makes of it."""
-    taken = any(each.of.name == "dynamic_factor" and each.origin == "taken" for each in of.inputs)
+    is_usual = of.dynamic_factor == usual("dynamic_factor")
     tension = of.hardest[1].fairlead.tension
     used = [
         Message(
@@ -121,7 +122,7 @@ def steady_sentence(of: Sizing) -> Message:
     return Message(
         "sizing.steady",
         factor=of.dynamic_factor,
-        source=Message("sizing.factor_taken" if taken or not of.inputs else "sizing.factor_given"),
+        source=Message("sizing.factor_taken" if is_usual else "sizing.factor_given"),
         moving=Measure("tension", of.dynamic_factor * tension),
         still=Measure("tension", tension),
         used=Several(used, "; "),

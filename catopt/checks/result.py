@@ -14,7 +14,13 @@ from catopt.model import LoadCase
 from catopt.ties import largest
 from catopt.words import Message
 
-__all__ = ["CheckReport", "CheckResult", "CheckSource"]
+__all__ = ["CheckReport", "CheckResult", "CheckSource", "line_in_state"]
+
+
+def line_in_state(number: int, state: str) -> Message:
+    """Say of which line of a body something is, and in which state: ``"line 2, intact"``."""
+    line = Message("checks.line_number", number=number)
+    return Message("checks.of_line", line=line, name=state)
 
 
 @dataclass(frozen=True)
@@ -103,10 +109,7 @@ class CheckResult:
     def where(self) -> str:
         """Its load case; of a line of a body its number and the state: ``"line 2, intact"``."""
         number = self.place.line
-        if number is None:
-            return self.load_case
-        line = Message("checks.line_number", number=number)
-        return Message("checks.of_line", line=line, name=self.load_case)
+        return self.load_case if number is None else line_in_state(number, self.load_case)
 
     @property
     def passes(self) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import HORIZONTAL_PULL, USER, Criteria, criteria_of
@@ -11,10 +11,11 @@ from catopt.checks.criterion import Criterion
 from catopt.checks.evaluation import evaluate
 from catopt.checks.excess import buoyancy_excess
 from catopt.checks.remarks import Lifted, of_criteria, of_uplift
-from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.state import Place, State
 from catopt.model import Case
 from catopt.mooring.case import SystemReport, report_system
+from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.solution import SystemSolution
 from catopt.words import Message
 
@@ -49,7 +50,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     case : Case
         With a system.
     report : SystemReport, optional
-        What `report_system` gave for it, with one line out; solved here when left out.
+        What `report_system` gave for it; what it lacks is solved here.
 
     Raises
     ------
@@ -62,8 +63,9 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     legs = case.system.legs
     wanted: tuple[State, ...] = ("intact", "one_line_out") if damaged else ("intact",)
     known = {line: criteria.strengths(line, {"extreme"}, wanted) for line in {e.line for e in legs}}
-    report = report or report_system(case, with_line_out=bool(damaged))
-    states = tuple(_states(report, with_line_out=bool(damaged)))
+    report = report or report_system(case)
+    lost = report.line_out or one_line_out(case.system) if damaged else ()
+    states = tuple(_states(report.solution, lost))
     results: list[CheckResult] = []
     solved: list[tuple[Lifted, Place]] = []
     for state in states:
@@ -72,11 +74,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
             continue
         for number, line in zip(state.numbers, state.solution.lines, strict=True):
             place = replace(state.place, line=number)
-            where = Message(
-                "checks.of_line",
-                line=Message("checks.line_number", number=number),
-                name=state.name,
-            )
+            where = line_in_state(number, state.name)
             solved.append((Lifted(where, place.state, "extreme", line.solution), place))
             results += evaluate(
                 line.solution,
@@ -113,10 +111,10 @@ def _for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
     )
 
 
-def _states(report: SystemReport, *, with_line_out: bool) -> Iterator[_InState]:
-    everything = tuple(range(1, len(report.solution.lines) + 1))
-    yield _InState(Place(), report.solution, everything)
-    for each in report.line_out if with_line_out else ():
+def _states(solution: SystemSolution, lost: Sequence[LineOut]) -> Iterator[_InState]:
+    everything = tuple(range(1, len(solution.lines) + 1))
+    yield _InState(Place(), solution, everything)
+    for each in lost:
         missing = each.missing + 1
         left = tuple(number for number in everything if number != missing)
         place = Place("one_line_out", missing=missing)

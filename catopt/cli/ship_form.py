@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from catopt.words import Message, term
 
 if TYPE_CHECKING:
-    from catopt.loads import Afloat, Headings, Lying, Ship, Turning
+    from catopt.loads import Afloat, Headings, Lying, Turning
     from catopt.loads.ship_estimate import Condition
     from catopt.sizing.known import Known
 
@@ -40,7 +40,7 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
     """Make the ship at each draught that is known, and say what was estimated."""
     from catopt.loads import Afloat, Ship
     from catopt.loads.ship_estimate import BLOCK, estimates
-    from catopt.sizing.requests import TAKEN_FOR
+    from catopt.sizing.requests import TAKEN_FOR, ship_at
 
     wind_on, _ = TAKEN_FOR[of["ship"] or "tanker"]
     ships = []
@@ -51,7 +51,9 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
     for condition, draught in conditions.items():
         if draught is None:
             continue
-        windage = _windage(of, condition, draught)
+        windage = of.telling.make(partial(ship_at, of, condition, "tanker"))
+        of.telling.raise_if_any()
+        assert windage is not None
         section = of["breadth"] * draught
         block = BLOCK[condition] if form.block is None else form.block
         centre = windage.lateral_centre if form.wind_centre is None else form.wind_centre
@@ -76,29 +78,6 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
         ships.append(Afloat(condition, body, form.kind or wind_on.format(condition)))
     is_given = of["frontal_area"] is not None and of["lateral_area"] is not None
     return ships, () if is_given else estimates()[1:]
-
-
-def _windage(of: Known, condition: Condition, draught: float) -> Ship:
-    """Estimate a tanker's windage; areas that are given are those of the loaded ship."""
-    from catopt.loads.ship_estimate import MOULDED, estimated_tanker
-
-    loaded, frontal, lateral = of["draught"], of["frontal_area"], of["lateral_area"]
-    risen = loaded - draught
-    ship = of.telling.make(
-        lambda: estimated_tanker(
-            "tanker",
-            of["length"],
-            of["breadth"],
-            draught,
-            moulded_depth=of["moulded_depth"] or MOULDED * loaded,
-            condition=condition,
-            frontal_area=None if frontal is None else frontal + of["breadth"] * risen,
-            lateral_area=None if lateral is None else lateral + of["length"] * risen,
-        )
-    )
-    of.telling.raise_if_any()
-    assert ship is not None
-    return ship
 
 
 def refuse_needless(options: dict[str, str | None]) -> None:

@@ -56,8 +56,8 @@ def system(
     """
     from catopt.answers.system import system_answer
     from catopt.casefile import read_case
-    from catopt.checks.case import check_case
     from catopt.checks.document import verdict_document
+    from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
     from catopt.render.terminal import show
     from catopt.units import Dimension
@@ -78,7 +78,7 @@ def system(
         directions=directions,
         levels=levels,
     )
-    checks = check_case(read)
+    checks = check_system(read, report)
     answer = system_answer(report, checks)
     document = report.to_dict() | {"checks": verdict_document(checks)}
     if watch_circle and report.circle is None:

@@ -11,7 +11,8 @@ from typing import Any, Final
 from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy_library import buoy as look_up
 from catopt.loads.environment import HMAX_OVER_HS
-from catopt.loads.ship_estimate import MOULDED, estimated_tanker, estimates
+from catopt.loads.ship import Ship
+from catopt.loads.ship_estimate import MOULDED, Condition, estimated_tanker, estimates
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
@@ -34,6 +35,7 @@ __all__ = [
     "of_the_wind",
     "request_of",
     "shape_of",
+    "ship_at",
     "size",
     "wind_of_30_s",
 ]
@@ -221,7 +223,7 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
     """Make the ship in each condition, as far as its dimensions are known."""
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
-    conditions = {"loaded": "draught", "ballast": "ballast_draught"}
+    conditions: dict[str, str] = {"loaded": "draught", "ballast": "ballast_draught"}
     ships = [
         of.telling.make(lambda c=condition: _ship(of, c))
         for condition, name in conditions.items()
@@ -247,31 +249,48 @@ TAKEN_FOR: Final = MappingProxyType(
 first lacks bulk carriers; a tanker's bow has the largest coefficient."""
 
 
-def _ship(of: Known, condition: str) -> MooredShip:
-    is_loaded = condition == "loaded"
+def ship_at(of: Known, condition: Condition, name: str, propeller: str = "tanker") -> Ship:
+    """Estimate the ship at one of its draughts.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs. Areas that are given are those of the loaded ship, which rises by the difference.
+    condition : {"loaded", "ballast"}
+        Which draught.
+    name : str
+        Of the ship.
+    propeller : str
+        As of `catopt.loads.Ship`.
+    """
     loaded = of["draught"]
-    draught = loaded if is_loaded else of["ballast_draught"]
-    moulded = of["moulded_depth"] or MOULDED * loaded
-    # Where the areas are given, they are those of the loaded ship: it rises by the difference.
+    draught = loaded if condition == "loaded" else of["ballast_draught"]
     risen = loaded - draught
     frontal, lateral = of["frontal_area"], of["lateral_area"]
-    dwt = of["dwt"]
-    kind = of["ship"]
-    wind_on, propeller = TAKEN_FOR[kind]
-    ship = estimated_tanker(
-        term(kind) if dwt is None else Message("sizing.ship_of", kind=term(kind), mass=dwt / 1e3),
+    return estimated_tanker(
+        name,
         of["length"],
         of["breadth"],
         draught,
-        moulded_depth=moulded,
-        condition="loaded" if is_loaded else "ballast",
+        moulded_depth=of["moulded_depth"] or MOULDED * loaded,
+        condition=condition,
         frontal_area=None if frontal is None else frontal + of["breadth"] * risen,
         lateral_area=None if lateral is None else lateral + of["length"] * risen,
         propeller=propeller,
     )
+
+
+def _ship(of: Known, condition: Condition) -> MooredShip:
+    dwt, kind = of["dwt"], of["ship"]
+    wind_on, propeller = TAKEN_FOR[kind]
+    name = term(kind) if dwt is None else Message("sizing.ship_of", kind=term(kind), mass=dwt / 1e3)
+    ship = ship_at(of, condition, name, propeller)
+    loaded = of["draught"]
+    moulded = of["moulded_depth"] or MOULDED * loaded
     fairlead = moulded - loaded if of["fairlead"] is None else of["fairlead"]
+    fairlead += loaded - ship.draught
     return MooredShip(
-        condition, ship, wind_on.format(condition), fairlead + risen, dwt if is_loaded else None
+        condition, ship, wind_on.format(condition), fairlead, dwt if condition == "loaded" else None
     )
 
 

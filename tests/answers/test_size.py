@@ -103,6 +103,7 @@ def test_the_allowance_for_motion_is_said_first() -> None:
     worst = max(each.demand / each.capacity for each in checks)
     said = say(steady_sentence(of), "en")
     assert f"the tension at the fairlead is {1.5 * tension:.4g} kN, not {tension:.4g} kN" in said
+    assert "allowance for motion of 1.5 (given)" in said
     assert f"tension then stands at {1.5 * worst:.3f} of its limit" in said
     beyond = say(steady_sentence(replace(of, dynamic_factor=1.1 / worst)), "en")
     assert "tension then stands at 1.100 of its limit: MORE THAN ALLOWED" in beyond
