@@ -23,7 +23,6 @@ from catopt.answers.blocks import (
 from catopt.answers.check import QUANTITY_OF, check_columns, tightest_table
 from catopt.answers.loads import forces_table, numbers_table
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.sizing.kinds import usual
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Several, term
 
@@ -104,7 +103,6 @@ def read_table(of: Sizing) -> Table:
 
 def steady_sentence(of: Sizing) -> Message:
     """Say that the answer rests on steady forces, and what an allowance for motion makes of it."""
-    is_usual = of.dynamic_factor == usual("dynamic_factor")
     tension = of.hardest[1].fairlead.tension
     used = [
         Message(
@@ -122,7 +120,7 @@ def steady_sentence(of: Sizing) -> Message:
     return Message(
         "sizing.steady",
         factor=of.dynamic_factor,
-        source=Message("sizing.factor_taken" if is_usual else "sizing.factor_given"),
+        source=Message("sizing.factor_taken" if of.is_usual_factor else "sizing.factor_given"),
         moving=Measure("tension", of.dynamic_factor * tension),
         still=Measure("tension", tension),
         used=Several(used, "; "),

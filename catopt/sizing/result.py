@@ -17,6 +17,7 @@ from catopt.model import Case
 from catopt.sizing.alternatives import Alternative, trade
 from catopt.sizing.candidates import Candidate
 from catopt.sizing.document import sizing_document
+from catopt.sizing.kinds import usual
 from catopt.sizing.limits import Limit
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.read_input import ReadInput, estimated_dimensions
@@ -158,6 +159,11 @@ class Sizing:
             for _, solution in self.point.checks.solutions
             for segment in solution.segments
         )
+
+    @property
+    def is_usual_factor(self) -> bool:
+        """Whether the allowance for motion is the one that is taken unless another is given."""
+        return bool(self.dynamic_factor == usual("dynamic_factor"))
 
     @property
     def in_motion(self) -> dict[str, float]:
