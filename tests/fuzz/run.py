@@ -13,6 +13,7 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import dropwhile
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -112,8 +113,10 @@ def fault_of(ended: Ended) -> str:
 
 
 def _fault_of_message(ended: Ended) -> str:
-    first, *problems = ended.err.rstrip("\n").split("\n")
-    if not first.startswith("catopt: ") or len(first) < len("catopt: ") + 10:
+    """Judge a message; what is announced of a long job may stand before it."""
+    lines = ended.err.rstrip("\n").split("\n")
+    first, *problems = [*dropwhile(lambda line: not line.startswith("catopt: "), lines)] or [""]
+    if len(first) < len("catopt: ") + 10:
         return f"no message: {ended.err[:200]!r}"
     if ended.status == 2 and (not problems or not all(PROBLEM.match(each) for each in problems)):
         return f"a refusal without key and reason: {ended.err[:300]!r}"

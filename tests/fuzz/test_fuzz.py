@@ -37,6 +37,8 @@ def test_so_it_is_by_processes_of_their_own() -> None:
         (2, "", "catopt: case.toml: 1 error\n  wrong\n", "without key and reason"),
         (2, "{}", "catopt: case.toml: 1 error\n  key: wrong\n", "prints an answer"),
         (3, "", "", "no message"),
+        (3, "", "enumeration of 1,020 designs\n", "no message"),
+        (3, "", "enumeration of 1,020 designs\ncatopt: no design passes\n", ""),
         (0, "{}", "RuntimeWarning: overflow\n", "says 'Warning'"),
         (2, "", "catopt: case.toml: 1 error\n  key: found \x1b[31m\n", "control characters"),
         (2, "", "catopt: case.toml: 1 error\n  key: wrong\n", ""),
