@@ -7,11 +7,13 @@ Everything of the public interface is found here and loaded when it is first use
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
 from catopt._version import __version__
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from catopt.casefile import read_case
     from catopt.catenary.batch import solve_many
     from catopt.catenary.case import solve_case

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
-from contextvars import copy_context
-from typing import TYPE_CHECKING
 
+TYPE_CHECKING = False  # so that nothing is loaded before Ctrl-C is heeded
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from catopt.cli.output import Output
 
 __all__ = ["main"]
@@ -33,12 +33,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     try:
         if arguments is None:  # the process is the program's own
-            from catopt.interrupt import terminate_as_interrupt
+            from catopt.interrupt import heed_signals
 
-            terminate_as_interrupt()
+            heed_signals()
+        from contextvars import copy_context
+
         from catopt.cli.output import Output
-        from catopt.errors import CatoptError
-
     except KeyboardInterrupt:  # while the program is still being loaded
         sys.stderr.write("catopt: interrupted\n")
         return INTERRUPTED
@@ -54,12 +54,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         status = INTERRUPTED
     except SystemExit as stop:
         status = stop.code if isinstance(stop.code, int) else int(stop.code is not None)
-    except CatoptError as error:
-        status = error.exit_status
-        output.note(f"catopt: {error}" if status != FAULT else _fault(error, output))
     except Exception as error:
-        status = FAULT
-        output.note(_fault(error, output))
+        status = _failed(error, output)
     if status == INTERRUPTED:
         output.note("catopt: interrupted")
     if arguments is None:
@@ -73,6 +69,20 @@ def _run(arguments: Sequence[str] | None, output: Output) -> None:
     from catopt.cli.app import command
 
     command(args=None if arguments is None else list(arguments), prog_name="catopt", obj=output)
+
+
+def _failed(error: Exception, output: Output) -> int:
+    """Say why there is no answer; returns the exit status."""
+    from catopt.errors import CatoptError
+    from catopt.interrupt import was_interrupted
+
+    if isinstance(error, CatoptError) and error.exit_status != FAULT:
+        output.note(f"catopt: {error}")
+        return error.exit_status
+    if was_interrupted() and not output.debug:  # what is stopped half-way says anything
+        return INTERRUPTED
+    output.note(_fault(error, output))
+    return FAULT
 
 
 def _fault(error: Exception, output: Output) -> str:

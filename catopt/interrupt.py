@@ -1,12 +1,15 @@
-"""Signals that wait for a place where they do no harm.
+"""Signals that wait for a place where they do no harm, and that are not lost on their way.
 
 An exception raised where compiled code takes over its arguments or hands back its result ends the
-process.
+process; raised in a callback of Python's own (a weak reference, an import's lock) it is printed and
+forgotten.
 """
 
 from __future__ import annotations
 
+import _thread
 import signal
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -16,11 +19,12 @@ from typing import Any, TypeVar
 
 __all__ = [
     "asked_to_stop",
+    "heed_signals",
     "no_interrupt_from_now",
     "signals_wait",
-    "terminate_as_interrupt",
     "uninterrupted",
     "waiting_interrupt",
+    "was_interrupted",
 ]
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -78,7 +82,8 @@ def waiting_interrupt() -> Iterator[Callable[[], None]]:
         else minds the signal, it does nothing.
     """
     mine = threading.current_thread() is threading.main_thread()
-    if not mine or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+    before = signal.getsignal(signal.SIGINT)
+    if not mine or before not in (signal.default_int_handler, _interrupt):
         yield lambda: None
         return
     pressed = False
@@ -86,7 +91,7 @@ def waiting_interrupt() -> Iterator[Callable[[], None]]:
     def note(number: int, frame: FrameType | None) -> None:
         nonlocal pressed
         if pressed:
-            signal.default_int_handler(number, frame)
+            _interrupt(number, frame)
         pressed = True
 
     def ask() -> None:
@@ -97,7 +102,7 @@ def waiting_interrupt() -> Iterator[Callable[[], None]]:
     try:
         yield ask
     finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGINT, before)
 
 
 @contextmanager
@@ -124,9 +129,51 @@ def signals_wait() -> Iterator[None]:
             signal.raise_signal(came[0])
 
 
-def terminate_as_interrupt() -> None:
-    """Treat a request to end (SIGTERM) as Ctrl-C from now on, so that it ends in the same order."""
+_ends: list[int] = []
+"""Signals that asked the program to end."""
+
+_AGAIN = 0.01
+"""s, after which a Ctrl-C that was lost comes again."""
+
+
+def _interrupt(number: int, frame: FrameType | None) -> None:
+    _ends.append(number)
+    signal.default_int_handler(number, frame)
+
+
+def was_interrupted() -> bool:
+    """Whether the program was asked to end, since `heed_signals`.
+
+    An error after that follows from it: a library that is stopped half-way through an import or a
+    drawing says anything.
+    """
+    return bool(_ends)
+
+
+def _press_again() -> None:
+    """Send Ctrl-C to the main thread; where a signal can be sent to it, it wakes from waiting."""
+    if sys.platform == "win32":
+        _thread.interrupt_main()
+    else:
+        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+
+
+def heed_signals() -> None:
+    """Let no Ctrl-C be lost, and treat a request to end (SIGTERM) as one; for a whole process."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, _interrupt)
     signal.signal(signal.SIGTERM, lambda _, __: signal.raise_signal(signal.SIGINT))
+    usual = sys.unraisablehook
+
+    def again(lost: sys.UnraisableHookArgs) -> None:
+        if not issubclass(lost.exc_type, KeyboardInterrupt):
+            usual(lost)
+            return
+        timer = threading.Timer(_AGAIN, _press_again)
+        timer.daemon = True
+        timer.start()
+
+    sys.unraisablehook = again
 
 
 def no_interrupt_from_now() -> None:
