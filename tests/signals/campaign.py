@@ -33,6 +33,9 @@ ENDINGS = {
 INTERRUPTED = 130
 MOST_SECONDS = 1200.0
 
+EARLY = 0.1
+"""s from that on in which a signal may come before catopt minds it: while it is being loaded."""
+
 MAIN = "import os, sys; os.write(1, b'.'); from catopt.__main__ import main; sys.exit(main())"
 """Says that Python has begun: before that a signal is not the program's."""
 
@@ -92,7 +95,7 @@ def run(number: signal.Signals, count: int, seed: int) -> Tally:
             delay = rng.uniform(0.0, 1.1 * seconds)
             status, said = _signalled(command, folder, number, delay)
             tally.ends[command.name, status] += 1
-            faults = [*_of_the_end(number, status, said), *_of_the_files(out)]
+            faults = [*_of_the_end(number, status, said, delay), *_of_the_files(out)]
             if _is_mixed(_contents(out), before, after):
                 tally.mixed += 1
                 if number is not signal.SIGKILL:
@@ -157,8 +160,10 @@ def _signalled(
     return process.returncode, said.decode("utf-8", "replace")
 
 
-def _of_the_end(number: signal.Signals, status: int, said: str) -> list[str]:
+def _of_the_end(number: signal.Signals, status: int, said: str, delay: float) -> list[str]:
     """List what is wrong with how a run ended."""
+    if status == -number and delay < EARLY:
+        return []
     right = (0, -signal.SIGKILL) if number is signal.SIGKILL else (0, INTERRUPTED)
     faults = [] if status in right else [f"status {status}: {said[-300:]}"]
     if "Traceback" in said or "Error" in said:
