@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from catopt.answers.blocks import (
     Answer,
@@ -28,6 +28,7 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
+    from catopt.mooring.held import HeldBody
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.watch_circle import WatchCircle
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 __all__ = [
     "circle_table",
     "curve_table",
+    "held_section",
     "line_out_table",
     "lines_table",
     "lines_used",
@@ -44,6 +46,17 @@ __all__ = [
 _EVERY = 10
 """One direction of the watch circle in so many is shown: 30 degrees."""
 _CURVE_EVERY = 2
+
+
+_LOADS = {
+    "along_x": "Fx",
+    "along_y": "Fy",
+    "along_z": "Fz",
+    "about_x": "Mx",
+    "about_y": "My",
+    "about_z": "Mz",
+}
+"""Components of the lines' load on a body, and their symbols."""
 
 
 def system_answer(report: SystemReport, checks: CheckReport) -> Answer:
@@ -68,6 +81,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> Answer:
             *_circle(report),
             *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
             *_levels(report),
+            *(held_section(number, each) for number, each in enumerate(report.held, start=1)),
             Section(Message("captions.residuals"), tuple(_closing(report, checks))),
         ),
     )
@@ -234,6 +248,49 @@ def _levels(report: SystemReport) -> Iterator[Section]:
     )
     title = Message("captions.water_levels")
     yield Section(title, (Table("water_levels", columns, title),))
+
+
+def held_section(number: int, body: HeldBody) -> Section:
+    """Lay out what the lines do to a body that is held: load and stiffness in six freedoms."""
+    title = Message("captions.held_body", number=number)
+    at = {
+        name: Measure("offset" if k < 3 else "angle", value)
+        for k, (name, value) in enumerate(body.by_freedom.items())
+    }
+    height = Measure("height", body.origin_height)
+    load = Facts(
+        f"held_{number}_load",
+        tuple(
+            fact("horizontal_force" if k < 3 else "moment", body.load[k], name, symbol=symbol)
+            for k, (name, symbol) in enumerate(_LOADS.items())
+        ),
+        Message("captions.held_load"),
+    )
+    return Section(
+        title,
+        (
+            Text(Message("mooring.held_at", **at)),
+            Text(Message("mooring.held_about", height=height)),
+            load,
+            _stiffness(f"held_{number}_forces", body, 0),
+            _stiffness(f"held_{number}_moments", body, 3),
+        ),
+    )
+
+
+def _stiffness(name: str, body: HeldBody, first: Literal[0, 3]) -> Table:
+    """Tabulate the rows of the forces (from 0) or of the moments (from 3): they differ in unit."""
+    caption, shift, turn = {
+        0: ("held_forces", "stiffness", "force_by_turning"),
+        3: ("held_moments", "moment_by_shift", "moment_by_turning"),
+    }[first]
+    rows = slice(first, first + 3)
+    columns = [texts("load_component", [*_LOADS.values()][rows])]
+    columns += [
+        measured(shift if k < 3 else turn, [row[k] for row in body.stiffness[rows]], way, symbol="")
+        for k, way in enumerate(body.by_freedom)
+    ]
+    return Table(name, tuple(columns), Message(f"captions.{caption}"))
 
 
 def _responses(responses: Iterable[Response | None]) -> tuple[Column, ...]:

@@ -45,6 +45,22 @@ def system(
             "floats up and down with it. Several may be given.",
         ),
     ] = None,
+    stiffness: Annotated[
+        bool,
+        typer.Option(
+            "--stiffness",
+            help="Also load and stiffness of the lines in six freedoms, about the waterline, where "
+            "the body rests.",
+        ),
+    ] = False,
+    held: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="SIX",
+            help="The same where the body is held: surge, sway, heave, roll, pitch and yaw, such "
+            'as "5 m, 0, 0, 0, 2 deg, 0". Several may be given.',
+        ),
+    ] = None,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: OutOption = None,
@@ -70,6 +86,7 @@ def system(
         check_directory(out)
     directions = _in_si("--curve", curve or [], Dimension.ANGLE)
     levels = _in_si("--level", level or [], Dimension.LENGTH)
+    displacements = [_displacement(text) for text in held or []]
     read = read_case(case)
     report = report_system(
         read,
@@ -77,6 +94,8 @@ def system(
         with_circle=watch_circle,
         directions=directions,
         levels=levels,
+        with_stiffness=stiffness,
+        displacements=displacements,
     )
     checks = check_system(read, report)
     answer = system_answer(report, checks)
@@ -101,3 +120,22 @@ def _in_si(option: str, texts: list[str], dimension: Dimension) -> list[float]:
     from catopt.cli.values import in_si
 
     return [in_si({option: (text, dimension)})[option] for text in texts]
+
+
+def _displacement(text: str) -> tuple[float, ...]:
+    """Read six values of a displacement: three lengths, three angles."""
+    from catopt.cli.values import in_si
+    from catopt.errors import InputError, Problem
+    from catopt.mooring.held import FREEDOMS
+    from catopt.units import Dimension
+
+    parts = [each.strip() for each in text.split(",")]
+    if len(parts) != len(FREEDOMS):
+        wanted = f"must be six values with commas between them: {', '.join(FREEDOMS)}"
+        raise InputError([Problem("--held", repr(text), wanted)], "options")
+    dimensions = (Dimension.LENGTH,) * 3 + (Dimension.ANGLE,) * 3
+    given = {
+        f"--held, {name}": (part, dimension)
+        for name, part, dimension in zip(FREEDOMS, parts, dimensions, strict=True)
+    }
+    return tuple(in_si(given).values())

@@ -11,6 +11,7 @@ from catopt.catenary.surface import named_line
 from catopt.catenary.warnings import above_water
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
+from catopt.mooring.held import HeldBody, held_body
 from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.report_document import report_document
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
@@ -45,6 +46,8 @@ class SystemReport:
         One for each direction asked for.
     levels : tuple of AtLevel
         One for each water level asked for.
+    held : tuple of HeldBody
+        The linearised stiffness in six freedoms, about the waterline, where it was asked for.
     """
 
     case: Case
@@ -54,6 +57,7 @@ class SystemReport:
     circle: WatchCircle | None = None
     curves: tuple[RestoringCurve, ...] = ()
     levels: tuple[AtLevel, ...] = ()
+    held: tuple[HeldBody, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt system --json`` prints (schema catopt.system/1)."""
@@ -67,6 +71,8 @@ def report_system(
     with_circle: bool = False,
     directions: Sequence[float] = (),
     levels: Sequence[float] = (),
+    with_stiffness: bool = False,
+    displacements: Sequence[tuple[float, ...]] = (),
 ) -> SystemReport:
     """Solve the system of a case, and what else is asked.
 
@@ -80,6 +86,10 @@ def report_system(
         Of restoring curves, rad.
     levels : sequence of float
         Water levels above that of the case, m.
+    with_stiffness : bool
+        Whether the stiffness in six freedoms is wanted where the body rests.
+    displacements : sequence of tuple of 6 float
+        Where it is wanted besides: surge, sway, heave (m), roll, pitch, yaw (rad).
 
     Raises
     ------
@@ -107,6 +117,8 @@ def report_system(
         warnings=(*solution.warnings, *above),
     )
     size = math.hypot(*system.force)
+    rest = solution.position
+    held = [(rest.x, rest.y, 0.0, 0.0, 0.0, rest.yaw)] if with_stiffness else []
     return SystemReport(
         case,
         solution,
@@ -115,6 +127,10 @@ def report_system(
         circle=watch_circle(system, force=size) if with_circle and size > 0.0 else None,
         curves=tuple(_curve(system, solution, direction) for direction in directions),
         levels=at_levels(system, levels),
+        held=tuple(
+            held_body(system, origin_height=case.site.water_depth, displacement=each)
+            for each in (*held, *displacements)
+        ),
     )
 
 

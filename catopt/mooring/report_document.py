@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from catopt.mooring.case import SystemReport
+    from catopt.mooring.held import HeldBody
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
 
@@ -48,7 +49,28 @@ def report_document(report: SystemReport) -> dict[str, Any]:
             }
             for each in report.levels
         ]
+    if report.held:
+        document["held_body"] = [_held(each) for each in report.held]
     return document
+
+
+def _held(body: HeldBody) -> dict[str, Any]:
+    return {
+        "displacement": list(body.displacement),
+        "origin_height_m": body.origin_height,
+        "load": list(body.load),
+        "stiffness": [list(row) for row in body.stiffness],
+        "lines": [
+            {
+                "fairlead_m": list(line.fairlead),
+                "span_m": line.span,
+                "horizontal_force_N": line.horizontal_force,
+                "vertical_force_N": line.vertical_force,
+                "grounded_length_m": line.grounded,
+            }
+            for line in body.lines
+        ],
+    }
 
 
 def _response(response: Response) -> dict[str, Any]:

@@ -21,7 +21,7 @@ from .conftest import BUOY, CASES, Run
 FSO = CASES / "fso-rang-dong" / "case.toml"
 EVERYTHING = (
     "--line-out", "--watch-circle", "--curve", "180 deg", "--curve", "1.0", "--level", "-2 m",
-    "--level", "2",
+    "--level", "2", "--stiffness", "--held", "5 m, 0, -1 m, 0, 2 deg, 0",
 )  # fmt: skip
 
 SPREAD = """
@@ -98,6 +98,11 @@ def test_what_is_asked_for_is_there(run: Run) -> None:
         1.0,
     ]
     assert [each["level_m"] for each in document["water_levels"]] == [-2.0, 2.0]
+    at_rest, held = document["held_body"]
+    assert at_rest["displacement"][0] == document["position"]["x_m"]
+    assert at_rest["load"][:2] == [pytest.approx(4.281e6), pytest.approx(0.0, abs=1e-3)]
+    assert at_rest["stiffness"][0][0] == pytest.approx(document["stiffness_N_per_m"][0][0])
+    assert held["displacement"] == [5.0, 0.0, -1.0, 0.0, pytest.approx(math.radians(2.0)), 0.0]
 
 
 def test_a_body_that_turns_and_the_rule_of_practice(run: Run, tmp_path: Path) -> None:
@@ -125,6 +130,7 @@ def test_what_a_reader_sees(run: Run) -> None:
         "A force of 4281.000 kN in every direction",
         "Held at offsets towards 180.00 deg",
         "Water levels",
+        "Held at surge 5.000 m, sway 0.000 m, heave -1.000 m",
         "does not apply",
         "Residual of the balance",
     ):
@@ -138,7 +144,8 @@ def test_the_files(run: Run, tmp_path: Path) -> None:
     ran = run("system", FSO, *EVERYTHING, "--out", out)
     assert ran.status == 0, ran.err
     assert sorted(path.name for path in out.iterdir()) == [
-        "body.csv", "case.toml", "line_out.csv", "lines.csv", "plan.png", "plan.svg",
+        "body.csv", "case.toml", "held_1_forces.csv", "held_1_load.csv", "held_1_moments.csv",
+        "held_2_forces.csv", "held_2_load.csv", "held_2_moments.csv", "line_out.csv", "lines.csv", "plan.png", "plan.svg",
         "restoring.png", "restoring.svg", "restoring_1.csv", "restoring_2.csv", "system.json",
         "system.xlsx",
         "watch_circle.csv", "watch_circle.png", "watch_circle.svg", "water_levels.csv",
@@ -152,7 +159,7 @@ def test_the_files(run: Run, tmp_path: Path) -> None:
     book = openpyxl.load_workbook(out / "system.xlsx")
     assert book.sheetnames == [
         "Body", "Lines", "One line out", "Watch circle", "Restoring 1", "Restoring 2",
-        "Water levels",
+        "Water levels", "Lines on a held body 1", "Lines on a held body 2",
     ]  # fmt: skip
 
 
@@ -238,3 +245,12 @@ def test_what_does_not_go_with_a_system(run: Run, tmp_path: Path) -> None:
     assert ran.status == 2
     assert "system.yaw_free" in ran.err
     assert "leave out load or system" in ran.err
+
+
+def test_a_wrong_displacement_is_refused(run: Run) -> None:
+    ran = run("system", FSO, "--held", "5 m, 0, 0")
+    assert ran.status == 2
+    assert "must be six values with commas between them: surge, sway, heave" in ran.err
+    ran = run("system", FSO, "--held", "5 kN, 0, 0, 2 deg, 3 m, 0")
+    assert "--held, surge: found" in ran.err
+    assert "--held, pitch: found" in ran.err
