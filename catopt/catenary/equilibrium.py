@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.lift import SETTLED, grounded_guess, vertical_force
+from catopt.catenary.lift import LAST_STEP, grounded_guess, vertical_force
 from catopt.catenary.line_problem import LineProblem, is_plain
 from catopt.catenary.lower_part import lower_part, on_bed, touchdown_of
 from catopt.catenary.part import NO_TOUCHDOWN, Part, part_reach
@@ -126,7 +126,7 @@ def _plain(H: float, pieces: Pieces, height: float, friction: float, length: flo
         return hung_state(H, 0.0, pieces, 0.0, friction, FIRST_TOUCHDOWN)
     weight = total_weight(pieces)
     guess = grounded_guess(H, pieces, height, length, weight)
-    V = vertical_force(H, height, pieces, length, weight, guess, SETTLED)
+    V = vertical_force(H, height, pieces, length, weight, guess, LAST_STEP)
     state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
     if abs(state.height_error) <= 1e-14 * length:
         return state

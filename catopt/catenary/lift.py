@@ -8,9 +8,9 @@ from catopt.catenary.pieces import Pieces
 from catopt.catenary.suspended import suspended_height
 from catopt.compiled import inlined
 
-__all__ = ["SETTLED", "grounded_guess", "top_weight", "vertical_force"]
+__all__ = ["LAST_STEP", "grounded_guess", "top_weight", "vertical_force"]
 
-SETTLED = 1e-8
+LAST_STEP = 1e-8
 """A Newton step this small, relatively, leaves its square: less than the last digit."""
 
 
@@ -39,7 +39,7 @@ def vertical_force(
         Where to start, N.
     last_step : float
         Relative size of a Newton step after which no other is taken: 0 to go on to the last
-        digit, or SETTLED where the caller looks at what is left of the height.
+        digit, or LAST_STEP where the caller looks at what is left of the height.
 
     Returns
     -------

@@ -10,7 +10,7 @@ import math
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
 from catopt.catenary.equilibrium import given_force, hung_state, is_certain
-from catopt.catenary.lift import SETTLED
+from catopt.catenary.lift import LAST_STEP
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import total_length
 from catopt.catenary.state import BELOW_ANCHOR, CONVERGED, NOT_CONVERGED, SUSPENDED, State, failed
@@ -47,7 +47,7 @@ def newton(known: int, wanted: float, problem: LineProblem, H: float, V: float) 
             return state if is_certain(state, pieces, length) else failed(NOT_CONVERGED)
         H = min(max(H + dH, 0.1 * H), 10.0 * H)
         V = max(V + dV, 0.1 * V)
-        if steps <= SETTLED:
+        if steps <= LAST_STEP:
             state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
             reached = tension_of(state) if known == BY_TENSION else state.span
             if abs(reached - wanted) <= 1e-14 * size and abs(state.height_error) <= 1e-14 * size:

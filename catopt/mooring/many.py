@@ -9,7 +9,7 @@ from catopt.mooring.balance import pull_at
 from catopt.mooring.descent import BodyLoad, Freedom
 from catopt.mooring.static_equilibrium import static_equilibrium
 
-__all__ = ["BODY", "PER_LINE", "settle_all"]
+__all__ = ["BODY", "PER_LINE", "static_equilibria"]
 
 BODY: Final = (
     "x",
@@ -27,13 +27,13 @@ BODY: Final = (
     "ym",
     "mm",
 )
-"""Columns that `settle_all` writes of the body, as in Rest and Pull."""
+"""Columns that `static_equilibria` writes of the body, as in Rest and Pull."""
 
 PER_LINE: Final = ("H", "V", "span", "grounded", "H_anchor", "V_anchor")
 """Columns that it writes of each line, as in Lines."""
 
 
-def settle_all(
+def static_equilibria(
     x: Any,
     y: Any,
     yaw: Any,

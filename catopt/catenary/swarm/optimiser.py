@@ -80,7 +80,7 @@ def optimiser(objective: Objective, settings: SwarmSettings) -> Callable[[int], 
             swarm.best_pos, swarm.best_cost = star.compute_gbest(swarm)
             objectives.append(float(swarm.best_cost))
             places.append(swarm.best_pos.copy())
-            if len(objectives) >= settings.iterations or _settled(objectives, objective.rounding):
+            if len(objectives) >= settings.iterations or _converged(objectives, objective.rounding):
                 break
             swarm.velocity = velocity(swarm, generator.random((2, *swarm.position.shape)))
             # pyswarms' handlers may miss a bound by rounding.
@@ -121,7 +121,7 @@ def velocity(swarm: Swarm, draws: Array) -> Array:
     return velocity
 
 
-def _settled(objectives: list[float], rounding: float) -> bool:
+def _converged(objectives: list[float], rounding: float) -> bool:
     """Whether f cannot fall any more: it is 0, or down to its rounding and at rest there."""
     best = objectives[-1]
     if best == 0.0:
