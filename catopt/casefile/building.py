@@ -66,17 +66,7 @@ __all__ = ["build_case"]
 
 
 def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
-    """Build a case.
-
-    Parameters
-    ----------
-    table : CaseTable
-        The file, without fault.
-    catalogue : FromCatalogue
-        What it takes from the catalogue.
-    folder : str
-        Of the file.
-    """
+    """Build a case."""
     site = _site(table.site)
     line = _line(table.line, site, catalogue)
     fairlead_height = _or_else(table.line.fairlead_height, site.water_depth)

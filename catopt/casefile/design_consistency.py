@@ -30,13 +30,7 @@ _COMPONENTS = ("components", "component")
 
 
 def design_findings(document: dict[str, Any]) -> list[Finding]:
-    """List what contradicts itself in the design of a document.
-
-    Parameters
-    ----------
-    document : dict
-        As the TOML reader returns it.
-    """
+    """List what contradicts itself in the design of a document."""
     design = table(document, "design")
     if not design:
         return []

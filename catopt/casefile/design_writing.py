@@ -11,13 +11,7 @@ __all__ = ["design_sections"]
 
 
 def design_sections(design: Design) -> list[tuple[str, Iterable[str]]]:
-    """List the sections of a design, each with its lines.
-
-    Parameters
-    ----------
-    design : Design
-        What to write; ranges are written as the values that they are made of.
-    """
+    """List the sections of a design, each with its lines; ranges as their values."""
     return [
         ("[design]", _design(design)),
         *(("[[design.segments]]", _segment(each)) for each in design.segments),

@@ -33,13 +33,7 @@ _SECTIONS = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", 
 
 
 def dynamics_findings(document: dict[str, Any]) -> list[Finding]:
-    """List what contradicts itself in waves, current, motion and settings of a run.
-
-    Parameters
-    ----------
-    document : dict
-        As the TOML reader returns it.
-    """
+    """List what contradicts itself in waves, current, motion and settings of a run."""
     return [
         *_together(document),
         *_waves(document),

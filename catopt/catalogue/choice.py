@@ -37,20 +37,7 @@ class ChosenCatalogue:
     water_density: float
 
     def component(self, name: str, diameter: float) -> Component:
-        """Look a component up.
-
-        Parameters
-        ----------
-        name : str
-            Family and grade.
-        diameter : float
-            Nominal, m.
-
-        Raises
-        ------
-        InputError
-            As for `catopt.catalogue.component`.
-        """
+        """Look a component up by family and grade, and by nominal diameter, m."""
         return self.families.component(
             name,
             diameter,
@@ -69,17 +56,9 @@ class ChosenCatalogue:
         )
 
     def variants_of_none(self, names: Iterable[str]) -> list[Problem]:
-        """List variants that none of some components has.
+        """List variants that none of some known components has.
 
-        Parameters
-        ----------
-        names : iterable of str
-            Of components that the families have.
-
-        Returns
-        -------
-        list of Problem
-            With the quantity as key, and what there is to choose from.
+        With the quantity as key, and what there is to choose from.
         """
         parsed = [self.families.parse_name(name) for name in names]
         own = [(self.families.family(each.family), each.grade) for each in parsed]
@@ -109,17 +88,7 @@ class ChosenCatalogue:
 def chosen(choice: CatalogueChoice, water_density: float) -> ChosenCatalogue:
     """Return the catalogue that a case chooses.
 
-    Parameters
-    ----------
-    choice : CatalogueChoice
-        Of a case.
-    water_density : float
-        kg/m3.
-
-    Raises
-    ------
-    InputError
-        The file of families cannot be read, or has a name that catopt's own families have.
+    InputError: the user's file cannot be read, or has a name that catopt's own families have.
     """
     families = catalogue.standard()
     if choice.file:

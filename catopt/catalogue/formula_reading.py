@@ -45,20 +45,7 @@ _EXTRA = {"rows": ("unit",), "times": ("of",), "coefficient": ("diameter",)}
 
 
 def read_formula(figure: Table, quantity: str) -> Formula | None:
-    """Read the formula of a figure.
-
-    Parameters
-    ----------
-    figure : Table
-        The figure's table.
-    quantity : str
-        What the figure is of.
-
-    Returns
-    -------
-    Formula or None
-        None when something is wrong with it, which was then noted.
-    """
+    """Read the formula of a figure; None when something is wrong with it, which was then noted."""
     table = figure.table("formula")
     spec = SPECS[quantity]
     if table is None:

@@ -27,17 +27,7 @@ class ComponentName(NamedTuple):
 def find_name(name: object, families: Iterable[Family]) -> ComponentName:
     """Read a name. Capitals, hyphens and the order of the words do not matter.
 
-    Parameters
-    ----------
-    name : object
-        Family, or family and grade.
-    families : iterable of Family
-        Those to choose from.
-
-    Raises
-    ------
-    InputError
-        There is none of that name; the message gives the nearest.
+    InputError: there is none of that name; the message gives the nearest.
     """
     names = list(_names(families))
     found = {plain: stands_for for plain, _, stands_for in reversed(names)}

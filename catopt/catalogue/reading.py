@@ -52,21 +52,9 @@ def read_families(
 def parse_families(
     text: str, source: str = "", known: Mapping[str, Source] | None = None
 ) -> Catalogue:
-    """Read the text of a file of families.
+    """Read the text of a file of families; it may name known sources beside its own.
 
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str
-        Name of the file, for messages.
-    known : mapping of str to Source, optional
-        Sources that the text may name beside its own.
-
-    Raises
-    ------
-    InputError
-        With every problem of the text.
+    InputError with every problem of the text.
     """
     found, _ = _parse(text, source, known or {})
     return Catalogue(tuple(found))

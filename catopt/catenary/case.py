@@ -44,13 +44,7 @@ def solve_case(
 
 
 def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
-    """Return the case under its first load case where it has no load, with the warning to give.
-
-    Parameters
-    ----------
-    case : Case
-        Returned as it is, without warning, where it has a load or seeks something.
-    """
+    """Return the case under its first load case where it has no load, with the warning to give."""
     if case.load is not None or case.find is not None:
         return case, ()
     if case.system is not None:

@@ -61,19 +61,10 @@ class CaseCurve:
         return self.curve.span - self.reference.span
 
     def outline(self, points: int = 200) -> tuple[list[float], list[float], list[float]]:
-        """Sample the curve for drawing: its own points and some evenly over the force.
+        """Sample the curve for drawing: its own points and `points` more, evenly over the force.
 
-        Near the taut line a step of the span may be a multiple of the force.
-
-        Parameters
-        ----------
-        points : int
-            How many are added.
-
-        Returns
-        -------
-        tuple of list
-            Span (m), horizontal force and fairlead tension (N), by rising span.
+        Near the taut line a step of the span may be a multiple of the force. By rising span: span
+        (m), horizontal force and fairlead tension (N).
         """
         own = self.curve
         most = float(own.horizontal_force[-1])

@@ -12,15 +12,7 @@ __all__ = ["solution_document"]
 
 
 def solution_document(solution: Solution, *, with_profile: bool = False) -> dict[str, Any]:
-    """Build the document.
-
-    Parameters
-    ----------
-    solution : Solution
-        The answer.
-    with_profile : bool
-        Whether to add the sampled shape.
-    """
+    """Build the document."""
     document: dict[str, Any] = {
         "schema": "catopt.solution/1",
         "title": solution.title,

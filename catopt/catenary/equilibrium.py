@@ -52,15 +52,7 @@ WELL_LAID = 1e-11
 
 
 def given_force(H: float, problem: LineProblem) -> State:
-    """Solve a line whose horizontal force is known.
-
-    Parameters
-    ----------
-    H : float
-        Horizontal force at the fairlead, N, above 0.
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """Solve a line whose horizontal force at the fairlead is known, N, above 0."""
     pieces = problem.pieces
     rise = problem.fairlead_height - problem.anchor_height
     length = total_length(pieces)
@@ -74,13 +66,7 @@ def given_force(H: float, problem: LineProblem) -> State:
 
 
 def hang_slack(problem: LineProblem) -> State:
-    """State of a line that carries no horizontal force; its span is the largest of such a line.
-
-    Parameters
-    ----------
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """State of a line that carries no horizontal force; its span is the largest of such a line."""
     rise = problem.fairlead_height - problem.anchor_height
     if is_inextensible(problem.pieces) and abs(rise) >= total_length(problem.pieces):
         return failed(TOO_SHORT)
@@ -175,15 +161,7 @@ def hung_state(
 
 
 def in_parts(upper: Part, problem: LineProblem) -> State:
-    """State of any line, part after part; H may be 0.
-
-    Parameters
-    ----------
-    upper : Part
-        The part at its fairlead.
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """State of any line, part after part; H may be 0."""
     pieces, anchor_height, height, friction = problem
     if upper.top < 0:
         return failed(NOT_CONVERGED)

@@ -174,18 +174,10 @@ def find_clump_weight(
 def _check_heaviest(without: Solution, position: float, condition: Condition) -> None:
     """Refuse where even a clump weight without bound leaves too much angle at the anchor.
 
-    Under a known horizontal force it draws the line above it straight down, and the anchor angle
-    falls with its weight all the way. What does not stretch keeps it off the bed where it is
-    shorter than the fairlead is high: then the part below is a line of its own up to that place.
-
-    Parameters
-    ----------
-    without : Solution
-        The line without the clump weight.
-    position : float
-        Of the clump weight, m from the anchor.
-    condition : Condition
-        That the anchor angle is to meet.
+    Under a known horizontal force a clump weight at `position` (m from the anchor) draws the line
+    above it straight down, and the anchor angle falls with its weight all the way. What does not
+    stretch keeps it off the bed where it is shorter than the fairlead is high: then the part below
+    is a line of its own up to that place.
     """
     below, above = _parted(without.line, position)
     over_bed = without.fairlead_height - math.fsum(part.length for part in above)

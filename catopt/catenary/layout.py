@@ -13,15 +13,7 @@ __all__ = ["end_of", "lay_out"]
 
 
 def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
-    """Place every run of the line, from the anchor up.
-
-    Parameters
-    ----------
-    state : State
-        A converged answer of the kernel.
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """Place every run of the line, from the anchor up."""
     pieces = problem.pieces
     room = most_runs(len(pieces.length))
     columns = [[0.0] * room for _ in range(5)]

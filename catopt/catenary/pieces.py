@@ -234,15 +234,7 @@ def joints_of(line: Line) -> tuple[int, ...]:
 
 
 def cut(line: Line) -> tuple[Pieces, tuple[int, ...]]:
-    """Cut a line at its joints and point loads.
-
-    Returns
-    -------
-    pieces : Pieces
-        Lists of plain floats.
-    segment_of : tuple of int
-        Which segment each piece belongs to.
-    """
+    """Cut a line at its joints and point loads; the pieces as lists, and the segment of each."""
     count = len(line.segments) + len(line.point_loads)
     pieces = Pieces([0.0] * count, [0.0] * count, [0.0] * count, [0.0] * (2 * count + 2))
     owner = [0] * count

@@ -40,16 +40,8 @@ def solution_of(
 ) -> Solution:
     """Lay out a line from its anchor and say by how much it misses its fairlead.
 
-    Parameters
-    ----------
-    state : State
-        A converged answer of the kernel; its span is the one wanted.
-    line, problem, segment_of
-        The line, where it is moored, and how it was cut.
-    method : str
-        How it was solved.
-    known : int
-        What was given of its load, as for `rounding.force_uncertainty`.
+    The state is a converged one with the span wanted; `known` is what was given of the load, as for
+    `rounding.force_uncertainty`.
     """
     stretches = lay_out(state, problem)
     x, z = end_of(stretches[-1], stretches[-1].length)

@@ -60,19 +60,9 @@ def bracketed_search(
 ) -> State:
     """Close in on H between two forces, on a logarithmic scale.
 
-    Parameters
-    ----------
-    known, wanted
-        Which quantity is known, and its value: m or N.
-    problem : LineProblem
-        The line and where it is moored.
-    below, above : float
-        Forces at which it is too small and too large, N; either may be the larger force.
-
-    Returns
-    -------
-    State
-        NOT_CONVERGED when the quantity jumps over the wanted value, or the search stopped short.
+    The known quantity (m or N) is too small at `below` and too large at `above`, N; either may be
+    the larger force. NOT_CONVERGED when it jumps over the wanted value, or the search stopped
+    short.
     """
     size = wanted if known == BY_TENSION else max(wanted, total_length(problem.pieces))
     sense = 1.0 if below < above else -1.0

@@ -106,13 +106,6 @@ def onset_of(span: float, problem: LineProblem) -> Onset:
 
     Without force the line hangs straight and lies in stretches on the bed. From the uppermost place
     of these downwards the span grows with the length that is tight.
-
-    Parameters
-    ----------
-    span : float
-        Beyond that of the line without force, m.
-    problem : LineProblem
-        The line and where it is moored, with friction.
     """
     pieces = problem.pieces
     part = upper_part(0.0, problem)

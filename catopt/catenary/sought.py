@@ -146,19 +146,9 @@ class Sought:
 
 
 def find(sought: Sought, start: float, least: float) -> Found:
-    """Find the value at which a condition is met.
+    """Find the value, above `least`, at which a condition is met, from `start` on.
 
-    Parameters
-    ----------
-    sought : Sought
-        The unknown.
-    start, least : float
-        Where the search starts, and the bound that the unknown stays above.
-
-    Raises
-    ------
-    NoAnswerError
-        When no value meets the condition; it says how near the nearest comes.
+    NoAnswerError: no value meets the condition; it says how near the nearest comes.
     """
     low, high = _bracket(sought, start, least)
     value = root(sought.error, low, high, xtol=ROUNDING * high, rtol=ROUNDING)

@@ -21,17 +21,7 @@ def given_span(
     H_guess: float,
     V_guess: float,
 ) -> State:
-    """Solve a line whose span is known.
-
-    Parameters
-    ----------
-    span : float
-        Horizontal distance from the anchor to the fairlead, m, above 0.
-    problem : LineProblem
-        The line and where it is moored; for the rest as for `given_force`.
-    H_guess, V_guess : float
-        Where to start, N; nan to have them estimated.
-    """
+    """Solve a line whose span (m, above 0) is known; guesses of H and V in N, nan for none."""
     pieces = problem.pieces
     length = total_length(pieces)
     rise = problem.fairlead_height - problem.anchor_height

@@ -47,19 +47,7 @@ class Found(NamedTuple):
 def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
     """Check every design of the front once more, in plain closed form, and choose one.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    found : Found
-        With one design on the front or more.
-    seed : int
-        Of the search.
-
-    Raises
-    ------
-    NotConvergedError
-        The closed form confirms no design of the front.
+    The front has one design or more. NotConvergedError: the closed form confirms none of them.
     """
     outcome = found.outcome
     front = _confirmed(problem, outcome.genes)

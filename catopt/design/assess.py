@@ -199,14 +199,9 @@ def _take_segments(genes: Any, tables: Tables, room: Room) -> int:
 
 @inlined
 def _take_weights(genes: Any, tables: Tables, room: Room, segments: int) -> tuple[int, float]:
-    """Put the clump weights that are there into the work space, by rising position.
+    """Put the clump weights that are there into the work space, by rising position; count them.
 
-    Returns
-    -------
-    count : int
-        How many there are.
-    beyond : float
-        By how much one hangs beyond the line, as a part of its length; 0 when none does.
+    With by how much one hangs beyond the line, as a part of its length; 0 when none does.
     """
     total = 0.0
     for s in range(segments):

@@ -10,19 +10,11 @@ __all__ = ["crowding_distance"]
 
 
 def crowding_distance(objectives: Floats) -> Floats:
-    """Distance between the two neighbours of each design, summed over the objectives.
+    """Distance between the two neighbours of each design of a front, summed over the objectives.
 
-    Each objective counts as a share of its range on the front. The ends of an objective are
-    infinitely lonely (K. Deb et al., IEEE Trans. Evol. Comp. 6 (2002) 182, III B).
-
-    Parameters
-    ----------
-    objectives : ndarray, shape (n, objectives)
-        Of one front.
-
-    Returns
-    -------
-    ndarray, shape (n,)
+    From shape (n, objectives), shape (n,). Each objective counts as a share of its range on the
+    front. The ends of an objective are infinitely lonely (K. Deb et al., IEEE Trans. Evol. Comp. 6
+    (2002) 182, III B).
     """
     distance = np.zeros(len(objectives))
     for values in objectives.T:

@@ -67,12 +67,7 @@ class Enumerated(NamedTuple):
 def estimate(problem: DesignProblem, *, workers: int = 1) -> Estimate:
     """Estimate the time from designs that are spread over the whole space.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space. The first call in a process waits for the compiled loop, which does not count.
-    workers : int
-        Threads that the evaluation will have.
+    The first call in a process waits for the compiled loop, which does not count.
     """
     designs = problem.space.count
     problem.assess(problem.space.genes_between(0, 1), stops_early=True, of=designs)
@@ -95,23 +90,10 @@ def enumerate_designs(
     chunk: int = CHUNK,
     workers: int = 1,
 ) -> Enumerated:
-    """Evaluate every design and keep the front.
+    """Evaluate every design, `chunk` of them at once, and keep the front.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    progress : callable, optional
-        Called after every chunk with the designs evaluated and those that there are.
-    chunk : int
-        Designs evaluated at once.
-    workers : int
-        Threads; they change nothing in the answer.
-
-    Returns
-    -------
-    Enumerated
-        Ctrl-C ends it early, with the front of the designs evaluated until then.
+    Threads change nothing in the answer. Ctrl-C ends it early, with the front of the designs
+    evaluated until then.
     """
     pass_ = _Pass(problem, progress, workers)
     try:

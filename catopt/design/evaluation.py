@@ -106,11 +106,8 @@ class DesignProblem:
     def of(cls, case: Case) -> DesignProblem:
         """Make the problem of a case; what the case seeks of its own line is left alone.
 
-        Raises
-        ------
-        InputError
-            The case has no design or no known horizontal force, or lacks what its objectives or
-            checks need; all that can be told at once.
+        InputError: the case has no design or no known horizontal force, or lacks what its
+        objectives or checks need; all that can be told at once.
         """
         states = load_cases_of(case)
         case = replace(case, find=None)
@@ -171,19 +168,11 @@ class DesignProblem:
     def assess(
         self, genes: Genes, *, stops_early: bool = False, workers: int = 1, of: int = 0
     ) -> Assessed:
-        """Solve and check many designs.
+        """Solve and check many designs, of shape (n, genes).
 
-        Parameters
-        ----------
-        genes : ndarray of int, shape (n, genes)
-            Designs.
-        stops_early : bool
-            Whether to leave a design at its first failed check: then its objectives are nan, and
-            its excess is above ROUNDING but not the largest. What is feasible stays the same.
-        workers : int
-            Threads; they change nothing in the answer.
-        of : int
-            Designs that will be assessed in all, where that is known.
+        Of so many in all, where that is known, with `of`. Where a design is left at its first
+        failed check, its objectives are nan, and its excess is above ROUNDING but not the largest.
+        What is feasible stays the same, and with any number of threads.
         """
         genes = np.ascontiguousarray(genes, dtype=np.int64)
         count = len(genes)
@@ -214,10 +203,7 @@ class DesignProblem:
 def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
     """List the load cases of a case with a design: its own, or its load as the only one.
 
-    Raises
-    ------
-    InputError
-        There is no design, no known horizontal force, or no reference for an excursion.
+    InputError: no design, no known horizontal force, or no reference for an excursion.
     """
     found = Findings("design")
     if case.design is None:

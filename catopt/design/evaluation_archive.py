@@ -62,10 +62,7 @@ class EvaluationArchive:
     def evaluate(self, genes: Genes) -> Evaluated:
         """Evaluate those of the canonical designs that are not known yet; return all.
 
-        Raises
-        ------
-        BudgetSpentError
-            After the designs for which the budget was enough.
+        BudgetSpentError after the designs for which the budget was enough.
         """
         keys = [each.tobytes() for each in genes]
         new = {key: k for k, key in enumerate(keys) if key not in self._row}
@@ -128,16 +125,7 @@ def explore(
 ) -> Outcome:
     """Let a search run until it ends, its budget is spent or the user stops it (Ctrl-C).
 
-    Parameters
-    ----------
-    problem : Problem
-        The design space.
-    evaluations : int
-        Most designs to evaluate.
-    progress : callable or None
-        Called after every batch.
-    search : callable
-        Evaluates designs through what it is given, which remembers the best of them.
+    It evaluates designs through what it is given, which remembers the best of them.
     """
     archive = EvaluationArchive(problem, evaluations, progress)
     try:

@@ -41,18 +41,10 @@ class Knee:
 
 
 def knee(objectives: Floats) -> Knee:
-    """Find the knee.
+    """Find the knee of a front, of shape (n, objectives).
 
-    Parameters
-    ----------
-    objectives : ndarray, shape (n, objectives)
-        A front of at least one design. Of one or two designs, and where no design lies below the
-        chord, the recommended one is the end with the best first objective.
-
-    Raises
-    ------
-    ValueError
-        The front is empty.
+    Of one or two designs, and where no design lies below the chord, the recommended one is the end
+    with the best first objective. ValueError: the front is empty.
     """
     if not len(objectives):
         raise ValueError("an empty front has no knee")

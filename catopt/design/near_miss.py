@@ -38,17 +38,7 @@ class NoFeasibleDesignError(NoAnswerError):
 def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDesignError:
     """Put a search that found nothing into words.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    outcome : Outcome
-        Without any design on its front.
-
-    Raises
-    ------
-    InputError
-        Every design that was evaluated has a clump weight beyond the line.
+    InputError: every design that was evaluated has a clump weight beyond the line.
     """
     designs = problem.space.count
     head = Message("design.none_passes", count=designs)

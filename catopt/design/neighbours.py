@@ -40,15 +40,7 @@ class Step(NamedTuple):
 
 
 def neighbours(problem: DesignProblem, genes: Design) -> tuple[Neighbour, ...]:
-    """Check every design that is one step of one variable away.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    genes : tuple of int
-        The design, in canonical form.
-    """
+    """Check every design that is one step of one variable away."""
     return tuple(neighbour(problem, step) for step in steps(problem.space, genes))
 
 

@@ -42,25 +42,9 @@ class Options:
 def resolve(case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]) -> Options:
     """Look up what each segment and clump weight of a case's design may be.
 
-    Parameters
-    ----------
-    case : Case
-        With a design.
-    criteria : Criteria
-        What has to be kept.
-    kinds : collection of {"extreme", "reference"}
-        Kinds of load case that there are.
-
-    Returns
-    -------
-    Options
-        Components in the order of the case, each in rising size.
-
-    Raises
-    ------
-    InputError
-        With every problem: no such component, nothing sold within the bounds, a clump weight that
-        floats, a figure that an objective or a check needs and the catalogue does not have.
+    Components in the order of the case, each in rising size. InputError with every problem: no such
+    component, nothing sold within the bounds, a clump weight that floats, a figure that an
+    objective or a check needs and the catalogue does not have.
     """
     assert case.design is not None
     found = Findings("design")

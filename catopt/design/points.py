@@ -24,19 +24,8 @@ end their roots at 1e-12 of the line's length or better."""
 def design_point(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
     """Build, solve and check one design in plain closed form.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    genes : tuple of int
-        The design.
-
-    Raises
-    ------
-    NoEquilibriumError
-        It has no equilibrium in one of the load cases.
-    CatoptError
-        The answer is not that of the compiled loop: a fault of ours, never passed over.
+    NoEquilibriumError: it has no equilibrium in one of the load cases. CatoptError: the answer is
+    not that of the compiled loop, a fault of ours, never passed over.
     """
     line = problem.space.line(genes)
     anchor = problem.anchor(genes)

@@ -20,16 +20,9 @@ PRESENT: Final = "design.present"
 def present_line(problem: DesignProblem) -> Neighbour:
     """Check the line of the case by the same checks as the designs.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space. A sinker that the search chooses is not part of the present line.
-
-    Returns
-    -------
-    Neighbour
-        Its `point` is None, with the reason, where the line has no equilibrium or a figure that a
-        check needs is missing: that is no error of the search.
+    A sinker that the search chooses is not part of the present line. Its `point` is None, with the
+    reason, where the line has no equilibrium or a figure that a check needs is missing: that is no
+    error of the search.
     """
     line = problem.case.line
     try:

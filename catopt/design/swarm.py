@@ -52,24 +52,7 @@ def swarm(
 ) -> Outcome:
     """Search a design space by a particle swarm, with rounds of local improvement of the front.
 
-    Parameters
-    ----------
-    problem : Problem
-        The design space.
-    evaluations : int
-        Most designs to evaluate; each counts once. The search ends earlier where it finds no
-        new ones.
-    population : int
-        Particles.
-    seed : int
-        Of the random numbers: the same seed gives the same front.
-    progress : callable, optional
-        Called after every batch with the designs evaluated and `evaluations`.
-
-    Returns
-    -------
-    Outcome
-        Of Ctrl-C, the front so far.
+    The population is that of particles; the rest as for `catopt.design.nsga2.nsga2`.
     """
     generator = np.random.default_rng(seed)
 

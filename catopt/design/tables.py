@@ -161,21 +161,7 @@ def tables_of(
     criteria: Criteria,
     sinkers: SinkerChoice | None,
 ) -> Tables:
-    """Lay everything out.
-
-    Parameters
-    ----------
-    case : Case
-        Site and anchor.
-    states : sequence of LoadCase
-        Load cases.
-    space : DesignSpace
-        All designs.
-    criteria : Criteria
-        What has to be kept; every strength that they need is known.
-    sinkers : SinkerChoice or None
-        To choose from, instead of the case's anchor.
-    """
+    """Lay everything out."""
     states = sorted(states, key=lambda state: -state.horizontal_force)
     placed = [case.under(state) for state in states]
     segments, weights = space.segments, space.clump_weights

@@ -15,24 +15,9 @@ __all__ = ["segment_tensions"]
 def segment_tensions(
     state: State, problem: LineProblem, runs: Runs, owner: Any, segments: int, largest: Any
 ) -> None:
-    """Find the largest tension of each segment.
+    """Write the largest tension of each segment (N) to `largest`, with the runs as work space.
 
     Tension is convex along a uniform run: it is largest at one of the ends.
-
-    Parameters
-    ----------
-    state : State
-        A converged answer for a known horizontal force.
-    problem : LineProblem
-        The line and where it is moored.
-    runs : Runs
-        Work space.
-    owner : sequence of int
-        The segment of each piece.
-    segments : int
-        How many there are.
-    largest : array, shape (segments or more,)
-        Written to, N.
     """
     for segment in range(segments):
         largest[segment] = 0.0

@@ -72,15 +72,7 @@ class Anchor:
 def sinker_needed(horizontal: float, vertical: float, friction: float, factor: float) -> float:
     """Weight in water of a sinker that just does not slide: V + SF H / mu, N.
 
-    From mu (W - V) >= SF H.
-
-    Parameters
-    ----------
-    horizontal, vertical : float
-        Of the line on the sinker, N, the vertical one positive where it lifts.
-    friction : float
-        mu, of the sinker on the soil.
-    factor : float
-        SF, on the horizontal force.
+    From mu (W - V) >= SF H. H and V are of the line on the sinker, N, V positive where it lifts;
+    the factor is on H.
     """
     return vertical + factor * horizontal / friction

@@ -236,13 +236,7 @@ class Case:
                 )
 
     def under(self, state: LoadCase) -> Case:
-        """Return the case in one of its states, with the fairlead at its water level.
-
-        Parameters
-        ----------
-        state : LoadCase
-            Need not be one of the case's own.
-        """
+        """Return the case in one of its states, with the fairlead at its water level."""
         depth = self.site.water_depth + state.water_level
         return replace(
             self,

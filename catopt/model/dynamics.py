@@ -172,13 +172,9 @@ class Dynamics:
 def dynamics_misfits(present: Collection[str], given: Collection[str] = ()) -> list[Problem]:
     """List what does not go together of the parts that are for lines in motion.
 
-    Parameters
-    ----------
-    present : collection of str
-        Which of waves, current, motion, anchor_motion, body, dynamics and system a case has.
-    given : collection of str
-        Which keys of motion and body it gives, such as ``"motion.rao_file"``; with
-        ``"dynamics.broken_end"`` for a break at the anchor.
+    Present are some of waves, current, motion, anchor_motion, body, dynamics and system; given some
+    keys of motion and body, such as ``"motion.rao_file"``, with ``"dynamics.broken_end"`` for a
+    break at the anchor.
     """
     problems = []
     if "dynamics" not in present:

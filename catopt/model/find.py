@@ -98,25 +98,8 @@ def misfits(
 ) -> list[Problem]:
     """List what does not fit between what is sought and the rest of a case.
 
-    Parameters
-    ----------
-    find : Find or None
-        What is sought, if anything.
-    load : collection of str or None
-        Keys of the load that are given; None when there is no load.
-    MBL_known : sequence of bool
-        For each segment.
-    point_loads : int
-        How many the line has.
-    anchor_height : float
-        Above the seabed, m.
-    has_load_cases : bool
-        Whether there are any; they stand in for a load where nothing is sought.
-
-    Returns
-    -------
-    list of Problem
-        With keys such as ``load`` or ``find.segment``; segments and point loads count from 1.
+    `load` has the keys of the load that are given, None without a load; load cases stand in for it
+    where nothing is sought. Segments and point loads count from 1 in keys as ``find.segment``.
     """
     found = Findings("")
     seeks_force = find is not None and find.seeks_force

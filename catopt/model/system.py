@@ -269,14 +269,7 @@ class System:
 
 
 def system_misfits(others: Mapping[str, object]) -> list[Problem]:
-    """List the parts of a case that do not go with a system.
-
-    Parameters
-    ----------
-    others : mapping of str to object
-        ``load``, ``load_cases``, ``find`` and ``site.seabed_slope``, empty or None where the case
-        has none.
-    """
+    """List the parts of a case that do not go with a system; one it lacks is empty or None."""
     return [
         Problem(key, "beside a system", f"leave out {key} or system: {_reason(key)}")
         for key, value in others.items()

@@ -54,18 +54,7 @@ class Findings:
     ) -> None:
         """Note a problem unless `value` is a number within the bounds.
 
-        Parameters
-        ----------
-        key : str
-            Name of the argument.
-        value : object
-            What was given.
-        unit : str
-            Unit of the number, for the message; empty for a pure number.
-        above, at_least, at_most : float, optional
-            Bounds: exclusive below, inclusive below, inclusive above.
-        infinite : bool
-            Whether positive infinity is allowed.
+        The unit, empty for a pure number, is for the message; `infinite` allows positive infinity.
         """
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
             self.add(key, repr(value), f"a number{_in(unit)} is wanted")

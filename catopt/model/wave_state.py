@@ -171,10 +171,7 @@ class WaveState:
 def wave_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """List what does not go together in the waves of a case.
 
-    Parameters
-    ----------
-    given : mapping of str to value
-        What is given, by its name in `WaveState`; a value that cannot be read is None.
+    By its name in `WaveState`, what is given; a value that cannot be read is None.
     """
     ways = [key for key in WAVE_WAYS if key in given]
     if len(ways) != 1:

@@ -66,12 +66,8 @@ def wear_misfits(
 ) -> list[Problem]:
     """List where rates, tables and zones of a case do not go together.
 
-    Parameters
-    ----------
-    service : mapping
-        What is given of ``wear_rate`` and ``wear_table`` of the case's service.
-    segments : sequence of mapping
-        What is given of ``wear_rate`` and ``wear_zone`` of each segment of its line.
+    From what is given of ``wear_rate`` and ``wear_table`` of the service, and of ``wear_rate`` and
+    ``wear_zone`` of each segment.
     """
     problems = []
     name = service.get("wear_table")

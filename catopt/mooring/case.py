@@ -70,25 +70,8 @@ def report_system(
 ) -> SystemReport:
     """Solve the system of a case, and what else is asked.
 
-    Parameters
-    ----------
-    case : Case
-        With a system.
-    with_line_out, with_circle : bool
-        Whether every line is to go in turn, and whether the force is to go round.
-    directions : sequence of float
-        Of restoring curves, rad.
-    levels : sequence of float
-        Water levels above that of the case, m.
-
-    Raises
-    ------
-    InputError
-        When the case has no system.
-    NoEquilibriumError, NotConvergedError
-        As for `solve_system`.
-    FloatsUpError
-        A buoy of a line would float above the water surface.
+    Directions of restoring curves in rad, water levels above that of the case in m. Errors as for
+    `solve_system`; FloatsUpError for a buoy that would float above the water surface.
     """
     system = case.system
     if system is None:

@@ -128,20 +128,9 @@ def descend(
     arrangement: Arrangement,
     lines: Lines,
 ) -> Rest:
-    """Take Newton steps until nothing is left unbalanced.
+    """Take Newton steps from a position (m, m, rad) until nothing is left unbalanced.
 
-    Parameters
-    ----------
-    x, y, yaw : float
-        Where to start. What is not free stays.
-    pull : Pull
-        Of all lines there.
-    load : BodyLoad
-        On the body.
-    freedom : Freedom
-        How the body may move.
-    arrangement, lines
-        The lines and what is known of them at the start; `lines` is written to.
+    What is not free stays. `pull` and `lines` are those at the start; `lines` is written to.
     """
     start_yaw = yaw
     before = math.inf

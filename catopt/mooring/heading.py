@@ -76,22 +76,8 @@ def first_heading(
 ) -> Rest:
     """Find the first stable heading that the load turns the body to.
 
-    Parameters
-    ----------
-    x, y, yaw : float
-        From where, m, m, rad.
-    load : BodyLoad
-        On the body.
-    freedom : Freedom
-        How it may move.
-    arrangement, lines
-        As for `descend`.
-
-    Returns
-    -------
-    Rest
-        With TURNS_OVER, and the least moment left, when no heading stops the body; with the
-        status of what barred the way where some yaws have no answer.
+    TURNS_OVER, with the least moment left, when no heading stops the body; the status of what
+    barred the way where some yaws have no answer.
     """
     pull = pull_at(x, y, yaw, arrangement, lines, True)
     start = descend(x, y, yaw, pull, load, _at_this_yaw(freedom, EXACT), arrangement, lines)

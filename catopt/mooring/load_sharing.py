@@ -13,24 +13,11 @@ FEWEST_LINES = 4
 
 
 def loaded_half(lines: int) -> tuple[tuple[float, float], ...]:
-    """Lines that the rule counts, for a force along one of evenly spaced lines.
+    """Lines that the rule counts, for a force along one of an even number of evenly spaced lines.
 
-    Parameters
-    ----------
-    lines : int
-        How many there are: even, 4 or more.
-
-    Returns
-    -------
-    tuple of (float, float)
-        For each line less than a quarter turn from the force: its angle to the force, rad, and its
-        horizontal force over that of the most loaded line, which is the cosine of the angle. Lines
-        a quarter turn or more away carry nothing.
-
-    Raises
-    ------
-    InputError
-        Fewer than 4 lines or an odd number of them.
+    For each line less than a quarter turn from the force: its angle to the force, rad, and its
+    horizontal force over that of the most loaded line, which is the cosine of the angle. Lines a
+    quarter turn or more away carry nothing. InputError: fewer than 4 lines, or an odd number.
     """
     if lines < FEWEST_LINES or lines % 2:
         problem = Problem("lines", str(lines), "the rule wants an even number, 4 or more")
@@ -50,21 +37,6 @@ def load_sharing_factor(lines: int) -> float:
     It is the balance of equal lines without pretension whose pull grows in proportion to how far
     they are drawn out. It is no equilibrium of catenaries, which stiffen as they are drawn out and
     pull on the other side too.
-
-    Parameters
-    ----------
-    lines : int
-        N: even, 4 or more.
-
-    Returns
-    -------
-    float
-        FT / F.
-
-    Raises
-    ------
-    InputError
-        Fewer than 4 lines or an odd number of them.
 
     Examples
     --------

@@ -34,21 +34,7 @@ def static_equilibrium(
     arrangement: Arrangement,
     lines: Lines,
 ) -> Rest:
-    """Find the place of rest under a load; its yaw is within half a turn either way.
-
-    Parameters
-    ----------
-    x, y, yaw : float
-        Where to start. What is not free stays.
-    pull : Pull
-        Of all lines there.
-    load : BodyLoad
-        On the body.
-    freedom : Freedom
-        How the body may move.
-    arrangement, lines
-        The lines and what is known of them at the start; `lines` is written to.
-    """
+    """Find the place of rest under a load, its yaw within half a turn either way; as `descend`."""
     rest = descend(x, y, yaw, pull, load, freedom, arrangement, lines)
     if rest.status in (NOT_CONVERGED, TOO_SHORT) and pull.status == CONVERGED:
         rest = by_parts(x, y, yaw, load, freedom, arrangement, lines)

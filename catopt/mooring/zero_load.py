@@ -57,13 +57,7 @@ class ZeroLoadPosition:
     lines: Lines
 
     def under(self, force: Sequence[float], moment: float = 0.0) -> tuple[Rest, Lines]:
-        """Bring the body to rest under a load; N along x and y, N m.
-
-        Raises
-        ------
-        NoEquilibriumError, NotConvergedError
-            As for `solve_system`.
-        """
+        """Bring the body to rest under a load, N and N m; errors as for `solve_system`."""
         lines = copied(self.lines)
         start = self.neutral
         load = BodyLoad(float(force[0]), float(force[1]), float(moment))
@@ -82,13 +76,6 @@ class ZeroLoadPosition:
         """Find where else the body would rest, at another yaw, under the load it rests under.
 
         None is looked for where the lines do not hold the body.
-
-        Parameters
-        ----------
-        rest, lines
-            As from `under`.
-        force, moment
-            On the body, N along x and y, N m.
         """
         if not self.freedom.in_yaw or not is_held(rest.pull, self.freedom):
             return ()
@@ -106,10 +93,7 @@ class ZeroLoadPosition:
     def held(self, x: float, y: float) -> tuple[Rest, Lines]:
         """Hold the body at a place, m; it still turns where it is free to, under no moment.
 
-        Raises
-        ------
-        NoEquilibriumError, NotConvergedError
-            When a line does not reach there, or has no answer.
+        An error when a line does not reach there, or has no answer.
         """
         lines = copied(self.lines)
         pull = pull_at(x, y, self.neutral.yaw, self.arrangement, lines, True)
@@ -125,12 +109,7 @@ class ZeroLoadPosition:
 def zero_load_position(system: System) -> ZeroLoadPosition:
     """Find the zero-load position, starting from the origin with yaw 0.
 
-    Raises
-    ------
-    NoEquilibriumError
-        When lines that do not stretch are too short to reach the body together.
-    NotConvergedError
-        As for `solve_system`.
+    NoEquilibriumError when lines that do not stretch are too short to reach the body together.
     """
     arrangement = arrange(system)
     freedom = _freedom(system)

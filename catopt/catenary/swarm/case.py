@@ -15,12 +15,7 @@ __all__ = ["solve_case_by_swarm"]
 def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = None) -> Solution:
     """Solve a case by the particle swarm method of S1; errors as for `solve_swarm`.
 
-    Parameters
-    ----------
-    case : Case
-        With a known horizontal force and the anchor on the bed: S1 has no other.
-    progress : callable, optional
-        Called after each run with the number of runs done.
+    The horizontal force is known and the anchor on the bed: S1 has no other.
     """
     found = Findings("swarm")
     if case.find is not None:

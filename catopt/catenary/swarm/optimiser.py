@@ -55,13 +55,6 @@ def optimiser(objective: Objective, settings: SwarmSettings) -> Callable[[int], 
     """Prepare the swarm; return what carries out one run, given its number.
 
     A run depends on the objective, the settings, its number and the seed, and on nothing else.
-
-    Parameters
-    ----------
-    objective : Objective
-        What to make small, and within which bounds.
-    settings : SwarmSettings
-        Size, coefficients, boundary handling and seed.
     """
     lower, upper = objective.bounds
     with without_logging():

@@ -53,27 +53,8 @@ def solve_swarm(
     Where part of the line lies on the bed, the grounded length takes the place of the inclination
     at the anchor among the unknowns, and with it what the bed carries of a clump weight. The
     closed form says first whether such a line hangs at all, and at the end how far the swarm's
-    answer is from its own; it has no part in the search.
-
-    Parameters
-    ----------
-    line : Line
-        Segments from the anchor to the fairlead, with point loads.
-    height : float
-        Height of the fairlead above the anchor, m.
-    horizontal_force : float
-        N.
-    settings : SwarmSettings
-        Of the swarm. Run k depends only on the seed and k.
-    seabed_friction : float
-        Coulomb coefficient.
-    progress : callable, optional
-        Called after each run with the number of runs done.
-
-    Returns
-    -------
-    Solution
-        Of the best run, with its `swarm` report.
+    answer is from its own; it has no part in the search. Run k depends only on the seed and k; the
+    answer is that of the best run, with its `swarm` report.
 
     Raises
     ------
