@@ -62,8 +62,6 @@ from catopt.model.immersion import weight_in_water
 if TYPE_CHECKING:
     from catopt.catalogue import Component
 
-__all__ = ["build_case"]
-
 
 def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     """Build a case."""

@@ -26,8 +26,6 @@ if TYPE_CHECKING:
     from catopt.catalogue import Component
     from catopt.catalogue.choice import ChosenCatalogue
 
-__all__ = ["SIZES", "FromCatalogue", "catalogue_choice", "from_catalogue"]
-
 SIZES = ("diameters", "diameter", "diameter_min", "diameter_max")
 """Keys that limit the sizes of a segment's components."""
 

@@ -55,8 +55,6 @@ from catopt.units import Dimension, as_written
 if TYPE_CHECKING:
     from catopt.catalogue import Component
 
-__all__ = ["consistency_findings", "sinks_findings"]
-
 
 def consistency_findings(
     document: dict[str, Any], components: Mapping[Path, Component]

@@ -24,8 +24,6 @@ from catopt.errors import InputError
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice
 from catopt.units import as_written
 
-__all__ = ["design_findings"]
-
 _COMPONENTS = ("components", "component")
 
 

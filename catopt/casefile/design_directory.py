@@ -13,14 +13,6 @@ from catopt.model import Anchor, Case, Line, PointLoad, Segment
 from catopt.schemas import read_document
 from catopt.words.saved import with_messages
 
-__all__ = [
-    "DESIGN_CASE",
-    "DESIGN_DOCUMENT",
-    "read_case_or_design",
-    "read_design",
-    "read_design_document",
-]
-
 DESIGN_DOCUMENT = "design.json"
 """Name of the document in a result directory."""
 DESIGN_CASE = "case.toml"

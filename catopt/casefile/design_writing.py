@@ -7,8 +7,6 @@ from collections.abc import Iterable, Iterator
 from catopt.casefile.toml_text import flag, measured, measures, text, texts, whole
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice, SinkerChoice
 
-__all__ = ["design_sections"]
-
 
 def design_sections(design: Design) -> list[tuple[str, Iterable[str]]]:
     """List the sections of a design, each with its lines; ranges as their values."""

@@ -15,8 +15,6 @@ from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.units import as_written
 
-__all__ = ["Place", "as_in_file", "misspelt", "number", "table", "tables", "text", "value"]
-
 Place = tuple[Path, dict[str, Any]]
 """A table of the document with its path."""
 

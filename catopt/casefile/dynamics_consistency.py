@@ -27,8 +27,6 @@ from catopt.model.motion import MOTION_WAYS, OF_A_BODY
 from catopt.model.wave_state import train_misfits, wave_misfits
 from catopt.units import as_written
 
-__all__ = ["dynamics_findings"]
-
 _SECTIONS = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "system")
 
 

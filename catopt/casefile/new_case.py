@@ -9,8 +9,6 @@ from typing import NamedTuple
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
 
-__all__ = ["TEMPLATES", "Template", "template"]
-
 
 class Template(NamedTuple):
     """What a template is of, and the command that takes its file: ``solve`` for most."""

@@ -12,8 +12,6 @@ from catopt.casefile.location import Finding
 from catopt.casefile.schema import Table
 from catopt.units import as_written
 
-__all__ = ["LENGTHS", "MASSES", "MOST_VALUES", "POSITIONS", "Values", "duplicates"]
-
 MOST_VALUES = 10_000
 """Values that a range may be made of."""
 

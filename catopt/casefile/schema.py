@@ -30,42 +30,6 @@ from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 from catopt.model.wear import WEAR_TABLES, WEAR_ZONES
 from catopt.units import Dimension
 
-__all__ = [
-    "MOST_LISTED",
-    "MOST_TABLES",
-    "SOME",
-    "AnchorMotionTable",
-    "AnchorTable",
-    "BodyTable",
-    "BuoyTable",
-    "CaseTable",
-    "CatalogueTable",
-    "ChecksTable",
-    "ClumpWeightChoiceTable",
-    "CurrentTable",
-    "DesignTable",
-    "DynamicsTable",
-    "Entry",
-    "FindTable",
-    "LineTable",
-    "LoadCaseTable",
-    "LoadTable",
-    "MotionTable",
-    "PointLoadTable",
-    "PsoTable",
-    "SegmentChoiceTable",
-    "SegmentTable",
-    "ServiceTable",
-    "SinkerChoiceTable",
-    "SiteTable",
-    "SystemTable",
-    "Table",
-    "VariantsTable",
-    "WaveTrainTable",
-    "WavesTable",
-    "entries",
-]
-
 MOST_LISTED, MOST_TABLES = 1_000, 200
 """Values that an array may have, and tables that an array of tables may."""
 

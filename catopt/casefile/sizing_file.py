@@ -10,8 +10,6 @@ from catopt.casefile.document import table
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 
-__all__ = ["OF_A_CASE", "SIZING", "Moored", "moored_in", "not_a_case"]
-
 Moored = Literal["buoy", "tanker"]
 """What is to be moored."""
 

@@ -7,8 +7,6 @@ from collections.abc import Iterator, Sequence
 from catopt.documents import unfit
 from catopt.errors import InputError, Problem
 
-__all__ = ["flag", "measured", "measures", "text", "texts", "whole"]
-
 _ESCAPES = {
     '"': '\\"',
     "\\": "\\\\",

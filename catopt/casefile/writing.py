@@ -29,8 +29,6 @@ from catopt.model import (
     WaveTrain,
 )
 
-__all__ = ["case_digest", "write_case"]
-
 
 def case_digest(case: Case) -> str:
     """Return the SHA-256 of a case: of the very text that `write_case` gives it."""

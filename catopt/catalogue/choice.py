@@ -13,8 +13,6 @@ from catopt.errors import Problem
 from catopt.model import CatalogueChoice
 from catopt.units import as_written
 
-__all__ = ["ChosenCatalogue", "chosen"]
-
 
 @dataclass(frozen=True)
 class ChosenCatalogue:

@@ -17,8 +17,6 @@ from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import Message
 
-__all__ = ["ALL", "Catalogue"]
-
 ALL = "all"
 """Key of `variants` that stands for every quantity with a variant of that name."""
 

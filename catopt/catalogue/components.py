@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from catopt.catalogue.evaluation import Evaluation
 from catopt.words import Message
 
-__all__ = ["NO_FIGURE", "Alternative", "Component", "Hydrodynamic", "Provenance"]
-
 NO_FIGURE = "catalogue.no_figure"
 """Key of why a quantity is not known for which no source was found."""
 

@@ -21,8 +21,6 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
 from catopt.words import Cited, Message, is_said
 
-__all__ = ["WEIGHT_SOURCE", "Evaluation"]
-
 WEIGHT_SOURCE = Source("CATOPT", "catopt, from mass and volume", Cited("catopt.catalogue"))
 """The submerged weight is no printed figure: it follows from two of them."""
 

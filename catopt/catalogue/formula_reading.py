@@ -23,8 +23,6 @@ from catopt.catalogue.formula import (
 from catopt.catalogue.table import Table
 from catopt.units import UNITS, Dimension
 
-__all__ = ["read_formula"]
-
 _POWER = re.compile(r"d([0-3])")
 _DIAMETER = re.compile(r"(?:(\d+(?:\.\d+)?) )?d(/pi)?")
 

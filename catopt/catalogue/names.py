@@ -11,8 +11,6 @@ from catopt.catalogue.family import Family
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
 
-__all__ = ["ComponentName", "find_name", "nearest", "shared_names"]
-
 _SIMILAR = 0.6
 """Share of letters in common (difflib's ratio) from which a name counts as misspelt."""
 

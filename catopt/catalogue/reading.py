@@ -18,8 +18,6 @@ from catopt.catalogue.table import Table
 from catopt.documents import parse_toml, read_text
 from catopt.model.validity import Findings
 
-__all__ = ["KIND", "SCHEMA", "parse_families", "read_families", "read_standard"]
-
 SCHEMA = "catopt.families/1"
 """What a file of families has under its key ``schema``."""
 

@@ -10,8 +10,6 @@ from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import LANGUAGES, Cited, Told
 
-__all__ = ["Table"]
-
 Word = TypeVar("Word", bound=str)
 
 _MM = 1e3

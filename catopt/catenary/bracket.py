@@ -9,8 +9,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-__all__ = ["Bracket", "bracket", "is_closed", "narrowed", "trial"]
-
 
 class Bracket(NamedTuple):
     """Two places with the root between them.

@@ -6,8 +6,6 @@ from collections.abc import Callable
 
 from catopt.errors import NotConvergedError
 
-__all__ = ["root"]
-
 LIMIT = 100
 """Evaluations: bisection alone takes some 60 to the last digit."""
 

@@ -13,8 +13,6 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.words import Message
 
-__all__ = ["Method", "solve_case", "under_a_load"]
-
 Method = Literal["closed-form", "pso"]
 
 

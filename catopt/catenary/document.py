@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from catopt.catenary.solution import EndState, Solution
 
-__all__ = ["solution_document"]
-
 
 def solution_document(solution: Solution, *, with_profile: bool = False) -> dict[str, Any]:
     """Build the document."""

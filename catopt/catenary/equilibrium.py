@@ -45,8 +45,6 @@ from catopt.catenary.suspended import FIRST_TOUCHDOWN, grounded_part, suspended_
 from catopt.catenary.upper_part import upper_part
 from catopt.compiled import inlined
 
-__all__ = ["given_force", "hang_slack", "hung_state", "in_parts", "is_certain", "without_force"]
-
 WELL_LAID = 1e-11
 """How far rounding of V may move an end of the line, as a part of its length."""
 

@@ -9,8 +9,6 @@ from catopt.catenary.runs import Runs, most_runs, run_reach, runs_of, slack_shar
 from catopt.catenary.state import State
 from catopt.catenary.stretch import Stretch
 
-__all__ = ["end_of", "lay_out"]
-
 
 def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
     """Place every run of the line, from the anchor up."""

@@ -8,8 +8,6 @@ from catopt.catenary.pieces import Pieces
 from catopt.catenary.suspended import suspended_height
 from catopt.compiled import inlined
 
-__all__ = ["LAST_STEP", "grounded_guess", "top_weight", "vertical_force"]
-
 LAST_STEP = 1e-8
 """A Newton step this small, relatively, leaves its square: less than the last digit."""
 

@@ -27,8 +27,6 @@ from catopt.catenary.upper_part import (
     to_touchdown,
 )
 
-__all__ = ["Touchdown", "just_clear", "lower_part", "on_bed", "touchdown_of"]
-
 
 class Touchdown(NamedTuple):
     """Where the line comes down on the bed.

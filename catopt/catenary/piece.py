@@ -20,8 +20,6 @@ from typing import NamedTuple
 
 from catopt.compiled import inlined
 
-__all__ = ["PieceReach", "atanh_excess", "piece_reach", "piece_rise", "rise_by_V"]
-
 
 class PieceReach(NamedTuple):
     """What one hanging piece contributes: m, and m/N for the derivatives at fixed length.

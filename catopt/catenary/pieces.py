@@ -8,23 +8,6 @@ from typing import Any, NamedTuple
 from catopt.compiled import inlined
 from catopt.model import Line
 
-__all__ = [
-    "Pieces",
-    "above",
-    "below",
-    "beyond_clump",
-    "cut",
-    "grip",
-    "has_buoyancy",
-    "is_inextensible",
-    "joints_of",
-    "length_between",
-    "split",
-    "total_length",
-    "total_weight",
-    "turned",
-]
-
 
 class Pieces(NamedTuple):
     """Uniform pieces from the anchor up; lists of float, or arrays in compiled code.

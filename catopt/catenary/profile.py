@@ -8,8 +8,6 @@ from collections.abc import Sequence
 from catopt.catenary.layout import end_of
 from catopt.catenary.stretch import Profile, Stretch
 
-__all__ = ["max_tension", "sample", "stretched_length", "tension_at"]
-
 
 def sample(stretches: Sequence[Stretch], points: int) -> Profile:
     """Sample a laid-out line at about `points` places, every joint and touchdown among them."""

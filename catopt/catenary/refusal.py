@@ -15,8 +15,6 @@ from catopt.errors import (
 from catopt.model import Line, Load
 from catopt.words import Message
 
-__all__ = ["refusal"]
-
 
 def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> CatoptError:
     """Say what stops a line, and by how much."""

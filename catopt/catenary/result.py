@@ -23,8 +23,6 @@ from catopt.catenary.stretch import Stretch
 from catopt.catenary.warnings import above_water, plausibility
 from catopt.model import Case, Line, PointLoad
 
-__all__ = ["solution_of", "under_case"]
-
 AT_BED = 1e-9
 """Height at which a point load counts as on the bed, as a part of the line's length."""
 

@@ -17,8 +17,6 @@ from catopt.catenary.state import BELOW_ANCHOR, CONVERGED, NOT_CONVERGED, SUSPEN
 from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.catenary.upper_part import MOST_TRIALS
 
-__all__ = ["BY_FORCE", "BY_SPAN", "BY_TENSION", "bracketed_search", "newton", "tension_of"]
-
 BY_SPAN = 0
 BY_TENSION = 1
 BY_FORCE = 2

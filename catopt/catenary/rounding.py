@@ -10,8 +10,6 @@ from catopt.catenary.root_search import BY_SPAN, BY_TENSION
 from catopt.catenary.state import State
 from catopt.compiled import inlined
 
-__all__ = ["force_uncertainty"]
-
 HALF_A_DIGIT = 2.0**-53
 """Part of a number by which its nearest double misses it at most."""
 

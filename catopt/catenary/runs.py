@@ -25,8 +25,6 @@ from catopt.catenary.sliding import (
 from catopt.catenary.state import IN_PARTS, LOOSE, SLACK, TURNED, State
 from catopt.catenary.upper_part import lying_end, upper_part
 
-__all__ = ["Runs", "most_runs", "run_reach", "runs_misfit", "runs_of", "slack_share"]
-
 _RUNS_PER_PIECE = 4
 """A piece may hang, lie with tension, lie without it and hang again."""
 

@@ -37,17 +37,6 @@ from catopt.catenary.state import (
 )
 from catopt.catenary.upper_part import WELL_HUNG, lying_end, upper_part
 
-__all__ = [
-    "Onset",
-    "from_its_anchor",
-    "loose",
-    "loose_below",
-    "onset_of",
-    "start_below",
-    "tight_above",
-    "turned_back",
-]
-
 
 class Onset(NamedTuple):
     """Where the tight part of a line begins, on the bed.

@@ -16,8 +16,6 @@ from catopt.errors import (
 )
 from catopt.words import Message
 
-__all__ = ["Condition", "Found", "Sought", "find"]
-
 ROUNDING = 4.0 * 2.0**-52
 FAR = 1e9
 """How many times its natural size an unknown may grow before it is called out of reach."""

@@ -12,8 +12,6 @@ from catopt.catenary.root_search import BY_SPAN, bracketed_search, newton
 from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State, failed
 
-__all__ = ["given_span"]
-
 
 def given_span(
     span: float,

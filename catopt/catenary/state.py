@@ -7,28 +7,6 @@ from typing import Final, NamedTuple
 
 from catopt.catenary.part import NO_TOUCHDOWN
 
-__all__ = [
-    "BELOW_ANCHOR",
-    "CONVERGED",
-    "GROUNDED",
-    "GROUNDED_BETWEEN",
-    "GROUNDED_IN_PARTS",
-    "INVALID",
-    "IN_PARTS",
-    "LOOSE",
-    "NOT_CONVERGED",
-    "ON_BED",
-    "REASONS",
-    "REGIMES",
-    "SLACK",
-    "SUSPENDED",
-    "TOO_HEAVY",
-    "TOO_SHORT",
-    "TURNED",
-    "State",
-    "failed",
-]
-
 # Status of a solve; only CONVERGED carries an answer.
 CONVERGED: Final = 0
 TOO_SHORT: Final = 1

@@ -9,8 +9,6 @@ from catopt.errors import FloatsUpError
 from catopt.model import Line
 from catopt.words import Message
 
-__all__ = ["check_buoys", "named_line"]
-
 ROUNDING = 1e-9
 """How far above the surface, over the water depth, a buoy may be by rounding."""
 

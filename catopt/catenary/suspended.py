@@ -19,15 +19,6 @@ from catopt.catenary.piece import piece_reach, rise_by_V
 from catopt.catenary.pieces import Pieces, beyond_clump
 from catopt.compiled import inlined
 
-__all__ = [
-    "FIRST_TOUCHDOWN",
-    "GroundedPart",
-    "SuspendedPart",
-    "grounded_part",
-    "suspended_height",
-    "suspended_part",
-]
-
 FIRST_TOUCHDOWN = -2
 
 

@@ -11,8 +11,6 @@ from catopt.catenary.pieces import is_inextensible, total_length, total_weight
 from catopt.catenary.root_search import BY_TENSION, bracketed_search, newton, tension_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, State, failed
 
-__all__ = ["given_tension", "least_tension", "other_forces"]
-
 STRIDE = 0.5
 """Ratio of neighbouring forces of the search down from H = tension."""
 

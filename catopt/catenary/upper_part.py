@@ -23,18 +23,6 @@ from catopt.catenary.part import (
 )
 from catopt.catenary.pieces import Pieces, total_length, total_weight
 
-__all__ = [
-    "CLEARANCE",
-    "EXACT",
-    "MOST_TRIALS",
-    "WELL_HUNG",
-    "hung_from_lightest",
-    "lying_end",
-    "rounding_of_V",
-    "to_touchdown",
-    "upper_part",
-]
-
 CLEARANCE = 1e-12
 """How far below the bed, as a part of the length, a hanging line may seem to pass by rounding."""
 

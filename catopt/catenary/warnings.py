@@ -8,8 +8,6 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.surface import check_buoys
 from catopt.words import Measure, Message
 
-__all__ = ["above_water", "other_tensions", "plausibility", "slides"]
-
 OPEN_FORCE = 1e-6
 """Beyond this part of the tension the rounding of the input shows in the digits printed."""
 

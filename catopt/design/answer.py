@@ -20,8 +20,6 @@ from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import NotConvergedError
 from catopt.words import Listed, Message
 
-__all__ = ["Found", "answer"]
-
 
 class Found(NamedTuple):
     """What a search came to.

@@ -30,8 +30,6 @@ from catopt.design.tables import Room, Tables
 from catopt.design.tensions import segment_tensions
 from catopt.model.anchor import sinker_needed
 
-__all__ = ["COST", "EXCURSION", "MASS", "NO_DESIGN", "NO_EQUILIBRIUM", "OFFSET", "assess"]
-
 MASS: Final = 0
 OFFSET: Final = 1
 EXCURSION: Final = 2

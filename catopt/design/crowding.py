@@ -6,8 +6,6 @@ import numpy as np
 
 from catopt.design.problem import Floats
 
-__all__ = ["crowding_distance"]
-
 
 def crowding_distance(objectives: Floats) -> Floats:
     """Distance between the two neighbours of each design of a front, summed over the objectives.

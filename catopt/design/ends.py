@@ -11,8 +11,6 @@ from catopt.design.result import DesignPoint, Neighbour
 from catopt.ties import first_largest
 from catopt.words import Listed, Message, Several
 
-__all__ = ["end_of_front", "ends"]
-
 
 def ends(problem: DesignProblem, front: Sequence[DesignPoint]) -> tuple[Message, ...]:
     """Say for each objective what keeps it from being smaller than at its end of the front."""

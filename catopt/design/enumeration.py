@@ -14,8 +14,6 @@ from catopt.design.evaluation import DesignProblem
 from catopt.design.front import empty_front, merge
 from catopt.design.outcome import Outcome, Progress
 
-__all__ = ["Enumerated", "Estimate", "enumerate_designs", "estimate"]
-
 CHUNK = 50_000
 """Designs evaluated at once: some ten MB, and a fraction of a second between two signs of life."""
 

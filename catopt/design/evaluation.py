@@ -25,8 +25,6 @@ from catopt.model import Anchor, Case, LoadCase
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = ["OBJECTIVE_KEYS", "Assessed", "DesignProblem", "load_cases_of", "objective_words"]
-
 OBJECTIVE_KEYS: Final = {
     "mass": "mass_kg",
     "offset": "offset_m",

@@ -12,8 +12,6 @@ from catopt.design.front import empty_front, merge
 from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
 
-__all__ = ["BudgetSpentError", "EvaluationArchive", "explore"]
-
 
 class BudgetSpentError(Exception):
     """The search has evaluated as many designs as it may. It never leaves `explore`."""

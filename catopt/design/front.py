@@ -14,8 +14,6 @@ from numpy.typing import NDArray
 from catopt.compiled import compiled
 from catopt.design.problem import Floats, Genes
 
-__all__ = ["Front", "Indices", "empty_front", "merge", "non_dominated"]
-
 Indices = NDArray[np.int64]
 
 _A_ROW = 4e-6

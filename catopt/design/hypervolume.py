@@ -11,8 +11,6 @@ import numpy as np
 from catopt.compiled import compiled
 from catopt.design.problem import Floats
 
-__all__ = ["hypervolume", "reference_point"]
-
 MARGIN = 0.1
 """How far beyond the front the reference point lies, as a share of the front's range: far enough
 for the ends to count, near enough for them not to outweigh the rest (usual practice)."""

@@ -17,8 +17,6 @@ import numpy as np
 
 from catopt.design.problem import Floats
 
-__all__ = ["Knee", "knee"]
-
 
 @dataclass(frozen=True)
 class Knee:

@@ -13,8 +13,6 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Line
 from catopt.words import Measure, Message, Sentence, Several
 
-__all__ = ["NoFeasibleDesignError", "near_miss", "no_feasible_design"]
-
 
 class NoFeasibleDesignError(NoAnswerError):
     """No design that was evaluated passes every check.

@@ -13,8 +13,6 @@ from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Segment
 from catopt.words import Message
 
-__all__ = ["Step", "neighbour", "neighbours", "steps"]
-
 Design = tuple[int, ...]
 
 

@@ -27,8 +27,6 @@ from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Genes, Problem
 from catopt.design.steps import alternate, scattered
 
-__all__ = ["nsga2"]
-
 CROSSOVER_PROBABILITY = 0.9
 SPREAD = 3.0
 """Distribution index of crossover and mutation, the usual one for whole numbers: at the 15 to 20

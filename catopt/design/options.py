@@ -20,8 +20,6 @@ from catopt.model.load_case import LoadCaseKind
 from catopt.model.validity import Findings
 from catopt.words import Listed, Message
 
-__all__ = ["Options", "resolve"]
-
 
 @dataclass(frozen=True)
 class Options:

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 from catopt.design.problem import Floats, Genes
 
-__all__ = ["Outcome", "Progress"]
-
 Progress = Callable[[int, int], None]
 """Called with the designs evaluated so far and those that may be at most."""
 

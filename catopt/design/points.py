@@ -14,8 +14,6 @@ from catopt.design.result import DesignPoint
 from catopt.errors import CatoptError
 from catopt.model import Line
 
-__all__ = ["AGREEMENT", "design_point", "objectives_of"]
-
 AGREEMENT = 1e-8
 """By how much the compiled loop and the closed form in plain Python may differ, relatively: both
 end their roots at 1e-12 of the line's length or better."""

@@ -11,8 +11,6 @@ from catopt.design.result import DesignPoint, Neighbour
 from catopt.errors import CatoptError
 from catopt.words import Message
 
-__all__ = ["PRESENT", "present_line"]
-
 PRESENT: Final = "design.present"
 """Key of what the line is called."""
 

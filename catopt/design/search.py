@@ -18,8 +18,6 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case, Design
 from catopt.model.design import SearchMethod
 
-__all__ = ["LARGE_SPACES", "design_case"]
-
 LARGE_SPACES: Final = "nsga2"
 """What "auto" takes where a space is too large to enumerate: the better of the two by
 benchmarks/search.py."""

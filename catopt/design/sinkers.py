@@ -7,8 +7,6 @@ from dataclasses import replace
 from catopt.model import Anchor, Case, SinkerChoice
 from catopt.model.immersion import weight_in_water
 
-__all__ = ["sinker", "with_a_sinker"]
-
 
 def sinker(choice: SinkerChoice, index: int, water_density: float) -> Anchor:
     """Make one of the sinkers."""

@@ -19,8 +19,6 @@ from catopt.design.problem import Genes
 from catopt.model import Line, PointLoad, Segment
 from catopt.words import Message
 
-__all__ = ["AT_END", "GENES_EACH", "ClumpWeightVariable", "DesignSpace", "SegmentVariable"]
-
 GENES_EACH = 2
 """Genes of a segment, and of a clump weight."""
 

@@ -10,8 +10,6 @@ from catopt.design.crowding import crowding_distance
 from catopt.design.evaluation_archive import EvaluationArchive
 from catopt.design.problem import Genes, Problem
 
-__all__ = ["alternate", "double_steps", "improve", "reached", "scattered", "single_steps"]
-
 ROAMING = 0.6
 """Share of what is left of the budget that a search roams with before it improves its front.
 

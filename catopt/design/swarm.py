@@ -30,8 +30,6 @@ with without_logging():
     from pyswarms.backend.operators import compute_position
     from pyswarms.backend.swarms import Swarm
 
-__all__ = ["swarm"]
-
 STIRRED = 0.15
 """Share of the particles that are stirred at every turn."""
 STIRRINGS = 5

@@ -16,8 +16,6 @@ from catopt.design.space import DesignSpace
 from catopt.model import Case, LoadCase, SinkerChoice
 from catopt.model.immersion import weight_in_water
 
-__all__ = ["Room", "Tables", "room", "tables_of"]
-
 RESOLUTION = 2.0**-40
 """Part of the largest value of an objective that two designs must differ by to differ at all.
 

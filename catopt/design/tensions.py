@@ -9,8 +9,6 @@ from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.runs import Runs, runs_of
 from catopt.catenary.state import State
 
-__all__ = ["segment_tensions"]
-
 
 def segment_tensions(
     state: State, problem: LineProblem, runs: Runs, owner: Any, segments: int, largest: Any

@@ -8,8 +8,6 @@ from typing import Literal, get_args
 from catopt.compiled import inlined
 from catopt.model.validity import Findings
 
-__all__ = ["ANCHOR_KINDS", "Anchor", "sinker_needed"]
-
 AnchorKind = Literal["sinker", "drag"]
 ANCHOR_KINDS: tuple[str, ...] = get_args(AnchorKind)
 

@@ -26,8 +26,6 @@ from catopt.model.validity import Findings
 from catopt.model.wave_state import WaveState
 from catopt.model.wear import wear_misfits
 
-__all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "SwarmSettings"]
-
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
 BOUNDARY_HANDLINGS: tuple[str, ...] = get_args(Boundary)
 

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 from catopt.model.validity import Findings
 
-__all__ = ["NEEDS_SEVERAL_LINES", "Checks"]
-
 NEEDS_SEVERAL_LINES = "leave it out, or give [system]: of one line none can be lost"
 """Why a case of one line has no factor for one line out."""
 

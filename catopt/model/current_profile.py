@@ -10,8 +10,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = ["CURRENT_PROFILES", "CurrentProfile"]
-
 ProfileKind = Literal["power", "wind", "table"]
 CURRENT_PROFILES: tuple[str, ...] = get_args(ProfileKind)
 

@@ -7,15 +7,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "OBJECTIVES",
-    "SEARCH_METHODS",
-    "ClumpWeightChoice",
-    "Design",
-    "SegmentChoice",
-    "SinkerChoice",
-]
-
 Objective = Literal["mass", "offset", "excursion", "cost"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
 

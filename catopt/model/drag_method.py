@@ -7,8 +7,6 @@ from typing import Any, Final, Literal, get_args
 
 from catopt.errors import Problem
 
-__all__ = ["DRAG_METHODS", "STEADY_FROM", "DragMethod", "drag_misfits"]
-
 DragMethod = Literal["given", "roughness"]
 DRAG_METHODS: tuple[str, ...] = get_args(DragMethod)
 

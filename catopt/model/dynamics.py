@@ -10,17 +10,6 @@ from catopt.errors import Problem
 from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.validity import Findings
 
-__all__ = [
-    "BARS",
-    "BROKEN_ENDS",
-    "INITIAL_FRICTION",
-    "LINE_DAMPING",
-    "TIME_SCHEMES",
-    "Dynamics",
-    "InitialFriction",
-    "dynamics_misfits",
-]
-
 BrokenEnd = Literal["fairlead", "anchor"]
 BROKEN_ENDS: tuple[str, ...] = get_args(BrokenEnd)
 

@@ -11,8 +11,6 @@ from catopt.errors import Problem
 from catopt.model.load import LOADS
 from catopt.model.validity import Findings
 
-__all__ = ["FIND_QUANTITIES", "Find", "misfits"]
-
 FindQuantity = Literal["length", "clump_weight", "touchdown_force", "limit_force"]
 FIND_QUANTITIES: tuple[str, ...] = get_args(FindQuantity)
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from catopt.constants import STANDARD_GRAVITY
 
-__all__ = ["weight_in_water"]
-
 
 def weight_in_water(mass: float, density: float, water_density: float) -> float:
     """Submerged weight of a solid body, N, from kg and kg/m3; negative when it floats.

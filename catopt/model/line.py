@@ -12,8 +12,6 @@ from catopt.model.drag_method import DRAG_METHODS, DragMethod, drag_misfits
 from catopt.model.validity import Findings
 from catopt.model.wear import WEAR_ZONES
 
-__all__ = ["Line", "PointLoad", "Segment"]
-
 
 @dataclass(frozen=True)
 class Segment:

@@ -7,8 +7,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = ["LOAD_CASE_KINDS", "LoadCase"]
-
 LoadCaseKind = Literal["extreme", "reference"]
 LOAD_CASE_KINDS: tuple[str, ...] = get_args(LoadCaseKind)
 

@@ -7,16 +7,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "MOTION_WAYS",
-    "OF_A_BODY",
-    "RAO_CONVENTIONS",
-    "RAO_PER",
-    "RAO_PHASES",
-    "RAO_ROTATIONS",
-    "Motion",
-]
-
 RaoPhase = Literal["", "lag", "lead"]
 RaoRotation = Literal["", "deg/m", "rad/m"]
 RaoPer = Literal["", "amplitude", "height"]

@@ -10,8 +10,6 @@ from catopt.errors import InputError, Problem
 from catopt.model.line import Line
 from catopt.model.validity import Findings
 
-__all__ = ["Leg", "System", "system_misfits"]
-
 
 @dataclass(frozen=True)
 class Leg:

@@ -9,8 +9,6 @@ from types import MappingProxyType
 
 from catopt.errors import InputError, Problem
 
-__all__ = ["COUNTS", "Findings"]
-
 COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
         "particles": (2, 10_000),

@@ -10,17 +10,6 @@ from typing import Any, Literal, get_args
 from catopt.errors import Problem
 from catopt.model.validity import Findings
 
-__all__ = [
-    "DIRECTIONS",
-    "STRETCHINGS",
-    "WAVE_SPECTRA",
-    "WAVE_WAYS",
-    "WaveState",
-    "WaveTrain",
-    "train_misfits",
-    "wave_misfits",
-]
-
 WaveSpectrum = Literal["jonswap", "pierson-moskowitz", "regular"]
 WAVE_SPECTRA: tuple[str, ...] = get_args(WaveSpectrum)
 Stretching = Literal["none", "wheeler"]

@@ -10,8 +10,6 @@ from typing import Any, Final
 from catopt.constants import YEAR
 from catopt.errors import Problem
 
-__all__ = ["WEAR_TABLES", "WEAR_ZONES", "WearTable", "wear_misfits"]
-
 WEAR_ZONES: Final = ("splash", "catenary", "bottom", "wire")
 """Where a segment hangs or lies; "wire" is for wire rope wherever it is."""
 

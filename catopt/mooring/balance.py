@@ -13,8 +13,6 @@ from catopt.catenary.state import CONVERGED, NOT_CONVERGED, State, failed
 from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.mooring.arrangement import Arrangement, Lines
 
-__all__ = ["Pull", "pull_at"]
-
 NEARLY = 3e-3
 """Last relative step of a line that need not be exact."""
 

@@ -20,8 +20,6 @@ from catopt.mooring.solve import of_line, solve_system
 from catopt.mooring.watch_circle import WatchCircle, watch_circle
 from catopt.mooring.water_level import AtLevel, at_levels
 
-__all__ = ["SystemReport", "report_system"]
-
 CURVE_POINTS = 41
 
 

@@ -14,21 +14,6 @@ from catopt.compiled import inlined
 from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import Pull, pull_at
 
-__all__ = [
-    "ENOUGH",
-    "EXACT",
-    "TURNS_OVER",
-    "BodyLoad",
-    "Freedom",
-    "Rest",
-    "by_parts",
-    "descend",
-    "is_stable",
-    "stopped",
-    "within_half_a_turn",
-    "yaw_stiffness",
-]
-
 TURNS_OVER: Final = 100
 """Status beside those of a line: the lines stop the body at no heading."""
 

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from catopt.mooring.solution import LegState, Position, SystemSolution
 
-__all__ = ["system_document"]
-
 
 def system_document(solution: SystemSolution) -> dict[str, Any]:
     """Build the document of a moored body, schema catopt.system/1; all in SI."""

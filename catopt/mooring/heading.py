@@ -28,8 +28,6 @@ from catopt.mooring.descent import (
     yaw_stiffness,
 )
 
-__all__ = ["SAME_YAW", "first_heading", "next_heading"]
-
 FULL = 2.0 * math.pi
 STRIDE, LEAST_STRIDE = FULL / 36.0, 1e-8
 """rad, from one yaw looked at to the next: as a rule, and where lines bar the way."""

@@ -6,8 +6,6 @@ import math
 
 from catopt.errors import InputError, Problem
 
-__all__ = ["load_sharing_factor", "loaded_half"]
-
 FEWEST_LINES = 4
 """Two lines carry FT = F, not the half of F that N / 4 would say."""
 

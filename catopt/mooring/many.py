@@ -9,8 +9,6 @@ from catopt.mooring.balance import pull_at
 from catopt.mooring.descent import BodyLoad, Freedom
 from catopt.mooring.static_equilibrium import static_equilibrium
 
-__all__ = ["BODY", "PER_LINE", "static_equilibria"]
-
 BODY: Final = (
     "x",
     "y",

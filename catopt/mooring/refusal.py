@@ -14,8 +14,6 @@ from catopt.model.system import System
 from catopt.mooring.descent import Rest
 from catopt.words import Message
 
-__all__ = ["refusal", "turns_over"]
-
 
 def refusal(rest: Rest, system: System) -> CatoptError:
     """Say what stops the body from coming to rest."""

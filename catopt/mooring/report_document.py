@@ -9,8 +9,6 @@ if TYPE_CHECKING:
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
 
-__all__ = ["report_document"]
-
 
 def report_document(report: SystemReport) -> dict[str, Any]:
     """Add to the document of the solution what else was asked for; all in SI, lines from 1."""

@@ -10,8 +10,6 @@ from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition
 from catopt.ties import first_largest
 
-__all__ = ["Response", "response_of"]
-
 
 @dataclass(frozen=True)
 class Response:

@@ -18,8 +18,6 @@ from catopt.mooring.descent import (
 )
 from catopt.mooring.heading import first_heading
 
-__all__ = ["static_equilibrium"]
-
 NUDGE: Final = 0.01
 """rad by which a body that balances on a ridge is turned off it."""
 

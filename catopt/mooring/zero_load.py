@@ -24,8 +24,6 @@ from catopt.mooring.refusal import refusal, turns_over
 from catopt.mooring.static_equilibrium import static_equilibrium
 from catopt.words import Message
 
-__all__ = ["ZeroLoadPosition", "copied", "is_held", "zero_load_position"]
-
 SHORT_OF_TAUT = 0.999
 """Part of its length over which a line that does not stretch may reach at the start."""
 

@@ -9,8 +9,6 @@ from catopt.catenary.swarm.solve import solve_swarm
 from catopt.model import Case
 from catopt.model.validity import Findings
 
-__all__ = ["solve_case_by_swarm"]
-
 
 def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = None) -> Solution:
     """Solve a case by the particle swarm method of S1; errors as for `solve_swarm`.

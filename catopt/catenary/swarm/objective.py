@@ -46,15 +46,6 @@ from catopt.catenary.pieces import (
 from catopt.catenary.state import SUSPENDED, State
 from catopt.catenary.suspended import suspended_part
 
-__all__ = [
-    "Array",
-    "GroundedObjective",
-    "Hanging",
-    "Objective",
-    "SuspendedObjective",
-    "objective_of",
-]
-
 Array = NDArray[np.float64]
 
 _BELOW_ONE = 1.0 - 4.0 * sys.float_info.epsilon

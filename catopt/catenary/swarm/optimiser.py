@@ -23,8 +23,6 @@ with without_logging():
     from pyswarms.backend.swarms import Swarm
     from pyswarms.backend.topology import Star
 
-__all__ = ["PATIENCE", "Run", "optimiser", "velocity"]
-
 PATIENCE = 25
 """Iterations without a better place after which a run that is down to rounding stops."""
 

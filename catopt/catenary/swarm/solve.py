@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from catopt.catenary.swarm.optimiser import Run
 from catopt.words import Message
 
-__all__ = ["CONVERGED", "RESULT", "SPAN_AGREEMENT", "solve_swarm"]
-
 CONVERGED = 1e-9
 """m: a run that ends with f below this counts as converged."""
 
