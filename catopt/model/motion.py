@@ -21,7 +21,8 @@ OF_A_BODY = (*RAO_CONVENTIONS, "drift", "drift_file")
 MOTION_WAYS = ("period", "file", "rao_file")
 """The keys of which one is given."""
 
-_HARMONIC = ("surge", "sway", "heave", "surge_phase", "sway_phase", "heave_phase")
+HARMONIC = ("surge", "sway", "heave", "surge_phase", "sway_phase", "heave_phase")
+"""The keys that go with a period."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ class Motion:
             found.number(key, getattr(self, key), "rad")
         self._check_of_a_body(found)
         if given in (["file"], ["rao_file"]):
-            for key in (k for k in _HARMONIC if getattr(self, k) != 0.0):
+            for key in (k for k in HARMONIC if getattr(self, k) != 0.0):
                 allowed = f"goes with period, not with {given[0]}; leave it out"
                 found.add(key, repr(getattr(self, key)), allowed)
         found.raise_if_any()
