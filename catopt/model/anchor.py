@@ -41,9 +41,8 @@ class Anchor:
 
     def __post_init__(self) -> None:
         found = Findings("Anchor")
-        if self.kind not in ANCHOR_KINDS:
-            found.add("kind", repr(self.kind), "one of " + ", ".join(ANCHOR_KINDS))
-            found.raise_if_any()
+        found.word("kind", self.kind, ANCHOR_KINDS)
+        found.raise_if_any()
         wanted = {
             "sinker": {"submerged_weight": "N", "friction": ""},
             "drag": {"holding_capacity": "N"},
@@ -59,10 +58,8 @@ class Anchor:
                     found.number(key, value, unit, above=0.0)
             elif value is not None:
                 found.add(key, f"{value:g}", f"does not go with a {noun}; leave it out")
-        if self.safety_factor is not None:
-            found.number("safety_factor", self.safety_factor, "", at_least=1.0)
-        if self.mass is not None:
-            found.number("mass", self.mass, "kg", above=0.0)
+        found.numbers(self, "", "safety_factor", at_least=1.0)
+        found.numbers(self, "kg", "mass", above=0.0)
         found.raise_if_any()
 
 

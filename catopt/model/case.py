@@ -74,8 +74,7 @@ class SwarmSettings:
         for key in ("cognitive", "social"):
             found.number(key, getattr(self, key), "", at_least=0.0, at_most=4.0)
         found.number("inertia", self.inertia, "", at_least=0.0, at_most=1.0)
-        if self.boundary not in BOUNDARY_HANDLINGS:
-            found.add("boundary", repr(self.boundary), "one of " + ", ".join(BOUNDARY_HANDLINGS))
+        found.word("boundary", self.boundary, BOUNDARY_HANDLINGS)
         found.raise_if_any()
 
     def _check_evaluations(self, found: Findings) -> None:

@@ -48,17 +48,12 @@ class Find:
 
     def __post_init__(self) -> None:
         found = Findings("Find")
-        if self.quantity not in FIND_QUANTITIES:
-            found.add("quantity", repr(self.quantity), "one of " + ", ".join(FIND_QUANTITIES))
+        found.word("quantity", self.quantity, FIND_QUANTITIES)
         for key in ("segment", "point_load"):
             if getattr(self, key) is not None:
                 found.count(key, getattr(self, key))
-        if self.anchor_angle is not None:
-            found.number(
-                "anchor_angle", self.anchor_angle, "rad", at_least=0.0, at_most=math.pi / 2.0
-            )
-        if self.grounded_length is not None:
-            found.number("grounded_length", self.grounded_length, "m", above=0.0)
+        found.numbers(self, "rad", "anchor_angle", at_least=0.0, at_most=math.pi / 2.0)
+        found.numbers(self, "m", "grounded_length", above=0.0)
         self._check_keys(found)
         found.raise_if_any()
 

@@ -40,6 +40,5 @@ class LoadCase:
             found.add("name", repr(self.name), "a name is wanted")
         found.number("horizontal_force", self.horizontal_force, "N", above=0.0)
         found.number("water_level", self.water_level, "m")
-        if self.kind not in LOAD_CASE_KINDS:
-            found.add("kind", repr(self.kind), "one of " + ", ".join(LOAD_CASE_KINDS))
+        found.word("kind", self.kind, LOAD_CASE_KINDS)
         found.raise_if_any()

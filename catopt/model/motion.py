@@ -86,8 +86,7 @@ class Motion:
         if len(given) != 1:
             wanted = f"exactly one of {', '.join(MOTION_WAYS)} is wanted"
             found.add("motion", " and ".join(given) if given else "none of them", wanted)
-        if self.period is not None:
-            found.number("period", self.period, "s", above=0.0)
+        found.numbers(self, "s", "period", above=0.0)
         for key in ("surge", "sway", "heave"):
             found.number(key, getattr(self, key), "m", at_least=0.0)
         for key in ("surge_phase", "sway_phase", "heave_phase"):

@@ -130,10 +130,8 @@ class WaveState:
         found.problems += wave_misfits(given)
         _check_train(self, found, misfits=False)
         found.number("elevation_x", self.elevation_x, "m")
-        if self.shortest_period is not None:
-            found.number("shortest_period", self.shortest_period, "s", above=0.0)
-        if self.stretching not in STRETCHINGS:
-            found.add("stretching", repr(self.stretching), "one of " + ", ".join(STRETCHINGS))
+        found.numbers(self, "s", "shortest_period", above=0.0)
+        found.word("stretching", self.stretching, STRETCHINGS)
         found.count("seed", self.seed)
         found.raise_if_any()
 
@@ -210,13 +208,12 @@ def train_misfits(given: Mapping[str, Any]) -> list[Problem]:
 
 def _check_train(train: WaveTrain | WaveState, found: Findings, *, misfits: bool = True) -> None:
     """Find what is out of range in a train."""
-    if train.spectrum is not None and train.spectrum not in WAVE_SPECTRA:
-        found.add("spectrum", repr(train.spectrum), "one of " + ", ".join(WAVE_SPECTRA))
-    for key, unit in (("height", "m"), ("period", "s"), ("spreading_exponent", "")):
-        if getattr(train, key) is not None:
-            found.number(key, getattr(train, key), unit, above=0.0)
-    if train.peak_enhancement is not None:
-        found.number("peak_enhancement", train.peak_enhancement, "", at_least=1.0, at_most=20.0)
+    if train.spectrum is not None:
+        found.word("spectrum", train.spectrum, WAVE_SPECTRA)
+    found.numbers(train, "m", "height", above=0.0)
+    found.numbers(train, "s", "period", above=0.0)
+    found.numbers(train, "", "spreading_exponent", above=0.0)
+    found.numbers(train, "", "peak_enhancement", at_least=1.0, at_most=20.0)
     found.number("direction", train.direction, "rad")
     found.count("components", train.components)
     if train.spreading_directions is not None:
