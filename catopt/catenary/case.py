@@ -59,7 +59,7 @@ def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
 def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) -> Solution:
     """Solve a case that has a load or seeks something."""
     if method == "pso":
-        from catopt.catenary.swarm.case import solve_case_by_swarm
+        from catopt.catenary.swarm.solve import solve_case_by_swarm
 
         return under_case(solve_case_by_swarm(case, progress=progress), case)
     if case.find is not None:

@@ -6,10 +6,9 @@ import math
 from dataclasses import replace
 from typing import Literal
 
-from catopt.catenary.layout import end_of, lay_out
+from catopt.catenary.layout import Stretch, end_of, lay_out, max_tension, stretched_length
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import joints_of
-from catopt.catenary.profile import max_tension, stretched_length
 from catopt.catenary.rounding import force_uncertainty
 from catopt.catenary.solution import (
     EndState,
@@ -19,7 +18,6 @@ from catopt.catenary.solution import (
     Solution,
 )
 from catopt.catenary.state import BELOW_ANCHOR, REGIMES, SUSPENDED, State
-from catopt.catenary.stretch import Stretch
 from catopt.catenary.warnings import above_water, plausibility
 from catopt.model import Case, Line, PointLoad
 

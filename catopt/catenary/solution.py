@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from catopt.catenary.document import solution_document
-from catopt.catenary.profile import sample
-from catopt.catenary.stretch import Profile, Stretch
+from catopt.catenary.layout import Profile, Stretch, sample
 from catopt.model import Line
 
 __all__ = [

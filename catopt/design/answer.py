@@ -13,8 +13,7 @@ from catopt.design.hypervolume import hypervolume, reference_point
 from catopt.design.knee import Knee, knee
 from catopt.design.neighbours import neighbours
 from catopt.design.outcome import Outcome
-from catopt.design.points import design_point
-from catopt.design.present import present_line
+from catopt.design.points import design_point, present_line
 from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import NotConvergedError

@@ -11,6 +11,7 @@ from typing import Any, Final, NamedTuple
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, split
+from catopt.catenary.runs import Runs, runs_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
 from catopt.checks.excess import (
@@ -27,7 +28,6 @@ from catopt.checks.excess import (
 from catopt.compiled import inlined
 from catopt.design.space import AT_END
 from catopt.design.tables import Room, Tables
-from catopt.design.tensions import segment_tensions
 from catopt.model.anchor import sinker_needed
 
 MASS: Final = 0
@@ -315,3 +315,27 @@ def _rounded(value: float, step: float) -> float:
     if math.isnan(value):
         return value
     return float(math.floor(value / step + 0.5)) * step
+
+
+def segment_tensions(
+    state: State, problem: LineProblem, runs: Runs, owner: Any, segments: int, largest: Any
+) -> None:
+    """Write the largest tension of each segment (N) to `largest`, with the runs as work space.
+
+    Tension is convex along a uniform run: it is largest at one of the ends.
+    """
+    for segment in range(segments):
+        largest[segment] = 0.0
+    for row in range(runs_of(state, problem, runs)):
+        length = runs.length[row]
+        if length > 0.0:
+            k = runs.piece[row]
+            H = runs.H[row]
+            V = runs.V[row]
+            upper = V + problem.pieces.weight[k] * length
+            H_upper = H + runs.friction[row] * length
+            if runs.on_bed[row] == 1:
+                V = upper = 0.0
+            tension = max(math.sqrt(H * H + V * V), math.sqrt(H_upper * H_upper + upper * upper))
+            segment = owner[k]
+            largest[segment] = max(largest[segment], tension)

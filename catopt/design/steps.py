@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from catopt.design.crowding import crowding_distance
 from catopt.design.evaluation_archive import EvaluationArchive
+from catopt.design.front import crowding_distance
 from catopt.design.problem import Genes, Problem
 
 ROAMING = 0.6

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from catopt.catenary.swarm.optimiser import velocity
 from catopt.catenary.swarm.quiet import without_logging
 from catopt.checks.excess import ROUNDING
-from catopt.design.crowding import crowding_distance
 from catopt.design.evaluation_archive import EvaluationArchive, explore
+from catopt.design.front import crowding_distance
 from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
 from catopt.design.steps import alternate, scattered

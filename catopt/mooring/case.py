@@ -11,8 +11,8 @@ from catopt.catenary.surface import named_line
 from catopt.catenary.warnings import above_water
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
+from catopt.mooring.document import report_document
 from catopt.mooring.line_out import LineOut, one_line_out
-from catopt.mooring.report_document import report_document
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.mooring.sharing_rule import SharingRule, sharing_rule
 from catopt.mooring.solution import SystemSolution
