@@ -68,11 +68,9 @@ def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) 
     assert case.load is not None
     solution = solve(
         case.line,
-        height=case.fairlead_height,
         horizontal_force=case.load.horizontal_force,
         span=case.load.span,
         fairlead_tension=case.load.fairlead_tension,
-        seabed_friction=case.site.seabed_friction,
-        anchor_height=case.anchor_height,
+        **case.place,
     )
     return under_case(solution, case)

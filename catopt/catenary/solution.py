@@ -7,6 +7,7 @@ from typing import Any, Literal
 
 from catopt.catenary.document import solution_document
 from catopt.catenary.layout import Profile, Stretch, sample
+from catopt.catenary.state import Regime
 from catopt.model import Line
 
 __all__ = [
@@ -17,16 +18,6 @@ __all__ = [
     "SegmentState",
     "Solution",
     "SwarmReport",
-]
-
-Regime = Literal[
-    "suspended",
-    "below-anchor",
-    "grounded",
-    "grounded-between",
-    "on-bed",
-    "slack",
-    "grounded-in-parts",
 ]
 
 

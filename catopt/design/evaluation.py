@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from catopt.catenary.batch import in_ranges
 from catopt.checks.case import LOAD
 from catopt.checks.criteria import criteria_of
 from catopt.checks.remarks import NO_CHECK
@@ -180,14 +178,13 @@ class DesignProblem:
         loop = compiled(assess, _A_PIECE * len(self.space.variables) * lines)
 
         def run(first: int, end: int) -> int:
-            unsolved = np.zeros(1, dtype=np.int64)
+            left = np.zeros(1, dtype=np.int64)
             tables, space = self.tables, room(self.tables)
-            loop(
-                genes, tables, space, stops_early, first, end, objectives, excess, sinkers, unsolved
-            )
-            return int(unsolved[0])
+            loop(genes, tables, space, stops_early, first, end, objectives, excess, sinkers, left)
+            return int(left[0])
 
-        return Assessed(objectives, excess, sinkers, _shared(run, count, workers))
+        unsolved = sum(in_ranges(run, 0, count, workers, LEAST_SHARE))
+        return Assessed(objectives, excess, sinkers, unsolved)
 
     def anchor(self, genes: tuple[int, ...]) -> Anchor | None:
         """Return the anchor of a design: the sinker chosen for it, or that of the case."""
@@ -220,13 +217,3 @@ def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
         return case.load_cases
     assert force is not None
     return (LoadCase(LOAD, force),)
-
-
-def _shared(run: Callable[[int, int], int], count: int, workers: int) -> int:
-    """Run ranges of designs on several threads; the compiled loop lets go of the interpreter."""
-    if workers <= 1 or count < LEAST_SHARE * workers:
-        return run(0, count)
-    step = math.ceil(count / workers)
-    ranges = [(first, min(first + step, count)) for first in range(0, count, step)]
-    with ThreadPoolExecutor(workers) as pool:
-        return sum(pool.map(lambda each: run(*each), ranges))

@@ -232,6 +232,15 @@ class Case:
                     f"must leave the fairlead above the seabed: above {-lowest:g} m",
                 )
 
+    @property
+    def place(self) -> dict[str, float]:
+        """Where the line is moored, by the arguments of `catopt.solve`: m, m and friction."""
+        return {
+            "height": self.fairlead_height,
+            "anchor_height": self.anchor_height,
+            "seabed_friction": self.site.seabed_friction,
+        }
+
     def under(self, state: LoadCase) -> Case:
         """Return the case in one of its states, with the fairlead at its water level."""
         depth = self.site.water_depth + state.water_level
