@@ -14,6 +14,7 @@ from catopt.mooring.balance import Pull, pull_at
 from catopt.mooring.descent import (
     TURNS_OVER,
     BodyLoad,
+    BodyProblem,
     Freedom,
     Rest,
     within_half_a_turn,
@@ -59,9 +60,8 @@ class ZeroLoadPosition:
         lines = copied(self.lines)
         start = self.neutral
         load = BodyLoad(float(force[0]), float(force[1]), float(moment))
-        rest = static_equilibrium(
-            start.x, start.y, start.yaw, start.pull, load, self.freedom, self.arrangement, lines
-        )
+        problem = BodyProblem(load, self.freedom, self.arrangement, lines)
+        rest = static_equilibrium(start.x, start.y, start.yaw, start.pull, problem)
         if rest.status == TURNS_OVER:
             raise turns_over(moment, rest)
         if rest.status != CONVERGED:
@@ -78,11 +78,11 @@ class ZeroLoadPosition:
         if not self.freedom.in_yaw or not is_held(rest.pull, self.freedom):
             return ()
         load = BodyLoad(float(force[0]), float(force[1]), float(moment))
-        lines = copied(lines)
+        problem = BodyProblem(load, self.freedom, self.arrangement, copied(lines))
         found: list[Rest] = []
         at, end = rest, rest.yaw + 2.0 * math.pi - SAME_YAW
         while True:
-            at = next_heading(at, end - at.yaw, load, self.freedom, self.arrangement, lines)
+            at = next_heading(at, end - at.yaw, problem)
             if at.status != CONVERGED or at.yaw >= end:
                 return tuple(found)
             if at.yaw > rest.yaw + SAME_YAW and is_held(at.pull, self.freedom):
@@ -96,9 +96,8 @@ class ZeroLoadPosition:
         lines = copied(self.lines)
         pull = pull_at(x, y, self.neutral.yaw, self.arrangement, lines, True)
         freedom = self.freedom._replace(in_plane=False)
-        rest = static_equilibrium(
-            x, y, self.neutral.yaw, pull, NOTHING, freedom, self.arrangement, lines
-        )
+        problem = BodyProblem(NOTHING, freedom, self.arrangement, lines)
+        rest = static_equilibrium(x, y, self.neutral.yaw, pull, problem)
         if rest.status != CONVERGED:
             raise refusal(rest, self.system)
         return rest, lines
@@ -114,7 +113,8 @@ def zero_load_position(system: System) -> ZeroLoadPosition:
     lines = room_for(len(system.legs))
     x, y = _reachable(system)
     pull = pull_at(x, y, 0.0, arrangement, lines, True)
-    neutral = static_equilibrium(x, y, 0.0, pull, NOTHING, freedom, arrangement, lines)
+    problem = BodyProblem(NOTHING, freedom, arrangement, lines)
+    neutral = static_equilibrium(x, y, 0.0, pull, problem)
     if neutral.status != CONVERGED:
         raise refusal(neutral, system)
     return ZeroLoadPosition(system, arrangement, freedom, neutral, lines)
