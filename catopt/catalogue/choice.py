@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from catopt import catalogue
 from catopt.catalogue.collection import ALL, Catalogue
@@ -36,22 +37,11 @@ class ChosenCatalogue:
 
     def component(self, name: str, diameter: float) -> Component:
         """Look a component up by family and grade, and by nominal diameter, m."""
-        return self.families.component(
-            name,
-            diameter,
-            variants=self._variants(name),
-            water_density=self.water_density,
-            allow_recalled=self.choice.allow_recalled,
-        )
+        return self.families.component(name, diameter, **self._figures(name))
 
     def sold(self, name: str) -> tuple[Component, ...]:
         """List a component in the sizes that are sold, as `Catalogue.sold`; of one grade or all."""
-        return self.families.sold(
-            name,
-            variants=self._variants(name),
-            water_density=self.water_density,
-            allow_recalled=self.choice.allow_recalled,
-        )
+        return self.families.sold(name, **self._figures(name))
 
     def variants_of_none(self, names: Iterable[str]) -> list[Problem]:
         """List variants that none of some known components has.
@@ -77,10 +67,15 @@ class ChosenCatalogue:
             problems.append(Problem(quantity, as_written(variant), allowed))
         return problems
 
-    def _variants(self, name: str) -> dict[str, str]:
+    def _figures(self, name: str) -> dict[str, Any]:
+        """Say which figures to follow, by the arguments of `Catalogue.component`."""
         parsed = self.families.parse_name(name)
         family = self.families.family(parsed.family)
-        return held_by(family, parsed.grade, self.choice.by_quantity)
+        return {
+            "variants": held_by(family, parsed.grade, self.choice.by_quantity),
+            "water_density": self.water_density,
+            "allow_recalled": self.choice.allow_recalled,
+        }
 
 
 def chosen(choice: CatalogueChoice, water_density: float) -> ChosenCatalogue:

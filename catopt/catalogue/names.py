@@ -58,6 +58,12 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
     return by_plain[close[0]] if close else None
 
 
+def meant(word: str, words: Iterable[str]) -> str:
+    """Ask after the word that was meant, to be put behind what is wanted; empty if none is near."""
+    near = nearest(word, words)
+    return f"; did you mean {near}?" if near else ""
+
+
 def _names(families: Iterable[Family]) -> Iterator[tuple[tuple[str, ...], str, ComponentName]]:
     """List every name, comparable and as shown, with what it stands for."""
     for family in families:

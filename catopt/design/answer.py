@@ -31,14 +31,11 @@ class Found(NamedTuple):
         ``"enumeration"``, ``"nsga2"`` or ``"swarm"``.
     seconds : float
         That it took.
-    unsolved : int
-        Lines that did not converge.
     """
 
     outcome: Outcome
     method: str
     seconds: float
-    unsolved: int = 0
 
 
 def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
@@ -123,8 +120,8 @@ def _of_search(problem: DesignProblem, found: Found, confirmed: int) -> list[Mes
     if found.outcome.interrupted:
         done = found.outcome.evaluations
         told.append(Message("design.interrupted", done=done, count=problem.space.count))
-    if found.unsolved:
-        told.append(Message("design.unsolved", count=found.unsolved))
+    if found.outcome.unsolved:
+        told.append(Message("design.unsolved", count=found.outcome.unsolved))
     left_out = len(found.outcome.genes) - confirmed
     if left_out:
         told.append(Message("design.not_confirmed", count=left_out))

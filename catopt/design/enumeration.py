@@ -44,21 +44,6 @@ class Estimate(NamedTuple):
         return max(min(CHUNK, int(0.2 * self.designs / max(self.seconds, 1e-9))), SAMPLES[0])
 
 
-class Enumerated(NamedTuple):
-    """The outcome of an enumeration.
-
-    Attributes
-    ----------
-    outcome : Outcome
-        The front; `closest` and `least_excess` only where no design is feasible.
-    unsolved : int
-        How many lines did not converge.
-    """
-
-    outcome: Outcome
-    unsolved: int
-
-
 def estimate(problem: DesignProblem, *, workers: int = 1) -> Estimate:
     """Estimate the time from designs that are spread over the whole space.
 
@@ -84,7 +69,7 @@ def enumerate_designs(
     progress: Progress | None = None,
     chunk: int = CHUNK,
     workers: int = 1,
-) -> Enumerated:
+) -> Outcome:
     """Evaluate every design, `chunk` of them at once, and keep the front.
 
     Threads change nothing in the answer. Ctrl-C ends it early, with the front of the designs
@@ -100,8 +85,8 @@ def enumerate_designs(
             for first, end in _chunks(problem.space.count, chunk):
                 pass_.take(first, end, stops_early=False)
     except KeyboardInterrupt:
-        return Enumerated(pass_.outcome(interrupted=True, evaluated=evaluated), pass_.unsolved)
-    return Enumerated(pass_.outcome(interrupted=False, evaluated=evaluated), pass_.unsolved)
+        return pass_.outcome(interrupted=True, evaluated=evaluated)
+    return pass_.outcome(interrupted=False, evaluated=evaluated)
 
 
 class _Pass(Tally):
@@ -110,7 +95,6 @@ class _Pass(Tally):
     def __init__(self, problem: DesignProblem, progress: Progress | None, workers: int) -> None:
         super().__init__(problem)
         self.problem = problem
-        self.unsolved = 0
         self._progress = progress
         self._workers = workers
 

@@ -37,6 +37,8 @@ class Outcome:
         feasible; None where none was evaluated.
     least_excess : float
         Its excess; infinite where there is none.
+    unsolved : int
+        Lines that did not converge, of an enumeration.
     """
 
     genes: Genes
@@ -46,6 +48,7 @@ class Outcome:
     interrupted: bool
     closest: tuple[int, ...] | None
     least_excess: float
+    unsolved: int = 0
 
 
 class Tally:
@@ -61,6 +64,8 @@ class Tally:
         The design of the least excess; shape (0, genes) as long as there is none.
     least_excess : float
         Its excess.
+    unsolved : int
+        Lines that did not converge, as far as they are counted.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -69,6 +74,7 @@ class Tally:
         self.feasible = 0
         self.closest: Genes = self.front.genes
         self.least_excess = float("inf")
+        self.unsolved = 0
 
     def count(
         self, genes: Genes, objectives: Floats, excess: Floats, *, is_whole: bool = True
@@ -94,4 +100,5 @@ class Tally:
             interrupted=interrupted,
             closest=tuple(self.closest[0].tolist()) if len(self.closest) else None,
             least_excess=self.least_excess,
+            unsolved=self.unsolved,
         )
