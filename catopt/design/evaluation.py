@@ -111,12 +111,12 @@ class DesignProblem:
         checked = with_a_sinker(case)
         key = "anchor" if case.design.sinker is None else "design.sinker"
         criteria = criteria_of(checked, anchor_key=key)
-        options = resolve(case, criteria, {state.kind for state in states})
-        tables = tables_of(checked, states, options.space, criteria, case.design.sinker)
-        warnings = (*options.warnings, *criteria.warnings)
+        space, remarks = resolve(case, criteria, {state.kind for state in states})
+        tables = tables_of(checked, states, space, criteria, case.design.sinker)
+        warnings = (*remarks, *criteria.warnings)
         if not criteria.all:
             warnings = (*warnings, Message(NO_CHECK))
-        return cls(case, states, options.space, tables, warnings)
+        return cls(case, states, space, tables, warnings)
 
     @property
     def sizes(self) -> tuple[int, ...]:
