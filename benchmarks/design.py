@@ -298,7 +298,7 @@ def _millions() -> str:
     design = replace(DESIGN, segments=segments, clump_weights=weights)
     problem = DesignProblem.of(replace(CASE, design=design))
     start = time.perf_counter()
-    outcome = enumerate_designs(problem).outcome
+    outcome = enumerate_designs(problem)
     seconds = time.perf_counter() - start
     return (
         f"Enumeration of {problem.space.count:,} designs of 3 segments and 2 clump weights in 4 "

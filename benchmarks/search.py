@@ -81,7 +81,7 @@ def spaces() -> Iterator[Space]:
     ]
     for case, objectives in wanted:
         problem = from_case(case, *objectives)
-        exact = enumerate_designs(problem).outcome
+        exact = enumerate_designs(problem)
         yield Space(
             f"{case}: {', '.join(objectives)}",
             exact.evaluations,

@@ -128,7 +128,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     waves: {"fill_elevation", "fill_kinematics", "fill_wave_numbers"},
     fronts: {"_best_of_three", "_volume"},
     lines: {"fill"},
-    systems: {"settle_all"},
+    systems: {"static_equilibria"},
     designs: {"assess"},
     series: {"_fill_values"},
     bars: {"bar_loads", "newton_step", "take_step"},

@@ -8,7 +8,7 @@ from typing import get_args
 
 import pytest
 
-from catopt.catenary.solution import Regime
+from catopt.catenary.state import Regime
 from tests.snippets import FENCE, PAGES, README, ROOT, Block, blocks, produce, shown
 
 

@@ -16,8 +16,8 @@ from catopt.quantities import Quantity
 from catopt.words import Message, term
 
 if TYPE_CHECKING:
+    from catopt.catenary.layout import Stretch
     from catopt.catenary.solution import Solution
-    from catopt.catenary.stretch import Stretch
 
 __all__ = ["DEGREES", "Piece", "equation_trail", "is_uniform", "pieces_of", "steps_of"]
 

@@ -11,22 +11,16 @@ from typing import TYPE_CHECKING, Any
 from catopt.casefile.components import SIZES, FromCatalogue, catalogue_choice
 from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, Values
 from catopt.casefile.schema import (
-    AnchorTable,
     BodyTable,
     CaseTable,
     CatalogueTable,
     ChecksTable,
-    ClumpWeightChoiceTable,
     CurrentTable,
     DesignTable,
     LineTable,
     MotionTable,
-    PointLoadTable,
     SegmentChoiceTable,
     SegmentTable,
-    SinkerChoiceTable,
-    SiteTable,
-    SystemTable,
     WavesTable,
 )
 from catopt.constants import STANDARD_GRAVITY
@@ -62,22 +56,10 @@ from catopt.model.immersion import weight_in_water
 if TYPE_CHECKING:
     from catopt.catalogue import Component
 
-__all__ = ["build_case"]
-
 
 def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
-    """Build a case.
-
-    Parameters
-    ----------
-    table : CaseTable
-        The file, without fault.
-    catalogue : FromCatalogue
-        What it takes from the catalogue.
-    folder : str
-        Of the file.
-    """
-    site = _site(table.site)
+    """Build a case."""
+    site = Site(**table.site.given())
     line = _line(table.line, site, catalogue)
     fairlead_height = _or_else(table.line.fairlead_height, site.water_depth)
     anchor_height = _or_else(table.line.anchor_height, 0.0)
@@ -95,7 +77,7 @@ def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
         load_cases=tuple(LoadCase(**state.given()) for state in table.load_cases or ()),
         service=Service(**table.service.given()) if table.service else None,
         buoy=Buoy(**table.buoy.given()) if table.buoy else None,
-        anchor=_anchor(table.anchor, site) if table.anchor else None,
+        anchor=Anchor(**_weighed(table.anchor.given(), site)) if table.anchor else None,
         catalogue=_catalogue(table.catalogue, folder) if table.catalogue else CatalogueChoice(),
         design=_design(table.design, table.line, catalogue) if table.design else None,
         system=(
@@ -104,7 +86,7 @@ def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
                 fairlead_height=fairlead_height,
                 anchor_height=anchor_height,
                 seabed_friction=site.seabed_friction,
-                **_around(table.system),
+                **table.system.given(),
             )
             if table.system
             else None
@@ -155,23 +137,13 @@ def _found_from(folder: str, given: dict[str, Any], files: Sequence[str]) -> dic
     return given | {key: str(base / given[key]) for key in files if key in given}
 
 
-def _around(table: SystemTable) -> dict[str, Any]:
-    given = table.given()
-    if "force" in given:
-        given["force"] = tuple(given["force"])
-    return given
-
-
-def _site(table: SiteTable) -> Site:
-    return Site(**table.given())
-
-
 def _line(table: LineTable, site: Site, catalogue: FromCatalogue) -> Line:
     segments = [
         _segment(segment, catalogue.segments.get(("line", "segments", index)))
         for index, segment in enumerate(table.segments)
     ]
-    return Line(segments, [_point_load(load, site.water_density) for load in table.point_loads])
+    loads = [PointLoad(**_weighed(each.given(), site)) for each in table.point_loads]
+    return Line(segments, loads)
 
 
 def _segment(table: SegmentTable, component: Component | None) -> Segment:
@@ -189,10 +161,6 @@ def _segment(table: SegmentTable, component: Component | None) -> Segment:
     return Segment(**figures | given)
 
 
-def _point_load(table: PointLoadTable, water_density: float) -> PointLoad:
-    return PointLoad(**_weighed(table.given(), water_density))
-
-
 def _checks(table: ChecksTable) -> Checks:
     given = table.given()
     code = given.pop("code", None)
@@ -200,18 +168,14 @@ def _checks(table: ChecksTable) -> Checks:
     return Checks(**given, codes=tuple(codes) if code is None else (code,))
 
 
-def _anchor(table: AnchorTable, site: Site) -> Anchor:
-    return Anchor(**_weighed(table.given(), site.water_density))
-
-
-def _weighed(given: dict[str, Any], water_density: float) -> dict[str, Any]:
+def _weighed(given: dict[str, Any], site: Site) -> dict[str, Any]:
     """Put the weight in water in the place of a body's density or volume."""
     density, volume = given.pop("density", None), given.pop("volume", None)
     if volume is not None:
-        lift = water_density * volume
+        lift = site.water_density * volume
         given["submerged_weight"] = (given["mass"] - lift) * STANDARD_GRAVITY
     if density is not None:
-        given["submerged_weight"] = weight_in_water(given["mass"], density, water_density)
+        given["submerged_weight"] = weight_in_water(given["mass"], density, site.water_density)
     return given
 
 
@@ -230,9 +194,12 @@ def _design(table: DesignTable, line: LineTable, catalogue: FromCatalogue) -> De
         _segment_choice(segment, index, line, catalogue)
         for index, segment in enumerate(table.segments)
     )
-    given["clump_weights"] = tuple(_clump_weight_choice(each) for each in table.clump_weights)
+    given["clump_weights"] = tuple(
+        ClumpWeightChoice(**_with_values(each.given(), MASSES, POSITIONS))
+        for each in table.clump_weights
+    )
     if table.sinker is not None:
-        given["sinker"] = _sinker_choice(table.sinker)
+        given["sinker"] = SinkerChoice(**_with_values(table.sinker.given(), MASSES))
     return Design(**given)
 
 
@@ -240,14 +207,12 @@ def _segment_choice(
     table: SegmentChoiceTable, index: int, line: LineTable, catalogue: FromCatalogue
 ) -> SegmentChoice:
     """Build what a segment may be; what is left out is as the line has it at the same place."""
-    given = table.given()
-    lengths = _values(LENGTHS, given) or (line.segments[index].length,)
+    given = _with_values(table.given(), LENGTHS)
+    given["lengths"] = given["lengths"] or (line.segments[index].length,)
     components = _component_names(given, index, catalogue)
     single, several = given.pop("diameter", None), given.pop("diameters", [])
     diameters = several if single is None else [single]
-    return SegmentChoice(
-        **given, lengths=lengths, components=components, diameters=tuple(sorted(diameters))
-    )
+    return SegmentChoice(**given, components=components, diameters=tuple(sorted(diameters)))
 
 
 def _component_names(
@@ -268,20 +233,12 @@ def _component_names(
     return ()
 
 
-def _clump_weight_choice(table: ClumpWeightChoiceTable) -> ClumpWeightChoice:
-    given = table.given()
-    masses, positions = _values(MASSES, given), _values(POSITIONS, given)
-    return ClumpWeightChoice(**given, masses=masses, positions=positions)
-
-
-def _sinker_choice(table: SinkerChoiceTable) -> SinkerChoice:
-    given = table.given()
-    return SinkerChoice(masses=_values(MASSES, given), **given)
-
-
-def _values(values: Values, given: dict[str, Any]) -> tuple[float, ...]:
-    """Take the values of a quantity out of what is given."""
-    return values.of({key: given.pop(key) for key in values.keys if key in given})
+def _with_values(given: dict[str, Any], *quantities: Values) -> dict[str, Any]:
+    """Put all values of quantities in the place of the keys that give them."""
+    for values in quantities:
+        own = {key: given.pop(key) for key in values.keys if key in given}
+        given[values.many] = values.of(own)
+    return given
 
 
 def _or_else(value: float | None, default: float) -> float:

@@ -26,8 +26,6 @@ if TYPE_CHECKING:
     from catopt.catalogue import Component
     from catopt.catalogue.choice import ChosenCatalogue
 
-__all__ = ["SIZES", "FromCatalogue", "catalogue_choice", "from_catalogue"]
-
 SIZES = ("diameters", "diameter", "diameter_min", "diameter_max")
 """Keys that limit the sizes of a segment's components."""
 
@@ -52,14 +50,9 @@ class FromCatalogue:
 
 
 def catalogue_choice(given: dict[str, Any], folder: str) -> CatalogueChoice:
-    """Build the choice of a catalogue.
+    """Build the choice of a catalogue from the keys of ``[catalogue]``, which are without fault.
 
-    Parameters
-    ----------
-    given : dict
-        Keys of ``[catalogue]`` with values without fault; the variants as a dict.
-    folder : str
-        Of the case file, from which the path of the user's families counts.
+    The path of the user's families counts from the folder of the case file.
     """
     file = given.get("file")
     return CatalogueChoice(
@@ -70,15 +63,7 @@ def catalogue_choice(given: dict[str, Any], folder: str) -> CatalogueChoice:
 
 
 def from_catalogue(document: dict[str, Any], folder: str) -> FromCatalogue:
-    """Look up every component that a document names.
-
-    Parameters
-    ----------
-    document : dict
-        As the TOML reader returns it.
-    folder : str
-        Of the case file.
-    """
+    """Look up every component that a document names."""
     found = FromCatalogue()
     given = table(document, "catalogue")
     named = list(_named(document))

@@ -55,21 +55,11 @@ from catopt.units import Dimension, as_written
 if TYPE_CHECKING:
     from catopt.catalogue import Component
 
-__all__ = ["consistency_findings", "sinks_findings"]
-
 
 def consistency_findings(
     document: dict[str, Any], components: Mapping[Path, Component]
 ) -> list[Finding]:
-    """List what contradicts itself in a document.
-
-    Parameters
-    ----------
-    document : dict
-        As the TOML reader returns it.
-    components : mapping of Path to Component
-        Those of the line's segments that were found in the catalogue, by the segment's path.
-    """
+    """List what contradicts itself in a document, with its components by their paths."""
     line = table(document, "line")
     loads = tables(line, "line", "point_loads")
     return [
@@ -339,17 +329,7 @@ def _anchor(document: dict[str, Any]) -> Iterator[Finding]:
 def sinks_findings(
     document: dict[str, Any], schema: type[Table], place: Place
 ) -> Iterator[Finding]:
-    """Find a sinker that floats.
-
-    Parameters
-    ----------
-    document : dict
-        For the density of the water.
-    schema : type of Table
-        Of the sinker's table.
-    place : (path, dict)
-        The sinker's table.
-    """
+    """Find a sinker that floats."""
     path, body = place
     site = table(document, "site")
     water = number(SiteTable, "water_density", site)

@@ -24,19 +24,11 @@ from catopt.errors import InputError
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice
 from catopt.units import as_written
 
-__all__ = ["design_findings"]
-
 _COMPONENTS = ("components", "component")
 
 
 def design_findings(document: dict[str, Any]) -> list[Finding]:
-    """List what contradicts itself in the design of a document.
-
-    Parameters
-    ----------
-    document : dict
-        As the TOML reader returns it.
-    """
+    """List what contradicts itself in the design of a document."""
     design = table(document, "design")
     if not design:
         return []

@@ -13,14 +13,6 @@ from catopt.model import Anchor, Case, Line, PointLoad, Segment
 from catopt.schemas import read_document
 from catopt.words.saved import with_messages
 
-__all__ = [
-    "DESIGN_CASE",
-    "DESIGN_DOCUMENT",
-    "read_case_or_design",
-    "read_design",
-    "read_design_document",
-]
-
 DESIGN_DOCUMENT = "design.json"
 """Name of the document in a result directory."""
 DESIGN_CASE = "case.toml"
@@ -31,19 +23,9 @@ _MOTION = ("drag_diameter", "drag_normal", "drag_axial", "added_mass_normal", "a
 
 
 def read_case_or_design(path: Path, design: int | None) -> Case:
-    """Read a case file, or a design out of a result directory.
+    """Read a case file, or the design of a number out of a result directory, counted from 1.
 
-    Parameters
-    ----------
-    path : Path
-        A case file; with a design, the directory that ``catopt design --out`` wrote.
-    design : int or None
-        Number of the design, counted from 1 as in the tables of the front.
-
-    Raises
-    ------
-    InputError
-        As `read_case` and `read_design`; or a directory without a number of a design.
+    InputError as `read_case` and `read_design`; or a directory without a number of a design.
     """
     if design is not None:
         return read_design(path, design)
@@ -54,24 +36,11 @@ def read_case_or_design(path: Path, design: int | None) -> Case:
 
 
 def read_design(directory: Path, number: int) -> Case:
-    """Read a design out of a result directory as a case of its own.
+    """Read a design out of the directory that ``catopt design --out`` wrote, as a case of its own.
 
-    Parameters
-    ----------
-    directory : Path
-        What ``catopt design --out`` wrote.
-    number : int
-        Counted from 1, as in the tables of the front.
-
-    Returns
-    -------
-    Case
-        The case of the search with the line and the anchor of the design; nothing varies any more.
-
-    Raises
-    ------
-    InputError
-        It is no result directory, or has no such design.
+    It is the case of the search with the line and the anchor of the design; nothing varies any
+    more. Numbers count from 1, as in the tables of the front. InputError: no result directory, or
+    no such design.
     """
     front = read_design_document(directory)["front"]
     if not 1 <= number <= len(front):
@@ -89,18 +58,7 @@ def read_design(directory: Path, number: int) -> Case:
 
 
 def read_design_document(directory: Path) -> dict[str, Any]:
-    """Read the document of a result directory.
-
-    Parameters
-    ----------
-    directory : Path
-        What ``catopt design --out`` wrote.
-
-    Raises
-    ------
-    InputError
-        It is no result directory.
-    """
+    """Read the document of what ``catopt design --out`` wrote; InputError if there is none."""
     if not (directory / DESIGN_DOCUMENT).is_file():
         wanted = f"a directory that catopt design --out wrote is wanted (no {DESIGN_DOCUMENT})"
         raise InputError([Problem("CASE", str(directory), wanted)], "options")

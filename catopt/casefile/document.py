@@ -15,8 +15,6 @@ from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.units import as_written
 
-__all__ = ["Place", "as_in_file", "misspelt", "number", "table", "tables", "text", "value"]
-
 Place = tuple[Path, dict[str, Any]]
 """A table of the document with its path."""
 
@@ -28,16 +26,9 @@ def table(document: dict[str, Any], key: str) -> dict[str, Any]:
 
 
 def tables(parent: dict[str, Any], *path: str) -> list[Place]:
-    """List the tables of an array, each with its path.
+    """List the tables of an array, each with its path; the last key of the path is the array's.
 
     There are none when one of them is no table, or when they are too many.
-
-    Parameters
-    ----------
-    parent : dict
-        The table that holds the array.
-    *path : str
-        Keys from the top of the file; the last one is the array's.
     """
     array = parent.get(path[-1])
     if not isinstance(array, list) or len(array) > MOST_TABLES:

@@ -27,19 +27,11 @@ from catopt.model.motion import MOTION_WAYS, OF_A_BODY
 from catopt.model.wave_state import train_misfits, wave_misfits
 from catopt.units import as_written
 
-__all__ = ["dynamics_findings"]
-
 _SECTIONS = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "system")
 
 
 def dynamics_findings(document: dict[str, Any]) -> list[Finding]:
-    """List what contradicts itself in waves, current, motion and settings of a run.
-
-    Parameters
-    ----------
-    document : dict
-        As the TOML reader returns it.
-    """
+    """List what contradicts itself in waves, current, motion and settings of a run."""
     return [
         *_together(document),
         *_waves(document),

@@ -13,8 +13,6 @@ from catopt.errors import InputError, Problem
 from catopt.model.validity import COUNTS, Findings
 from catopt.units import Dimension, as_written, to_si
 
-__all__ = ["REFUSED", "Flag", "Kind", "Measured", "OneOf", "Text", "Whole"]
-
 REFUSED = "refused"
 """Type of the pydantic errors that carry our own ``found`` and ``allowed``."""
 

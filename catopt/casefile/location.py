@@ -8,8 +8,6 @@ from typing import Any, NamedTuple
 from catopt.documents import Path, dotted
 from catopt.errors import Problem
 
-__all__ = ["Finding", "header", "in_order_of", "parts"]
-
 
 class Finding(NamedTuple):
     """A problem that still knows its path."""

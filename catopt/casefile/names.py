@@ -8,8 +8,6 @@ from catopt.casefile.location import header
 from catopt.casefile.schema import CaseTable, Table, VariantsTable, entries
 from catopt.documents import Path
 
-__all__ = ["hint", "nearest", "stands_for"]
-
 _SIMILAR = 0.6
 """Share of letters in common (difflib's ratio) from which a key counts as misspelt."""
 

@@ -9,8 +9,6 @@ from typing import NamedTuple
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
 
-__all__ = ["TEMPLATES", "Template", "template"]
-
 
 class Template(NamedTuple):
     """What a template is of, and the command that takes its file: ``solve`` for most."""
@@ -53,11 +51,9 @@ def template(name: str) -> str:
         When there is no such template.
     """
     if name not in TEMPLATES:
-        from catopt.catalogue.names import nearest
+        from catopt.catalogue.names import meant
 
-        near = nearest(name, TEMPLATES)
-        meant = f"; did you mean {near}?" if near else ""
-        allowed = f"one of {', '.join(TEMPLATES)} is wanted{meant}"
+        allowed = f"one of {', '.join(TEMPLATES)} is wanted{meant(name, TEMPLATES)}"
         raise InputError([Problem("template", as_written(name), allowed)])
     from importlib.resources import files
 

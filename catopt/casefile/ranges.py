@@ -12,8 +12,6 @@ from catopt.casefile.location import Finding
 from catopt.casefile.schema import Table
 from catopt.units import as_written
 
-__all__ = ["LENGTHS", "MASSES", "MOST_VALUES", "POSITIONS", "Values", "duplicates"]
-
 MOST_VALUES = 10_000
 """Values that a range may be made of."""
 
@@ -59,13 +57,7 @@ class Values:
         return any(key in table for key in self.keys)
 
     def of(self, given: dict[str, Any]) -> tuple[float, ...]:
-        """Return the values, rising; empty where none is given.
-
-        Parameters
-        ----------
-        given : dict
-            Values in SI by key, without fault.
-        """
+        """Return the values, rising; empty where none is given, in SI and without fault."""
         if self.many in given:
             return tuple(sorted(given[self.many]))
         if self.one in given:
@@ -84,17 +76,7 @@ class Values:
     def findings(
         self, schema: type[Table], place: Place, *, required: bool = False
     ) -> Iterator[Finding]:
-        """Find values given in two ways, in half of one, twice, or (where required) not at all.
-
-        Parameters
-        ----------
-        schema : type of Table
-            Of the table.
-        place : (path, dict)
-            The table.
-        required : bool
-            Whether they have to be given.
-        """
+        """Find values given in two ways, in half of one, twice, or (where required) not at all."""
         path, table = place
         ranged = [key for key in self.range if key in table]
         singly = [key for key in (self.one, self.many) if key in table]

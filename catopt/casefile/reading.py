@@ -19,8 +19,6 @@ from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError
 from catopt.model import Case
 
-__all__ = ["parse_case", "read_case"]
-
 
 def read_case(path: str | os.PathLike[str]) -> Case:
     """Read a case file.

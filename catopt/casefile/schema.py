@@ -30,42 +30,6 @@ from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 from catopt.model.wear import WEAR_TABLES, WEAR_ZONES
 from catopt.units import Dimension
 
-__all__ = [
-    "MOST_LISTED",
-    "MOST_TABLES",
-    "SOME",
-    "AnchorMotionTable",
-    "AnchorTable",
-    "BodyTable",
-    "BuoyTable",
-    "CaseTable",
-    "CatalogueTable",
-    "ChecksTable",
-    "ClumpWeightChoiceTable",
-    "CurrentTable",
-    "DesignTable",
-    "DynamicsTable",
-    "Entry",
-    "FindTable",
-    "LineTable",
-    "LoadCaseTable",
-    "LoadTable",
-    "MotionTable",
-    "PointLoadTable",
-    "PsoTable",
-    "SegmentChoiceTable",
-    "SegmentTable",
-    "ServiceTable",
-    "SinkerChoiceTable",
-    "SiteTable",
-    "SystemTable",
-    "Table",
-    "VariantsTable",
-    "WaveTrainTable",
-    "WavesTable",
-    "entries",
-]
-
 MOST_LISTED, MOST_TABLES = 1_000, 200
 """Values that an array may have, and tables that an array of tables may."""
 
@@ -89,6 +53,14 @@ Lengths = Annotated[list[Length], SOME]
 Masses = Annotated[list[Mass], SOME]
 Time = Annotated[float, Measured(Dimension.TIME, above=0.0)]
 Height = Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)]
+Weight = Annotated[float, Measured(Dimension.FORCE_PER_LENGTH)]
+Area = Annotated[float, Measured(Dimension.AREA, at_least=0.0, example='"1.5 m^2"')]
+Strength = Annotated[float, Measured(Dimension.FORCE, above=0.0)]
+Share = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)]
+Uplift = Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)]
+Duration = Annotated[float, Measured(Dimension.TIME, at_least=0.0)]
+Seed = Annotated[int, Whole("seed", example=1)]
+Yes = Annotated[bool, Flag()]
 Exponent = Annotated[float, Measured(Dimension.NUMBER, above=0.0)]
 Coefficient = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, example="1.2")]
 
@@ -115,6 +87,9 @@ class Table(BaseModel):
         return {key: getattr(self, key) for key in self.model_fields_set}
 
 
+SLOPE = Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"')
+
+
 class SiteTable(Table):
     """Water and seabed."""
 
@@ -127,13 +102,7 @@ class SiteTable(Table):
     water_depth: Length
     seabed_friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
     water_density: Density | None = None
-    seabed_slope: (
-        Annotated[
-            float,
-            Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"'),
-        ]
-        | None
-    ) = None
+    seabed_slope: Annotated[float, SLOPE] | None = None
 
 
 DRAG_AREAS = ("D", "pi D")
@@ -159,11 +128,11 @@ class SegmentTable(Table):
     length: Length
     component: Component | None = None
     diameter: Length | None = None
-    submerged_weight: Annotated[float, Measured(Dimension.FORCE_PER_LENGTH)] | None = None
+    submerged_weight: Weight | None = None
     mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
-    EA: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
-    MBL: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
-    proof_load: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    EA: Strength | None = None
+    MBL: Strength | None = None
+    proof_load: Strength | None = None
     price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
     wear_rate: WearRate | None = None
     wear_zone: Annotated[str, OneOf(WEAR_ZONES)] | None = None
@@ -194,14 +163,12 @@ class PointLoadTable(Table):
 
     name: Name | None = None
     position: Length
-    submerged_weight: Annotated[float, Measured(Dimension.FORCE)] | None = None
+    submerged_weight: Force | None = None
     mass: Annotated[float, Measured(Dimension.MASS, at_least=0.0)] | None = None
     density: Density | None = None
     volume: Annotated[float, Measured(Dimension.VOLUME, above=0.0)] | None = None
     friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    drag_area: (
-        Annotated[float, Measured(Dimension.AREA, at_least=0.0, example='"1.5 m^2"')] | None
-    ) = None
+    drag_area: Area | None = None
     drag_coefficient: Coefficient | None = None
     added_mass_coefficient: Coefficient | None = None
 
@@ -209,8 +176,8 @@ class PointLoadTable(Table):
 class LineTable(Table):
     """The mooring line."""
 
-    fairlead_height: Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)] | None = None
-    anchor_height: Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)] | None = None
+    fairlead_height: Height | None = None
+    anchor_height: Height | None = None
     segments: Annotated[list[SegmentTable], SOME_TABLES]
     point_loads: Annotated[list[PointLoadTable], Field(max_length=MOST_TABLES)] = []
 
@@ -224,9 +191,9 @@ class LoadTable(Table):
         "T": "fairlead_tension",
     }
 
-    horizontal_force: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    horizontal_force: Strength | None = None
     span: Length | None = None
-    fairlead_tension: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    fairlead_tension: Strength | None = None
 
 
 class LoadCaseTable(Table):
@@ -235,8 +202,8 @@ class LoadCaseTable(Table):
     symbols: ClassVar[Mapping[str, str]] = {"H": "horizontal_force"}
 
     name: Annotated[str, Text(filled=True, example='"storm"')]
-    horizontal_force: Annotated[float, Measured(Dimension.FORCE, above=0.0)]
-    water_level: Annotated[float, Measured(Dimension.LENGTH)] | None = None
+    horizontal_force: Strength
+    water_level: Place | None = None
     kind: Annotated[str, OneOf(LOAD_CASE_KINDS)] | None = None
 
 
@@ -244,11 +211,11 @@ class SystemTable(Table):
     """A body moored by several lines, each like [line], and what pushes it."""
 
     anchor_radius: Length
-    fairlead_radius: Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)] | None = None
+    fairlead_radius: Height | None = None
     azimuths: Annotated[list[Angle], SOME]
     force: Annotated[list[Force], Field(min_length=2, max_length=2)] | None = None
     moment: Annotated[float, Measured(Dimension.MOMENT)] | None = None
-    yaw_free: Annotated[bool, Flag()] | None = None
+    yaw_free: Yes | None = None
 
 
 class FindTable(Table):
@@ -259,9 +226,7 @@ class FindTable(Table):
     quantity: Annotated[str, OneOf(FIND_QUANTITIES)]
     segment: Annotated[int, Whole("segment", example=1)] | None = None
     point_load: Annotated[int, Whole("point_load", example=1)] | None = None
-    anchor_angle: (
-        Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)] | None
-    ) = None
+    anchor_angle: Uplift | None = None
     grounded_length: Length | None = None
 
 
@@ -278,14 +243,12 @@ class ChecksTable(Table):
     code: Code | None = None
     codes: Annotated[list[Code], SOME] | None = None
     proof_load_factor: Factor | None = None
-    max_anchor_uplift_angle: (
-        Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)] | None
-    ) = None
+    max_anchor_uplift_angle: Uplift | None = None
     max_anchor_uplift_force: Annotated[float, Measured(Dimension.FORCE, at_least=0.0)] | None = None
-    min_grounded_length: Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)] | None = None
+    min_grounded_length: Height | None = None
     max_span: Length | None = None
     max_offset: Length | None = None
-    allow_recalled: Annotated[bool, Flag()] | None = None
+    allow_recalled: Yes | None = None
 
 
 class ServiceTable(Table):
@@ -299,7 +262,7 @@ class ServiceTable(Table):
 class BuoyTable(Table):
     """The floating body that the line pulls down on."""
 
-    reserve_buoyancy: Annotated[float, Measured(Dimension.FORCE, above=0.0)]
+    reserve_buoyancy: Strength
 
 
 class AnchorTable(Table):
@@ -312,11 +275,11 @@ class AnchorTable(Table):
     }
 
     kind: Annotated[str, OneOf(ANCHOR_KINDS)]
-    submerged_weight: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    submerged_weight: Strength | None = None
     mass: Mass | None = None
     density: Density | None = None
     friction: Friction | None = None
-    holding_capacity: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    holding_capacity: Strength | None = None
     safety_factor: Factor | None = None
 
 
@@ -342,7 +305,7 @@ class CatalogueTable(Table):
     """Where components come from."""
 
     file: Annotated[str, Text(filled=True)] | None = None
-    allow_recalled: Annotated[bool, Flag()] | None = None
+    allow_recalled: Yes | None = None
     variants: VariantsTable | None = None
 
 
@@ -361,7 +324,7 @@ class SegmentChoiceTable(Table):
     length_min: Length | None = None
     length_max: Length | None = None
     length_step: Length | None = None
-    optional: Annotated[bool, Flag()] | None = None
+    optional: Yes | None = None
 
 
 class ClumpWeightChoiceTable(Table):
@@ -381,7 +344,7 @@ class ClumpWeightChoiceTable(Table):
     position_step: Length | None = None
     joint: Annotated[int, Whole("joint", example=1)] | None = None
     friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    optional: Annotated[bool, Flag()] | None = None
+    optional: Yes | None = None
 
 
 class SinkerChoiceTable(Table):
@@ -404,7 +367,7 @@ class DesignTable(Table):
     method: Annotated[str, OneOf(SEARCH_METHODS)] | None = None
     evaluations: Annotated[int, Whole("evaluations", example=10_000)] | None = None
     population: Annotated[int, Whole("population", example=100)] | None = None
-    seed: Annotated[int, Whole("seed", example=1)] | None = None
+    seed: Seed | None = None
     max_enumerated: Annotated[int, Whole("max_enumerated", example=5_000_000)] | None = None
     segments: Annotated[list[SegmentChoiceTable], SOME_TABLES]
     clump_weights: Annotated[list[ClumpWeightChoiceTable], Field(max_length=MOST_TABLES)] = []
@@ -419,38 +382,24 @@ class PsoTable(Table):
     particles: Annotated[int, Whole("particles", example=200)] | None = None
     iterations: Annotated[int, Whole("iterations", example=200)] | None = None
     runs: Annotated[int, Whole("runs", example=200)] | None = None
-    seed: Annotated[int, Whole("seed", example=1)] | None = None
+    seed: Seed | None = None
     cognitive: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=4.0)] | None = None
     social: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=4.0)] | None = None
-    inertia: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)] | None = None
+    inertia: Share | None = None
     boundary: Annotated[str, OneOf(BOUNDARY_HANDLINGS)] | None = None
 
 
 Gamma = Annotated[float, Measured(Dimension.NUMBER, at_least=1.0, at_most=20.0, example="3.3")]
-_OF_WAVES: Mapping[str, str] = MappingProxyType(
-    {"Hs": "height", "H": "height", "Tp": "period", "T": "period", "gamma": "peak_enhancement"}
-)
 
 
-class WaveTrainTable(Table):
-    """Waves of one spectrum among several."""
-
-    symbols: ClassVar[Mapping[str, str]] = _OF_WAVES
-
-    spectrum: Annotated[str, OneOf(WAVE_SPECTRA)]
-    height: Length
-    period: Time
-    peak_enhancement: Gamma | None = None
-    direction: Angle | None = None
-    components: Annotated[int, Whole("components", example=200)] | None = None
-    spreading_exponent: Exponent | None = None
-    spreading_directions: Annotated[int, Whole("spreading_directions", example=20)] | None = None
-
-
-class WavesTable(Table):
-    """The waves of the sea, for a line in motion."""
-
-    symbols: ClassVar[Mapping[str, str]] = _OF_WAVES
+class _OneTrainTable(Table):
+    symbols: ClassVar[Mapping[str, str]] = {
+        "Hs": "height",
+        "H": "height",
+        "Tp": "period",
+        "T": "period",
+        "gamma": "peak_enhancement",
+    }
 
     spectrum: Annotated[str, OneOf(WAVE_SPECTRA)] | None = None
     height: Length | None = None
@@ -460,11 +409,24 @@ class WavesTable(Table):
     components: Annotated[int, Whole("components", example=200)] | None = None
     spreading_exponent: Exponent | None = None
     spreading_directions: Annotated[int, Whole("spreading_directions", example=20)] | None = None
+
+
+class WaveTrainTable(_OneTrainTable):
+    """Waves of one spectrum among several."""
+
+    spectrum: Annotated[str, OneOf(WAVE_SPECTRA)]
+    height: Length
+    period: Time
+
+
+class WavesTable(_OneTrainTable):
+    """The waves of the sea, for a line in motion."""
+
     elevation_file: Annotated[str, Text(filled=True, example='"elevation.csv"')] | None = None
-    elevation_x: Annotated[float, Measured(Dimension.LENGTH)] | None = None
+    elevation_x: Place | None = None
     shortest_period: Time | None = None
     stretching: Annotated[str, OneOf(STRETCHINGS)] | None = None
-    seed: Annotated[int, Whole("seed", example=1)] | None = None
+    seed: Seed | None = None
     trains: Annotated[list[WaveTrainTable], SOME_TABLES] | None = None
 
 
@@ -473,35 +435,13 @@ class CurrentTable(Table):
 
     profile: Annotated[str, OneOf(CURRENT_PROFILES)]
     speed: Annotated[float, Measured(Dimension.SPEED, at_least=0.0)] | None = None
-    exponent: Annotated[float, Measured(Dimension.NUMBER, above=0.0)] | None = None
+    exponent: Exponent | None = None
     depth: Length | None = None
     depths: Annotated[list[Height], SOME] | None = None
     speeds: Annotated[list[Annotated[float, Measured(Dimension.SPEED)]], SOME] | None = None
     direction: Angle | None = None
     directions: Annotated[list[Angle], SOME] | None = None
     series_file: Annotated[str, Text(filled=True, example='"current.csv"')] | None = None
-
-
-class MotionTable(Table):
-    """How the fairlead moves."""
-
-    symbols: ClassVar[Mapping[str, str]] = {"T": "period", "RAO": "rao_file"}
-
-    period: Time | None = None
-    surge: Height | None = None
-    sway: Height | None = None
-    heave: Height | None = None
-    surge_phase: Angle | None = None
-    sway_phase: Angle | None = None
-    heave_phase: Angle | None = None
-    file: Annotated[str, Text(filled=True, example='"motion.csv"')] | None = None
-    rao_file: Annotated[str, Text(filled=True, example='"rao.csv"')] | None = None
-    rao_phase: Annotated[str, OneOf(RAO_PHASES)] | None = None
-    rao_reference: Annotated[list[Place], Field(min_length=3, max_length=3)] | None = None
-    rao_rotation: Annotated[str, OneOf(RAO_ROTATIONS)] | None = None
-    rao_per: Annotated[str, OneOf(RAO_PER)] | None = None
-    drift: Annotated[list[Place], Field(min_length=2, max_length=2)] | None = None
-    drift_file: Annotated[str, Text(filled=True, example='"drift.csv"')] | None = None
 
 
 class AnchorMotionTable(Table):
@@ -519,6 +459,21 @@ class AnchorMotionTable(Table):
     file: Annotated[str, Text(filled=True, example='"lower-end.csv"')] | None = None
 
 
+class MotionTable(AnchorMotionTable):
+    """How the fairlead moves."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"T": "period", "RAO": "rao_file"}
+
+    file: Annotated[str, Text(filled=True, example='"motion.csv"')] | None = None
+    rao_file: Annotated[str, Text(filled=True, example='"rao.csv"')] | None = None
+    rao_phase: Annotated[str, OneOf(RAO_PHASES)] | None = None
+    rao_reference: Annotated[list[Place], Field(min_length=3, max_length=3)] | None = None
+    rao_rotation: Annotated[str, OneOf(RAO_ROTATIONS)] | None = None
+    rao_per: Annotated[str, OneOf(RAO_PER)] | None = None
+    drift: Annotated[list[Place], Field(min_length=2, max_length=2)] | None = None
+    drift_file: Annotated[str, Text(filled=True, example='"drift.csv"')] | None = None
+
+
 class BodyTable(Table):
     """The body that several lines moor, where it moves under forces."""
 
@@ -528,13 +483,12 @@ class BodyTable(Table):
     added_mass: Annotated[float, Measured(Dimension.MASS, at_least=0.0)] | None = None
     damping: Annotated[float, Measured(Dimension.DAMPING, at_least=0.0)] | None = None
     force_file: Annotated[str, Text(filled=True, example='"force.csv"')] | None = None
-    wave_force: (
-        Annotated[
-            list[Annotated[float, Measured(Dimension.FORCE_PER_LENGTH)]],
-            Field(min_length=2, max_length=2),
-        ]
-        | None
-    ) = None
+    wave_force: Annotated[list[Weight], Field(min_length=2, max_length=2)] | None = None
+
+
+Storm = Annotated[float, Measured(Dimension.TIME, above=0.0, example='"3 h"')]
+BedStiffness = Annotated[float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"')]
+BedDamping = Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.0)]
 
 
 class DynamicsTable(Table):
@@ -543,30 +497,22 @@ class DynamicsTable(Table):
     symbols: ClassVar[Mapping[str, str]] = {"step": "time_step", "seeds": "runs"}
 
     duration: Annotated[float, Measured(Dimension.TIME, above=0.0, example='"20 min"')]
-    ramp: Annotated[float, Measured(Dimension.TIME, at_least=0.0)] | None = None
+    ramp: Duration | None = None
     time_step: Time | None = None
     output_interval: Time | None = None
     elements: Annotated[int, Whole("elements", example=100)] | None = None
     scheme: Annotated[str, OneOf(TIME_SCHEMES)] | None = None
-    spectral_radius: (
-        Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)] | None
-    ) = None
+    spectral_radius: Share | None = None
     runs: Annotated[int, Whole("runs", example=5)] | None = None
-    seabed_stiffness: (
-        Annotated[float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"')] | None
-    ) = None
-    seabed_damping: (
-        Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.0)] | None
-    ) = None
+    seabed_stiffness: BedStiffness | None = None
+    seabed_damping: BedDamping | None = None
     line_damping: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    damping_time: Annotated[float, Measured(Dimension.TIME, at_least=0.0)] | None = None
+    damping_time: Duration | None = None
     broken_line: Annotated[int, Whole("broken_line", example=2)] | None = None
     broken_at: Time | None = None
     broken_end: Annotated[str, OneOf(BROKEN_ENDS)] | None = None
     initial_friction: Annotated[str, OneOf(INITIAL_FRICTION)] | None = None
-    duration_of_interest: (
-        Annotated[float, Measured(Dimension.TIME, above=0.0, example='"3 h"')] | None
-    ) = None
+    duration_of_interest: Storm | None = None
 
 
 class CaseTable(Table):

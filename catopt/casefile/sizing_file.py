@@ -10,8 +10,6 @@ from catopt.casefile.document import table
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 
-__all__ = ["OF_A_CASE", "SIZING", "Moored", "moored_in", "not_a_case"]
-
 Moored = Literal["buoy", "tanker"]
 """What is to be moored."""
 
@@ -23,13 +21,7 @@ OF_A_CASE: Final = ("load", "load_cases", "design", "find", "pso", "catalogue")
 
 
 def moored_in(path: str | os.PathLike[str]) -> Moored | None:
-    """Say what a file is to find the mooring of; None for a case file and for what is no TOML.
-
-    Parameters
-    ----------
-    path : str or path
-        Of any file.
-    """
+    """Say what a file is to find the mooring of; None for a case file and for what is no TOML."""
     try:
         document = parse_toml(read_text(FilePath(path), os.fspath(path)), os.fspath(path))
     except InputError:
@@ -38,13 +30,7 @@ def moored_in(path: str | os.PathLike[str]) -> Moored | None:
 
 
 def not_a_case(document: dict[str, Any]) -> Problem | None:
-    """Say of a document that is no case but a file for ``catopt size``, where it belongs.
-
-    Parameters
-    ----------
-    document : dict
-        As the TOML reader returns it.
-    """
+    """Say of a document that is no case but a file for ``catopt size``, where it belongs."""
     moored = _moored(document)
     if moored is None:
         return None

@@ -13,8 +13,6 @@ from catopt.casefile.schema import CaseTable, Entry, LoadTable, Table, entries
 from catopt.documents import Path
 from catopt.units import as_written
 
-__all__ = ["structure_findings"]
-
 _MOST = 200
 """Findings of one file: a file with more has one fault, that it is another kind of file."""
 

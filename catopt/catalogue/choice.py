@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from catopt import catalogue
 from catopt.catalogue.collection import ALL, Catalogue
@@ -12,8 +13,6 @@ from catopt.catalogue.searching import held_by
 from catopt.errors import Problem
 from catopt.model import CatalogueChoice
 from catopt.units import as_written
-
-__all__ = ["ChosenCatalogue", "chosen"]
 
 
 @dataclass(frozen=True)
@@ -37,49 +36,17 @@ class ChosenCatalogue:
     water_density: float
 
     def component(self, name: str, diameter: float) -> Component:
-        """Look a component up.
-
-        Parameters
-        ----------
-        name : str
-            Family and grade.
-        diameter : float
-            Nominal, m.
-
-        Raises
-        ------
-        InputError
-            As for `catopt.catalogue.component`.
-        """
-        return self.families.component(
-            name,
-            diameter,
-            variants=self._variants(name),
-            water_density=self.water_density,
-            allow_recalled=self.choice.allow_recalled,
-        )
+        """Look a component up by family and grade, and by nominal diameter, m."""
+        return self.families.component(name, diameter, **self._figures(name))
 
     def sold(self, name: str) -> tuple[Component, ...]:
         """List a component in the sizes that are sold, as `Catalogue.sold`; of one grade or all."""
-        return self.families.sold(
-            name,
-            variants=self._variants(name),
-            water_density=self.water_density,
-            allow_recalled=self.choice.allow_recalled,
-        )
+        return self.families.sold(name, **self._figures(name))
 
     def variants_of_none(self, names: Iterable[str]) -> list[Problem]:
-        """List variants that none of some components has.
+        """List variants that none of some known components has.
 
-        Parameters
-        ----------
-        names : iterable of str
-            Of components that the families have.
-
-        Returns
-        -------
-        list of Problem
-            With the quantity as key, and what there is to choose from.
+        With the quantity as key, and what there is to choose from.
         """
         parsed = [self.families.parse_name(name) for name in names]
         own = [(self.families.family(each.family), each.grade) for each in parsed]
@@ -100,26 +67,21 @@ class ChosenCatalogue:
             problems.append(Problem(quantity, as_written(variant), allowed))
         return problems
 
-    def _variants(self, name: str) -> dict[str, str]:
+    def _figures(self, name: str) -> dict[str, Any]:
+        """Say which figures to follow, by the arguments of `Catalogue.component`."""
         parsed = self.families.parse_name(name)
         family = self.families.family(parsed.family)
-        return held_by(family, parsed.grade, self.choice.by_quantity)
+        return {
+            "variants": held_by(family, parsed.grade, self.choice.by_quantity),
+            "water_density": self.water_density,
+            "allow_recalled": self.choice.allow_recalled,
+        }
 
 
 def chosen(choice: CatalogueChoice, water_density: float) -> ChosenCatalogue:
     """Return the catalogue that a case chooses.
 
-    Parameters
-    ----------
-    choice : CatalogueChoice
-        Of a case.
-    water_density : float
-        kg/m3.
-
-    Raises
-    ------
-    InputError
-        The file of families cannot be read, or has a name that catopt's own families have.
+    InputError: the user's file cannot be read, or has a name that catopt's own families have.
     """
     families = catalogue.standard()
     if choice.file:

@@ -10,14 +10,12 @@ from catopt.catalogue.components import Component
 from catopt.catalogue.evaluation import Evaluation
 from catopt.catalogue.family import Family, in_mm
 from catopt.catalogue.figure import RECALLED, SPECS, Figure, within
-from catopt.catalogue.names import ComponentName, find_name, nearest, shared_names
+from catopt.catalogue.names import ComponentName, find_name, meant, shared_names
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import Message
-
-__all__ = ["ALL", "Catalogue"]
 
 ALL = "all"
 """Key of `variants` that stands for every quantity with a variant of that name."""
@@ -154,9 +152,7 @@ def _grade(check: Findings, family: Family, grade: str | None) -> str | None:
         return None
     by_plain = {each.casefold(): each for each in family.grades}
     if grade.casefold() not in by_plain:
-        near = nearest(grade, family.grades)
-        hint = f"; did you mean {near}?" if near else ""
-        check.add("grade", as_written(grade), allowed + hint)
+        check.add("grade", as_written(grade), allowed + meant(grade, family.grades))
         return None
     return by_plain[grade.casefold()]
 
@@ -200,9 +196,8 @@ def _choose(
         if quantity == ALL:
             continue
         if quantity not in SPECS:
-            near = nearest(quantity, SPECS)
-            hint = f"; did you mean {near}?" if near else ""
-            check.add("variants", as_written(quantity), f"one of {', '.join(SPECS)}{hint}")
+            allowed = f"one of {', '.join(SPECS)}{meant(quantity, SPECS)}"
+            check.add("variants", as_written(quantity), allowed)
             continue
         found = [f for f in family.alternatives(quantity, grade) if f.variant == variant]
         if found:

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from catopt.catalogue.evaluation import Evaluation
 from catopt.words import Message
 
-__all__ = ["NO_FIGURE", "Alternative", "Component", "Hydrodynamic", "Provenance"]
-
 NO_FIGURE = "catalogue.no_figure"
 """Key of why a quantity is not known for which no source was found."""
 
@@ -248,18 +246,7 @@ class Component:
         }
 
     def dynamic_EA(self, mean_tension: float) -> float | None:
-        """Stiffness of fibre rope against quick changes of tension.
-
-        Parameters
-        ----------
-        mean_tension : float
-            N.
-
-        Returns
-        -------
-        float or None
-            (a + b Lm) MBL in N; None where no dynamic stiffness is known.
-        """
+        """Stiffness of fibre rope against quick changes of tension."""
         if self.EA_dynamic_terms is None or self.MBL is None:
             return None
         constant, slope = self.EA_dynamic_terms

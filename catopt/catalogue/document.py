@@ -9,8 +9,6 @@ from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Pr
 from catopt.catalogue.family import Family
 from catopt.catalogue.figure import SPECS, Figure, Source
 
-__all__ = ["Answer"]
-
 
 @dataclass(frozen=True)
 class Answer:

@@ -21,8 +21,6 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
 from catopt.words import Cited, Message, is_said
 
-__all__ = ["WEIGHT_SOURCE", "Evaluation"]
-
 WEIGHT_SOURCE = Source("CATOPT", "catopt, from mass and volume", Cited("catopt.catalogue"))
 """The submerged weight is no printed figure: it follows from two of them."""
 
@@ -62,13 +60,7 @@ class Evaluation:
         return replace(self, diameter=diameter, _known={})
 
     def value(self, quantity: str) -> float:
-        """Evaluate a quantity in SI.
-
-        Raises
-        ------
-        InputError
-            It is not known; the message says why.
-        """
+        """Evaluate a quantity in SI; InputError says why it is not known."""
         if quantity not in self._known:
             lacks = self.why_not(quantity)
             if lacks:
@@ -100,10 +92,8 @@ class Evaluation:
     def component(self, water_density: float) -> Component:
         """Put the component together.
 
-        Raises
-        ------
-        InputError
-            Mass, volume or strength has no value here, or a variant that was asked for has none.
+        InputError: mass, volume or strength has no value here, or a variant that was asked for has
+        none.
         """
         lacking = {key: why for key in SPECS if (why := self.why_not(key))}
         self._refuse(lacking)

@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 
 from catopt.catalogue.figure import RECALLED, Confidence, Figure, Source
 
-__all__ = ["Family", "Sizes", "in_mm"]
-
 
 def in_mm(diameter: float) -> str:
     """Write a diameter in m as makers do: ``76 mm``."""

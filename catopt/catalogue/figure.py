@@ -8,18 +8,6 @@ from typing import Literal, get_args
 
 from catopt.catalogue.formula import Formula
 
-__all__ = [
-    "CONFIDENCES",
-    "RECALLED",
-    "SPECS",
-    "Confidence",
-    "Figure",
-    "Source",
-    "Spec",
-    "weakest",
-    "within",
-]
-
 Confidence = Literal["A", "B", "C", "R"]
 """A: read in the primary or official document. B: read in two independent secondary sources, or in
 one and checked by numbers. C: read in one secondary source. R: recalled, read in no document."""

@@ -9,20 +9,6 @@ from dataclasses import dataclass
 
 from catopt.words import Cited, Message
 
-__all__ = [
-    "ChainLoad",
-    "ChainModulus",
-    "Coefficient",
-    "Constant",
-    "Density",
-    "Formula",
-    "MeanLoad",
-    "Multiple",
-    "Polynomial",
-    "Rows",
-    "number",
-]
-
 Given = Callable[[str], float]
 """Value of another quantity of the same component, in SI."""
 

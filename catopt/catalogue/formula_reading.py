@@ -23,8 +23,6 @@ from catopt.catalogue.formula import (
 from catopt.catalogue.table import Table
 from catopt.units import UNITS, Dimension
 
-__all__ = ["read_formula"]
-
 _POWER = re.compile(r"d([0-3])")
 _DIAMETER = re.compile(r"(?:(\d+(?:\.\d+)?) )?d(/pi)?")
 
@@ -45,20 +43,7 @@ _EXTRA = {"rows": ("unit",), "times": ("of",), "coefficient": ("diameter",)}
 
 
 def read_formula(figure: Table, quantity: str) -> Formula | None:
-    """Read the formula of a figure.
-
-    Parameters
-    ----------
-    figure : Table
-        The figure's table.
-    quantity : str
-        What the figure is of.
-
-    Returns
-    -------
-    Formula or None
-        None when something is wrong with it, which was then noted.
-    """
+    """Read the formula of a figure; None when something is wrong with it, which was then noted."""
     table = figure.table("formula")
     spec = SPECS[quantity]
     if table is None:

@@ -11,8 +11,6 @@ from catopt.catalogue.family import Family
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
 
-__all__ = ["ComponentName", "find_name", "nearest", "shared_names"]
-
 _SIMILAR = 0.6
 """Share of letters in common (difflib's ratio) from which a name counts as misspelt."""
 
@@ -27,17 +25,7 @@ class ComponentName(NamedTuple):
 def find_name(name: object, families: Iterable[Family]) -> ComponentName:
     """Read a name. Capitals, hyphens and the order of the words do not matter.
 
-    Parameters
-    ----------
-    name : object
-        Family, or family and grade.
-    families : iterable of Family
-        Those to choose from.
-
-    Raises
-    ------
-    InputError
-        There is none of that name; the message gives the nearest.
+    InputError: there is none of that name; the message gives the nearest.
     """
     names = list(_names(families))
     found = {plain: stands_for for plain, _, stands_for in reversed(names)}
@@ -68,6 +56,12 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
     by_plain = {_letters(each): each for each in words}
     close = get_close_matches(_letters(word), by_plain, n=1, cutoff=_SIMILAR)
     return by_plain[close[0]] if close else None
+
+
+def meant(word: str, words: Iterable[str]) -> str:
+    """Ask after the word that was meant, to be put behind what is wanted; empty if none is near."""
+    near = nearest(word, words)
+    return f"; did you mean {near}?" if near else ""
 
 
 def _names(families: Iterable[Family]) -> Iterator[tuple[tuple[str, ...], str, ComponentName]]:

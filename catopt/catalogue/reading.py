@@ -18,8 +18,6 @@ from catopt.catalogue.table import Table
 from catopt.documents import parse_toml, read_text
 from catopt.model.validity import Findings
 
-__all__ = ["KIND", "SCHEMA", "parse_families", "read_families", "read_standard"]
-
 SCHEMA = "catopt.families/1"
 """What a file of families has under its key ``schema``."""
 
@@ -52,21 +50,9 @@ def read_families(
 def parse_families(
     text: str, source: str = "", known: Mapping[str, Source] | None = None
 ) -> Catalogue:
-    """Read the text of a file of families.
+    """Read the text of a file of families; it may name known sources beside its own.
 
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str
-        Name of the file, for messages.
-    known : mapping of str to Source, optional
-        Sources that the text may name beside its own.
-
-    Raises
-    ------
-    InputError
-        With every problem of the text.
+    InputError with every problem of the text.
     """
     found, _ = _parse(text, source, known or {})
     return Catalogue(tuple(found))

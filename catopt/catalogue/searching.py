@@ -13,8 +13,6 @@ from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.units import as_written
 
-__all__ = ["held_by", "search_in"]
-
 Condition = Callable[[Component], bool]
 
 

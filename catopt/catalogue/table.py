@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 
-from catopt.catalogue.names import nearest
+from catopt.catalogue.names import meant, nearest
 from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import LANGUAGES, Cited, Told
-
-__all__ = ["Table"]
 
 Word = TypeVar("Word", bound=str)
 
@@ -85,8 +83,7 @@ class Table:
         for each in words:
             if value == each:
                 return each
-        near = nearest(value, words) if isinstance(value, str) else None
-        hint = f"; did you mean {near}?" if near else ""
+        hint = meant(value, words) if isinstance(value, str) else ""
         self.problem(key, f"one of {', '.join(words)} is wanted{hint}")
         return None
 

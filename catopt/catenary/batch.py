@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from time import perf_counter
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -32,6 +32,7 @@ _A_LOOK = 0.1
 
 Numbers = npt.ArrayLike
 Array = npt.NDArray[np.float64]
+Result = TypeVar("Result")
 
 
 @dataclass(frozen=True)
@@ -177,7 +178,7 @@ def solve_many(
     while at < count:
         loop = compiled(fill, a_line * (count - at))
         if is_compiled(fill):
-            _share(partial(run, loop), (at, count), workers)
+            in_ranges(partial(run, loop), at, count, workers)
             break
         pause = perf_counter() + _A_LOOK
         while at < count and perf_counter() < pause:
@@ -278,14 +279,13 @@ def _count(per_line: list[Numbers], tables: list[Array]) -> int:
     return sizes.pop() if sizes else 1
 
 
-def _share(run: Callable[[int, int], None], lines: tuple[int, int], workers: int) -> None:
-    """Run ranges of lines on several threads; the compiled loop lets go of the interpreter."""
-    first, end = lines
-    if workers <= 1 or end - first < 2 * workers:
-        run(first, end)
-        return
+def in_ranges(
+    run: Callable[[int, int], Result], first: int, end: int, workers: int, least: int = 2
+) -> list[Result]:
+    """Run ranges of `least` or more by several threads; compiled loops free the interpreter."""
+    if workers <= 1 or end - first < least * workers:
+        return [run(first, end)]
     step = math.ceil((end - first) / workers)
+    ranges = [(start, min(start + step, end)) for start in range(first, end, step)]
     with ThreadPoolExecutor(workers) as pool:
-        ranges = [(a, min(a + step, end)) for a in range(first, end, step)]
-        for done in [pool.submit(run, *each) for each in ranges]:
-            done.result()
+        return list(pool.map(lambda each: run(*each), ranges))

@@ -9,8 +9,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-__all__ = ["Bracket", "bracket", "is_closed", "narrowed", "trial"]
-
 
 class Bracket(NamedTuple):
     """Two places with the root between them.
@@ -56,15 +54,7 @@ def narrowed(around: Bracket, x: float, f: float) -> Bracket:
 
 
 def trial(around: Bracket, guess: float) -> float:
-    """Next place to look at: the guess while guesses serve, else false position or the middle.
-
-    Parameters
-    ----------
-    around : Bracket
-        Where the root is.
-    guess : float
-        For instance Newton's; nan when there is none.
-    """
+    """Next place to look at: the guess (nan: none) while guesses serve, else a bracketing one."""
     low, high = around.low, around.high
     if not around.is_slow:
         if low < guess < high:

@@ -6,8 +6,6 @@ from collections.abc import Callable
 
 from catopt.errors import NotConvergedError
 
-__all__ = ["root"]
-
 LIMIT = 100
 """Evaluations: bisection alone takes some 60 to the last digit."""
 
@@ -15,24 +13,10 @@ LIMIT = 100
 def root(
     function: Callable[[float], float], low: float, high: float, *, xtol: float, rtol: float
 ) -> float:
-    """Find a root between two places.
+    """Find a root between two places of different sign, to `xtol` and to `rtol` as a part of it.
 
     Each step is inverse quadratic, linear, or else a bisection (R. P. Brent, Algorithms for
-    Minimization without Derivatives, 1973, chapter 4).
-
-    Parameters
-    ----------
-    function : callable
-        Of different signs at both places.
-    low, high : float
-        The places.
-    xtol, rtol : float
-        How far the root may be off: absolute, and as a part of it.
-
-    Raises
-    ------
-    NotConvergedError
-        When the function is no continuous one.
+    Minimization without Derivatives, 1973, chapter 4). NotConvergedError: the function jumps.
 
     Examples
     --------

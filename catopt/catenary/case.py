@@ -13,8 +13,6 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.words import Message
 
-__all__ = ["Method", "solve_case", "under_a_load"]
-
 Method = Literal["closed-form", "pso"]
 
 
@@ -44,13 +42,7 @@ def solve_case(
 
 
 def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
-    """Return the case under its first load case where it has no load, with the warning to give.
-
-    Parameters
-    ----------
-    case : Case
-        Returned as it is, without warning, where it has a load or seeks something.
-    """
+    """Return the case under its first load case where it has no load, with the warning to give."""
     if case.load is not None or case.find is not None:
         return case, ()
     if case.system is not None:
@@ -67,7 +59,7 @@ def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
 def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) -> Solution:
     """Solve a case that has a load or seeks something."""
     if method == "pso":
-        from catopt.catenary.swarm.case import solve_case_by_swarm
+        from catopt.catenary.swarm.solve import solve_case_by_swarm
 
         return under_case(solve_case_by_swarm(case, progress=progress), case)
     if case.find is not None:
@@ -76,11 +68,9 @@ def _solved(case: Case, method: Method, progress: Callable[[int], None] | None) 
     assert case.load is not None
     solution = solve(
         case.line,
-        height=case.fairlead_height,
         horizontal_force=case.load.horizontal_force,
         span=case.load.span,
         fairlead_tension=case.load.fairlead_tension,
-        seabed_friction=case.site.seabed_friction,
-        anchor_height=case.anchor_height,
+        **case.place,
     )
     return under_case(solution, case)

@@ -61,19 +61,10 @@ class CaseCurve:
         return self.curve.span - self.reference.span
 
     def outline(self, points: int = 200) -> tuple[list[float], list[float], list[float]]:
-        """Sample the curve for drawing: its own points and some evenly over the force.
+        """Sample the curve for drawing: its own points and `points` more, evenly over the force.
 
-        Near the taut line a step of the span may be a multiple of the force.
-
-        Parameters
-        ----------
-        points : int
-            How many are added.
-
-        Returns
-        -------
-        tuple of list
-            Span (m), horizontal force and fairlead tension (N), by rising span.
+        Near the taut line a step of the span may be a multiple of the force. By rising span: span
+        (m), horizontal force and fairlead tension (N).
         """
         own = self.curve
         most = float(own.horizontal_force[-1])
@@ -195,13 +186,11 @@ def _load_curve(
 ) -> Curve:
     return load_curve(
         reference.line,
-        height=case.fairlead_height,
         over=over,
         start=start,
         stop=stop,
         points=points,
-        seabed_friction=case.site.seabed_friction,
-        anchor_height=case.anchor_height,
+        **case.place,
         safety_factor=case.checks.safety_factor,
         max_anchor_angle=case.checks.max_anchor_uplift_angle,
     )
@@ -215,10 +204,9 @@ def _size(case: Case, reference: Solution) -> tuple[float, str]:
         with suppress(NoAnswerError):
             limit = find_limit_force(
                 reference.line,
-                height=case.fairlead_height,
                 safety_factor=case.checks.safety_factor,
-                seabed_friction=case.site.seabed_friction,
-                anchor_height=case.anchor_height,
+                segment=None,
+                **case.place,
             )
             sizes.append((limit.value, Message("catenary.limit_force", condition=limit.condition)))
     if max(sizes)[0] > 0.0:
@@ -246,13 +234,7 @@ def _least_force(case: Case, reference: Solution, least: float) -> tuple[float, 
 
 
 def _at(case: Case, reference: Solution, force: float) -> Solution:
-    found = solve(
-        reference.line,
-        height=case.fairlead_height,
-        horizontal_force=force,
-        seabed_friction=case.site.seabed_friction,
-        anchor_height=case.anchor_height,
-    )
+    found = solve(reference.line, horizontal_force=force, **case.place)
     check_buoys(found.line, (load.z for load in found.point_loads), case.site.water_depth)
     return found
 

@@ -8,19 +8,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from catopt.catenary.solution import EndState, Solution
 
-__all__ = ["solution_document"]
-
 
 def solution_document(solution: Solution, *, with_profile: bool = False) -> dict[str, Any]:
-    """Build the document.
-
-    Parameters
-    ----------
-    solution : Solution
-        The answer.
-    with_profile : bool
-        Whether to add the sampled shape.
-    """
+    """Build the document."""
     document: dict[str, Any] = {
         "schema": "catopt.solution/1",
         "title": solution.title,

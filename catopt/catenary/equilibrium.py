@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 
-from catopt.catenary.lift import SETTLED, grounded_guess, vertical_force
+from catopt.catenary.lift import LAST_STEP, grounded_guess, vertical_force
 from catopt.catenary.line_problem import LineProblem, is_plain
 from catopt.catenary.lower_part import lower_part, on_bed, touchdown_of
 from catopt.catenary.part import NO_TOUCHDOWN, Part, part_reach
@@ -45,22 +45,12 @@ from catopt.catenary.suspended import FIRST_TOUCHDOWN, grounded_part, suspended_
 from catopt.catenary.upper_part import upper_part
 from catopt.compiled import inlined
 
-__all__ = ["given_force", "hang_slack", "hung_state", "in_parts", "is_certain", "without_force"]
-
 WELL_LAID = 1e-11
 """How far rounding of V may move an end of the line, as a part of its length."""
 
 
 def given_force(H: float, problem: LineProblem) -> State:
-    """Solve a line whose horizontal force is known.
-
-    Parameters
-    ----------
-    H : float
-        Horizontal force at the fairlead, N, above 0.
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """Solve a line whose horizontal force at the fairlead is known, N, above 0."""
     pieces = problem.pieces
     rise = problem.fairlead_height - problem.anchor_height
     length = total_length(pieces)
@@ -74,13 +64,7 @@ def given_force(H: float, problem: LineProblem) -> State:
 
 
 def hang_slack(problem: LineProblem) -> State:
-    """State of a line that carries no horizontal force; its span is the largest of such a line.
-
-    Parameters
-    ----------
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """State of a line that carries no horizontal force; its span is the largest of such a line."""
     rise = problem.fairlead_height - problem.anchor_height
     if is_inextensible(problem.pieces) and abs(rise) >= total_length(problem.pieces):
         return failed(TOO_SHORT)
@@ -126,7 +110,7 @@ def _plain(H: float, pieces: Pieces, height: float, friction: float, length: flo
         return hung_state(H, 0.0, pieces, 0.0, friction, FIRST_TOUCHDOWN)
     weight = total_weight(pieces)
     guess = grounded_guess(H, pieces, height, length, weight)
-    V = vertical_force(H, height, pieces, length, weight, guess, SETTLED)
+    V = vertical_force(H, height, pieces, length, weight, guess, LAST_STEP)
     state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
     if abs(state.height_error) <= 1e-14 * length:
         return state
@@ -175,15 +159,7 @@ def hung_state(
 
 
 def in_parts(upper: Part, problem: LineProblem) -> State:
-    """State of any line, part after part; H may be 0.
-
-    Parameters
-    ----------
-    upper : Part
-        The part at its fairlead.
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """State of any line, part after part; H may be 0."""
     pieces, anchor_height, height, friction = problem
     if upper.top < 0:
         return failed(NOT_CONVERGED)

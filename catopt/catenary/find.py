@@ -174,18 +174,10 @@ def find_clump_weight(
 def _check_heaviest(without: Solution, position: float, condition: Condition) -> None:
     """Refuse where even a clump weight without bound leaves too much angle at the anchor.
 
-    Under a known horizontal force it draws the line above it straight down, and the anchor angle
-    falls with its weight all the way. What does not stretch keeps it off the bed where it is
-    shorter than the fairlead is high: then the part below is a line of its own up to that place.
-
-    Parameters
-    ----------
-    without : Solution
-        The line without the clump weight.
-    position : float
-        Of the clump weight, m from the anchor.
-    condition : Condition
-        That the anchor angle is to meet.
+    Under a known horizontal force a clump weight at `position` (m from the anchor) draws the line
+    above it straight down, and the anchor angle falls with its weight all the way. What does not
+    stretch keeps it off the bed where it is shorter than the fairlead is high: then the part below
+    is a line of its own up to that place.
     """
     below, above = _parted(without.line, position)
     over_bed = without.fairlead_height - math.fsum(part.length for part in above)
@@ -329,15 +321,15 @@ def find_case(case: Case) -> Found:
     assert case.find is not None
     find = case.find
     load = case.load or Load(horizontal_force=1.0)
-    ends: dict[str, float] = {"height": case.fairlead_height}
-    bed: dict[str, float] = {"seabed_friction": case.site.seabed_friction}
     if find.quantity == "touchdown_force":
-        return find_touchdown_force(case.line, **ends, **bed)
-    ends["anchor_height"] = case.anchor_height
+        friction = case.site.seabed_friction
+        return find_touchdown_force(
+            case.line, height=case.fairlead_height, seabed_friction=friction
+        )
     if find.quantity == "limit_force":
         factor = case.checks.safety_factor
         which = None if find.segment is None else find.segment - 1
-        return find_limit_force(case.line, safety_factor=factor, segment=which, **ends, **bed)
+        return find_limit_force(case.line, safety_factor=factor, segment=which, **case.place)
     if find.quantity == "length":
         return find_length(
             case.line,
@@ -346,8 +338,7 @@ def find_case(case: Case) -> Found:
             segment=-1 if find.segment is None else find.segment - 1,
             anchor_angle=find.anchor_angle,
             grounded_length=find.grounded_length,
-            **ends,
-            **bed,
+            **case.place,
         )
     assert find.anchor_angle is not None
     return find_clump_weight(
@@ -357,8 +348,7 @@ def find_case(case: Case) -> Found:
         fairlead_tension=load.fairlead_tension,
         point_load=(find.point_load or 1) - 1,
         anchor_angle=find.anchor_angle,
-        **ends,
-        **bed,
+        **case.place,
     )
 
 

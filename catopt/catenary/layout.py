@@ -1,27 +1,69 @@
-"""The line laid out from the anchor up, as stretches that each have a place."""
+"""The line laid out from the anchor up: its uniform stretches, its shape and its tension."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.runs import Runs, most_runs, run_reach, runs_of, slack_share
 from catopt.catenary.state import State
-from catopt.catenary.stretch import Stretch
 
-__all__ = ["end_of", "lay_out"]
+
+@dataclass(frozen=True)
+class Stretch:
+    """A uniform part of the line that either hangs or lies on the bed throughout.
+
+    Attributes
+    ----------
+    start, length : float
+        Unstretched arc length of its lower-s end, and its unstretched length, m.
+    submerged_weight, compliance : float
+        N/m and 1/EA in 1/N.
+    x, z : float
+        Where its lower-s end is, m (z above the seabed).
+    horizontal_force, vertical_force : float
+        On its lower-s end, N.
+    friction : float
+        What its tension gains per unstretched length towards the fairlead by bed friction, N/m.
+    on_bed : bool
+        Whether it lies on the bed.
+    piece : int
+        Which piece of the line it belongs to, counted from the anchor.
+    gathered : float
+        Part of its reach that is used: below 1 where a slack line lies in bights on the bed.
+    slope : float
+        Sine of the inclination of a stretch that has neither weight nor force.
+    """
+
+    start: float
+    length: float
+    submerged_weight: float
+    compliance: float
+    x: float
+    z: float
+    horizontal_force: float
+    vertical_force: float
+    friction: float
+    on_bed: bool
+    piece: int = 0
+    gathered: float = 1.0
+    slope: float = 0.0
+
+
+@dataclass(frozen=True)
+class Profile:
+    """The line's shape and effective tension at rising unstretched arc lengths; m and N."""
+
+    s: tuple[float, ...]
+    x: tuple[float, ...]
+    z: tuple[float, ...]
+    tension: tuple[float, ...]
 
 
 def lay_out(state: State, problem: LineProblem) -> tuple[Stretch, ...]:
-    """Place every run of the line, from the anchor up.
-
-    Parameters
-    ----------
-    state : State
-        A converged answer of the kernel.
-    problem : LineProblem
-        The line and where it is moored.
-    """
+    """Place every run of the line, from the anchor up."""
     pieces = problem.pieces
     room = most_runs(len(pieces.length))
     columns = [[0.0] * room for _ in range(5)]
@@ -72,3 +114,60 @@ def end_of(stretch: Stretch, length: float) -> tuple[float, float]:
         stretch.on_bed,
     )
     return stretch.x + dx * stretch.gathered, stretch.z + dz
+
+
+def sample(stretches: Sequence[Stretch], points: int) -> Profile:
+    """Sample a laid-out line at about `points` places, every joint and touchdown among them."""
+    total = math.fsum(stretch.length for stretch in stretches)
+    s: list[float] = []
+    x: list[float] = []
+    z: list[float] = []
+    tension: list[float] = []
+    for index, stretch in enumerate(stretches):
+        parts = max(1, round((points - 1) * stretch.length / total)) if total > 0.0 else 1
+        first = 0 if index == 0 or _jumps(stretches[index - 1], stretch) else 1
+        for part in range(first, parts + 1):
+            local = stretch.length * part / parts
+            place = end_of(stretch, local)
+            s.append(stretch.start + local)
+            x.append(place[0])
+            z.append(place[1])
+            tension.append(tension_at(stretch, local))
+    return Profile(tuple(s), tuple(x), tuple(z), tuple(tension))
+
+
+def _jumps(lower: Stretch, upper: Stretch) -> bool:
+    """Whether the tension jumps at a joint, so that both of its sides are sampled."""
+    below, above = tension_at(lower, lower.length), tension_at(upper, 0.0)
+    return abs(above - below) > 1e-9 * max(above, below)
+
+
+def tension_at(stretch: Stretch, length: float) -> float:
+    """Effective tension `length` (m, unstretched) above the lower end of a stretch, N."""
+    if stretch.on_bed:
+        return stretch.horizontal_force + stretch.friction * length
+    return math.hypot(
+        stretch.horizontal_force, stretch.vertical_force + stretch.submerged_weight * length
+    )
+
+
+def max_tension(stretch: Stretch) -> float:
+    """Largest tension in a stretch, N: at one of its ends, for tension is convex along it."""
+    return max(tension_at(stretch, 0.0), tension_at(stretch, stretch.length))
+
+
+def stretched_length(stretch: Stretch) -> float:
+    """Length of a stretch under its tension, m: l + (1/EA) times the integral of T."""
+    H, V1, length = stretch.horizontal_force, stretch.vertical_force, stretch.length
+    if length == 0.0 or stretch.compliance == 0.0:
+        return length
+    T1, T2 = tension_at(stretch, 0.0), tension_at(stretch, length)
+    if stretch.on_bed:
+        return length * (1.0 + stretch.compliance * 0.5 * (T1 + T2))
+    S = 2.0 * V1 + stretch.submerged_weight * length
+    m = T1 + T2
+    if m == 0.0:
+        return length
+    dx = end_of(stretch, length)[0] - stretch.x - stretch.compliance * H * length
+    integral = 0.5 * (H * dx + 0.5 * length * m + 0.5 * length * S * S / m)
+    return length + stretch.compliance * integral

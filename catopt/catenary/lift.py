@@ -8,9 +8,7 @@ from catopt.catenary.pieces import Pieces
 from catopt.catenary.suspended import suspended_height
 from catopt.compiled import inlined
 
-__all__ = ["SETTLED", "grounded_guess", "top_weight", "vertical_force"]
-
-SETTLED = 1e-8
+LAST_STEP = 1e-8
 """A Newton step this small, relatively, leaves its square: less than the last digit."""
 
 
@@ -23,28 +21,12 @@ def vertical_force(
     guess: float,
     last_step: float,
 ) -> float:
-    """Vertical force at the fairlead that lifts it to `height` above anchor or first touchdown.
+    """Vertical force at the fairlead that lifts it to `height` above anchor or first touchdown, N.
 
-    Newton's method on a rising function, kept inside a bracket that every evaluation narrows.
-
-    Parameters
-    ----------
-    H, height : float
-        N and m, above 0.
-    pieces : Pieces
-        The line, without buoyant parts.
-    length, weight : float
-        Of the whole line, m and N.
-    guess : float
-        Where to start, N.
-    last_step : float
-        Relative size of a Newton step after which no other is taken: 0 to go on to the last
-        digit, or SETTLED where the caller looks at what is left of the height.
-
-    Returns
-    -------
-    float
-        N; nan when it does not converge.
+    Newton's method from `guess` on a rising function, kept inside a bracket that every evaluation
+    narrows; nan when it does not converge. The line, of whole `length` (m) and `weight` (N), has no
+    buoyant parts. After a Newton step of the relative size `last_step` no other is taken: 0 to go
+    on to the last digit, or LAST_STEP where the caller looks at what is left of the height.
     """
     scale = max(length, height)
     low, high = 0.0, math.inf

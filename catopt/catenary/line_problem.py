@@ -7,8 +7,6 @@ from typing import NamedTuple
 from catopt.catenary.pieces import Pieces, has_buoyancy
 from catopt.compiled import inlined
 
-__all__ = ["GREATEST_FORCE", "LEAST_FORCE", "LineProblem", "is_plain"]
-
 LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
 """N: beyond them products of forces leave the range of double precision."""
 

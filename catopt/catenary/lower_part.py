@@ -27,8 +27,6 @@ from catopt.catenary.upper_part import (
     to_touchdown,
 )
 
-__all__ = ["Touchdown", "just_clear", "lower_part", "on_bed", "touchdown_of"]
-
 
 class Touchdown(NamedTuple):
     """Where the line comes down on the bed.
@@ -84,11 +82,7 @@ def _last_heavy(pieces: Pieces, piece: int) -> int:
 def lower_part(touchdown: Touchdown, problem: LineProblem) -> Part:
     """Find the part that leaves the bed below a touchdown.
 
-    Returns
-    -------
-    Part
-        TO_THE_ANCHOR when the line lies from the touchdown on; NO_PART when the search stopped
-        short.
+    TO_THE_ANCHOR when the line lies from there on; NO_PART when the search stopped short.
     """
     pieces = problem.pieces
     first = _last_heavy(pieces, touchdown.piece)
@@ -223,19 +217,9 @@ def _start(code: int, x: float, pieces: Pieces) -> tuple[int, float, float]:
 def just_clear(code: int, x: float, problem: LineProblem) -> Part:
     """Find the part that leaves the bed at a given place with the force that just clears the bed.
 
-    Parameters
-    ----------
-    code : int
-        2 k inside piece k, 2 k + 1 at the clump weight on the joint below it.
-    x : float
-        Length of the piece that hangs, m; or weight that is lifted, N.
-    problem : LineProblem
-        The line and where it is moored.
-
-    Returns
-    -------
-    Part
-        NO_PART where it does not clear the bed even without force, or does so with any.
+    The code is 2 k inside piece k, where the length `x` (m) of it hangs, and 2 k + 1 at the clump
+    weight on the joint below it, of which `x` (N) is lifted. NO_PART where it does not clear the
+    bed even without force, or does so with any.
     """
     H, f = 0.0, _cleared(code, x, _leaving(0.0, code, x, problem.pieces), problem).least
     low, f_low = H, f

@@ -24,8 +24,6 @@ from catopt.catenary.state import (
 )
 from catopt.catenary.tension import given_tension
 
-__all__ = ["COLUMNS", "RESIDUAL_LIMIT", "fill"]
-
 RESIDUAL_LIMIT: Final = 1e-9
 """How far the line, laid out from its anchor, may miss its fairlead, as a part of its length."""
 

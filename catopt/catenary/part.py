@@ -13,18 +13,6 @@ from typing import NamedTuple
 from catopt.catenary.piece import piece_reach, piece_rise
 from catopt.catenary.pieces import Pieces
 
-__all__ = [
-    "NO_PART",
-    "NO_TOUCHDOWN",
-    "TO_THE_ANCHOR",
-    "Part",
-    "PartReach",
-    "part_reach",
-    "share",
-    "with_force",
-    "with_slope",
-]
-
 NO_TOUCHDOWN = -1
 
 

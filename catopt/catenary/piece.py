@@ -20,8 +20,6 @@ from typing import NamedTuple
 
 from catopt.compiled import inlined
 
-__all__ = ["PieceReach", "atanh_excess", "piece_reach", "piece_rise", "rise_by_V"]
-
 
 class PieceReach(NamedTuple):
     """What one hanging piece contributes: m, and m/N for the derivatives at fixed length.
@@ -41,14 +39,9 @@ class PieceReach(NamedTuple):
 def piece_reach(
     H: float, V1: float, V2: float, T1: float, T2: float, length: float, compliance: float
 ) -> PieceReach:
-    """Reach of a hanging piece and its derivatives.
+    """Reach of a hanging piece and its derivatives; forces in N with H above 0.
 
-    Parameters
-    ----------
-    H, V1, V2, T1, T2 : float
-        Forces on the piece, N; H above 0.
-    length, compliance : float
-        Unstretched length, m, and 1/EA, 1/N.
+    The length is unstretched, m; the compliance is 1/EA, 1/N.
     """
     S = V1 + V2
     by_m = 1.0 / (T1 + T2)
@@ -73,14 +66,7 @@ def piece_rise(
 ) -> float:
     """Height of the upper end of a hanging piece above its lower end, m; H may be 0.
 
-    Parameters
-    ----------
-    H, V1, V2 : float
-        Forces on the piece, N.
-    length, compliance : float
-        Unstretched length, m, and 1/EA, 1/N.
-    slope : float
-        Sine of the inclination of a piece without weight or force, which may take any.
+    A piece without weight or force may take any inclination: `slope` is the sine of it.
     """
     m = math.sqrt(H * H + V1 * V1) + math.sqrt(H * H + V2 * V2)
     if m == 0.0:

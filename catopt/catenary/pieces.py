@@ -8,23 +8,6 @@ from typing import Any, NamedTuple
 from catopt.compiled import inlined
 from catopt.model import Line
 
-__all__ = [
-    "Pieces",
-    "above",
-    "below",
-    "beyond_clump",
-    "cut",
-    "grip",
-    "has_buoyancy",
-    "is_inextensible",
-    "joints_of",
-    "length_between",
-    "split",
-    "total_length",
-    "total_weight",
-    "turned",
-]
-
 
 class Pieces(NamedTuple):
     """Uniform pieces from the anchor up; lists of float, or arrays in compiled code.
@@ -234,15 +217,7 @@ def joints_of(line: Line) -> tuple[int, ...]:
 
 
 def cut(line: Line) -> tuple[Pieces, tuple[int, ...]]:
-    """Cut a line at its joints and point loads.
-
-    Returns
-    -------
-    pieces : Pieces
-        Lists of plain floats.
-    segment_of : tuple of int
-        Which segment each piece belongs to.
-    """
+    """Cut a line at its joints and point loads; the pieces as lists, and the segment of each."""
     count = len(line.segments) + len(line.point_loads)
     pieces = Pieces([0.0] * count, [0.0] * count, [0.0] * count, [0.0] * (2 * count + 2))
     owner = [0] * count

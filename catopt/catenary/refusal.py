@@ -15,19 +15,9 @@ from catopt.errors import (
 from catopt.model import Line, Load
 from catopt.words import Message
 
-__all__ = ["refusal"]
-
 
 def refusal(status: int, line: Line, load: Load, problem: LineProblem) -> CatoptError:
-    """Say what stops a line, and by how much.
-
-    Parameters
-    ----------
-    status : int
-        Of the kernel's failed state.
-    line, load, problem
-        What was to be solved.
-    """
+    """Say what stops a line, and by how much."""
     rise = abs(problem.fairlead_height - problem.anchor_height)
     if status == TOO_SHORT:
         distance = math.hypot(load.span or 0.0, rise)

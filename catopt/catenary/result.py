@@ -6,10 +6,9 @@ import math
 from dataclasses import replace
 from typing import Literal
 
-from catopt.catenary.layout import end_of, lay_out
+from catopt.catenary.layout import Stretch, end_of, lay_out, max_tension, stretched_length
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import joints_of
-from catopt.catenary.profile import max_tension, stretched_length
 from catopt.catenary.rounding import force_uncertainty
 from catopt.catenary.solution import (
     EndState,
@@ -19,11 +18,8 @@ from catopt.catenary.solution import (
     Solution,
 )
 from catopt.catenary.state import BELOW_ANCHOR, REGIMES, SUSPENDED, State
-from catopt.catenary.stretch import Stretch
 from catopt.catenary.warnings import above_water, plausibility
 from catopt.model import Case, Line, PointLoad
-
-__all__ = ["solution_of", "under_case"]
 
 AT_BED = 1e-9
 """Height at which a point load counts as on the bed, as a part of the line's length."""
@@ -40,16 +36,8 @@ def solution_of(
 ) -> Solution:
     """Lay out a line from its anchor and say by how much it misses its fairlead.
 
-    Parameters
-    ----------
-    state : State
-        A converged answer of the kernel; its span is the one wanted.
-    line, problem, segment_of
-        The line, where it is moored, and how it was cut.
-    method : str
-        How it was solved.
-    known : int
-        What was given of its load, as for `rounding.force_uncertainty`.
+    The state is a converged one with the span wanted; `known` is what was given of the load, as for
+    `rounding.force_uncertainty`.
     """
     stretches = lay_out(state, problem)
     x, z = end_of(stretches[-1], stretches[-1].length)

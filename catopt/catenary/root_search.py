@@ -10,14 +10,12 @@ import math
 
 from catopt.catenary.bracket import bracket, is_closed, narrowed, trial
 from catopt.catenary.equilibrium import given_force, hung_state, is_certain
-from catopt.catenary.lift import SETTLED
+from catopt.catenary.lift import LAST_STEP
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import total_length
 from catopt.catenary.state import BELOW_ANCHOR, CONVERGED, NOT_CONVERGED, SUSPENDED, State, failed
 from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.catenary.upper_part import MOST_TRIALS
-
-__all__ = ["BY_FORCE", "BY_SPAN", "BY_TENSION", "bracketed_search", "newton", "tension_of"]
 
 BY_SPAN = 0
 BY_TENSION = 1
@@ -47,7 +45,7 @@ def newton(known: int, wanted: float, problem: LineProblem, H: float, V: float) 
             return state if is_certain(state, pieces, length) else failed(NOT_CONVERGED)
         H = min(max(H + dH, 0.1 * H), 10.0 * H)
         V = max(V + dV, 0.1 * V)
-        if steps <= SETTLED:
+        if steps <= LAST_STEP:
             state = hung_state(H, V, pieces, height, friction, FIRST_TOUCHDOWN)
             reached = tension_of(state) if known == BY_TENSION else state.span
             if abs(reached - wanted) <= 1e-14 * size and abs(state.height_error) <= 1e-14 * size:
@@ -60,19 +58,9 @@ def bracketed_search(
 ) -> State:
     """Close in on H between two forces, on a logarithmic scale.
 
-    Parameters
-    ----------
-    known, wanted
-        Which quantity is known, and its value: m or N.
-    problem : LineProblem
-        The line and where it is moored.
-    below, above : float
-        Forces at which it is too small and too large, N; either may be the larger force.
-
-    Returns
-    -------
-    State
-        NOT_CONVERGED when the quantity jumps over the wanted value, or the search stopped short.
+    The known quantity (m or N) is too small at `below` and too large at `above`, N; either may be
+    the larger force. NOT_CONVERGED when it jumps over the wanted value, or the search stopped
+    short.
     """
     size = wanted if known == BY_TENSION else max(wanted, total_length(problem.pieces))
     sense = 1.0 if below < above else -1.0

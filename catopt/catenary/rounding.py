@@ -10,8 +10,6 @@ from catopt.catenary.root_search import BY_SPAN, BY_TENSION
 from catopt.catenary.state import State
 from catopt.compiled import inlined
 
-__all__ = ["force_uncertainty"]
-
 HALF_A_DIGIT = 2.0**-53
 """Part of a number by which its nearest double misses it at most."""
 
@@ -21,26 +19,13 @@ LEFT_BY_SOLVER = 2.0**-49
 
 @inlined
 def force_uncertainty(state: State, problem: LineProblem, known: int) -> float:
-    """Bound of the change of the forces at the fairlead when every input is off by its rounding.
+    """Bound of the change of the forces at the fairlead when every input is off by its rounding, N.
 
     The lengths, the span and the heights are moved by half a unit in their last place, all in the
     worst sense, with what rounding leaves of the solver's own residual, and the forces follow by
-    the line's derivatives. A line that does not stretch and
-    is nearly taut magnifies this by as much as it is stiff.
-
-    Parameters
-    ----------
-    state : State
-        A converged answer.
-    problem : LineProblem
-        The line and where it is moored.
-    known : int
-        What was given: root_search.BY_SPAN, root_search.BY_TENSION, or else the horizontal force.
-
-    Returns
-    -------
-    float
-        The larger of the two, N.
+    the line's derivatives. A line that does not stretch and is nearly taut magnifies this by as
+    much as it is stiff. What is `known` is root_search.BY_SPAN, BY_TENSION, or else the horizontal
+    force.
     """
     T = math.sqrt(state.H * state.H + state.V * state.V)
     own = HALF_A_DIGIT * T

@@ -25,8 +25,6 @@ from catopt.catenary.sliding import (
 from catopt.catenary.state import IN_PARTS, LOOSE, SLACK, TURNED, State
 from catopt.catenary.upper_part import lying_end, upper_part
 
-__all__ = ["Runs", "most_runs", "run_reach", "runs_misfit", "runs_of", "slack_share"]
-
 _RUNS_PER_PIECE = 4
 """A piece may hang, lie with tension, lie without it and hang again."""
 
@@ -56,28 +54,12 @@ class Runs(NamedTuple):
 
 
 def most_runs(pieces: int) -> int:
-    """Room that the runs of a line take at most; its loose part may begin within a piece.
-
-    Parameters
-    ----------
-    pieces : int
-        Uniform pieces of the line.
-    """
+    """Room that the runs of a line take at most; its loose part may begin within a piece."""
     return _RUNS_PER_PIECE * (pieces + 1)
 
 
 def runs_of(state: State, problem: LineProblem, runs: Runs) -> int:
-    """Write the runs of a line, from the fairlead down; say how many there are.
-
-    Parameters
-    ----------
-    state : State
-        A converged answer of the kernel.
-    problem : LineProblem
-        The line and where it is moored.
-    runs : Runs
-        Written to; room for `most_runs`.
-    """
+    """Write the runs of a solved line, from the fairlead down, and count them."""
     if state.touchdown == IN_PARTS:
         return _in_parts(_upper_part(state.H, state.V, problem), problem, runs, 0)
     if state.touchdown == TURNED:
@@ -238,16 +220,9 @@ def run_reach(
     slope: float,
     on_bed: bool,
 ) -> tuple[float, float]:
-    """How far and how high the lower `length` of a run reaches, m.
+    """How far and how high the lower `length` (m) of a run reaches, m.
 
-    Parameters
-    ----------
-    H, V : float
-        Forces on its lower end, N.
-    length, weight, compliance : float
-        Unstretched m, submerged N/m, 1/EA in 1/N.
-    friction, slope, on_bed
-        As in `Runs`.
+    H and V are the forces on its lower end, N; the rest as in `Runs`.
     """
     if length == 0.0:
         return 0.0, 0.0
@@ -266,19 +241,9 @@ def run_reach(
 def runs_misfit(
     state: State, problem: LineProblem, runs: Runs, count: int, span: float
 ) -> tuple[float, float]:
-    """By how much a line laid out from its anchor misses its fairlead, m.
+    """By how much a line laid out from its anchor misses its fairlead in height and span, m.
 
-    Parameters
-    ----------
-    state, problem, runs, count
-        As for `runs_of`, which has written the runs.
-    span : float
-        Where the fairlead is, m.
-
-    Returns
-    -------
-    height, span : float
-        Reached less wanted.
+    Reached less wanted, of the runs that `runs_of` has written.
     """
     pieces = problem.pieces
     x = 0.0

@@ -37,17 +37,6 @@ from catopt.catenary.state import (
 )
 from catopt.catenary.upper_part import WELL_HUNG, lying_end, upper_part
 
-__all__ = [
-    "Onset",
-    "from_its_anchor",
-    "loose",
-    "loose_below",
-    "onset_of",
-    "start_below",
-    "tight_above",
-    "turned_back",
-]
-
 
 class Onset(NamedTuple):
     """Where the tight part of a line begins, on the bed.
@@ -106,13 +95,6 @@ def onset_of(span: float, problem: LineProblem) -> Onset:
 
     Without force the line hangs straight and lies in stretches on the bed. From the uppermost place
     of these downwards the span grows with the length that is tight.
-
-    Parameters
-    ----------
-    span : float
-        Beyond that of the line without force, m.
-    problem : LineProblem
-        The line and where it is moored, with friction.
     """
     pieces = problem.pieces
     part = upper_part(0.0, problem)

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from catopt.catenary.document import solution_document
-from catopt.catenary.profile import sample
-from catopt.catenary.stretch import Profile, Stretch
+from catopt.catenary.layout import Profile, Stretch, sample
+from catopt.catenary.state import Regime
 from catopt.model import Line
 
 __all__ = [
@@ -18,16 +18,6 @@ __all__ = [
     "SegmentState",
     "Solution",
     "SwarmReport",
-]
-
-Regime = Literal[
-    "suspended",
-    "below-anchor",
-    "grounded",
-    "grounded-between",
-    "on-bed",
-    "slack",
-    "grounded-in-parts",
 ]
 
 

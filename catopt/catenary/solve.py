@@ -21,8 +21,6 @@ from catopt.model import Line, Load
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = ["solve"]
-
 
 def solve(
     line: Line,

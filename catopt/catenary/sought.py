@@ -16,8 +16,6 @@ from catopt.errors import (
 )
 from catopt.words import Message
 
-__all__ = ["Condition", "Found", "Sought", "find"]
-
 ROUNDING = 4.0 * 2.0**-52
 FAR = 1e9
 """How many times its natural size an unknown may grow before it is called out of reach."""
@@ -146,19 +144,9 @@ class Sought:
 
 
 def find(sought: Sought, start: float, least: float) -> Found:
-    """Find the value at which a condition is met.
+    """Find the value, above `least`, at which a condition is met, from `start` on.
 
-    Parameters
-    ----------
-    sought : Sought
-        The unknown.
-    start, least : float
-        Where the search starts, and the bound that the unknown stays above.
-
-    Raises
-    ------
-    NoAnswerError
-        When no value meets the condition; it says how near the nearest comes.
+    NoAnswerError: no value meets the condition; it says how near the nearest comes.
     """
     low, high = _bracket(sought, start, least)
     value = root(sought.error, low, high, xtol=ROUNDING * high, rtol=ROUNDING)

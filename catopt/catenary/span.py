@@ -12,8 +12,6 @@ from catopt.catenary.root_search import BY_SPAN, bracketed_search, newton
 from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State, failed
 
-__all__ = ["given_span"]
-
 
 def given_span(
     span: float,
@@ -21,17 +19,7 @@ def given_span(
     H_guess: float,
     V_guess: float,
 ) -> State:
-    """Solve a line whose span is known.
-
-    Parameters
-    ----------
-    span : float
-        Horizontal distance from the anchor to the fairlead, m, above 0.
-    problem : LineProblem
-        The line and where it is moored; for the rest as for `given_force`.
-    H_guess, V_guess : float
-        Where to start, N; nan to have them estimated.
-    """
+    """Solve a line whose span (m, above 0) is known; guesses of H and V in N, nan for none."""
     pieces = problem.pieces
     length = total_length(pieces)
     rise = problem.fairlead_height - problem.anchor_height

@@ -3,31 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple, get_args
 
 from catopt.catenary.part import NO_TOUCHDOWN
-
-__all__ = [
-    "BELOW_ANCHOR",
-    "CONVERGED",
-    "GROUNDED",
-    "GROUNDED_BETWEEN",
-    "GROUNDED_IN_PARTS",
-    "INVALID",
-    "IN_PARTS",
-    "LOOSE",
-    "NOT_CONVERGED",
-    "ON_BED",
-    "REASONS",
-    "REGIMES",
-    "SLACK",
-    "SUSPENDED",
-    "TOO_HEAVY",
-    "TOO_SHORT",
-    "TURNED",
-    "State",
-    "failed",
-]
 
 # Status of a solve; only CONVERGED carries an answer.
 CONVERGED: Final = 0
@@ -51,7 +29,7 @@ GROUNDED_BETWEEN: Final = 3
 ON_BED: Final = 4
 SLACK: Final = 5
 GROUNDED_IN_PARTS: Final = 6
-REGIMES: Final = (
+Regime = Literal[
     "suspended",
     "below-anchor",
     "grounded",
@@ -59,7 +37,8 @@ REGIMES: Final = (
     "on-bed",
     "slack",
     "grounded-in-parts",
-)
+]
+REGIMES: Final[tuple[Regime, ...]] = get_args(Regime)
 
 IN_PARTS: Final = -3
 """Touchdown of a line that is a chain of parts, which upper_part.py and lower_part.py find."""

@@ -9,8 +9,6 @@ from catopt.errors import FloatsUpError
 from catopt.model import Line
 from catopt.words import Message
 
-__all__ = ["check_buoys", "named_line"]
-
 ROUNDING = 1e-9
 """How far above the surface, over the water depth, a buoy may be by rounding."""
 
@@ -18,19 +16,8 @@ ROUNDING = 1e-9
 def check_buoys(line: Line, heights: Iterable[float], water_depth: float) -> None:
     """Refuse a line of which a buoy would be above the water surface under its full lift.
 
-    Parameters
-    ----------
-    line : Line
-        Of which every point load with a negative weight is a buoy.
-    heights : iterable of float
-        Of its point loads above the bed, in their order, m.
-    water_depth : float
-        m.
-
-    Raises
-    ------
-    FloatsUpError
-        It names the first such buoy, says how far it would be above the surface, and the way out.
+    The heights are those of its point loads above the bed, m; those of negative weight are buoys.
+    FloatsUpError names the first such buoy, how far it would be above the surface, and the way out.
     """
     for index, (load, height) in enumerate(zip(line.point_loads, heights, strict=True)):
         above = height - water_depth

@@ -19,15 +19,6 @@ from catopt.catenary.piece import piece_reach, rise_by_V
 from catopt.catenary.pieces import Pieces, beyond_clump
 from catopt.compiled import inlined
 
-__all__ = [
-    "FIRST_TOUCHDOWN",
-    "GroundedPart",
-    "SuspendedPart",
-    "grounded_part",
-    "suspended_height",
-    "suspended_part",
-]
-
 FIRST_TOUCHDOWN = -2
 
 
@@ -70,19 +61,9 @@ class GroundedPart(NamedTuple):
 
 @inlined
 def suspended_height(H: float, V: float, pieces: Pieces) -> tuple[float, float]:
-    """Height of the fairlead above the anchor or the first touchdown, and its derivative by V.
+    """Height of the fairlead above the anchor or the first touchdown (m), and its derivative by V.
 
-    Parameters
-    ----------
-    H, V : float
-        Forces at the fairlead, N; H above 0, V not below.
-    pieces : Pieces
-        The line, without buoyant parts.
-
-    Returns
-    -------
-    z, z_V : float
-        m and m/N.
+    H above 0 and V not below, N, on a line without buoyant parts.
     """
     z = 0.0
     z_V = 0.0
@@ -109,17 +90,7 @@ def suspended_height(H: float, V: float, pieces: Pieces) -> tuple[float, float]:
 
 @inlined
 def suspended_part(H: float, V: float, pieces: Pieces, touchdown: int) -> SuspendedPart:
-    """Follow the suspended part; with all derivatives of its reach.
-
-    Parameters
-    ----------
-    H, V : float
-        Forces at the fairlead, N; H above 0.
-    pieces : Pieces
-        The line.
-    touchdown : int
-        Where to stop.
-    """
+    """Follow the suspended part down to a touchdown; all derivatives of its reach. H above 0."""
     x = 0.0
     z = 0.0
     x_H = 0.0
@@ -160,23 +131,11 @@ def grounded_part(
     end_piece: int,
     end_rest: float,
 ) -> GroundedPart:
-    """Follow the line on the bed from a touchdown towards the anchor.
+    """Follow the line on the bed from a touchdown, where its force is H (N), towards the anchor.
 
     Friction takes its Coulomb coefficient times the bed's reaction off the tension, on the weight
-    of the line and on clump weights, down to 0 and not further.
-
-    Parameters
-    ----------
-    H : float
-        Horizontal force where the stretch begins, N.
-    pieces : Pieces
-        The line.
-    friction : float
-        Coulomb coefficient.
-    piece, rest : int, float
-        Piece in which the stretch begins, and the length of it that lies on the bed, m.
-    end_piece, end_rest : int, float
-        Piece in which it ends, and the length of it that does not lie on the bed, m.
+    of the line and on clump weights, down to 0 and not further. `rest` is the length of the first
+    piece that lies on the bed, `end_rest` that of the last piece that does not, m.
     """
     T = H
     x = 0.0

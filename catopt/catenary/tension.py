@@ -11,8 +11,6 @@ from catopt.catenary.pieces import is_inextensible, total_length, total_weight
 from catopt.catenary.root_search import BY_TENSION, bracketed_search, newton, tension_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, State, failed
 
-__all__ = ["given_tension", "least_tension", "other_forces"]
-
 STRIDE = 0.5
 """Ratio of neighbouring forces of the search down from H = tension."""
 
@@ -23,17 +21,10 @@ ROUNDING = 1e-14
 
 
 def given_tension(tension: float, problem: LineProblem) -> State:
-    """Solve a line whose effective tension at the fairlead is known.
+    """Solve a line whose effective tension at the fairlead is known, N, above 0.
 
     A line that hangs below a raised anchor, or carries a buoy, can have the same tension at several
     horizontal forces. The largest one is taken: there the tension rises with the force.
-
-    Parameters
-    ----------
-    tension : float
-        N, above 0.
-    problem : LineProblem
-        The line and where it is moored; for the rest as for `given_force`.
     """
     pieces = problem.pieces
     rise = problem.fairlead_height - problem.anchor_height
@@ -61,15 +52,7 @@ def given_tension(tension: float, problem: LineProblem) -> State:
 
 
 def other_forces(tension: float, problem: LineProblem, found: State) -> list[float]:
-    """Return the smaller horizontal forces that give the line the same tension, N.
-
-    Parameters
-    ----------
-    tension, problem
-        As for `given_tension`.
-    found : State
-        Its answer.
-    """
+    """Return the smaller horizontal forces that give the line the same tension, N."""
     others = []
     # Where the tension rises with the force it is smaller just below the force found.
     H = found.H * (1.0 - 1e-6)
@@ -90,12 +73,7 @@ def other_forces(tension: float, problem: LineProblem, found: State) -> list[flo
 def least_tension(problem: LineProblem, tension: float) -> float:
     """Return the smallest fairlead tension that the line has at a horizontal force, N.
 
-    Parameters
-    ----------
-    problem : LineProblem
-        The line and where it is moored.
-    tension : float
-        N; forces up to this one are looked at.
+    Forces up to `tension` are looked at.
     """
     least = tension_of(hang_slack(problem))
     H = above = tension
@@ -129,20 +107,8 @@ def _crossing(
 ) -> tuple[float, float]:
     """Look down from a horizontal force for a fairlead tension on the other side of the one wanted.
 
-    Parameters
-    ----------
-    tension, problem
-        As for `given_tension`.
-    start : float
-        Where to begin, N.
-    wants_less : bool
-        Whether a tension of no more than the one wanted is sought, or a larger one.
-
-    Returns
-    -------
-    found, before : float
-        A horizontal force on that side, 0 among them, and the one before it, N; -1 for the first
-        when there is none, for both when a line has no answer.
+    Returns the horizontal force on that side, 0 among them, and the one before it, N; -1 for the
+    first when there is none, for both when a line has no answer.
     """
     above = H = start
     # Whether the last tension looked at turns towards the side wanted further down.

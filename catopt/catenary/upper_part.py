@@ -23,18 +23,6 @@ from catopt.catenary.part import (
 )
 from catopt.catenary.pieces import Pieces, total_length, total_weight
 
-__all__ = [
-    "CLEARANCE",
-    "EXACT",
-    "MOST_TRIALS",
-    "WELL_HUNG",
-    "hung_from_lightest",
-    "lying_end",
-    "rounding_of_V",
-    "to_touchdown",
-    "upper_part",
-]
-
 CLEARANCE = 1e-12
 """How far below the bed, as a part of the length, a hanging line may seem to pass by rounding."""
 
@@ -53,19 +41,9 @@ EXACT = 2.0**-52
 
 
 def upper_part(H: float, problem: LineProblem) -> Part:
-    """Find the part that hangs from the fairlead.
+    """Find the part that hangs from the fairlead; H is 0 for a line that hangs straight down.
 
-    Parameters
-    ----------
-    H : float
-        Horizontal force at the fairlead, N; 0 for a line that hangs straight down.
-    problem : LineProblem
-        The line and where it is moored.
-
-    Returns
-    -------
-    Part
-        NO_PART when the search stopped short.
+    NO_PART when the search stopped short.
     """
     pieces, height = problem.pieces, problem.fairlead_height
     tolerance = CLEARANCE * total_length(pieces)
@@ -160,23 +138,9 @@ def hung_from_lightest(part: Part, rise: float, pieces: Pieces) -> Part:
 
 
 def hung_between(start: Part, stride: float, rise: float, pieces: Pieces) -> Part:
-    """Find the vertical force with which a part between two fixed ends rises by `rise`.
+    """Find the vertical force with which a part between two fixed ends rises by `rise` (m).
 
-    Parameters
-    ----------
-    start : Part
-        The part, with the force to begin with.
-    stride : float
-        First step away from that force, N.
-    rise : float
-        Height of the upper end above the lower one, m.
-    pieces : Pieces
-        The line.
-
-    Returns
-    -------
-    Part
-        With the best force found; NO_PART when the strides do not enclose one.
+    The search goes from the part's own force in strides (N); NO_PART when they do not enclose one.
     """
     scale = max(total_length(pieces), abs(rise))
     low, high, f_low, f_high = -math.inf, math.inf, -math.inf, math.inf
@@ -236,10 +200,7 @@ def _with_loose_pieces(part: Part, rise: float, pieces: Pieces) -> Part:
 def _inclined(part: Part, rise: float, pieces: Pieces) -> Part:
     """Incline the loose pieces of a part that hangs straight, so that it rises by `rise`.
 
-    Returns
-    -------
-    Part
-        NO_PART when they are too short for it.
+    NO_PART when they are too short for it.
     """
     flat = part_reach(part, pieces).z
     steep = part_reach(with_slope(part, 1.0), pieces).z
@@ -253,23 +214,9 @@ def _inclined(part: Part, rise: float, pieces: Pieces) -> Part:
 
 
 def to_touchdown(start: Part, height: float, pieces: Pieces, code: int) -> Part:
-    """Hang a part from a given upper end down to one place of touchdown.
+    """Hang a part from its upper end, `height` above the bed, down to one place of touchdown.
 
-    Parameters
-    ----------
-    start : Part
-        With the upper end and the horizontal force.
-    height : float
-        Of the upper end above the bed, m.
-    pieces : Pieces
-        The line.
-    code : int
-        Of the touchdown, as in Part.
-
-    Returns
-    -------
-    Part
-        NO_PART if it cannot touch down there.
+    NO_PART if it cannot touch down there.
     """
     k = code // 2
     most = pieces.load[k] if code % 2 == 1 else pieces.length[k]

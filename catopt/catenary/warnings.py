@@ -8,8 +8,6 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.surface import check_buoys
 from catopt.words import Measure, Message
 
-__all__ = ["above_water", "other_tensions", "plausibility", "slides"]
-
 OPEN_FORCE = 1e-6
 """Beyond this part of the tension the rounding of the input shows in the digits printed."""
 
@@ -29,13 +27,7 @@ def plausibility(solution: Solution) -> tuple[Message, ...]:
 
 
 def above_water(solution: Solution, water_depth: float) -> tuple[Message, ...]:
-    """Warn when the line rises above both the water and its fairlead; refuse a buoy above it.
-
-    Raises
-    ------
-    FloatsUpError
-        As for `check_buoys`.
-    """
+    """Warn when the line rises above both the water and its fairlead; refuse a buoy above it."""
     heights = (state.z for state in solution.point_loads)
     check_buoys(solution.line, heights, water_depth)
     # Only a buoyant part can rise above both of its ends.
@@ -49,15 +41,7 @@ def above_water(solution: Solution, water_depth: float) -> tuple[Message, ...]:
 
 
 def other_tensions(solution: Solution, forces: Sequence[float]) -> tuple[Message, ...]:
-    """Warn of smaller horizontal forces with the same fairlead tension.
-
-    Parameters
-    ----------
-    solution : Solution
-        For a known fairlead tension.
-    forces : sequence of float
-        The others, N.
-    """
+    """Warn of smaller horizontal forces with the same fairlead tension."""
     if not forces:
         return ()
     others = ", ".join(f"{force:.6g} N" for force in forces)
@@ -65,15 +49,7 @@ def other_tensions(solution: Solution, forces: Sequence[float]) -> tuple[Message
 
 
 def slides(solution: Solution, span: float) -> tuple[Message, ...]:
-    """Warn that a line held at its span would slide to another one under a held force.
-
-    Parameters
-    ----------
-    solution : Solution
-        Of a line that seabed friction lets slide.
-    span : float
-        Where it comes to rest under the same horizontal force, m.
-    """
+    """Warn that a line held at its span would slide to another one (m) under a held force."""
     return (Message("catenary.slides", friction=solution.seabed_friction, span=span),)
 
 

@@ -13,14 +13,11 @@ from catopt.design.hypervolume import hypervolume, reference_point
 from catopt.design.knee import Knee, knee
 from catopt.design.neighbours import neighbours
 from catopt.design.outcome import Outcome
-from catopt.design.points import design_point
-from catopt.design.present import present_line
+from catopt.design.points import design_point, present_line
 from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import NotConvergedError
 from catopt.words import Listed, Message
-
-__all__ = ["Found", "answer"]
 
 
 class Found(NamedTuple):
@@ -34,32 +31,17 @@ class Found(NamedTuple):
         ``"enumeration"``, ``"nsga2"`` or ``"swarm"``.
     seconds : float
         That it took.
-    unsolved : int
-        Lines that did not converge.
     """
 
     outcome: Outcome
     method: str
     seconds: float
-    unsolved: int = 0
 
 
 def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
     """Check every design of the front once more, in plain closed form, and choose one.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    found : Found
-        With one design on the front or more.
-    seed : int
-        Of the search.
-
-    Raises
-    ------
-    NotConvergedError
-        The closed form confirms no design of the front.
+    The front has one design or more. NotConvergedError: the closed form confirms none of them.
     """
     outcome = found.outcome
     front = _confirmed(problem, outcome.genes)
@@ -138,8 +120,8 @@ def _of_search(problem: DesignProblem, found: Found, confirmed: int) -> list[Mes
     if found.outcome.interrupted:
         done = found.outcome.evaluations
         told.append(Message("design.interrupted", done=done, count=problem.space.count))
-    if found.unsolved:
-        told.append(Message("design.unsolved", count=found.unsolved))
+    if found.outcome.unsolved:
+        told.append(Message("design.unsolved", count=found.outcome.unsolved))
     left_out = len(found.outcome.genes) - confirmed
     if left_out:
         told.append(Message("design.not_confirmed", count=left_out))

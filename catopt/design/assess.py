@@ -11,6 +11,7 @@ from typing import Any, Final, NamedTuple
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, split
+from catopt.catenary.runs import Runs, runs_of
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, State
 from catopt.checks.criteria import Limits
 from catopt.checks.excess import (
@@ -27,10 +28,7 @@ from catopt.checks.excess import (
 from catopt.compiled import inlined
 from catopt.design.space import AT_END
 from catopt.design.tables import Room, Tables
-from catopt.design.tensions import segment_tensions
 from catopt.model.anchor import sinker_needed
-
-__all__ = ["COST", "EXCURSION", "MASS", "NO_DESIGN", "NO_EQUILIBRIUM", "OFFSET", "assess"]
 
 MASS: Final = 0
 OFFSET: Final = 1
@@ -199,14 +197,9 @@ def _take_segments(genes: Any, tables: Tables, room: Room) -> int:
 
 @inlined
 def _take_weights(genes: Any, tables: Tables, room: Room, segments: int) -> tuple[int, float]:
-    """Put the clump weights that are there into the work space, by rising position.
+    """Put the clump weights that are there into the work space, by rising position; count them.
 
-    Returns
-    -------
-    count : int
-        How many there are.
-    beyond : float
-        By how much one hangs beyond the line, as a part of its length; 0 when none does.
+    With by how much one hangs beyond the line, as a part of its length; 0 when none does.
     """
     total = 0.0
     for s in range(segments):
@@ -322,3 +315,27 @@ def _rounded(value: float, step: float) -> float:
     if math.isnan(value):
         return value
     return float(math.floor(value / step + 0.5)) * step
+
+
+def segment_tensions(
+    state: State, problem: LineProblem, runs: Runs, owner: Any, segments: int, largest: Any
+) -> None:
+    """Write the largest tension of each segment (N) to `largest`, with the runs as work space.
+
+    Tension is convex along a uniform run: it is largest at one of the ends.
+    """
+    for segment in range(segments):
+        largest[segment] = 0.0
+    for row in range(runs_of(state, problem, runs)):
+        length = runs.length[row]
+        if length > 0.0:
+            k = runs.piece[row]
+            H = runs.H[row]
+            V = runs.V[row]
+            upper = V + problem.pieces.weight[k] * length
+            H_upper = H + runs.friction[row] * length
+            if runs.on_bed[row] == 1:
+                V = upper = 0.0
+            tension = max(math.sqrt(H * H + V * V), math.sqrt(H_upper * H_upper + upper * upper))
+            segment = owner[k]
+            largest[segment] = max(largest[segment], tension)

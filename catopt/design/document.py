@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
     from catopt.model import Anchor, PointLoad, Segment
 
-__all__ = ["design_document"]
-
 
 def design_document(result: DesignResult) -> dict[str, Any]:
     """Build the document that ``catopt design --json`` prints."""

@@ -11,19 +11,9 @@ from catopt.design.result import DesignPoint, Neighbour
 from catopt.ties import first_largest
 from catopt.words import Listed, Message, Several
 
-__all__ = ["end_of_front", "ends"]
-
 
 def ends(problem: DesignProblem, front: Sequence[DesignPoint]) -> tuple[Message, ...]:
-    """Say for each objective what keeps it from being smaller than at its end of the front.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    front : sequence of DesignPoint
-        At least one.
-    """
+    """Say for each objective what keeps it from being smaller than at its end of the front."""
     told = []
     for name in problem.names:
         key = OBJECTIVE_KEYS[name]
@@ -36,17 +26,7 @@ def ends(problem: DesignProblem, front: Sequence[DesignPoint]) -> tuple[Message,
 
 
 def end_of_front(problem: DesignProblem, point: DesignPoint, objective: str) -> Message:
-    """Say what the steps to a smaller value of an objective run into.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    point : DesignPoint
-        The end of the front.
-    objective : str
-        Which one is smallest there.
-    """
+    """Say what the steps to a smaller value of an objective run into."""
     key = OBJECTIVE_KEYS[objective]
     here = point.objectives[key]
     around = [(step, neighbour(problem, step)) for step in steps(problem.space, point.genes)]

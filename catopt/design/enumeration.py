@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
-from catopt.checks.excess import ROUNDING
 from catopt.design.evaluation import DesignProblem
-from catopt.design.front import empty_front, merge
-from catopt.design.outcome import Outcome, Progress
-
-__all__ = ["Enumerated", "Estimate", "enumerate_designs", "estimate"]
+from catopt.design.outcome import Outcome, Progress, Tally
 
 CHUNK = 50_000
 """Designs evaluated at once: some ten MB, and a fraction of a second between two signs of life."""
@@ -49,30 +44,10 @@ class Estimate(NamedTuple):
         return max(min(CHUNK, int(0.2 * self.designs / max(self.seconds, 1e-9))), SAMPLES[0])
 
 
-class Enumerated(NamedTuple):
-    """The outcome of an enumeration.
-
-    Attributes
-    ----------
-    outcome : Outcome
-        The front; `closest` and `least_excess` only where no design is feasible.
-    unsolved : int
-        How many lines did not converge.
-    """
-
-    outcome: Outcome
-    unsolved: int
-
-
 def estimate(problem: DesignProblem, *, workers: int = 1) -> Estimate:
     """Estimate the time from designs that are spread over the whole space.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space. The first call in a process waits for the compiled loop, which does not count.
-    workers : int
-        Threads that the evaluation will have.
+    The first call in a process waits for the compiled loop, which does not count.
     """
     designs = problem.space.count
     problem.assess(problem.space.genes_between(0, 1), stops_early=True, of=designs)
@@ -94,94 +69,44 @@ def enumerate_designs(
     progress: Progress | None = None,
     chunk: int = CHUNK,
     workers: int = 1,
-) -> Enumerated:
-    """Evaluate every design and keep the front.
+) -> Outcome:
+    """Evaluate every design, `chunk` of them at once, and keep the front.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    progress : callable, optional
-        Called after every chunk with the designs evaluated and those that there are.
-    chunk : int
-        Designs evaluated at once.
-    workers : int
-        Threads; they change nothing in the answer.
-
-    Returns
-    -------
-    Enumerated
-        Ctrl-C ends it early, with the front of the designs evaluated until then.
+    Threads change nothing in the answer. Ctrl-C ends it early, with the front of the designs
+    evaluated until then.
     """
-    pass_ = _Pass(problem, progress, workers)
+    pass_, evaluated = _Pass(problem, progress, workers), 0
     try:
         for first, end in _chunks(problem.space.count, chunk):
             pass_.take(first, end, stops_early=True)
         if pass_.feasible == 0:
             # Only now is it worth knowing by how much each design fails.
-            pass_ = _Pass(problem, progress, workers, evaluated=pass_.evaluations)
+            pass_, evaluated = _Pass(problem, progress, workers), pass_.evaluations
             for first, end in _chunks(problem.space.count, chunk):
                 pass_.take(first, end, stops_early=False)
     except KeyboardInterrupt:
-        return pass_.enumerated(interrupted=True)
-    return pass_.enumerated(interrupted=False)
+        return pass_.outcome(interrupted=True, evaluated=evaluated)
+    return pass_.outcome(interrupted=False, evaluated=evaluated)
 
 
-class _Pass:
-    """One pass over the space, and what it has found so far.
+class _Pass(Tally):
+    """One pass over the space, and what it has found so far."""
 
-    `evaluated` says how many designs an earlier pass has evaluated, which are no more for it.
-    """
-
-    def __init__(
-        self,
-        problem: DesignProblem,
-        progress: Progress | None,
-        workers: int,
-        *,
-        evaluated: int = 0,
-    ) -> None:
+    def __init__(self, problem: DesignProblem, progress: Progress | None, workers: int) -> None:
+        super().__init__(problem)
         self.problem = problem
-        self.front = empty_front(len(problem.sizes), problem.objectives)
-        self.evaluations = 0
-        self.feasible = 0
-        self.unsolved = 0
-        self.closest: tuple[int, ...] | None = None
-        self.least_excess = math.inf
         self._progress = progress
         self._workers = workers
-        self._evaluated = evaluated
 
     def take(self, first: int, end: int, *, stops_early: bool) -> None:
         """Evaluate the designs number `first` to `end` (not included)."""
         genes = self.problem.space.genes_between(first, end)
         assessed = self.problem.assess(genes, stops_early=stops_early, workers=self._workers)
-        is_feasible = assessed.excess <= ROUNDING
-        objectives = assessed.objectives[is_feasible][:, self.problem.columns]
-        front = merge(self.front, genes[is_feasible], objectives)
-        least = int(np.argmax(assessed.excess <= assessed.excess.min() + ROUNDING))
-        if not stops_early and assessed.excess[least] < self.least_excess - ROUNDING:
-            self.closest = tuple(genes[least].tolist())
-            self.least_excess = float(assessed.excess[least])
-        self.front = front
-        self.evaluations += end - first
-        self.feasible += int(is_feasible.sum())
+        objectives = assessed.objectives[:, self.problem.columns]
+        self.count(genes, objectives, assessed.excess, is_whole=not stops_early)
         self.unsolved += assessed.unsolved
         if self._progress is not None:
             self._progress(self.evaluations, self.problem.space.count)
-
-    def enumerated(self, *, interrupted: bool) -> Enumerated:
-        """Sum up."""
-        outcome = Outcome(
-            genes=self.front.genes,
-            objectives=self.front.objectives,
-            evaluations=max(self.evaluations, self._evaluated),
-            feasible=self.feasible,
-            interrupted=interrupted,
-            closest=self.closest,
-            least_excess=self.least_excess,
-        )
-        return Enumerated(outcome, self.unsolved)
 
 
 def _chunks(count: int, size: int) -> Iterator[tuple[int, int]]:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from catopt.catenary.batch import in_ranges
 from catopt.checks.case import LOAD
 from catopt.checks.criteria import criteria_of
 from catopt.checks.remarks import NO_CHECK
@@ -24,8 +22,6 @@ from catopt.design.tables import Tables, room, tables_of
 from catopt.model import Anchor, Case, LoadCase
 from catopt.model.validity import Findings
 from catopt.words import Message
-
-__all__ = ["OBJECTIVE_KEYS", "Assessed", "DesignProblem", "load_cases_of", "objective_words"]
 
 OBJECTIVE_KEYS: Final = {
     "mass": "mass_kg",
@@ -106,11 +102,8 @@ class DesignProblem:
     def of(cls, case: Case) -> DesignProblem:
         """Make the problem of a case; what the case seeks of its own line is left alone.
 
-        Raises
-        ------
-        InputError
-            The case has no design or no known horizontal force, or lacks what its objectives or
-            checks need; all that can be told at once.
+        InputError: the case has no design or no known horizontal force, or lacks what its
+        objectives or checks need; all that can be told at once.
         """
         states = load_cases_of(case)
         case = replace(case, find=None)
@@ -118,12 +111,12 @@ class DesignProblem:
         checked = with_a_sinker(case)
         key = "anchor" if case.design.sinker is None else "design.sinker"
         criteria = criteria_of(checked, anchor_key=key)
-        options = resolve(case, criteria, {state.kind for state in states})
-        tables = tables_of(checked, states, options.space, criteria, case.design.sinker)
-        warnings = (*options.warnings, *criteria.warnings)
+        space, remarks = resolve(case, criteria, {state.kind for state in states})
+        tables = tables_of(checked, states, space, criteria, case.design.sinker)
+        warnings = (*remarks, *criteria.warnings)
         if not criteria.all:
             warnings = (*warnings, Message(NO_CHECK))
-        return cls(case, states, options.space, tables, warnings)
+        return cls(case, states, space, tables, warnings)
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -171,19 +164,11 @@ class DesignProblem:
     def assess(
         self, genes: Genes, *, stops_early: bool = False, workers: int = 1, of: int = 0
     ) -> Assessed:
-        """Solve and check many designs.
+        """Solve and check many designs, of shape (n, genes).
 
-        Parameters
-        ----------
-        genes : ndarray of int, shape (n, genes)
-            Designs.
-        stops_early : bool
-            Whether to leave a design at its first failed check: then its objectives are nan, and
-            its excess is above ROUNDING but not the largest. What is feasible stays the same.
-        workers : int
-            Threads; they change nothing in the answer.
-        of : int
-            Designs that will be assessed in all, where that is known.
+        Of so many in all, where that is known, with `of`. Where a design is left at its first
+        failed check, its objectives are nan, and its excess is above ROUNDING but not the largest.
+        What is feasible stays the same, and with any number of threads.
         """
         genes = np.ascontiguousarray(genes, dtype=np.int64)
         count = len(genes)
@@ -193,14 +178,13 @@ class DesignProblem:
         loop = compiled(assess, _A_PIECE * len(self.space.variables) * lines)
 
         def run(first: int, end: int) -> int:
-            unsolved = np.zeros(1, dtype=np.int64)
+            left = np.zeros(1, dtype=np.int64)
             tables, space = self.tables, room(self.tables)
-            loop(
-                genes, tables, space, stops_early, first, end, objectives, excess, sinkers, unsolved
-            )
-            return int(unsolved[0])
+            loop(genes, tables, space, stops_early, first, end, objectives, excess, sinkers, left)
+            return int(left[0])
 
-        return Assessed(objectives, excess, sinkers, _shared(run, count, workers))
+        unsolved = sum(in_ranges(run, 0, count, workers, LEAST_SHARE))
+        return Assessed(objectives, excess, sinkers, unsolved)
 
     def anchor(self, genes: tuple[int, ...]) -> Anchor | None:
         """Return the anchor of a design: the sinker chosen for it, or that of the case."""
@@ -214,10 +198,7 @@ class DesignProblem:
 def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
     """List the load cases of a case with a design: its own, or its load as the only one.
 
-    Raises
-    ------
-    InputError
-        There is no design, no known horizontal force, or no reference for an excursion.
+    InputError: no design, no known horizontal force, or no reference for an excursion.
     """
     found = Findings("design")
     if case.design is None:
@@ -236,13 +217,3 @@ def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
         return case.load_cases
     assert force is not None
     return (LoadCase(LOAD, force),)
-
-
-def _shared(run: Callable[[int, int], int], count: int, workers: int) -> int:
-    """Run ranges of designs on several threads; the compiled loop lets go of the interpreter."""
-    if workers <= 1 or count < LEAST_SHARE * workers:
-        return run(0, count)
-    step = math.ceil(count / workers)
-    ranges = [(first, min(first + step, count)) for first in range(0, count, step)]
-    with ThreadPoolExecutor(workers) as pool:
-        return sum(pool.map(lambda each: run(*each), ranges))

@@ -7,42 +7,20 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from catopt.checks.excess import ROUNDING
-from catopt.design.front import empty_front, merge
-from catopt.design.outcome import Outcome, Progress
+from catopt.design.outcome import Outcome, Progress, Tally
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
-
-__all__ = ["BudgetSpentError", "EvaluationArchive", "explore"]
 
 
 class BudgetSpentError(Exception):
     """The search has evaluated as many designs as it may. It never leaves `explore`."""
 
 
-class EvaluationArchive:
-    """What one search knows of a design space.
-
-    Attributes
-    ----------
-    problem : Problem
-        The space.
-    front : Front
-        Of all feasible designs evaluated so far.
-    evaluations, feasible : int
-        Designs evaluated, and those of them that pass every check.
-    closest : ndarray of int, shape (1, genes)
-        The design of the least excess so far; shape (0, genes) as long as there is none.
-    least_excess : float
-        Its excess.
-    """
+class EvaluationArchive(Tally):
+    """What one search knows of a design space, which is `problem`."""
 
     def __init__(self, problem: Problem, budget: int, progress: Progress | None = None) -> None:
+        super().__init__(problem)
         self.problem = problem
-        self.front = empty_front(len(problem.sizes), problem.objectives)
-        self.evaluations = 0
-        self.feasible = 0
-        self.closest: Genes = self.front.genes
-        self.least_excess = float("inf")
         self._budget = budget
         self._progress = progress
         self._row: dict[bytes, int] = {}
@@ -62,10 +40,7 @@ class EvaluationArchive:
     def evaluate(self, genes: Genes) -> Evaluated:
         """Evaluate those of the canonical designs that are not known yet; return all.
 
-        Raises
-        ------
-        BudgetSpentError
-            After the designs for which the budget was enough.
+        BudgetSpentError after the designs for which the budget was enough.
         """
         keys = [each.tobytes() for each in genes]
         new = {key: k for k, key in enumerate(keys) if key not in self._row}
@@ -78,19 +53,6 @@ class EvaluationArchive:
         rows = [self._row[key] for key in keys]
         return Evaluated(self._objectives[rows], self._excess[rows])
 
-    def outcome(self, *, interrupted: bool) -> Outcome:
-        """Sum up."""
-        closest = tuple(self.closest[0].tolist()) if len(self.closest) else None
-        return Outcome(
-            genes=self.front.genes,
-            objectives=self.front.objectives,
-            evaluations=self.evaluations,
-            feasible=self.feasible,
-            interrupted=interrupted,
-            closest=closest,
-            least_excess=self.least_excess,
-        )
-
     def _record(self, genes: Genes) -> None:
         """Evaluate designs of which none is known."""
         objectives, excess = self.problem.evaluate(genes)
@@ -101,13 +63,7 @@ class EvaluationArchive:
         self._objectives[first:last] = objectives
         self._excess[first:last] = excess
         self._row.update((each.tobytes(), first + k) for k, each in enumerate(genes))
-        self.evaluations = last
-        is_feasible = excess <= ROUNDING
-        self.feasible += int(is_feasible.sum())
-        self.front = merge(self.front, genes[is_feasible], objectives[is_feasible])
-        least = int(np.argmax(excess <= excess.min() + ROUNDING))
-        if excess[least] < self.least_excess - ROUNDING:
-            self.closest, self.least_excess = genes[[least]], float(excess[least])
+        self.count(genes, objectives, excess)
         if self._progress is not None:
             self._progress(last, self._budget)
 
@@ -128,16 +84,7 @@ def explore(
 ) -> Outcome:
     """Let a search run until it ends, its budget is spent or the user stops it (Ctrl-C).
 
-    Parameters
-    ----------
-    problem : Problem
-        The design space.
-    evaluations : int
-        Most designs to evaluate.
-    progress : callable or None
-        Called after every batch.
-    search : callable
-        Evaluates designs through what it is given, which remembers the best of them.
+    It evaluates designs through what it is given, which remembers the best of them.
     """
     archive = EvaluationArchive(problem, evaluations, progress)
     try:

@@ -14,8 +14,6 @@ from numpy.typing import NDArray
 from catopt.compiled import compiled
 from catopt.design.problem import Floats, Genes
 
-__all__ = ["Front", "Indices", "empty_front", "merge", "non_dominated"]
-
 Indices = NDArray[np.int64]
 
 _A_ROW = 4e-6
@@ -43,21 +41,10 @@ def empty_front(genes: int, objectives: int) -> Front:
 
 
 def merge(front: Front, genes: Genes, objectives: Floats) -> Front:
-    """Merge more designs into a front; of two that are equal in all objectives the front's stays.
+    """Merge more feasible designs into a front.
 
-    Parameters
-    ----------
-    front : Front
-        Of the designs seen so far; `empty_front` at first.
-    genes : ndarray of int, shape (n, genes)
-        Feasible designs.
-    objectives : ndarray, shape (n, objectives)
-        What they are worth; a row that is not finite is left out.
-
-    Returns
-    -------
-    Front
-        Designs given in many batches end in the front of all of them together.
+    Of two that are equal in all objectives the front's stays. A row of objectives that is not
+    finite is left out. Designs given in many batches end in the front of all of them together.
     """
     best = non_dominated(objectives)
     genes = np.concatenate((front.genes, genes[best]))
@@ -67,24 +54,13 @@ def merge(front: Front, genes: Genes, objectives: Floats) -> Front:
 
 
 def non_dominated(objectives: Floats) -> Indices:
-    """Find the rows that no other row beats.
+    """Find the rows of two or three objectives, made small, that no other row beats.
 
-    Parameters
-    ----------
-    objectives : ndarray, shape (n, 2) or (n, 3)
-        To be made small. Rows that are not finite are left out.
-
-    Returns
-    -------
-    ndarray of int
-        By rising first, then second objective. Of equal rows the first alone.
-
-    Notes
-    -----
-    In the order of the sorted rows only an earlier row can beat a later one. With two objectives
-    the running minimum of the second says whether one does. With three, those kept so far form a
-    staircase in the second and third, on which a row's place is found by bisection (H. T. Kung,
-    F. Luccio and F. P. Preparata, Journal of the ACM 22 (1975) 469).
+    By rising first, then second objective. Of equal rows the first alone, and none that is not
+    finite. In the order of the sorted rows only an earlier row can beat a later one. With two
+    objectives the running minimum of the second says whether one does. With three, those kept so
+    far form a staircase in the second and third, on which a row's place is found by bisection (H.
+    T. Kung, F. Luccio and F. P. Preparata, Journal of the ACM 22 (1975) 469).
     """
     finite = np.flatnonzero(np.isfinite(objectives).all(axis=1))
     rows = objectives[finite]
@@ -137,3 +113,21 @@ def _best_of_three(rows: Floats) -> NDArray[np.bool_]:
         steps += shift
         steps_y[first], steps_z[first] = y, z
     return is_best
+
+
+def crowding_distance(objectives: Floats) -> Floats:
+    """Distance between the two neighbours of each design of a front, summed over the objectives.
+
+    From shape (n, objectives), shape (n,). Each objective counts as a share of its range on the
+    front. The ends of an objective are infinitely lonely (K. Deb et al., IEEE Trans. Evol. Comp. 6
+    (2002) 182, III B).
+    """
+    distance = np.zeros(len(objectives))
+    for values in objectives.T:
+        order = np.argsort(values, kind="stable")
+        ordered = values[order]
+        gaps = np.full(len(values), np.inf)
+        gaps[1:-1] = ordered[2:] - ordered[:-2]
+        length = np.ptp(values) if len(values) else 0.0
+        distance[order] += gaps / (length if length > 0.0 else 1.0)
+    return distance

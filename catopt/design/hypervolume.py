@@ -11,8 +11,6 @@ import numpy as np
 from catopt.compiled import compiled
 from catopt.design.problem import Floats
 
-__all__ = ["hypervolume", "reference_point"]
-
 MARGIN = 0.1
 """How far beyond the front the reference point lies, as a share of the front's range: far enough
 for the ends to count, near enough for them not to outweigh the rest (usual practice)."""
@@ -24,15 +22,7 @@ _A_PAIR = 1e-7
 def reference_point(front: Floats) -> Floats:
     """Worst corner to measure fronts from, given the best front that is known.
 
-    Parameters
-    ----------
-    front : ndarray, shape (n, objectives)
-        At least one design.
-
-    Returns
-    -------
-    ndarray, shape (objectives,)
-        The worst of each objective and a tenth of its range more; of its value where all are equal.
+    The worst of each objective and a tenth of its range more; of its value where all are equal.
     """
     worst = front.max(axis=0)
     length = np.ptp(front, axis=0)
@@ -41,19 +31,9 @@ def reference_point(front: Floats) -> Floats:
 
 
 def hypervolume(objectives: Floats, reference: Floats) -> float:
-    """Area or volume that designs beat, up to the reference point; exact.
+    """Area or volume that designs beat, up to the reference point; exact, in the objectives' units.
 
-    Parameters
-    ----------
-    objectives : ndarray, shape (n, 2) or (n, 3)
-        Of any designs, not only of a front; those beyond the reference point add nothing.
-    reference : ndarray, shape (2,) or (3,)
-        The worst corner.
-
-    Returns
-    -------
-    float
-        In the units of the objectives multiplied.
+    Of any designs, not only of a front; those beyond the reference point add nothing.
     """
     inside = objectives[(objectives < reference).all(axis=1)]
     rows = inside[np.lexsort(inside.T[::-1])]

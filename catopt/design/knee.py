@@ -17,8 +17,6 @@ import numpy as np
 
 from catopt.design.problem import Floats
 
-__all__ = ["Knee", "knee"]
-
 
 @dataclass(frozen=True)
 class Knee:
@@ -41,18 +39,10 @@ class Knee:
 
 
 def knee(objectives: Floats) -> Knee:
-    """Find the knee.
+    """Find the knee of a front, of shape (n, objectives).
 
-    Parameters
-    ----------
-    objectives : ndarray, shape (n, objectives)
-        A front of at least one design. Of one or two designs, and where no design lies below the
-        chord, the recommended one is the end with the best first objective.
-
-    Raises
-    ------
-    ValueError
-        The front is empty.
+    Of one or two designs, and where no design lies below the chord, the recommended one is the end
+    with the best first objective. ValueError: the front is empty.
     """
     if not len(objectives):
         raise ValueError("an empty front has no knee")

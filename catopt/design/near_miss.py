@@ -13,8 +13,6 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Line
 from catopt.words import Measure, Message, Sentence, Several
 
-__all__ = ["NoFeasibleDesignError", "near_miss", "no_feasible_design"]
-
 
 class NoFeasibleDesignError(NoAnswerError):
     """No design that was evaluated passes every check.
@@ -38,17 +36,7 @@ class NoFeasibleDesignError(NoAnswerError):
 def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDesignError:
     """Put a search that found nothing into words.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    outcome : Outcome
-        Without any design on its front.
-
-    Raises
-    ------
-    InputError
-        Every design that was evaluated has a clump weight beyond the line.
+    InputError: every design that was evaluated has a clump weight beyond the line.
     """
     designs = problem.space.count
     head = Message("design.none_passes", count=designs)

@@ -13,8 +13,6 @@ from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Segment
 from catopt.words import Message
 
-__all__ = ["Step", "neighbour", "neighbours", "steps"]
-
 Design = tuple[int, ...]
 
 
@@ -40,15 +38,7 @@ class Step(NamedTuple):
 
 
 def neighbours(problem: DesignProblem, genes: Design) -> tuple[Neighbour, ...]:
-    """Check every design that is one step of one variable away.
-
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    genes : tuple of int
-        The design, in canonical form.
-    """
+    """Check every design that is one step of one variable away."""
     return tuple(neighbour(problem, step) for step in steps(problem.space, genes))
 
 

@@ -27,8 +27,6 @@ from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Genes, Problem
 from catopt.design.steps import alternate, scattered
 
-__all__ = ["nsga2"]
-
 CROSSOVER_PROBABILITY = 0.9
 SPREAD = 3.0
 """Distribution index of crossover and mutation, the usual one for whole numbers: at the 15 to 20
@@ -50,24 +48,9 @@ def nsga2(
 ) -> Outcome:
     """Search a design space by NSGA-II, with rounds of local improvement of the front.
 
-    Parameters
-    ----------
-    problem : Problem
-        The design space.
-    evaluations : int
-        Most designs to evaluate; each counts once. The search ends earlier where it finds no
-        new ones.
-    population : int
-        Designs of a generation.
-    seed : int
-        Of the random numbers: the same seed gives the same front.
-    progress : callable, optional
-        Called after every batch with the designs evaluated and `evaluations`.
-
-    Returns
-    -------
-    Outcome
-        Of Ctrl-C, the front so far.
+    Each of the evaluations counts once, and the search ends earlier where it finds no new designs.
+    The same seed gives the same front. `progress` is called after every batch with the designs
+    evaluated and `evaluations`. Ctrl-C gives the front so far.
     """
     generator = np.random.default_rng(seed)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from catopt.catalogue import Catalogue, Component
@@ -20,47 +20,16 @@ from catopt.model.load_case import LoadCaseKind
 from catopt.model.validity import Findings
 from catopt.words import Listed, Message
 
-__all__ = ["Options", "resolve"]
 
-
-@dataclass(frozen=True)
-class Options:
-    """What a design may be made of.
-
-    Attributes
-    ----------
-    space : DesignSpace
-        All designs.
-    warnings : tuple of str
-        Figures that were read in no document, and stiffnesses that are not known.
-    """
-
-    space: DesignSpace
-    warnings: tuple[str, ...]
-
-
-def resolve(case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]) -> Options:
+def resolve(
+    case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]
+) -> tuple[DesignSpace, tuple[str, ...]]:
     """Look up what each segment and clump weight of a case's design may be.
 
-    Parameters
-    ----------
-    case : Case
-        With a design.
-    criteria : Criteria
-        What has to be kept.
-    kinds : collection of {"extreme", "reference"}
-        Kinds of load case that there are.
-
-    Returns
-    -------
-    Options
-        Components in the order of the case, each in rising size.
-
-    Raises
-    ------
-    InputError
-        With every problem: no such component, nothing sold within the bounds, a clump weight that
-        floats, a figure that an objective or a check needs and the catalogue does not have.
+    The space of all designs, components in the order of the case and each in rising size, and the
+    warnings: figures that were read in no document, stiffnesses that are not known. InputError with
+    every problem: no such component, nothing sold within the bounds, a clump weight that floats, a
+    figure that an objective or a check needs and the catalogue does not have.
     """
     assert case.design is not None
     found = Findings("design")
@@ -87,7 +56,7 @@ def resolve(case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]) -> 
         for index, choice in enumerate(case.design.clump_weights)
     ]
     found.raise_if_any()
-    return Options(DesignSpace(tuple(variables), tuple(weights)), tuple(dict.fromkeys(warnings)))
+    return DesignSpace(tuple(variables), tuple(weights)), tuple(dict.fromkeys(warnings))
 
 
 def _components(

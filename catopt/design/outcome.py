@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from catopt.design.problem import Floats, Genes
+import numpy as np
 
-__all__ = ["Outcome", "Progress"]
+from catopt.checks.excess import ROUNDING
+from catopt.design.front import empty_front, merge
+from catopt.design.problem import Floats, Genes, Problem
 
 Progress = Callable[[int, int], None]
 """Called with the designs evaluated so far and those that may be at most."""
@@ -35,6 +37,8 @@ class Outcome:
         feasible; None where none was evaluated.
     least_excess : float
         Its excess; infinite where there is none.
+    unsolved : int
+        Lines that did not converge, of an enumeration.
     """
 
     genes: Genes
@@ -44,3 +48,57 @@ class Outcome:
     interrupted: bool
     closest: tuple[int, ...] | None
     least_excess: float
+    unsolved: int = 0
+
+
+class Tally:
+    """What is kept of the designs evaluated so far.
+
+    Attributes
+    ----------
+    front : Front
+        Of all feasible ones.
+    evaluations, feasible : int
+        Designs evaluated, and those of them that pass every check.
+    closest : ndarray of int, shape (1, genes)
+        The design of the least excess; shape (0, genes) as long as there is none.
+    least_excess : float
+        Its excess.
+    unsolved : int
+        Lines that did not converge, as far as they are counted.
+    """
+
+    def __init__(self, problem: Problem) -> None:
+        self.front = empty_front(len(problem.sizes), problem.objectives)
+        self.evaluations = 0
+        self.feasible = 0
+        self.closest: Genes = self.front.genes
+        self.least_excess = float("inf")
+        self.unsolved = 0
+
+    def count(
+        self, genes: Genes, objectives: Floats, excess: Floats, *, is_whole: bool = True
+    ) -> None:
+        """Add designs; an excess that is not of all checks tells nothing of the closest design."""
+        is_feasible = excess <= ROUNDING
+        front = merge(self.front, genes[is_feasible], objectives[is_feasible])
+        least = int(np.argmax(excess <= excess.min() + ROUNDING))
+        # Nothing slow from here on: what Ctrl-C leaves belongs together.
+        self.front = front
+        self.evaluations += len(genes)
+        self.feasible += int(is_feasible.sum())
+        if is_whole and excess[least] < self.least_excess - ROUNDING:
+            self.closest, self.least_excess = genes[[least]], float(excess[least])
+
+    def outcome(self, *, interrupted: bool, evaluated: int = 0) -> Outcome:
+        """Sum up; `evaluated` says how many designs an earlier pass over them has evaluated."""
+        return Outcome(
+            genes=self.front.genes,
+            objectives=self.front.objectives,
+            evaluations=max(self.evaluations, evaluated),
+            feasible=self.feasible,
+            interrupted=interrupted,
+            closest=tuple(self.closest[0].tolist()) if len(self.closest) else None,
+            least_excess=self.least_excess,
+            unsolved=self.unsolved,
+        )

@@ -1,20 +1,20 @@
-"""One design in full: its line, its anchor and the very report that ``catopt check`` gives."""
+"""One design, or the line of the case, in full: anchor and the report of ``catopt check``."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import Final
 
 import numpy as np
 
 from catopt.checks.case import check_line
 from catopt.checks.result import CheckReport
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem
-from catopt.design.result import DesignPoint
+from catopt.design.result import DesignPoint, Neighbour
 from catopt.errors import CatoptError
 from catopt.model import Line
-
-__all__ = ["AGREEMENT", "design_point", "objectives_of"]
+from catopt.words import Message
 
 AGREEMENT = 1e-8
 """By how much the compiled loop and the closed form in plain Python may differ, relatively: both
@@ -24,19 +24,8 @@ end their roots at 1e-12 of the line's length or better."""
 def design_point(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
     """Build, solve and check one design in plain closed form.
 
-    Parameters
-    ----------
-    problem : DesignProblem
-        The space.
-    genes : tuple of int
-        The design.
-
-    Raises
-    ------
-    NoEquilibriumError
-        It has no equilibrium in one of the load cases.
-    CatoptError
-        The answer is not that of the compiled loop: a fault of ours, never passed over.
+    NoEquilibriumError: it has no equilibrium in one of the load cases. CatoptError: the answer is
+    not that of the compiled loop, a fault of ours, never passed over.
     """
     line = problem.space.line(genes)
     anchor = problem.anchor(genes)
@@ -101,3 +90,24 @@ def _compare(
                 f"design {genes}: the {name} of the search, {compiled_one!r}, is not that of the "
                 f"closed form, {plain!r}; please report this case"
             )
+
+
+PRESENT: Final = "design.present"
+"""Key of what the line is called."""
+
+
+def present_line(problem: DesignProblem) -> Neighbour:
+    """Check the line of the case by the same checks as the designs.
+
+    A sinker that the search chooses is not part of the present line. Its `point` is None, with the
+    reason, where the line has no equilibrium or a figure that a check needs is missing: that is no
+    error of the search.
+    """
+    line = problem.case.line
+    try:
+        checks = check_line(line, problem.case)
+    except CatoptError as error:
+        return Neighbour(Message(PRESENT), None, error.message)
+    objectives = objectives_of(problem, line, checks)
+    point = DesignPoint(line, problem.case.anchor, (), objectives, checks)
+    return Neighbour(Message(PRESENT), point)

@@ -7,8 +7,6 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Evaluated", "Floats", "Genes", "Problem"]
-
 Genes = NDArray[np.int64]
 """Designs as whole numbers, shape (n, genes); gene k counts from 0 to below ``sizes[k]``."""
 Floats = NDArray[np.float64]

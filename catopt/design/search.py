@@ -18,8 +18,6 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case, Design
 from catopt.model.design import SearchMethod
 
-__all__ = ["LARGE_SPACES", "design_case"]
-
 LARGE_SPACES: Final = "nsga2"
 """What "auto" takes where a space is too large to enumerate: the better of the two by
 benchmarks/search.py."""
@@ -101,11 +99,8 @@ def _search(
         size = estimate(problem, workers=workers)
         announce(f"enumeration of {size}")
         start = time.perf_counter()
-        enumerated = enumerate_designs(
-            problem, progress=progress, chunk=size.chunk, workers=workers
-        )
-        seconds = time.perf_counter() - start
-        return Found(enumerated.outcome, method, seconds, enumerated.unsolved)
+        outcome = enumerate_designs(problem, progress=progress, chunk=size.chunk, workers=workers)
+        return Found(outcome, method, time.perf_counter() - start)
     budget = design.evaluations
     announce(f"{method}: {budget:,} evaluations in a space of {designs:,} designs")
     if designs <= design.max_enumerated:

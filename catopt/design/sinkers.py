@@ -7,21 +7,9 @@ from dataclasses import replace
 from catopt.model import Anchor, Case, SinkerChoice
 from catopt.model.immersion import weight_in_water
 
-__all__ = ["sinker", "with_a_sinker"]
-
 
 def sinker(choice: SinkerChoice, index: int, water_density: float) -> Anchor:
-    """Make one of the sinkers.
-
-    Parameters
-    ----------
-    choice : SinkerChoice
-        All of them.
-    index : int
-        Which.
-    water_density : float
-        kg/m3.
-    """
+    """Make one of the sinkers."""
     mass = choice.masses[index]
     return Anchor(
         kind="sinker",

@@ -19,8 +19,6 @@ from catopt.design.problem import Genes
 from catopt.model import Line, PointLoad, Segment
 from catopt.words import Message
 
-__all__ = ["AT_END", "GENES_EACH", "ClumpWeightVariable", "DesignSpace", "SegmentVariable"]
-
 GENES_EACH = 2
 """Genes of a segment, and of a clump weight."""
 
@@ -141,13 +139,7 @@ class DesignSpace:
         return math.prod(variable.count for variable in self.variables)
 
     def canonical(self, genes: Genes) -> Genes:
-        """Set the second gene of each absent part to 0.
-
-        Parameters
-        ----------
-        genes : ndarray of int, shape (n, genes)
-            Left as they are.
-        """
+        """Set the second gene of each absent part to 0, in a copy."""
         result = np.array(genes, dtype=np.int64)
         for index, variable in enumerate(self.variables):
             if variable.is_optional:
@@ -191,13 +183,7 @@ class DesignSpace:
         return ""
 
     def line(self, genes: tuple[int, ...]) -> Line:
-        """Build the line of a design.
-
-        Raises
-        ------
-        InputError
-            The design has a flaw.
-        """
+        """Build the line of a design; InputError when it has a flaw."""
         segments = [
             variable.segment(genes[GENES_EACH * index], genes[GENES_EACH * index + 1])
             for index, variable in enumerate(self.segments)

@@ -6,11 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from catopt.design.crowding import crowding_distance
 from catopt.design.evaluation_archive import EvaluationArchive
+from catopt.design.front import crowding_distance
 from catopt.design.problem import Genes, Problem
-
-__all__ = ["alternate", "double_steps", "improve", "reached", "scattered", "single_steps"]
 
 ROAMING = 0.6
 """Share of what is left of the budget that a search roams with before it improves its front.
@@ -53,19 +51,7 @@ def double_steps(genes: int) -> Genes:
 def reached(problem: Problem, genes: Genes, steps: Genes) -> Genes:
     """Take every step from every design, without leaving the space.
 
-    Parameters
-    ----------
-    problem : Problem
-        The design space.
-    genes : ndarray of int, shape (n, genes)
-        Designs.
-    steps : ndarray of int, shape (m, genes)
-        To be added.
-
-    Returns
-    -------
-    ndarray of int, shape (at most n m, genes)
-        Canonical, in the order of the designs; some may be equal.
+    Canonical, in the order of the designs; some may be equal.
     """
     places = (genes[:, np.newaxis] + steps).reshape(-1, len(problem.sizes))
     is_inside = ((places >= 0) & (places < problem.sizes)).all(axis=1)
@@ -77,18 +63,8 @@ def improve(archive: EvaluationArchive, batch: int) -> None:
 
     First everything one step of one gene away, then one step each of two genes: along a front that
     is bound by a check, one thing has to give when another grows. While no design is feasible, the
-    design of the least excess is looked round instead.
-
-    Parameters
-    ----------
-    archive : EvaluationArchive
-        What a search knows.
-    batch : int
-        Designs evaluated at once, about.
-
-    Raises
-    ------
-    BudgetSpentError
+    design of the least excess is looked round instead. A batch is of about as many designs;
+    BudgetSpentError when there are no more evaluations.
     """
     genes = len(archive.problem.sizes)
     rings = [(steps, set[bytes]()) for steps in (single_steps(genes), double_steps(genes))]
@@ -99,16 +75,7 @@ def improve(archive: EvaluationArchive, batch: int) -> None:
 def _look_round(archive: EvaluationArchive, steps: Genes, finished: set[bytes], batch: int) -> bool:
     """Take all steps from some designs that are not finished, the loneliest first; False if none.
 
-    Parameters
-    ----------
-    archive : EvaluationArchive
-        What a search knows.
-    steps : ndarray of int, shape (m, genes)
-        Steps to take.
-    finished : set of bytes
-        Designs from which these steps were taken; written to.
-    batch : int
-        Designs evaluated at once, about.
+    Those from which they were taken are added to the finished ones.
     """
     genes, objectives = archive.front
     if not len(genes):
@@ -126,21 +93,7 @@ def _look_round(archive: EvaluationArchive, steps: Genes, finished: set[bytes], 
 
 
 def alternate(archive: EvaluationArchive, roam: Roam, batch: int) -> None:
-    """Roam and improve in turns, until the budget is spent or a round finds no new design.
-
-    Parameters
-    ----------
-    archive : EvaluationArchive
-        What the search knows.
-    roam : callable
-        The search proper.
-    batch : int
-        Designs evaluated at once, about.
-
-    Raises
-    ------
-    BudgetSpentError
-    """
+    """Roam and improve in turns, until the budget is spent or a round finds no new design."""
     before = -1
     while archive.evaluations > before:
         before = archive.evaluations

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from catopt.catenary.swarm.optimiser import velocity
 from catopt.catenary.swarm.quiet import without_logging
 from catopt.checks.excess import ROUNDING
-from catopt.design.crowding import crowding_distance
 from catopt.design.evaluation_archive import EvaluationArchive, explore
+from catopt.design.front import crowding_distance
 from catopt.design.outcome import Outcome, Progress
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
 from catopt.design.steps import alternate, scattered
@@ -29,8 +29,6 @@ with without_logging():
     from pyswarms.backend.handlers import BoundaryHandler
     from pyswarms.backend.operators import compute_position
     from pyswarms.backend.swarms import Swarm
-
-__all__ = ["swarm"]
 
 STIRRED = 0.15
 """Share of the particles that are stirred at every turn."""
@@ -52,24 +50,7 @@ def swarm(
 ) -> Outcome:
     """Search a design space by a particle swarm, with rounds of local improvement of the front.
 
-    Parameters
-    ----------
-    problem : Problem
-        The design space.
-    evaluations : int
-        Most designs to evaluate; each counts once. The search ends earlier where it finds no
-        new ones.
-    population : int
-        Particles.
-    seed : int
-        Of the random numbers: the same seed gives the same front.
-    progress : callable, optional
-        Called after every batch with the designs evaluated and `evaluations`.
-
-    Returns
-    -------
-    Outcome
-        Of Ctrl-C, the front so far.
+    The population is that of particles; the rest as for `catopt.design.nsga2.nsga2`.
     """
     generator = np.random.default_rng(seed)
 

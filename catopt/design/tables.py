@@ -16,8 +16,6 @@ from catopt.design.space import DesignSpace
 from catopt.model import Case, LoadCase, SinkerChoice
 from catopt.model.immersion import weight_in_water
 
-__all__ = ["Room", "Tables", "room", "tables_of"]
-
 RESOLUTION = 2.0**-40
 """Part of the largest value of an objective that two designs must differ by to differ at all.
 
@@ -161,21 +159,7 @@ def tables_of(
     criteria: Criteria,
     sinkers: SinkerChoice | None,
 ) -> Tables:
-    """Lay everything out.
-
-    Parameters
-    ----------
-    case : Case
-        Site and anchor.
-    states : sequence of LoadCase
-        Load cases.
-    space : DesignSpace
-        All designs.
-    criteria : Criteria
-        What has to be kept; every strength that they need is known.
-    sinkers : SinkerChoice or None
-        To choose from, instead of the case's anchor.
-    """
+    """Lay everything out."""
     states = sorted(states, key=lambda state: -state.horizontal_force)
     placed = [case.under(state) for state in states]
     segments, weights = space.segments, space.clump_weights

@@ -14,9 +14,8 @@ from textwrap import wrap
 from types import MappingProxyType
 
 from catopt._version import __version__
-from catopt.catenary.layout import end_of
+from catopt.catenary.layout import Profile, end_of
 from catopt.catenary.solution import Solution
-from catopt.catenary.stretch import Profile
 from catopt.export.dxf_groups import (
     Group,
     Point,

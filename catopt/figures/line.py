@@ -23,8 +23,8 @@ from catopt.figures.chart import (
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
+    from catopt.catenary.layout import Profile
     from catopt.catenary.solution import Solution
-    from catopt.catenary.stretch import Profile
     from catopt.model import PointLoad
 
 __all__ = [

@@ -8,8 +8,6 @@ from typing import Literal, get_args
 from catopt.compiled import inlined
 from catopt.model.validity import Findings
 
-__all__ = ["ANCHOR_KINDS", "Anchor", "sinker_needed"]
-
 AnchorKind = Literal["sinker", "drag"]
 ANCHOR_KINDS: tuple[str, ...] = get_args(AnchorKind)
 
@@ -43,9 +41,8 @@ class Anchor:
 
     def __post_init__(self) -> None:
         found = Findings("Anchor")
-        if self.kind not in ANCHOR_KINDS:
-            found.add("kind", repr(self.kind), "one of " + ", ".join(ANCHOR_KINDS))
-            found.raise_if_any()
+        found.word("kind", self.kind, ANCHOR_KINDS)
+        found.raise_if_any()
         wanted = {
             "sinker": {"submerged_weight": "N", "friction": ""},
             "drag": {"holding_capacity": "N"},
@@ -61,10 +58,8 @@ class Anchor:
                     found.number(key, value, unit, above=0.0)
             elif value is not None:
                 found.add(key, f"{value:g}", f"does not go with a {noun}; leave it out")
-        if self.safety_factor is not None:
-            found.number("safety_factor", self.safety_factor, "", at_least=1.0)
-        if self.mass is not None:
-            found.number("mass", self.mass, "kg", above=0.0)
+        found.numbers(self, "", "safety_factor", at_least=1.0)
+        found.numbers(self, "kg", "mass", above=0.0)
         found.raise_if_any()
 
 
@@ -72,15 +67,7 @@ class Anchor:
 def sinker_needed(horizontal: float, vertical: float, friction: float, factor: float) -> float:
     """Weight in water of a sinker that just does not slide: V + SF H / mu, N.
 
-    From mu (W - V) >= SF H.
-
-    Parameters
-    ----------
-    horizontal, vertical : float
-        Of the line on the sinker, N, the vertical one positive where it lifts.
-    friction : float
-        mu, of the sinker on the soil.
-    factor : float
-        SF, on the horizontal force.
+    From mu (W - V) >= SF H. H and V are of the line on the sinker, N, V positive where it lifts;
+    the factor is on H.
     """
     return vertical + factor * horizontal / friction

@@ -6,8 +6,6 @@ from dataclasses import dataclass
 
 from catopt.model.validity import Findings
 
-__all__ = ["Body"]
-
 
 @dataclass(frozen=True)
 class Body:

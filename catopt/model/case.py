@@ -26,8 +26,6 @@ from catopt.model.validity import Findings
 from catopt.model.wave_state import WaveState
 from catopt.model.wear import wear_misfits
 
-__all__ = ["BOUNDARY_HANDLINGS", "Boundary", "Case", "SwarmSettings"]
-
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
 BOUNDARY_HANDLINGS: tuple[str, ...] = get_args(Boundary)
 
@@ -76,8 +74,7 @@ class SwarmSettings:
         for key in ("cognitive", "social"):
             found.number(key, getattr(self, key), "", at_least=0.0, at_most=4.0)
         found.number("inertia", self.inertia, "", at_least=0.0, at_most=1.0)
-        if self.boundary not in BOUNDARY_HANDLINGS:
-            found.add("boundary", repr(self.boundary), "one of " + ", ".join(BOUNDARY_HANDLINGS))
+        found.word("boundary", self.boundary, BOUNDARY_HANDLINGS)
         found.raise_if_any()
 
     def _check_evaluations(self, found: Findings) -> None:
@@ -235,14 +232,17 @@ class Case:
                     f"must leave the fairlead above the seabed: above {-lowest:g} m",
                 )
 
-    def under(self, state: LoadCase) -> Case:
-        """Return the case in one of its states, with the fairlead at its water level.
+    @property
+    def place(self) -> dict[str, float]:
+        """Where the line is moored, by the arguments of `catopt.solve`: m, m and friction."""
+        return {
+            "height": self.fairlead_height,
+            "anchor_height": self.anchor_height,
+            "seabed_friction": self.site.seabed_friction,
+        }
 
-        Parameters
-        ----------
-        state : LoadCase
-            Need not be one of the case's own.
-        """
+    def under(self, state: LoadCase) -> Case:
+        """Return the case in one of its states, with the fairlead at its water level."""
         depth = self.site.water_depth + state.water_level
         return replace(
             self,

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 
 from catopt.model.validity import Findings
 
-__all__ = ["NEEDS_SEVERAL_LINES", "Checks"]
-
 NEEDS_SEVERAL_LINES = "leave it out, or give [system]: of one line none can be lost"
 """Why a case of one line has no factor for one line out."""
 
@@ -55,30 +53,12 @@ class Checks:
     def __post_init__(self) -> None:
         found = Findings("Checks")
         found.number("safety_factor", self.safety_factor, "", at_least=1.0)
-        for key in ("proof_load_factor", "safety_factor_line_out"):
-            _if_given(found, self, key, "", at_least=1.0)
-        _if_given(
-            found, self, "max_anchor_uplift_angle", "rad", at_least=0.0, at_most=math.pi / 2.0
-        )
-        _if_given(found, self, "max_anchor_uplift_force", "N", at_least=0.0)
-        _if_given(found, self, "min_grounded_length", "m", at_least=0.0)
-        for key in ("max_span", "max_offset"):
-            _if_given(found, self, key, "m", above=0.0)
+        found.numbers(self, "", "proof_load_factor", "safety_factor_line_out", at_least=1.0)
+        steepest = math.pi / 2.0
+        found.numbers(self, "rad", "max_anchor_uplift_angle", at_least=0.0, at_most=steepest)
+        found.numbers(self, "N", "max_anchor_uplift_force", at_least=0.0)
+        found.numbers(self, "m", "min_grounded_length", at_least=0.0)
+        found.numbers(self, "m", "max_span", "max_offset", above=0.0)
         if None not in (self.max_span, self.max_offset):
             found.add("max_offset", f"{self.max_offset:g} m", "leave it out beside max_span")
         found.raise_if_any()
-
-
-def _if_given(
-    found: Findings,
-    checks: Checks,
-    key: str,
-    unit: str,
-    *,
-    above: float | None = None,
-    at_least: float | None = None,
-    at_most: float | None = None,
-) -> None:
-    value = getattr(checks, key)
-    if value is not None:
-        found.number(key, value, unit, above=above, at_least=at_least, at_most=at_most)

@@ -10,8 +10,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = ["CURRENT_PROFILES", "CurrentProfile"]
-
 ProfileKind = Literal["power", "wind", "table"]
 CURRENT_PROFILES: tuple[str, ...] = get_args(ProfileKind)
 
@@ -67,16 +65,12 @@ class CurrentProfile:
 
     def __post_init__(self) -> None:
         found = Findings("CurrentProfile")
-        if self.profile not in CURRENT_PROFILES:
-            found.add("profile", repr(self.profile), "one of " + ", ".join(CURRENT_PROFILES))
-            found.raise_if_any()
+        found.word("profile", self.profile, CURRENT_PROFILES)
+        found.raise_if_any()
         self._check_keys(found)
-        if self.speed is not None:
-            found.number("speed", self.speed, "m/s", at_least=0.0)
-        if self.exponent is not None:
-            found.number("exponent", self.exponent, "", above=0.0)
-        if self.depth is not None:
-            found.number("depth", self.depth, "m", above=0.0)
+        found.numbers(self, "m/s", "speed", at_least=0.0)
+        found.numbers(self, "", "exponent", above=0.0)
+        found.numbers(self, "m", "depth", above=0.0)
         found.number("direction", self.direction, "rad")
         self._check_table(found)
         found.raise_if_any()

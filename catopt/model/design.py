@@ -7,15 +7,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "OBJECTIVES",
-    "SEARCH_METHODS",
-    "ClumpWeightChoice",
-    "Design",
-    "SegmentChoice",
-    "SinkerChoice",
-]
-
 Objective = Literal["mass", "offset", "excursion", "cost"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
 
@@ -59,9 +50,7 @@ class SegmentChoice:
         for key in ("lengths", "diameters"):
             for index, value in enumerate(getattr(self, key)):
                 found.number(f"{key}[{index}]", value, "m", above=0.0)
-        for key in ("diameter_min", "diameter_max"):
-            if getattr(self, key) is not None:
-                found.number(key, getattr(self, key), "m", above=0.0)
+        found.numbers(self, "m", "diameter_min", "diameter_max", above=0.0)
         found.raise_if_any()
 
 
@@ -107,8 +96,7 @@ class ClumpWeightChoice:
             found.number(f"positions[{index}]", value, "m", above=0.0)
         if self.joint is not None:
             found.count("joint", self.joint)
-        if self.friction is not None:
-            found.number("friction", self.friction, "", at_least=0.0)
+        found.numbers(self, "", "friction", at_least=0.0)
         if (self.joint is None) == (not self.positions):
             found.add("positions", "", "either positions or a joint is wanted")
         found.raise_if_any()
@@ -143,8 +131,7 @@ class SinkerChoice:
             found.number(f"masses[{index}]", value, "kg", above=0.0)
         found.number("density", self.density, "kg/m3", above=0.0)
         found.number("friction", self.friction, "", above=0.0)
-        if self.safety_factor is not None:
-            found.number("safety_factor", self.safety_factor, "", at_least=1.0)
+        found.numbers(self, "", "safety_factor", at_least=1.0)
         found.raise_if_any()
 
 
@@ -198,8 +185,7 @@ class Design:
         elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
             named = ", ".join(self.objectives) or "none"
             found.add("objectives", named, "two or three different ones are wanted")
-        if self.method not in SEARCH_METHODS:
-            found.add("method", repr(self.method), "one of " + ", ".join(SEARCH_METHODS))
+        found.word("method", self.method, SEARCH_METHODS)
         found.count("evaluations", self.evaluations)
         found.count("population", self.population)
         found.count("seed", self.seed)

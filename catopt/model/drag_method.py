@@ -7,8 +7,6 @@ from typing import Any, Final, Literal, get_args
 
 from catopt.errors import Problem
 
-__all__ = ["DRAG_METHODS", "STEADY_FROM", "DragMethod", "drag_misfits"]
-
 DragMethod = Literal["given", "roughness"]
 DRAG_METHODS: tuple[str, ...] = get_args(DragMethod)
 
@@ -22,10 +20,7 @@ _ROUGH = ("roughness", "keulegan_carpenter", "wake_amplification")
 def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """List what does not go with the way in which a segment's drag is found.
 
-    Parameters
-    ----------
-    given : mapping of str to value
-        What the segment is given, by its name in `Segment`; a value that cannot be read is None.
+    By its name in `Segment`, what the segment is given; a value that cannot be read is None.
     """
     if given.get("drag_method") != "roughness":
         allowed = 'goes with drag_method = "roughness", which is missing'

@@ -10,17 +10,6 @@ from catopt.errors import Problem
 from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.validity import Findings
 
-__all__ = [
-    "BARS",
-    "BROKEN_ENDS",
-    "INITIAL_FRICTION",
-    "LINE_DAMPING",
-    "TIME_SCHEMES",
-    "Dynamics",
-    "InitialFriction",
-    "dynamics_misfits",
-]
-
 BrokenEnd = Literal["fairlead", "anchor"]
 BROKEN_ENDS: tuple[str, ...] = get_args(BrokenEnd)
 
@@ -109,26 +98,16 @@ class Dynamics:
     def __post_init__(self) -> None:
         found = Findings("Dynamics")
         found.number("duration", self.duration, "s", above=0.0)
-        if self.ramp is not None:
-            found.number("ramp", self.ramp, "s", at_least=0.0)
-        for key in ("time_step", "output_interval"):
-            if getattr(self, key) is not None:
-                found.number(key, getattr(self, key), "s", above=0.0)
+        found.numbers(self, "s", "ramp", at_least=0.0)
+        found.numbers(self, "s", "time_step", "output_interval", above=0.0)
         found.count("elements", self.bars)
-        words = {
-            "scheme": TIME_SCHEMES,
-            "initial_friction": INITIAL_FRICTION,
-            "broken_end": BROKEN_ENDS,
-        }
-        for key, allowed in words.items():
-            if getattr(self, key) not in allowed:
-                found.add(key, repr(getattr(self, key)), "one of " + ", ".join(allowed))
+        found.word("scheme", self.scheme, TIME_SCHEMES)
+        found.word("initial_friction", self.initial_friction, INITIAL_FRICTION)
+        found.word("broken_end", self.broken_end, BROKEN_ENDS)
         found.number("spectral_radius", self.spectral_radius, "", at_least=0.0, at_most=1.0)
         found.count("runs", self.runs)
-        if self.seabed_stiffness is not None:
-            found.number("seabed_stiffness", self.seabed_stiffness, "N/m2", above=0.0)
-        if self.seabed_damping is not None:
-            found.number("seabed_damping", self.seabed_damping, "N s/m2", at_least=0.0)
+        found.numbers(self, "N/m2", "seabed_stiffness", above=0.0)
+        found.numbers(self, "N s/m2", "seabed_damping", at_least=0.0)
         found.number("line_damping", self.line_damping or 0.0, "", at_least=0.0)
         found.number("damping_time", self.damping_time, "s", at_least=0.0)
         self._check_break(found)
@@ -148,8 +127,7 @@ class Dynamics:
     def _check_break(self, found: Findings) -> None:
         if self.broken_line is not None:
             found.count("broken_line", self.broken_line)
-        if self.broken_at is not None:
-            found.number("broken_at", self.broken_at, "s", above=0.0)
+        found.numbers(self, "s", "broken_at", above=0.0)
         if (self.broken_line is None) != (self.broken_at is None):
             missing = "broken_at" if self.broken_at is None else "broken_line"
             found.add(missing, "", "missing; broken_line and broken_at go together")
@@ -172,13 +150,9 @@ class Dynamics:
 def dynamics_misfits(present: Collection[str], given: Collection[str] = ()) -> list[Problem]:
     """List what does not go together of the parts that are for lines in motion.
 
-    Parameters
-    ----------
-    present : collection of str
-        Which of waves, current, motion, anchor_motion, body, dynamics and system a case has.
-    given : collection of str
-        Which keys of motion and body it gives, such as ``"motion.rao_file"``; with
-        ``"dynamics.broken_end"`` for a break at the anchor.
+    Present are some of waves, current, motion, anchor_motion, body, dynamics and system; given some
+    keys of motion and body, such as ``"motion.rao_file"``, with ``"dynamics.broken_end"`` for a
+    break at the anchor.
     """
     problems = []
     if "dynamics" not in present:

@@ -11,8 +11,6 @@ from catopt.errors import Problem
 from catopt.model.load import LOADS
 from catopt.model.validity import Findings
 
-__all__ = ["FIND_QUANTITIES", "Find", "misfits"]
-
 FindQuantity = Literal["length", "clump_weight", "touchdown_force", "limit_force"]
 FIND_QUANTITIES: tuple[str, ...] = get_args(FindQuantity)
 
@@ -50,17 +48,12 @@ class Find:
 
     def __post_init__(self) -> None:
         found = Findings("Find")
-        if self.quantity not in FIND_QUANTITIES:
-            found.add("quantity", repr(self.quantity), "one of " + ", ".join(FIND_QUANTITIES))
+        found.word("quantity", self.quantity, FIND_QUANTITIES)
         for key in ("segment", "point_load"):
             if getattr(self, key) is not None:
                 found.count(key, getattr(self, key))
-        if self.anchor_angle is not None:
-            found.number(
-                "anchor_angle", self.anchor_angle, "rad", at_least=0.0, at_most=math.pi / 2.0
-            )
-        if self.grounded_length is not None:
-            found.number("grounded_length", self.grounded_length, "m", above=0.0)
+        found.numbers(self, "rad", "anchor_angle", at_least=0.0, at_most=math.pi / 2.0)
+        found.numbers(self, "m", "grounded_length", above=0.0)
         self._check_keys(found)
         found.raise_if_any()
 
@@ -98,25 +91,8 @@ def misfits(
 ) -> list[Problem]:
     """List what does not fit between what is sought and the rest of a case.
 
-    Parameters
-    ----------
-    find : Find or None
-        What is sought, if anything.
-    load : collection of str or None
-        Keys of the load that are given; None when there is no load.
-    MBL_known : sequence of bool
-        For each segment.
-    point_loads : int
-        How many the line has.
-    anchor_height : float
-        Above the seabed, m.
-    has_load_cases : bool
-        Whether there are any; they stand in for a load where nothing is sought.
-
-    Returns
-    -------
-    list of Problem
-        With keys such as ``load`` or ``find.segment``; segments and point loads count from 1.
+    `load` has the keys of the load that are given, None without a load; load cases stand in for it
+    where nothing is sought. Segments and point loads count from 1 in keys as ``find.segment``.
     """
     found = Findings("")
     seeks_force = find is not None and find.seeks_force

@@ -4,22 +4,10 @@ from __future__ import annotations
 
 from catopt.constants import STANDARD_GRAVITY
 
-__all__ = ["weight_in_water"]
-
 
 def weight_in_water(mass: float, density: float, water_density: float) -> float:
-    """Submerged weight of a solid body.
+    """Submerged weight of a solid body, N, from kg and kg/m3; negative when it floats.
 
-    Parameters
-    ----------
-    mass : float
-        In air, kg.
-    density, water_density : float
-        Of the body and of the water, kg/m3.
-
-    Returns
-    -------
-    float
-        N; negative when the body floats. S2, equation (24), with W = m g0.
+    S2, equation (24), with W = m g0.
     """
     return mass * STANDARD_GRAVITY * (1.0 - water_density / density)

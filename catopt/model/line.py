@@ -12,8 +12,6 @@ from catopt.model.drag_method import DRAG_METHODS, DragMethod, drag_misfits
 from catopt.model.validity import Findings
 from catopt.model.wear import WEAR_ZONES
 
-__all__ = ["Line", "PointLoad", "Segment"]
-
 
 @dataclass(frozen=True)
 class Segment:
@@ -91,36 +89,25 @@ class Segment:
         found.number("length", self.length, "m", above=0.0)
         found.number("submerged_weight", self.submerged_weight, "N/m")
         found.number("EA", self.EA, "N", above=0.0, infinite=True)
-        if self.mass is not None:
-            found.number("mass", self.mass, "kg/m", at_least=0.0)
-        if self.MBL is not None:
-            found.number("MBL", self.MBL, "N", above=0.0)
-        if self.nominal_diameter is not None:
-            found.number("nominal_diameter", self.nominal_diameter, "m", above=0.0)
-        if self.proof_load is not None:
-            found.number("proof_load", self.proof_load, "N", above=0.0)
-        if self.price is not None:
-            found.number("price", self.price, "USD/m", at_least=0.0)
-        if self.wear_rate is not None:
-            found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
+        found.numbers(self, "kg/m", "mass", at_least=0.0)
+        found.numbers(self, "N", "MBL", above=0.0)
+        found.numbers(self, "m", "nominal_diameter", above=0.0)
+        found.numbers(self, "N", "proof_load", above=0.0)
+        found.numbers(self, "USD/m", "price", at_least=0.0)
+        found.numbers(self, "m/s", "wear_rate", at_least=0.0)
         if self.wear_zone is not None and self.wear_zone not in WEAR_ZONES:
             found.add("wear_zone", f'"{self.wear_zone}"', "one of " + ", ".join(WEAR_ZONES))
         self._check_drag(found)
         found.raise_if_any()
 
     def _check_drag(self, found: Findings) -> None:
-        if self.drag_diameter is not None:
-            found.number("drag_diameter", self.drag_diameter, "m", above=0.0)
-        for key in ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial"):
-            if getattr(self, key) is not None:
-                found.number(key, getattr(self, key), "", at_least=0.0)
-        if self.drag_method not in DRAG_METHODS:
-            found.add("drag_method", repr(self.drag_method), "one of " + ", ".join(DRAG_METHODS))
-        for key, unit in (("roughness", "m"), ("keulegan_carpenter", "")):
-            if getattr(self, key) is not None:
-                found.number(key, getattr(self, key), unit, at_least=0.0)
-        if self.wake_amplification is not None:
-            found.number("wake_amplification", self.wake_amplification, "", above=0.0)
+        found.numbers(self, "m", "drag_diameter", above=0.0)
+        found.numbers(self, "", "drag_normal", "drag_axial", at_least=0.0)
+        found.numbers(self, "", "added_mass_normal", "added_mass_axial", at_least=0.0)
+        found.word("drag_method", self.drag_method, DRAG_METHODS)
+        found.numbers(self, "m", "roughness", at_least=0.0)
+        found.numbers(self, "", "keulegan_carpenter", at_least=0.0)
+        found.numbers(self, "", "wake_amplification", above=0.0)
         if not found.problems:
             given = {key: value for key, value in vars(self).items() if value not in (None, "")}
             found.problems += drag_misfits(given)
@@ -165,10 +152,8 @@ class PointLoad:
         found = Findings("PointLoad")
         found.number("position", self.position, "m", above=0.0)
         found.number("submerged_weight", self.submerged_weight, "N")
-        if self.mass is not None:
-            found.number("mass", self.mass, "kg", at_least=0.0)
-        if self.friction is not None:
-            found.number("friction", self.friction, "", at_least=0.0)
+        found.numbers(self, "kg", "mass", at_least=0.0)
+        found.numbers(self, "", "friction", at_least=0.0)
         found.number("drag_area", self.drag_area or 0.0, "m2", at_least=0.0)
         found.number("drag_coefficient", self.drag_coefficient or 0.0, "", at_least=0.0)
         found.number("added_mass_coefficient", self.added_mass_coefficient, "", at_least=0.0)

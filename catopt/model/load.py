@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 
-__all__ = ["LOADS", "Load"]
-
 LOADS = {"horizontal_force": "N", "span": "m", "fairlead_tension": "N"}
 """The quantities of which one is known, with their units."""
 

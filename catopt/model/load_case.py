@@ -7,8 +7,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = ["LOAD_CASE_KINDS", "LoadCase"]
-
 LoadCaseKind = Literal["extreme", "reference"]
 LOAD_CASE_KINDS: tuple[str, ...] = get_args(LoadCaseKind)
 
@@ -42,6 +40,5 @@ class LoadCase:
             found.add("name", repr(self.name), "a name is wanted")
         found.number("horizontal_force", self.horizontal_force, "N", above=0.0)
         found.number("water_level", self.water_level, "m")
-        if self.kind not in LOAD_CASE_KINDS:
-            found.add("kind", repr(self.kind), "one of " + ", ".join(LOAD_CASE_KINDS))
+        found.word("kind", self.kind, LOAD_CASE_KINDS)
         found.raise_if_any()

@@ -7,16 +7,6 @@ from typing import Literal, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "MOTION_WAYS",
-    "OF_A_BODY",
-    "RAO_CONVENTIONS",
-    "RAO_PER",
-    "RAO_PHASES",
-    "RAO_ROTATIONS",
-    "Motion",
-]
-
 RaoPhase = Literal["", "lag", "lead"]
 RaoRotation = Literal["", "deg/m", "rad/m"]
 RaoPer = Literal["", "amplitude", "height"]
@@ -31,7 +21,8 @@ OF_A_BODY = (*RAO_CONVENTIONS, "drift", "drift_file")
 MOTION_WAYS = ("period", "file", "rao_file")
 """The keys of which one is given."""
 
-_HARMONIC = ("surge", "sway", "heave", "surge_phase", "sway_phase", "heave_phase")
+HARMONIC = ("surge", "sway", "heave", "surge_phase", "sway_phase", "heave_phase")
+"""The keys that go with a period."""
 
 
 @dataclass(frozen=True)
@@ -95,15 +86,14 @@ class Motion:
         if len(given) != 1:
             wanted = f"exactly one of {', '.join(MOTION_WAYS)} is wanted"
             found.add("motion", " and ".join(given) if given else "none of them", wanted)
-        if self.period is not None:
-            found.number("period", self.period, "s", above=0.0)
+        found.numbers(self, "s", "period", above=0.0)
         for key in ("surge", "sway", "heave"):
             found.number(key, getattr(self, key), "m", at_least=0.0)
         for key in ("surge_phase", "sway_phase", "heave_phase"):
             found.number(key, getattr(self, key), "rad")
         self._check_of_a_body(found)
         if given in (["file"], ["rao_file"]):
-            for key in (k for k in _HARMONIC if getattr(self, k) != 0.0):
+            for key in (k for k in HARMONIC if getattr(self, k) != 0.0):
                 allowed = f"goes with period, not with {given[0]}; leave it out"
                 found.add(key, repr(getattr(self, key)), allowed)
         found.raise_if_any()

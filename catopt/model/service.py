@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.model.wear import WEAR_TABLES, WearTable
-
-__all__ = ["YEAR", "Service"]
 
 
 @dataclass(frozen=True)

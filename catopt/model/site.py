@@ -9,8 +9,6 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 
-__all__ = ["STEEPEST", "Site"]
-
 STEEPEST = math.radians(45.0)
 """Slope of a bed, either way, rad."""
 

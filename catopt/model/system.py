@@ -10,8 +10,6 @@ from catopt.errors import InputError, Problem
 from catopt.model.line import Line
 from catopt.model.validity import Findings
 
-__all__ = ["Leg", "System", "system_misfits"]
-
 
 @dataclass(frozen=True)
 class Leg:
@@ -269,14 +267,7 @@ class System:
 
 
 def system_misfits(others: Mapping[str, object]) -> list[Problem]:
-    """List the parts of a case that do not go with a system.
-
-    Parameters
-    ----------
-    others : mapping of str to object
-        ``load``, ``load_cases``, ``find`` and ``site.seabed_slope``, empty or None where the case
-        has none.
-    """
+    """List the parts of a case that do not go with a system; one it lacks is empty or None."""
     return [
         Problem(key, "beside a system", f"leave out {key} or system: {_reason(key)}")
         for key, value in others.items()

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from catopt.errors import InputError, Problem
-
-__all__ = ["COUNTS", "Findings"]
 
 COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
@@ -54,18 +52,7 @@ class Findings:
     ) -> None:
         """Note a problem unless `value` is a number within the bounds.
 
-        Parameters
-        ----------
-        key : str
-            Name of the argument.
-        value : object
-            What was given.
-        unit : str
-            Unit of the number, for the message; empty for a pure number.
-        above, at_least, at_most : float, optional
-            Bounds: exclusive below, inclusive below, inclusive above.
-        infinite : bool
-            Whether positive infinity is allowed.
+        The unit, empty for a pure number, is for the message; `infinite` allows positive infinity.
         """
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
             self.add(key, repr(value), f"a number{_in(unit)} is wanted")
@@ -81,6 +68,26 @@ class Findings:
             self.add(key, repr(value), f"must be {at_least:g}{_of(unit)} or more")
         elif at_most is not None and not value <= at_most:
             self.add(key, repr(value), f"must be {at_most:g}{_of(unit)} or less")
+
+    def numbers(
+        self,
+        of: object,
+        unit: str,
+        *keys: str,
+        above: float | None = None,
+        at_least: float | None = None,
+        at_most: float | None = None,
+    ) -> None:
+        """Note a problem of each attribute that is neither None nor a number within the bounds."""
+        for key in keys:
+            value = getattr(of, key)
+            if value is not None:
+                self.number(key, value, unit, above=above, at_least=at_least, at_most=at_most)
+
+    def word(self, key: str, value: object, words: Sequence[str]) -> None:
+        """Note a problem unless `value` is one of some words."""
+        if value not in words:
+            self.add(key, repr(value), "one of " + ", ".join(words))
 
     def count(self, key: str, value: object) -> None:
         """Note a problem unless `value` is within the bounds of the count that `key` is."""

@@ -10,17 +10,6 @@ from typing import Any, Literal, get_args
 from catopt.errors import Problem
 from catopt.model.validity import Findings
 
-__all__ = [
-    "DIRECTIONS",
-    "STRETCHINGS",
-    "WAVE_SPECTRA",
-    "WAVE_WAYS",
-    "WaveState",
-    "WaveTrain",
-    "train_misfits",
-    "wave_misfits",
-]
-
 WaveSpectrum = Literal["jonswap", "pierson-moskowitz", "regular"]
 WAVE_SPECTRA: tuple[str, ...] = get_args(WaveSpectrum)
 Stretching = Literal["none", "wheeler"]
@@ -141,10 +130,8 @@ class WaveState:
         found.problems += wave_misfits(given)
         _check_train(self, found, misfits=False)
         found.number("elevation_x", self.elevation_x, "m")
-        if self.shortest_period is not None:
-            found.number("shortest_period", self.shortest_period, "s", above=0.0)
-        if self.stretching not in STRETCHINGS:
-            found.add("stretching", repr(self.stretching), "one of " + ", ".join(STRETCHINGS))
+        found.numbers(self, "s", "shortest_period", above=0.0)
+        found.word("stretching", self.stretching, STRETCHINGS)
         found.count("seed", self.seed)
         found.raise_if_any()
 
@@ -171,10 +158,7 @@ class WaveState:
 def wave_misfits(given: Mapping[str, Any]) -> list[Problem]:
     """List what does not go together in the waves of a case.
 
-    Parameters
-    ----------
-    given : mapping of str to value
-        What is given, by its name in `WaveState`; a value that cannot be read is None.
+    By its name in `WaveState`, what is given; a value that cannot be read is None.
     """
     ways = [key for key in WAVE_WAYS if key in given]
     if len(ways) != 1:
@@ -224,13 +208,12 @@ def train_misfits(given: Mapping[str, Any]) -> list[Problem]:
 
 def _check_train(train: WaveTrain | WaveState, found: Findings, *, misfits: bool = True) -> None:
     """Find what is out of range in a train."""
-    if train.spectrum is not None and train.spectrum not in WAVE_SPECTRA:
-        found.add("spectrum", repr(train.spectrum), "one of " + ", ".join(WAVE_SPECTRA))
-    for key, unit in (("height", "m"), ("period", "s"), ("spreading_exponent", "")):
-        if getattr(train, key) is not None:
-            found.number(key, getattr(train, key), unit, above=0.0)
-    if train.peak_enhancement is not None:
-        found.number("peak_enhancement", train.peak_enhancement, "", at_least=1.0, at_most=20.0)
+    if train.spectrum is not None:
+        found.word("spectrum", train.spectrum, WAVE_SPECTRA)
+    found.numbers(train, "m", "height", above=0.0)
+    found.numbers(train, "s", "period", above=0.0)
+    found.numbers(train, "", "spreading_exponent", above=0.0)
+    found.numbers(train, "", "peak_enhancement", at_least=1.0, at_most=20.0)
     found.number("direction", train.direction, "rad")
     found.count("components", train.components)
     if train.spreading_directions is not None:

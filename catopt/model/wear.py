@@ -10,8 +10,6 @@ from typing import Any, Final
 from catopt.constants import YEAR
 from catopt.errors import Problem
 
-__all__ = ["WEAR_TABLES", "WEAR_ZONES", "WearTable", "wear_misfits"]
-
 WEAR_ZONES: Final = ("splash", "catenary", "bottom", "wire")
 """Where a segment hangs or lies; "wire" is for wire rope wherever it is."""
 
@@ -66,12 +64,8 @@ def wear_misfits(
 ) -> list[Problem]:
     """List where rates, tables and zones of a case do not go together.
 
-    Parameters
-    ----------
-    service : mapping
-        What is given of ``wear_rate`` and ``wear_table`` of the case's service.
-    segments : sequence of mapping
-        What is given of ``wear_rate`` and ``wear_zone`` of each segment of its line.
+    From what is given of ``wear_rate`` and ``wear_table`` of the service, and of ``wear_rate`` and
+    ``wear_zone`` of each segment.
     """
     problems = []
     name = service.get("wear_table")

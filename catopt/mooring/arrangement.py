@@ -11,8 +11,6 @@ from catopt.catenary.state import CONVERGED, TOO_SHORT, failed
 from catopt.model.line import Line
 from catopt.model.system import Leg, System
 
-__all__ = ["Arrangement", "Lines", "arrange", "room_for"]
-
 
 class Arrangement(NamedTuple):
     """Where the ends of the lines are and what the lines are made of.

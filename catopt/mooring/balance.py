@@ -13,8 +13,6 @@ from catopt.catenary.state import CONVERGED, NOT_CONVERGED, State, failed
 from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.mooring.arrangement import Arrangement, Lines
 
-__all__ = ["Pull", "pull_at"]
-
 NEARLY = 3e-3
 """Last relative step of a line that need not be exact."""
 
@@ -56,23 +54,12 @@ class Pull(NamedTuple):
 def pull_at(
     x: float, y: float, yaw: float, arrangement: Arrangement, lines: Lines, is_exact: bool
 ) -> Pull:
-    """Solve every line with the body at a position.
+    """Solve every line with the body at a position (m, m, rad); `lines` is written to.
 
     A line with horizontal force H along the unit vector u towards its anchor, its span S, pulls
     with H u. Its stiffness is dH/dS along u and H/S across it; a fairlead at r off the origin
-    adds H u.r in yaw.
-
-    Parameters
-    ----------
-    x, y, yaw : float
-        Of the body: m, m, rad.
-    arrangement : Arrangement
-        The lines.
-    lines : Lines
-        What was known of them at the last position, from where each is sought; written to.
-    is_exact : bool
-        Whether each line is solved to double precision. On the way there a few digits will do,
-        in half the time.
+    adds H u.r in yaw. Each line is sought from what was known of it at the last position; where it
+    is not to be exact, a few digits will do, in half the time.
     """
     cosine, sine = math.cos(yaw), math.sin(yaw)
     force_x = force_y = moment = 0.0

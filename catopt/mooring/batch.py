@@ -14,7 +14,7 @@ from catopt.errors import InputError, Problem
 from catopt.model.system import System
 from catopt.mooring.arrangement import room_for
 from catopt.mooring.descent import TURNS_OVER
-from catopt.mooring.many import BODY, PER_LINE, settle_all
+from catopt.mooring.many import BODY, PER_LINE, static_equilibria
 from catopt.mooring.zero_load import zero_load_position
 
 __all__ = ["Batch", "SystemSolutions", "solve_system_many"]
@@ -145,7 +145,7 @@ class Batch:
         body = np.empty(n * len(BODY))
         per_line = np.empty(n * len(PER_LINE) * count)
         if n > 0:
-            compiled(settle_all, _A_LINE * n * count)(
+            compiled(static_equilibria, _A_LINE * n * count)(
                 *(np.full(n, value) for value in (neutral.x, neutral.y, neutral.yaw)),
                 np.ascontiguousarray(forces[:, 0]),
                 np.ascontiguousarray(forces[:, 1]),

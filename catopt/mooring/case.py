@@ -11,17 +11,15 @@ from catopt.catenary.surface import named_line
 from catopt.catenary.warnings import above_water
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
+from catopt.mooring.document import report_document
 from catopt.mooring.held import HeldBody, held_body
 from catopt.mooring.line_out import LineOut, one_line_out
-from catopt.mooring.report_document import report_document
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.mooring.sharing_rule import SharingRule, sharing_rule
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
 from catopt.mooring.watch_circle import WatchCircle, watch_circle
 from catopt.mooring.water_level import AtLevel, at_levels
-
-__all__ = ["SystemReport", "report_system"]
 
 CURVE_POINTS = 41
 
@@ -76,29 +74,10 @@ def report_system(
 ) -> SystemReport:
     """Solve the system of a case, and what else is asked.
 
-    Parameters
-    ----------
-    case : Case
-        With a system.
-    with_line_out, with_circle : bool
-        Whether every line is to go in turn, and whether the force is to go round.
-    directions : sequence of float
-        Of restoring curves, rad.
-    levels : sequence of float
-        Water levels above that of the case, m.
-    with_stiffness : bool
-        Whether the stiffness in six freedoms is wanted where the body rests.
-    displacements : sequence of tuple of 6 float
-        Where it is wanted besides: surge, sway, heave (m), roll, pitch, yaw (rad).
-
-    Raises
-    ------
-    InputError
-        When the case has no system.
-    NoEquilibriumError, NotConvergedError
-        As for `solve_system`.
-    FloatsUpError
-        A buoy of a line would float above the water surface.
+    Directions of restoring curves in rad, water levels above that of the case in m. The stiffness
+    in six freedoms is of where the body rests, and of each displacement: surge, sway, heave (m),
+    roll, pitch, yaw (rad). Errors as for `solve_system` and `held_body`; FloatsUpError for a buoy
+    that would float above the water surface.
     """
     system = case.system
     if system is None:

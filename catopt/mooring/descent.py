@@ -14,21 +14,6 @@ from catopt.compiled import inlined
 from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import Pull, pull_at
 
-__all__ = [
-    "ENOUGH",
-    "EXACT",
-    "TURNS_OVER",
-    "BodyLoad",
-    "Freedom",
-    "Rest",
-    "by_parts",
-    "descend",
-    "is_stable",
-    "stopped",
-    "within_half_a_turn",
-    "yaw_stiffness",
-]
-
 TURNS_OVER: Final = 100
 """Status beside those of a line: the lines stop the body at no heading."""
 
@@ -88,6 +73,15 @@ class Freedom(NamedTuple):
     exact: float = EXACT
 
 
+class BodyProblem(NamedTuple):
+    """A body under a load, how it may move, and its lines; what is known of them is written to."""
+
+    load: BodyLoad
+    freedom: Freedom
+    arrangement: Arrangement
+    lines: Lines
+
+
 class Rest(NamedTuple):
     """Where the body came to rest.
 
@@ -118,31 +112,12 @@ class Rest(NamedTuple):
     pull: Pull
 
 
-def descend(
-    x: float,
-    y: float,
-    yaw: float,
-    pull: Pull,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
-) -> Rest:
-    """Take Newton steps until nothing is left unbalanced.
+def descend(x: float, y: float, yaw: float, pull: Pull, problem: BodyProblem) -> Rest:
+    """Take Newton steps from a position (m, m, rad) until nothing is left unbalanced.
 
-    Parameters
-    ----------
-    x, y, yaw : float
-        Where to start. What is not free stays.
-    pull : Pull
-        Of all lines there.
-    load : BodyLoad
-        On the body.
-    freedom : Freedom
-        How the body may move.
-    arrangement, lines
-        The lines and what is known of them at the start; `lines` is written to.
+    What is not free stays; `pull` is that of the lines at the start.
     """
+    load, freedom, arrangement, lines = problem
     start_yaw = yaw
     before = math.inf
     stride = freedom.stride
@@ -302,20 +277,13 @@ def _newton_step(
     return shorter * x, shorter * y, shorter * m / arm
 
 
-def by_parts(
-    x: float,
-    y: float,
-    yaw: float,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
-) -> Rest:
+def by_parts(x: float, y: float, yaw: float, problem: BodyProblem) -> Rest:
     """Put the load on in parts, each from where the last one left the body.
 
     For lines that do not stretch: a body that comes upon the end of one under full load can
     hardly slide along it.
     """
+    load, freedom, arrangement, lines = problem
     done, part = 0.0, FIRST_PART
     pull = pull_at(x, y, yaw, arrangement, lines, True)
     rest = stopped(NOT_CONVERGED, -1, x, y, yaw, 0, pull)
@@ -323,7 +291,7 @@ def by_parts(
         level = min(done + part, 1.0)
         pull = pull_at(x, y, yaw, arrangement, lines, True)
         share = BodyLoad(level * load.x, level * load.y, level * load.moment)
-        rest = descend(x, y, yaw, pull, share, freedom, arrangement, lines)
+        rest = descend(x, y, yaw, pull, BodyProblem(share, freedom, arrangement, lines))
         if rest.status == CONVERGED:
             if level == 1.0:
                 return rest

@@ -13,13 +13,12 @@ from typing import NamedTuple
 
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED
 from catopt.compiled import inlined
-from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import pull_at
 from catopt.mooring.descent import (
     ENOUGH,
     EXACT,
     TURNS_OVER,
-    BodyLoad,
+    BodyProblem,
     Freedom,
     Rest,
     by_parts,
@@ -27,8 +26,6 @@ from catopt.mooring.descent import (
     is_stable,
     yaw_stiffness,
 )
-
-__all__ = ["SAME_YAW", "first_heading", "next_heading"]
 
 FULL = 2.0 * math.pi
 STRIDE, LEAST_STRIDE = FULL / 36.0, 1e-8
@@ -65,71 +62,34 @@ class Heading(NamedTuple):
     stiffness: float
 
 
-def first_heading(
-    x: float,
-    y: float,
-    yaw: float,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
-) -> Rest:
+def first_heading(x: float, y: float, yaw: float, problem: BodyProblem) -> Rest:
     """Find the first stable heading that the load turns the body to.
 
-    Parameters
-    ----------
-    x, y, yaw : float
-        From where, m, m, rad.
-    load : BodyLoad
-        On the body.
-    freedom : Freedom
-        How it may move.
-    arrangement, lines
-        As for `descend`.
-
-    Returns
-    -------
-    Rest
-        With TURNS_OVER, and the least moment left, when no heading stops the body; with the
-        status of what barred the way where some yaws have no answer.
+    TURNS_OVER, with the least moment left, when no heading stops the body; the status of what
+    barred the way where some yaws have no answer.
     """
-    pull = pull_at(x, y, yaw, arrangement, lines, True)
-    start = descend(x, y, yaw, pull, load, _at_this_yaw(freedom, EXACT), arrangement, lines)
+    pull = pull_at(x, y, yaw, problem.arrangement, problem.lines, True)
+    start = descend(x, y, yaw, pull, _at_this_yaw(problem, EXACT))
     if start.status == NOT_CONVERGED:
-        start = by_parts(x, y, yaw, load, _at_this_yaw(freedom, EXACT), arrangement, lines)
-    sense = -1.0 if load.moment + start.pull.moment < 0.0 else 1.0
-    here = _heading(start, sense, load, freedom)
+        start = by_parts(x, y, yaw, _at_this_yaw(problem, EXACT))
+    sense = -1.0 if problem.load.moment + start.pull.moment < 0.0 else 1.0
+    here = _heading(start, sense, problem)
     # A stride more than a turn: a start that is itself the heading is met at the end.
     way = FULL + STRIDE
-    return _go_round(here, sense, way, math.inf, EXACT, load, freedom, arrangement, lines)
+    return _go_round(here, sense, way, math.inf, EXACT, problem)
 
 
-def next_heading(
-    rest: Rest,
-    way: float,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
-) -> Rest:
+def next_heading(rest: Rest, way: float, problem: BodyProblem) -> Rest:
     """Find the next stable heading counter-clockwise of one, no farther than `way` rad on.
 
     TURNS_OVER, or what barred the way, when there is none; parameters as for `first_heading`.
     """
-    here = _heading(rest, 1.0, load, freedom)._replace(left=0.0)
-    return _go_round(here, 1.0, way, 0.0, ROUGHLY, load, freedom, arrangement, lines)
+    here = _heading(rest, 1.0, problem)._replace(left=0.0)
+    return _go_round(here, 1.0, way, 0.0, ROUGHLY, problem)
 
 
 def _go_round(
-    here: Heading,
-    sense: float,
-    way: float,
-    least: float,
-    exact: float,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
+    here: Heading, sense: float, way: float, least: float, exact: float, problem: BodyProblem
 ) -> Rest:
     """Turn the body on until a heading stops it.
 
@@ -141,16 +101,16 @@ def _go_round(
     stride, gap = STRIDE, 0.0
     for _ in range(STRIDES):
         ahead = gap if gap > 0.0 else stride
-        there = _onward(here, sense * ahead, sense, exact, load, freedom, arrangement, lines)
+        there = _onward(here, sense * ahead, sense, exact, problem)
         is_answered = there.rest.status == CONVERGED
         if is_answered and gap == 0.0 and here.rest.status == CONVERGED:
-            small = 10.0 * max(exact, CLOSE) * _scale(there, load, freedom)
+            small = 10.0 * max(exact, CLOSE) * _scale(there, problem)
             if stride > FINEST and _may_hide(here, there, least, small):
                 stride *= 0.5
                 continue
-            here, there = _narrowed(here, there, sense, least, load, freedom, arrangement, lines)
+            here, there = _narrowed(here, there, sense, least, problem)
             if here.left > 0.0 >= there.left:
-                return _rest_between(here, there, sense, load, freedom, arrangement, lines)
+                return _rest_between(here, there, sense, problem)
             for each in (here, there):
                 if each.left < least:
                     least, best = each.left, each
@@ -193,14 +153,7 @@ def _may_hide(here: Heading, there: Heading, least: float, small: float) -> bool
 
 
 def _narrowed(
-    here: Heading,
-    there: Heading,
-    sense: float,
-    least: float,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
+    here: Heading, there: Heading, sense: float, least: float, problem: BodyProblem
 ) -> tuple[Heading, Heading]:
     """Close in on a turning point of the moment between two yaws, where one may matter.
 
@@ -225,7 +178,7 @@ def _narrowed(
         if (level >= min(least, nearest - ENOUGH * abs(nearest))) if is_on else (level <= 0.0):
             break
         turn = sense * min(max(way, 0.1 * width), 0.9 * width)
-        middle = _onward(here, turn, sense, EXACT, load, freedom, arrangement, lines)
+        middle = _onward(here, turn, sense, EXACT, problem)
         if middle.rest.status != CONVERGED:
             break
         if (middle.left > 0.0) != is_on:
@@ -237,21 +190,13 @@ def _narrowed(
     return here, there
 
 
-def _rest_between(
-    here: Heading,
-    there: Heading,
-    sense: float,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
-) -> Rest:
+def _rest_between(here: Heading, there: Heading, sense: float, problem: BodyProblem) -> Rest:
     """Come to rest between a yaw from which the body is turned on and one that turns it back."""
     before, width = math.inf, math.inf
     for _ in range(NARROWINGS):
         near = here if here.left < -there.left else there
         last_width, width = width, abs(there.rest.yaw - here.rest.yaw)
-        if abs(near.left) <= ENOUGH * _scale(near, load, freedom) or width <= 1e-14:
+        if abs(near.left) <= ENOUGH * _scale(near, problem) or width <= 1e-14:
             break
         # Newton's step from the nearer end, halving where it leaves the two or is slow.
         way = 0.0
@@ -261,7 +206,7 @@ def _rest_between(
         if not 0.0 < way < width or is_slow:
             way = 0.5 * width
         before = abs(near.left)
-        middle = _onward(here, sense * way, sense, EXACT, load, freedom, arrangement, lines)
+        middle = _onward(here, sense * way, sense, EXACT, problem)
         if middle.rest.status != CONVERGED:
             break
         if middle.left > 0.0:
@@ -270,31 +215,25 @@ def _rest_between(
             there = middle
     near = here if here.left < -there.left else there
     at = near.rest
-    pull = pull_at(at.x, at.y, at.yaw, arrangement, lines, True)
-    rest = descend(at.x, at.y, at.yaw, pull, load, freedom, arrangement, lines)
+    pull = pull_at(at.x, at.y, at.yaw, problem.arrangement, problem.lines, True)
+    rest = descend(at.x, at.y, at.yaw, pull, problem)
     is_near = abs(rest.yaw - at.yaw) <= max(width, CLOSE)
-    if rest.status == CONVERGED and is_near and is_stable(rest.pull, freedom):
+    if rest.status == CONVERGED and is_near and is_stable(rest.pull, problem.freedom):
         return rest
-    pull = pull_at(at.x, at.y, at.yaw, arrangement, lines, True)
-    is_done = abs(near.left) <= ENOUGH * _scale(near, load, freedom)
+    pull = pull_at(at.x, at.y, at.yaw, problem.arrangement, problem.lines, True)
+    is_done = abs(near.left) <= ENOUGH * _scale(near, problem)
     status = CONVERGED if is_done else NOT_CONVERGED
     return Rest(status, -1, at.x, at.y, at.yaw, at.steps, at.force_error, abs(near.left), pull)
 
 
 def _onward(
-    here: Heading,
-    turn: float,
-    sense: float,
-    exact: float,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
+    here: Heading, turn: float, sense: float, exact: float, problem: BodyProblem
 ) -> Heading:
     """Turn the body by `turn` rad and let x and y follow."""
     at = here.rest
     x, y = at.x, at.y
     plane = at.pull.xx * at.pull.yy - at.pull.xy * at.pull.xy
+    freedom = problem.freedom
     if freedom.in_plane and plane > 0.0:
         move_x = turn * (at.pull.xy * at.pull.ym - at.pull.yy * at.pull.xm) / plane
         move_y = turn * (at.pull.xy * at.pull.xm - at.pull.xx * at.pull.ym) / plane
@@ -303,26 +242,29 @@ def _onward(
         share = min(1.0, abs(turn) * freedom.arm / move) if move > 0.0 else 0.0
         x, y = x + share * move_x, y + share * move_y
     yaw = at.yaw + turn
-    pull = pull_at(x, y, yaw, arrangement, lines, True)
-    rest = descend(x, y, yaw, pull, load, _at_this_yaw(freedom, exact), arrangement, lines)
-    return _heading(rest, sense, load, freedom)
+    pull = pull_at(x, y, yaw, problem.arrangement, problem.lines, True)
+    rest = descend(x, y, yaw, pull, _at_this_yaw(problem, exact))
+    return _heading(rest, sense, problem)
 
 
 @inlined
-def _heading(rest: Rest, sense: float, load: BodyLoad, freedom: Freedom) -> Heading:
-    left = sense * (load.moment + rest.pull.moment)
-    return Heading(rest, left, yaw_stiffness(rest.pull, freedom.in_plane))
+def _heading(rest: Rest, sense: float, problem: BodyProblem) -> Heading:
+    left = sense * (problem.load.moment + rest.pull.moment)
+    return Heading(rest, left, yaw_stiffness(rest.pull, problem.freedom.in_plane))
 
 
 @inlined
-def _at_this_yaw(freedom: Freedom, exact: float) -> Freedom:
-    return Freedom(
+def _at_this_yaw(problem: BodyProblem, exact: float) -> BodyProblem:
+    load, freedom, arrangement, lines = problem
+    held = Freedom(
         freedom.in_plane, False, freedom.arm, freedom.stride, freedom.scale, freedom.floor, exact
     )
+    return BodyProblem(load, held, arrangement, lines)
 
 
 @inlined
-def _scale(heading: Heading, load: BodyLoad, freedom: Freedom) -> float:
+def _scale(heading: Heading, problem: BodyProblem) -> float:
     """Moment beside which what is left is small, N m."""
+    load, freedom = problem.load, problem.freedom
     force = math.sqrt(load.x * load.x + load.y * load.y)
     return freedom.arm * (heading.rest.pull.total + force + freedom.scale)

@@ -6,10 +6,8 @@ from typing import Any, Final
 
 from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import pull_at
-from catopt.mooring.descent import BodyLoad, Freedom
+from catopt.mooring.descent import BodyLoad, BodyProblem, Freedom
 from catopt.mooring.static_equilibrium import static_equilibrium
-
-__all__ = ["BODY", "PER_LINE", "settle_all"]
 
 BODY: Final = (
     "x",
@@ -27,13 +25,13 @@ BODY: Final = (
     "ym",
     "mm",
 )
-"""Columns that `settle_all` writes of the body, as in Rest and Pull."""
+"""Columns that `static_equilibria` writes of the body, as in Rest and Pull."""
 
 PER_LINE: Final = ("H", "V", "span", "grounded", "H_anchor", "V_anchor")
 """Columns that it writes of each line, as in Lines."""
 
 
-def settle_all(
+def static_equilibria(
     x: Any,
     y: Any,
     yaw: Any,
@@ -79,15 +77,9 @@ def settle_all(
             lines.H_S[k], lines.V_S[k] = start.H_S[k], start.V_S[k]
             lines.grounded[k] = start.grounded[k]
             lines.H_anchor[k], lines.V_anchor[k] = start.H_anchor[k], start.V_anchor[k]
+        load = BodyLoad(force_x[i], force_y[i], moment[i])
         rest = static_equilibrium(
-            x[i],
-            y[i],
-            yaw[i],
-            pull,
-            BodyLoad(force_x[i], force_y[i], moment[i]),
-            freedom,
-            arrangement,
-            lines,
+            x[i], y[i], yaw[i], pull, BodyProblem(load, freedom, arrangement, lines)
         )
         status[i], line[i], steps[i] = rest.status, rest.line, rest.steps
         end = rest.pull

@@ -14,19 +14,9 @@ from catopt.model.system import System
 from catopt.mooring.descent import Rest
 from catopt.words import Message
 
-__all__ = ["refusal", "turns_over"]
-
 
 def refusal(rest: Rest, system: System) -> CatoptError:
-    """Say what stops the body from coming to rest.
-
-    Parameters
-    ----------
-    rest : Rest
-        Where the search ended.
-    system : System
-        Whose lines they are.
-    """
+    """Say what stops the body from coming to rest."""
     if rest.line < 0 or rest.status == NOT_CONVERGED:
         key = "mooring.not_at_rest" if rest.line < 0 else "mooring.not_at_rest_for_line"
         values = {"steps": rest.steps, "x": rest.x, "y": rest.y, "number": rest.line + 1}
@@ -35,15 +25,7 @@ def refusal(rest: Rest, system: System) -> CatoptError:
 
 
 def turns_over(moment: float, rest: Rest) -> CatoptError:
-    """Say that the lines cannot carry a moment, and the largest that they carry under the force.
-
-    Parameters
-    ----------
-    moment : float
-        N m.
-    rest : Rest
-        Where the least of it is left.
-    """
+    """Say that the lines cannot carry a moment (N m), and the largest that they carry."""
     missing = rest.moment_error
     # Over a full turn the moment of the lines has a mean of zero: below that is rounding.
     largest = max(abs(moment) - missing, 0.0)

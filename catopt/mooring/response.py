@@ -10,8 +10,6 @@ from catopt.mooring.descent import Rest
 from catopt.mooring.zero_load import ZeroLoadPosition
 from catopt.ties import first_largest
 
-__all__ = ["Response", "response_of"]
-
 
 @dataclass(frozen=True)
 class Response:
@@ -50,17 +48,7 @@ class Response:
 def response_of(
     zero_load: ZeroLoadPosition, rest: Rest, lines: Lines, zero: Rest | None = None
 ) -> Response:
-    """Sum a place of rest up.
-
-    Parameters
-    ----------
-    zero_load : ZeroLoadPosition
-        The system.
-    rest, lines
-        The body and its lines there.
-    zero : Rest, optional
-        From where the offset counts; the system's own zero-load position when left out.
-    """
+    """Sum a place of rest up; the offset is from `zero`, by default the zero-load position."""
     start = zero_load.neutral if zero is None else zero
     tensions = [math.hypot(H, V) for H, V in zip(lines.H, lines.V, strict=True)]
     return Response(

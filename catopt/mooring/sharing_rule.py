@@ -1,15 +1,53 @@
-"""The rule of practice for load sharing, put on a system: what it would say, or why it cannot."""
+"""The rule of practice of S4 for load sharing: what it says of a system, or why it cannot."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 
+from catopt.errors import InputError, Problem
 from catopt.model.system import System
-from catopt.mooring.load_sharing import FEWEST_LINES, load_sharing_factor
 from catopt.words import Message
 
 __all__ = ["SharingRule", "sharing_rule"]
+
+FEWEST_LINES = 4
+"""Two lines carry FT = F, not the half of F that N / 4 would say."""
+
+
+def loaded_half(lines: int) -> tuple[tuple[float, float], ...]:
+    """Lines that the rule counts, for a force along one of an even number of evenly spaced lines.
+
+    For each line less than a quarter turn from the force: its angle to the force, rad, and its
+    horizontal force over that of the most loaded line, which is the cosine of the angle. Lines a
+    quarter turn or more away carry nothing. InputError: fewer than 4 lines, or an odd number.
+    """
+    if lines < FEWEST_LINES or lines % 2:
+        problem = Problem("lines", str(lines), "the rule wants an even number, 4 or more")
+        raise InputError([problem], "load sharing")
+    last = (lines - 1) // 4
+    angles = [2.0 * math.pi * k / lines for k in range(-last, last + 1)]
+    return tuple((angle, math.cos(angle)) for angle in angles)
+
+
+def load_sharing_factor(lines: int) -> float:
+    """Force that the lines carry together, over the horizontal force of the most loaded one.
+
+    The rule of practice (ARGEMA) that S4 quotes: for N evenly spaced lines and a force along one of
+    them, that line carries F and the others of the loaded half F cos(angle), each along itself.
+    Their sum along the force is (N / 4) F.
+
+    It is the balance of equal lines without pretension whose pull grows in proportion to how far
+    they are drawn out. It is no equilibrium of catenaries, which stiffen as they are drawn out and
+    pull on the other side too.
+
+    Examples
+    --------
+    >>> round(load_sharing_factor(6), 12)
+    1.5
+    """
+    return math.fsum(share * math.cos(angle) for angle, share in loaded_half(lines))
+
 
 SAME_ANGLE = 1e-6
 """rad within which lines count as evenly spaced, and a force as along one of them."""
@@ -38,7 +76,7 @@ def sharing_rule(system: System) -> SharingRule:
     """Put the rule of practice on a system under its load.
 
     It wants an even number of equal, evenly spaced lines, 4 or more, and a force along one of
-    them: then that line carries the force over N/4 (catopt.mooring.load_sharing).
+    them: then that line carries the force over N/4 (catopt.mooring.sharing_rule).
     """
     count = len(system.legs)
     if count < FEWEST_LINES or count % 2:

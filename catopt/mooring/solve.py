@@ -18,8 +18,6 @@ from catopt.mooring.solution import LegState, Position, SystemResidual, SystemSo
 from catopt.mooring.zero_load import ZeroLoadPosition, is_held, zero_load_position
 from catopt.words import Message
 
-__all__ = ["solve_system"]
-
 LINE_LIMIT = 1e-9
 """How far a laid-out line may miss its fairlead, as a part of its length."""
 

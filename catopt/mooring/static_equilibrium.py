@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT
-from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import Pull, pull_at
 from catopt.mooring.descent import (
-    BodyLoad,
-    Freedom,
+    BodyProblem,
     Rest,
     by_parts,
     descend,
@@ -18,46 +16,22 @@ from catopt.mooring.descent import (
 )
 from catopt.mooring.heading import first_heading
 
-__all__ = ["static_equilibrium"]
-
 NUDGE: Final = 0.01
 """rad by which a body that balances on a ridge is turned off it."""
 
 
-def static_equilibrium(
-    x: float,
-    y: float,
-    yaw: float,
-    pull: Pull,
-    load: BodyLoad,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    lines: Lines,
-) -> Rest:
-    """Find the place of rest under a load; its yaw is within half a turn either way.
-
-    Parameters
-    ----------
-    x, y, yaw : float
-        Where to start. What is not free stays.
-    pull : Pull
-        Of all lines there.
-    load : BodyLoad
-        On the body.
-    freedom : Freedom
-        How the body may move.
-    arrangement, lines
-        The lines and what is known of them at the start; `lines` is written to.
-    """
-    rest = descend(x, y, yaw, pull, load, freedom, arrangement, lines)
+def static_equilibrium(x: float, y: float, yaw: float, pull: Pull, problem: BodyProblem) -> Rest:
+    """Find the place of rest under a load, its yaw within half a turn either way; as `descend`."""
+    freedom = problem.freedom
+    rest = descend(x, y, yaw, pull, problem)
     if rest.status in (NOT_CONVERGED, TOO_SHORT) and pull.status == CONVERGED:
-        rest = by_parts(x, y, yaw, load, freedom, arrangement, lines)
+        rest = by_parts(x, y, yaw, problem)
     if not freedom.in_yaw or pull.status != CONVERGED:
         return rest
     if rest.status == CONVERGED and not is_stable(rest.pull, freedom):
         nudged = rest.yaw + NUDGE
-        at = pull_at(rest.x, rest.y, nudged, arrangement, lines, True)
-        rest = descend(rest.x, rest.y, nudged, at, load, freedom, arrangement, lines)
+        at = pull_at(rest.x, rest.y, nudged, problem.arrangement, problem.lines, True)
+        rest = descend(rest.x, rest.y, nudged, at, problem)
     if rest.status != CONVERGED or not is_stable(rest.pull, freedom):
-        rest = first_heading(x, y, yaw, load, freedom, arrangement, lines)
+        rest = first_heading(x, y, yaw, problem)
     return within_half_a_turn(rest)

@@ -14,6 +14,7 @@ from catopt.mooring.balance import Pull, pull_at
 from catopt.mooring.descent import (
     TURNS_OVER,
     BodyLoad,
+    BodyProblem,
     Freedom,
     Rest,
     within_half_a_turn,
@@ -23,8 +24,6 @@ from catopt.mooring.heading import SAME_YAW, next_heading
 from catopt.mooring.refusal import refusal, turns_over
 from catopt.mooring.static_equilibrium import static_equilibrium
 from catopt.words import Message
-
-__all__ = ["ZeroLoadPosition", "copied", "is_held", "zero_load_position"]
 
 SHORT_OF_TAUT = 0.999
 """Part of its length over which a line that does not stretch may reach at the start."""
@@ -57,19 +56,12 @@ class ZeroLoadPosition:
     lines: Lines
 
     def under(self, force: Sequence[float], moment: float = 0.0) -> tuple[Rest, Lines]:
-        """Bring the body to rest under a load; N along x and y, N m.
-
-        Raises
-        ------
-        NoEquilibriumError, NotConvergedError
-            As for `solve_system`.
-        """
+        """Bring the body to rest under a load, N and N m; errors as for `solve_system`."""
         lines = copied(self.lines)
         start = self.neutral
         load = BodyLoad(float(force[0]), float(force[1]), float(moment))
-        rest = static_equilibrium(
-            start.x, start.y, start.yaw, start.pull, load, self.freedom, self.arrangement, lines
-        )
+        problem = BodyProblem(load, self.freedom, self.arrangement, lines)
+        rest = static_equilibrium(start.x, start.y, start.yaw, start.pull, problem)
         if rest.status == TURNS_OVER:
             raise turns_over(moment, rest)
         if rest.status != CONVERGED:
@@ -82,22 +74,15 @@ class ZeroLoadPosition:
         """Find where else the body would rest, at another yaw, under the load it rests under.
 
         None is looked for where the lines do not hold the body.
-
-        Parameters
-        ----------
-        rest, lines
-            As from `under`.
-        force, moment
-            On the body, N along x and y, N m.
         """
         if not self.freedom.in_yaw or not is_held(rest.pull, self.freedom):
             return ()
         load = BodyLoad(float(force[0]), float(force[1]), float(moment))
-        lines = copied(lines)
+        problem = BodyProblem(load, self.freedom, self.arrangement, copied(lines))
         found: list[Rest] = []
         at, end = rest, rest.yaw + 2.0 * math.pi - SAME_YAW
         while True:
-            at = next_heading(at, end - at.yaw, load, self.freedom, self.arrangement, lines)
+            at = next_heading(at, end - at.yaw, problem)
             if at.status != CONVERGED or at.yaw >= end:
                 return tuple(found)
             if at.yaw > rest.yaw + SAME_YAW and is_held(at.pull, self.freedom):
@@ -106,17 +91,13 @@ class ZeroLoadPosition:
     def held(self, x: float, y: float) -> tuple[Rest, Lines]:
         """Hold the body at a place, m; it still turns where it is free to, under no moment.
 
-        Raises
-        ------
-        NoEquilibriumError, NotConvergedError
-            When a line does not reach there, or has no answer.
+        An error when a line does not reach there, or has no answer.
         """
         lines = copied(self.lines)
         pull = pull_at(x, y, self.neutral.yaw, self.arrangement, lines, True)
         freedom = self.freedom._replace(in_plane=False)
-        rest = static_equilibrium(
-            x, y, self.neutral.yaw, pull, NOTHING, freedom, self.arrangement, lines
-        )
+        problem = BodyProblem(NOTHING, freedom, self.arrangement, lines)
+        rest = static_equilibrium(x, y, self.neutral.yaw, pull, problem)
         if rest.status != CONVERGED:
             raise refusal(rest, self.system)
         return rest, lines
@@ -125,19 +106,15 @@ class ZeroLoadPosition:
 def zero_load_position(system: System) -> ZeroLoadPosition:
     """Find the zero-load position, starting from the origin with yaw 0.
 
-    Raises
-    ------
-    NoEquilibriumError
-        When lines that do not stretch are too short to reach the body together.
-    NotConvergedError
-        As for `solve_system`.
+    NoEquilibriumError when lines that do not stretch are too short to reach the body together.
     """
     arrangement = arrange(system)
     freedom = _freedom(system)
     lines = room_for(len(system.legs))
     x, y = _reachable(system)
     pull = pull_at(x, y, 0.0, arrangement, lines, True)
-    neutral = static_equilibrium(x, y, 0.0, pull, NOTHING, freedom, arrangement, lines)
+    problem = BodyProblem(NOTHING, freedom, arrangement, lines)
+    neutral = static_equilibrium(x, y, 0.0, pull, problem)
     if neutral.status != CONVERGED:
         raise refusal(neutral, system)
     return ZeroLoadPosition(system, arrangement, freedom, neutral, lines)

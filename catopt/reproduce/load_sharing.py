@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from catopt.mooring.load_sharing import load_sharing_factor
+from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.reproduce.comparison import compare, study_of
 from catopt.reproduce.items import Input, Study
 from catopt.reproduce.published import published

@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 from catopt.catenary.solve import solve
 from catopt.errors import InputError
 from catopt.model import Case, Line, System
-from catopt.mooring.load_sharing import load_sharing_factor
+from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
 from catopt.ties import largest

@@ -180,7 +180,7 @@ def _best(case: Case, prefer: Prefer) -> DesignPoint:
         keys = [OBJECTIVE_KEYS[name] for name in problem.names]
         objectives = np.array([[point.objectives[key] for key in keys] for point in front])
         return front[_preferred(objectives, prefer)]
-    outcome = enumerate_designs(problem, workers=os.cpu_count() or 1).outcome
+    outcome = enumerate_designs(problem, workers=os.cpu_count() or 1)
     if outcome.interrupted:
         raise KeyboardInterrupt
     if not len(outcome.genes):

@@ -8,8 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from catopt.catenary.layout import end_of
-from catopt.catenary.profile import tension_at
+from catopt.catenary.layout import end_of, tension_at
 from catopt.catenary.solution import Solution
 from catopt.fem import TrussSolution
 from catopt.verify.richardson import ORDER

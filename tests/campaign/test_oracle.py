@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from catopt import solve
+from catopt.catenary.layout import Stretch
 from catopt.catenary.solution import EndState, PointLoadState, Residual, Solution
-from catopt.catenary.stretch import Stretch
 from catopt.model import Line, PointLoad, Segment
 from tests.campaign.evaluation import solved
 from tests.campaign.lines import draw

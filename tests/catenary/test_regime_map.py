@@ -9,8 +9,8 @@ from typing import get_args
 
 import pytest
 
-from catopt.catenary.solution import Regime
 from catopt.catenary.solve import solve
+from catopt.catenary.state import Regime
 from catopt.errors import NoEquilibriumError
 from catopt.model import Line, Segment
 

@@ -18,7 +18,6 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.state import REGIMES
 from catopt.catenary.swarm import solve_swarm
-from catopt.catenary.swarm.case import solve_case_by_swarm
 from catopt.catenary.swarm.objective import (
     Array,
     GroundedObjective,
@@ -26,6 +25,7 @@ from catopt.catenary.swarm.objective import (
     objective_of,
 )
 from catopt.catenary.swarm.optimiser import optimiser
+from catopt.catenary.swarm.solve import solve_case_by_swarm
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, SwarmSettings
 from tests.campaign.oracle import misfit, misses

@@ -190,7 +190,7 @@ def test_an_interrupted_search_keeps_its_front_and_says_so() -> None:
         if done >= 200:
             raise KeyboardInterrupt
 
-    outcome = enumerate_designs(problem, chunk=100, progress=stop).outcome
+    outcome = enumerate_designs(problem, chunk=100, progress=stop)
     result = answer(problem, Found(outcome, "enumeration", 0.1), seed=1)
     assert result.interrupted
     assert not result.is_exact

@@ -43,7 +43,7 @@ def beats(one: list[float], other: list[float]) -> bool:
 )
 def test_the_front_is_that_of_plain_comparison(objectives: tuple[str, ...]) -> None:
     problem = DesignProblem.of(small_case(objectives=objectives))
-    outcome = enumerate_designs(problem).outcome
+    outcome = enumerate_designs(problem)
     found = {
         tuple(genes): values
         for genes, values in zip(outcome.genes.tolist(), outcome.objectives.tolist(), strict=True)
@@ -62,9 +62,9 @@ def test_the_front_is_that_of_plain_comparison(objectives: tuple[str, ...]) -> N
 
 def test_the_size_of_a_chunk_changes_nothing() -> None:
     problem = DesignProblem.of(small_case())
-    whole = enumerate_designs(problem).outcome
+    whole = enumerate_designs(problem)
     for chunk in (1, 7, 299, 300):
-        parts = enumerate_designs(problem, chunk=chunk).outcome
+        parts = enumerate_designs(problem, chunk=chunk)
         assert np.array_equal(parts.genes, whole.genes)
         assert np.array_equal(parts.objectives, whole.objectives)
         assert parts.feasible == whole.feasible
@@ -75,7 +75,7 @@ def test_threads_change_nothing() -> None:
     chain = SegmentChoice(lengths, ("chain studless R3", "chain studless R4"))
     problem = DesignProblem.of(small_case(segments=(chain,)))
     assert problem.space.count > 3 * LEAST_SHARE
-    one, three = (enumerate_designs(problem, workers=workers).outcome for workers in (1, 3))
+    one, three = (enumerate_designs(problem, workers=workers) for workers in (1, 3))
     assert np.array_equal(one.genes, three.genes)
     assert np.array_equal(one.objectives, three.objectives)
     assert one.feasible == three.feasible
@@ -95,7 +95,7 @@ def test_an_interrupted_enumeration_keeps_the_front_so_far() -> None:
         if done >= 200:
             raise KeyboardInterrupt
 
-    outcome = enumerate_designs(problem, chunk=100, progress=stop).outcome
+    outcome = enumerate_designs(problem, chunk=100, progress=stop)
     assert outcome.interrupted
     assert outcome.evaluations == 200
     genes = problem.space.genes_between(0, 200)
@@ -110,7 +110,7 @@ def test_an_interrupted_enumeration_keeps_the_front_so_far() -> None:
 def test_without_a_feasible_design_the_one_that_fails_by_the_least_is_known() -> None:
     case = replace(small_case(), checks=Checks(safety_factor=20.0))
     problem = DesignProblem.of(case)
-    outcome = enumerate_designs(problem, chunk=50).outcome
+    outcome = enumerate_designs(problem, chunk=50)
     assert len(outcome.genes) == outcome.feasible == 0
     excesses = {}
     for row in problem.space.genes_between(0, problem.space.count).tolist():
@@ -133,7 +133,7 @@ def test_what_is_known_of_all_designs_is_kept_when_the_measuring_is_interrupted(
         if told == [100, 200, 300, 100]:
             raise KeyboardInterrupt
 
-    outcome = enumerate_designs(problem, chunk=100, progress=stop).outcome
+    outcome = enumerate_designs(problem, chunk=100, progress=stop)
     assert len(told) == 4
     assert outcome.interrupted
     assert outcome.evaluations == problem.space.count == 300

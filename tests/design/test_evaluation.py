@@ -16,9 +16,8 @@ from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
 from catopt.checks.case import check_line
 from catopt.checks.excess import ROUNDING
-from catopt.design.assess import NO_DESIGN, NO_EQUILIBRIUM
+from catopt.design.assess import NO_DESIGN, NO_EQUILIBRIUM, segment_tensions
 from catopt.design.evaluation import DesignProblem
-from catopt.design.tensions import segment_tensions
 from catopt.model import (
     Anchor,
     Buoy,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from catopt.checks.excess import ROUNDING
-from catopt.design.crowding import crowding_distance
 from catopt.design.evaluation_archive import EvaluationArchive
+from catopt.design.front import crowding_distance
 from catopt.design.steps import double_steps, improve, reached, scattered, single_steps
 
 from .known_space import KnownSpace, grid, scrambled, tanker

@@ -8,7 +8,7 @@ import pytest
 
 import catopt
 from catopt.errors import InputError
-from catopt.mooring.load_sharing import load_sharing_factor, loaded_half
+from catopt.mooring.sharing_rule import load_sharing_factor, loaded_half
 
 
 def test_the_sums_of_six_eight_and_ten_lines() -> None:

@@ -46,15 +46,6 @@ from catopt.catenary.pieces import (
 from catopt.catenary.state import SUSPENDED, State
 from catopt.catenary.suspended import suspended_part
 
-__all__ = [
-    "Array",
-    "GroundedObjective",
-    "Hanging",
-    "Objective",
-    "SuspendedObjective",
-    "objective_of",
-]
-
 Array = NDArray[np.float64]
 
 _BELOW_ONE = 1.0 - 4.0 * sys.float_info.epsilon
@@ -146,12 +137,7 @@ class Objective(ABC):
     def state(self, place: Array, friction: float) -> State:
         """Lay out the whole line at one place, of shape (2,); its span is S by length, S1 (5).
 
-        Parameters
-        ----------
-        place : ndarray, shape (2,)
-            Both unknowns.
-        friction : float
-            Coulomb coefficient of the bed: it acts on what lies there, of which f knows nothing.
+        The friction of the bed acts on what lies there, of which f knows nothing.
         """
         V = float(self.vertical_force(place[np.newaxis])[0])
         touchdown = self.touchdown(place[0])
@@ -316,15 +302,6 @@ def objective_of(pieces: Pieces, height: float, horizontal_force: float) -> Obje
     """Choose f: part of the line lies on the bed when it rises too high where it leaves it level.
 
     For a uniform line that does not stretch this is L > L_min = sqrt(h (h + 2 a)).
-
-    Parameters
-    ----------
-    pieces : Pieces
-        The line, anchored on the bed.
-    height : float
-        h, m, above 0; below the length of a line that does not stretch.
-    horizontal_force : float
-        N, above 0.
     """
     level = suspended_part(horizontal_force, total_weight(pieces), pieces, NO_TOUCHDOWN)
     kind = GroundedObjective if level.z > height else SuspendedObjective

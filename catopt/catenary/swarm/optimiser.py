@@ -23,8 +23,6 @@ with without_logging():
     from pyswarms.backend.swarms import Swarm
     from pyswarms.backend.topology import Star
 
-__all__ = ["PATIENCE", "Run", "optimiser", "velocity"]
-
 PATIENCE = 25
 """Iterations without a better place after which a run that is down to rounding stops."""
 
@@ -55,13 +53,6 @@ def optimiser(objective: Objective, settings: SwarmSettings) -> Callable[[int], 
     """Prepare the swarm; return what carries out one run, given its number.
 
     A run depends on the objective, the settings, its number and the seed, and on nothing else.
-
-    Parameters
-    ----------
-    objective : Objective
-        What to make small, and within which bounds.
-    settings : SwarmSettings
-        Size, coefficients, boundary handling and seed.
     """
     lower, upper = objective.bounds
     with without_logging():
@@ -80,7 +71,7 @@ def optimiser(objective: Objective, settings: SwarmSettings) -> Callable[[int], 
             swarm.best_pos, swarm.best_cost = star.compute_gbest(swarm)
             objectives.append(float(swarm.best_cost))
             places.append(swarm.best_pos.copy())
-            if len(objectives) >= settings.iterations or _settled(objectives, objective.rounding):
+            if len(objectives) >= settings.iterations or _converged(objectives, objective.rounding):
                 break
             swarm.velocity = velocity(swarm, generator.random((2, *swarm.position.shape)))
             # pyswarms' handlers may miss a bound by rounding.
@@ -121,7 +112,7 @@ def velocity(swarm: Swarm, draws: Array) -> Array:
     return velocity
 
 
-def _settled(objectives: list[float], rounding: float) -> bool:
+def _converged(objectives: list[float], rounding: float) -> bool:
     """Whether f cannot fall any more: it is 0, or down to its rounding and at rest there."""
     best = objectives[-1]
     if best == 0.0:

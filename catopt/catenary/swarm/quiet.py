@@ -15,8 +15,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from threading import RLock
 
-__all__ = ["without_logging"]
-
 _VARIABLE = "LOG_CFG"
 _NOTHING = Path(__file__).with_name("no-logging.yaml")
 _LOCK = RLock()  # the environment belongs to the process: one thread at a time

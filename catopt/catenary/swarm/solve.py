@@ -15,14 +15,12 @@ from catopt.catenary.solution import Solution, SwarmReport
 from catopt.catenary.solve import solve
 from catopt.catenary.swarm.objective import Objective, objective_of
 from catopt.errors import NoAnswerError, NotConvergedError
-from catopt.model import Line, SwarmSettings
+from catopt.model import Case, Line, SwarmSettings
 from catopt.model.validity import Findings
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.catenary.swarm.optimiser import Run
-from catopt.words import Message
-
-__all__ = ["CONVERGED", "RESULT", "SPAN_AGREEMENT", "solve_swarm"]
 
 CONVERGED = 1e-9
 """m: a run that ends with f below this counts as converged."""
@@ -53,27 +51,8 @@ def solve_swarm(
     Where part of the line lies on the bed, the grounded length takes the place of the inclination
     at the anchor among the unknowns, and with it what the bed carries of a clump weight. The
     closed form says first whether such a line hangs at all, and at the end how far the swarm's
-    answer is from its own; it has no part in the search.
-
-    Parameters
-    ----------
-    line : Line
-        Segments from the anchor to the fairlead, with point loads.
-    height : float
-        Height of the fairlead above the anchor, m.
-    horizontal_force : float
-        N.
-    settings : SwarmSettings
-        Of the swarm. Run k depends only on the seed and k.
-    seabed_friction : float
-        Coulomb coefficient.
-    progress : callable, optional
-        Called after each run with the number of runs done.
-
-    Returns
-    -------
-    Solution
-        Of the best run, with its `swarm` report.
+    answer is from its own; it has no part in the search. Run k depends only on the seed and k; the
+    answer is that of the best run, with its `swarm` report.
 
     Raises
     ------
@@ -217,4 +196,37 @@ def _report(
             math.hypot(H, V) for V in objective.vertical_force(runs.best.places).tolist()
         ),
         iterations_flown=runs.iterations,
+    )
+
+
+def solve_case_by_swarm(case: Case, *, progress: Callable[[int], None] | None = None) -> Solution:
+    """Solve a case by the particle swarm method of S1; errors as for `solve_swarm`.
+
+    The horizontal force is known and the anchor on the bed: S1 has no other.
+    """
+    found = Findings("swarm")
+    if case.find is not None:
+        found.add(
+            "find", case.find.quantity, "the swarm method seeks nothing; the closed form does"
+        )
+    force = None if case.load is None else case.load.horizontal_force
+    if force is None:
+        found.add(
+            "load", "no horizontal_force", "the swarm method wants one; the closed form does not"
+        )
+    if case.anchor_height != 0.0:
+        found.add(
+            "line.anchor_height",
+            f"{case.anchor_height:g} m",
+            "the swarm method has the anchor on the bed; the closed form does not need that",
+        )
+    found.raise_if_any()
+    assert force is not None
+    return solve_swarm(
+        case.line,
+        height=case.fairlead_height,
+        horizontal_force=force,
+        settings=case.swarm,
+        seabed_friction=case.site.seabed_friction,
+        progress=progress,
     )
