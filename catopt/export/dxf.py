@@ -126,15 +126,7 @@ class Mark:
 
 
 def dxf_drawing(solved: ExportedLines, *, sources: Sequence[Source] = ()) -> Exported:
-    """Draw lines where they hang.
-
-    Parameters
-    ----------
-    solved : ExportedLines
-        The lines.
-    sources : sequence of Source
-        What the case was read from.
-    """
+    """Draw lines where they hang."""
     size = max(max(line.solution.span, line.solution.line.length) for line in solved.lines)
     sheet = Sheet(solved, size)
     remarks = tuple(_remarks(solved))

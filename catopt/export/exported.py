@@ -58,10 +58,7 @@ class Exported:
     def to_dict(self, path: str | None = None) -> dict[str, Any]:
         """Build the document that ``catopt export --json`` prints (schema catopt.export/1).
 
-        Parameters
-        ----------
-        path : str or None
-            Where the file was written; None: nowhere, and the document holds its text.
+        `path`: where the file was written; None: nowhere, and the document holds its text.
         """
         from hashlib import sha256
 

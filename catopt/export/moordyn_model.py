@@ -106,19 +106,9 @@ class Model:
 def model_of(solved: ExportedLines, *, elements: int = ELEMENTS, true_depth: bool = False) -> Model:
     """Cut the lines, and choose a bed and a time step.
 
-    Parameters
-    ----------
-    solved : ExportedLines
-        The lines where they hang; every segment has an EA.
-    elements : int
-        About how many a line is cut into.
-    true_depth : bool
-        Whether the water ends where it does in the case, even if a line reaches above it.
-
-    Raises
-    ------
-    InputError
-        A segment does not stretch, or its mass is missing or too small, with every one at once.
+    `solved`: the lines where they hang; every segment has an EA; `true_depth`: whether the water
+    ends where it does in the case, even if a line reaches above it. Raises InputError when a
+    segment does not stretch, or its mass is missing or too small, with every one at once.
     """
     parts = _parts(solved, elements)
     depth = solved.case.site.water_depth

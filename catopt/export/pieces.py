@@ -49,15 +49,7 @@ class Piece:
 
 
 def cut_line(line: Line, elements: int) -> tuple[list[Joint], list[Piece]]:
-    """Cut a line; there is one joint more than pieces.
-
-    Parameters
-    ----------
-    line : Line
-        From the anchor to the fairlead.
-    elements : int
-        About how many the whole line is to have; no piece has fewer than two.
-    """
+    """Cut a line; there is one joint more than pieces."""
     total = line.length
     ends: list[float] = []
     for segment in line.segments:

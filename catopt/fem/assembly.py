@@ -129,23 +129,11 @@ def assemble(
 ) -> tuple[int, float]:  # fmt: skip
     """Write the equations of a line into `band` and `rhs`.
 
-    Parameters
-    ----------
-    line : int
-        Which.
-    bars, state, loads, ground, law
-        What the equations are made of; `state.contact`, `reaction` and `balance` are brought up
-        to date.
-    nodal : array, shape (nodes, 3)
-        Forces on the nodes, N.
-    band, rhs : array, shape (4 bars, 19) and (4 bars,)
-        Written to, for all lines; forces are divided by `law.soft`.
-
-    Returns
-    -------
-    changed, strain : int, float
-        Number of nodes and bars whose state changed, and the largest misfit of a bar's length
-        relative to it.
+    `bars`, `state`, `loads`, `ground`, `law`: what the equations are made of; `state.contact`,
+    `reaction` and `balance` are brought up to date; `nodal` (nodes, 3): forces on the nodes, N;
+    `band`, `rhs` (4 bars, 19): written to, for all lines; forces are divided by `law.soft`.
+    Returns: changed, strain: number of nodes and bars whose state changed, and the largest misfit
+    of a bar's length relative to it.
     """
     first, end = bars.start[line], bars.start[line + 1]
     for row in range(4 * first, 4 * end):

@@ -25,17 +25,8 @@ Array = npt.NDArray[np.float64]
 def axis(x: Any, first: int) -> tuple[float, float, float, float]:
     """Give the current length of the bar between nodes `first` and `first + 1`, and its direction.
 
-    Parameters
-    ----------
-    x : array, shape (nodes, 3)
-        Coordinates, m.
-    first : int
-        Node at the anchor's side.
-
-    Returns
-    -------
-    length, tx, ty, tz : float
-        m, and the unit vector towards the second node.
+    `x` (nodes, 3): coordinates, m. Returns: length, tx, ty, tz: m, and the unit vector towards the
+    second node.
     """
     dx = x[first + 1, 0] - x[first, 0]
     dy = x[first + 1, 1] - x[first, 1]
@@ -49,16 +40,8 @@ def axis(x: Any, first: int) -> tuple[float, float, float, float]:
 def bar_force(x1: Array, x2: Array, l0: float, EA: float, *, compression: bool = True) -> Array:
     """Force with which a bar pulls its first node towards its second, N, shape (3,).
 
-    Parameters
-    ----------
-    x1, x2 : ndarray, shape (3,)
-        Coordinates of the ends, m.
-    l0 : float
-        Unstretched length, m.
-    EA : float
-        Axial stiffness, N.
-    compression : bool
-        Whether the bar pushes when it is shorter than `l0`.
+    `x1`, `x2` (3,): coordinates of the ends, m; `l0`: unstretched length, m; `EA`: axial stiffness,
+    N; `compression`: whether the bar pushes when it is shorter than `l0`.
     """
     d = x2 - x1
     length = float(np.linalg.norm(d))

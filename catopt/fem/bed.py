@@ -149,14 +149,8 @@ def friction_sense(law: int) -> float:
 def touches(contact: int, z: float, reaction: float, depth: float) -> int:
     """State of a node after its height and the bed's reaction changed.
 
-    Parameters
-    ----------
-    contact : int
-        State so far.
-    z, reaction : float
-        Height, m, and what a rigid bed would carry, N.
-    depth : float
-        Penetration that is rounding, m.
+    `z`, `reaction`: height, m, and what a rigid bed would carry, N; `depth`: penetration that is
+    rounding, m.
     """
     if contact == FREE and z < -depth:
         return ON_BED

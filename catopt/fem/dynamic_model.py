@@ -67,30 +67,9 @@ def lay_out_moving(
 ) -> MovingLines:
     """Arrays of all lines, one after the other.
 
-    Parameters
-    ----------
-    meshes : sequence of LineMesh
-        The lines; every segment has a finite EA and a mass, every point load a mass. The water
-        acts on point loads by their own figures.
-    sections : sequence of MorisonSection or None
-        One for each segment of every line; None for no load of the water but the weight.
-    fluid : Fluid
-        Water and gravity. A segment displaces what its mass times g exceeds its weight in water
-        by.
-    seabed : Seabed, HeldBed or None
-        None for no bed. A `HeldBed` holds by springs 10,000 times as stiff as a bed of no given
-        stiffness.
-    damping : LineDamping
-        Of the bars.
-    mass_matrix : {"consistent", "lumped"}
-        How a bar's mass acts on its nodes.
-    carries_compression : bool
-        Whether bars push.
-
-    Raises
-    ------
-    InputError
-        For what is missing.
+    `sections`: one for each segment of every line; None for no load of the water but the weight;
+    `seabed`: None for no bed. A `HeldBed` holds by springs 10,000 times as stiff as a bed of no
+    given stiffness. Raises InputError for what is missing.
     """
     _check(meshes, sections, fluid)
     start = np.concatenate([[0], np.cumsum([mesh.elements for mesh in meshes])]).astype(np.int64)

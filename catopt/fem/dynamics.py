@@ -130,15 +130,7 @@ def line_at_rest(
     properties: LineProperties | None = None,
     sea: Sea | None = None,
 ) -> Simulation:
-    """Bring one line to rest in the current, ready to be set in motion.
-
-    Parameters
-    ----------
-    mesh : LineMesh
-        The line, cut.
-    height, span, horizontal_force, anchor_height, properties, sea
-        As for `run_dynamics`.
-    """
+    """Bring one line to rest in the current, ready to be set in motion."""
     with_what = properties or LineProperties()
     lines = lay_out_moving(
         [mesh], with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,

@@ -112,22 +112,10 @@ def bar_loads(
 ) -> None:
     """Fill `loads` for the shape `x`.
 
-    Parameters
-    ----------
-    x : array, shape (nodes, 3)
-        Coordinates, m.
-    first_node : array of int, shape (bars,)
-        First node of each bar.
-    weights : Weights
-        Weight of the bars.
-    length : array, shape (bars,)
-        Unstretched length, m.
-    across, along : array, shape (bars,)
-        0.5 rho D C across and along, N s2/m3; of shape (0,) without a current.
-    velocity : array, shape (bars, 3)
-        Of the water at the bars' middles, m/s.
-    loads : BarLoads
-        Written to.
+    `x` (nodes, 3): coordinates, m; `first_node` (bars,): first node of each bar; `length` (bars,):
+    unstretched length, m; `across`, `along` (bars,): 0.5 rho D C across and along, N s2/m3; of
+    shape (0,) without a current; `velocity` (bars, 3): of the water at the bars' middles, m/s;
+    `loads`: written to.
     """
     force, by_first, by_second = loads
     varies = by_first.shape[0] > 0

@@ -68,21 +68,8 @@ class Newton:
     def run(self, ease: float, ground: Ground, limit: int, tolerance: float) -> bool:
         """Iterate until the forces balance.
 
-        Parameters
-        ----------
-        ease : float
-            e of `assembly.Law`.
-        ground : Ground
-            The bed.
-        limit : int
-            Iterations, at most.
-        tolerance : float
-            Largest force left over at a node over the largest tension.
-
-        Returns
-        -------
-        bool
-            Whether they do.
+        `ease`: e of `assembly.Law`; `limit`: iterations, at most; `tolerance`: largest force left
+        over at a node over the largest tension. Returns: whether they do.
         """
         law = Law(ease, self.problem.soft, self.problem.carries_compression, self._drag_in)
         if ease == 1.0:

@@ -27,19 +27,8 @@ def step_warnings(
 ) -> list[str]:
     """Words about a step too long for what drives the run, and about its waves.
 
-    Parameters
-    ----------
-    step, duration : float
-        s.
-    periods : dict of str to float
-        What drives the run, with its shortest period, s.
-    sea : Sea or None
-        Waves and current.
-
-    Raises
-    ------
-    InputError
-        When a period has fewer than four steps.
+    `step`, `duration`: s; `periods`: what drives the run, with its shortest period, s. Raises
+    InputError when a period has fewer than four steps.
     """
     driven = dict(periods)
     warnings = []
@@ -70,12 +59,7 @@ def step_warnings(
 def record_warnings(period: float, step: float) -> list[str]:
     """Words about a record whose samples do not resolve its own acceleration.
 
-    Parameters
-    ----------
-    period : float
-        That 99 % of its acceleration's variance exceeds, s.
-    step : float
-        From sample to sample, s.
+    `period`: that 99 % of its acceleration's variance exceeds, s; `step`: from sample to sample, s.
     """
     if period >= _FEWEST_SAMPLES * step * (1.0 - 1e-9):
         return []

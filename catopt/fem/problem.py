@@ -121,20 +121,7 @@ def build(
 ) -> Problem:
     """Lay out all lines, one after the other.
 
-    Parameters
-    ----------
-    meshes : sequence of LineMesh
-        The lines.
-    body : Body
-        Where they meet.
-    bed : Bed or HeldBed
-        The seabed.
-    friction : float
-        Coulomb coefficient.
-    water : Water
-        Surface and current.
-    carries_compression : bool
-        Whether bars push.
+    `body`: where they meet.
     """
     counts = [mesh.elements for mesh in meshes]
     start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
@@ -169,12 +156,7 @@ def build(
 def straight(problem: Problem, anchors: Array, fairleads: Array) -> State:
     """Every line straight from its anchor to its fairlead, without tension.
 
-    Parameters
-    ----------
-    problem : Problem
-        The lines.
-    anchors, fairleads : ndarray, shape (lines, 3)
-        Their ends, m.
+    `anchors`, `fairleads` (lines, 3): their ends, m.
     """
     bars = problem.bars
     nodes = problem.nodal.shape[0]
@@ -232,15 +214,7 @@ def _contact(mesh: LineMesh, bed: Bed | HeldBed) -> npt.NDArray[np.int64]:
 
 
 def node_friction(mesh: LineMesh, friction: float) -> Array:
-    """Coulomb coefficient of each node: that of its point load, where that has its own.
-
-    Parameters
-    ----------
-    mesh : LineMesh
-        The line.
-    friction : float
-        Of the bed.
-    """
+    """Coulomb coefficient of each node: that of its point load, where that has its own."""
     rough = np.full(mesh.elements + 1, float(friction))
     for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True):
         if load.friction is not None:

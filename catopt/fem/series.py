@@ -199,14 +199,7 @@ class SeriesRows(NamedTuple):
 def series_rows(base: Array, series: Sequence[Series | None], ramp_time: float) -> SeriesRows:
     """Lay out the series of all ends; those sampled must share their times.
 
-    Parameters
-    ----------
-    base : ndarray, shape (ends, 3)
-        Values at rest.
-    series : sequence of Harmonic, Sampled, Together or None
-        One an end.
-    ramp_time : float
-        s.
+    `base` (ends, 3): values at rest; `ramp_time`: s.
     """
     ends = len(series)
     regular = [s.harmonic if isinstance(s, Together) else s for s in series]
@@ -250,16 +243,7 @@ def _fill_values(times: Any, rows: SeriesRows, room: Any, to: Any) -> None:
 def fill_series(t: float, rows: SeriesRows, end: int, out: Any) -> None:
     """Write value, rate and second derivative at a time.
 
-    Parameters
-    ----------
-    t : float
-        s.
-    rows : SeriesRows
-        The series.
-    end : int
-        Which.
-    out : array, shape (3, 3)
-        Written to: rows of value, first and second derivative along x, y and z.
+    `t`: s; `out` (3, 3): written to: rows of value, first and second derivative along x, y and z.
     """
     for i in range(3):
         out[0, i] = out[1, i] = out[2, i] = 0.0

@@ -71,12 +71,7 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
 def peaks_above_mean(values: Array, mean: float | None = None) -> Array:
     """Largest value between each upward crossing of the mean and the next.
 
-    Parameters
-    ----------
-    values : ndarray, shape (n,)
-        The series.
-    mean : float, optional
-        Its own, unless it is one of several.
+    `values` (n,): the series; `mean`: its own, unless it is one of several.
     """
     above = values > (values.mean() if mean is None else mean)
     ups = np.flatnonzero(above[1:] & ~above[:-1]) + 1

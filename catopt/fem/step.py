@@ -82,15 +82,9 @@ def newton_step(
 ) -> StepReport:  # fmt: skip
     """Assemble, measure what is left over, and solve; the step is left in `room.rhs`.
 
-    Parameters
-    ----------
-    bars, state, loads, nodal, ground, law
-        As for `assembly.assemble`.
-    body : Body
-        Where the lines meet.
-    room : Workspace
-        Written to: entry 4 e is the change of the tension of bar e over `law.soft`, entries
-        4 e + 1 to 4 e + 3 the displacement of its second node.
+    `bars`, `state`, `loads`, `nodal`, `ground`, `law`: as for `assembly.assemble`; `body`: where
+    the lines meet; `room`: written to: entry 4 e is the change of the tension of bar e over
+    `law.soft`, entries 4 e + 1 to 4 e + 3 the displacement of its second node.
     """
     band, rhs = room
     lines = bars.start.shape[0] - 1

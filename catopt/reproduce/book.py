@@ -83,13 +83,7 @@ def _study(study: Study) -> list[str]:
 
 
 def views(study: Study) -> list[str]:
-    """Name the figures of a study by the ends of their files' names.
-
-    Parameters
-    ----------
-    study : Study
-        What is shown.
-    """
+    """Name the figures of a study by the ends of their files' names."""
     of_what = {
         "lines": study.drawn,
         "fitness": study.by_swarm,

@@ -35,13 +35,7 @@ Progress = Callable[[int, int], None]
 
 
 def study(progress: Progress | None = None) -> Study:
-    """Recompute the buoy by swarm and in closed form and judge every printed number.
-
-    Parameters
-    ----------
-    progress : callable, optional
-        Told of the swarm runs done and wanted.
-    """
+    """Recompute the buoy by swarm and in closed form and judge every printed number."""
     source = published(NAME)
     solution = _solve_by_swarm(source, progress)
     by_swarm = _results(solution)

@@ -24,18 +24,7 @@ def compare(
 ) -> tuple[Item, ...]:
     """Judge every number that a source printed for a method, digit for digit.
 
-    Parameters
-    ----------
-    source : Published
-        The calculation.
-    method : str
-        Which of its tables of printed numbers.
-    computed : mapping of str to float
-        By the quantities of that table, in the unit that their names end in.
-    remarks : mapping of str to str, optional
-        What a reader should know beside the verdict, by quantity.
-    computed_by : str
-        How catopt came by the numbers.
+    `method`: which of its tables of printed numbers.
     """
     said = remarks or {}
     return tuple(
@@ -58,14 +47,7 @@ def compare(
 def set_aside(source: Published, method: str, reason: str) -> tuple[Item, ...]:
     """Tell of every number printed for a method that nothing computed can be held against it.
 
-    Parameters
-    ----------
-    source : Published
-        The calculation.
-    method : str
-        Which of its tables of printed numbers.
-    reason : str
-        Why.
+    `method`: which of its tables of printed numbers.
     """
     return tuple(
         Item(
@@ -90,15 +72,7 @@ def study_of(
     findings: Sequence[str],
     drawn: Sequence[Drawn] = (),
 ) -> Study:
-    """Put a study together that has no swarm.
-
-    Parameters
-    ----------
-    source : Published
-        The calculation.
-    inputs, items, findings, drawn : sequence
-        As in `Study`.
-    """
+    """Put a study together that has no swarm."""
     return Study(
         name=source.name,
         title=source.title,

@@ -41,16 +41,8 @@ class SinkerLine:
 def sinker_line(a: float, height: float, position: float, equivalent_length: float) -> SinkerLine:
     """Lay out a line with a sinker by S2 (30) to (40).
 
-    Parameters
-    ----------
-    a : float
-        H / q, m.
-    height : float
-        Of the fairlead above the anchor, m.
-    position : float
-        Length of line from the anchor to the sinker, m.
-    equivalent_length : float
-        L_eq = W_s / q, m; S2 (30).
+    `a`: H / q, m; `height`: of the fairlead above the anchor, m; `position`: length of line from
+    the anchor to the sinker, m; `equivalent_length`: L_eq = W_s / q, m; S2 (30).
     """
     upper = position + equivalent_length
     z_b1, z_b2 = (math.hypot(a, s) - a for s in (position, upper))

@@ -39,15 +39,7 @@ class Printed:
         return len(number.as_tuple().digits) if number else self.decimals
 
     def rounding(self, value: float, *, further: int = 0) -> str:
-        """Write a value to the decimals of this print.
-
-        Parameters
-        ----------
-        value : float
-            In the unit of the print.
-        further : int
-            How many decimals more.
-        """
+        """Write a value to the decimals of this print."""
         return f"{value:.{self.decimals + further}f}"
 
     @property

@@ -57,10 +57,7 @@ def _said(text: str | dict[Language, str]) -> str:
 def published(name: str) -> Published:
     """Look up a published calculation.
 
-    Parameters
-    ----------
-    name : str
-        Of its table in ``published.toml``.
+    `name`: of its table in ``published.toml``.
     """
     table = _data()[name]
     source = _data()["sources"][table["source"]]

@@ -64,10 +64,7 @@ class LinesAtRest(Protocol):
 def lines_at_rest(drive: Drive) -> LinesAtRest:
     """Find how the lines of a case hang before they move.
 
-    Raises
-    ------
-    NoEquilibriumError, NotConvergedError
-        As for `solve_case` and `solve_system`.
+    Raises NoEquilibriumError, NotConvergedError as for `solve_case` and `solve_system`.
     """
     if drive.case.system is not None:
         return LinesOfABody.at_rest(drive)
@@ -352,17 +349,7 @@ def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
 
 
 def quasi_static(leg: Leg, history: History, seabed_friction: float) -> Array:
-    """Tension at a line's fairlead in closed form at each of its places; nan where it has none.
-
-    Parameters
-    ----------
-    leg : Leg
-        The line with its anchor.
-    history : History
-        Of that line alone.
-    seabed_friction : float
-        Coulomb coefficient.
-    """
+    """Tension at a line's fairlead in closed form at each of its places; nan where it has none."""
     at = history.fairlead[:, 0]
     solved = solve_many(
         leg.line,

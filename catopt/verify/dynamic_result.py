@@ -161,10 +161,7 @@ class DynamicRun:
     def changes(self, line_length: float) -> Iterator[Change]:
         """Yield how far each maximum moved from one run to the next that has an answer.
 
-        Parameters
-        ----------
-        line_length : float
-            m.
+        `line_length`: m.
         """
         before: Mapping[str, float] = self.maxima
         for again in self.again:
@@ -197,17 +194,7 @@ def over_runs(
     tail: TailFit | None = None,
     gumbel: GumbelFit | None = None,
 ) -> OverRuns:
-    """Put the statistics of several runs together.
-
-    Parameters
-    ----------
-    quantity : str
-        What they are of.
-    each : sequence of SeriesStatistics
-        One a run.
-    tail, gumbel : TailFit, GumbelFit, optional
-        Of what is random.
-    """
+    """Put the statistics of several runs together."""
     means = np.array([one.mean for one in each])
     variance = float(np.mean([one.std**2 for one in each]) + means.var())
     return OverRuns(

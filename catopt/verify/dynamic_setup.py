@@ -185,12 +185,7 @@ class Drive:
     def motion(self, sea: Sea, span: float) -> Series | None:
         """Motion of the fairlead in a sea.
 
-        Parameters
-        ----------
-        sea : Sea
-            Of the run.
-        span : float
-            At rest, m.
+        `span`: at rest, m.
         """
         given = self.case.motion
         if given is None:
@@ -214,15 +209,7 @@ class Drive:
         return None if given is None else self.anchor_record or _harmonic(given)
 
     def stepping(self, sea: Sea, driven_by: Sequence[Series], finer: int = 1) -> TimeStepping:
-        """Lay out steps and samples of a run.
-
-        Parameters
-        ----------
-        sea, driven_by
-            Of the run.
-        finer : int
-            So many steps in place of one, and the square of that less surprise in each.
-        """
+        """Lay out steps and samples of a run."""
         dynamics = self.dynamics
         step = dynamics.time_step or self._shortest_period(sea, driven_by) / _STEPS
         if dynamics.output_interval is None:
@@ -307,15 +294,7 @@ class Drive:
 def read_drive(case: Case) -> Drive:
     """Read the files of a case's sea and motion.
 
-    Parameters
-    ----------
-    case : Case
-        As `check_for_motion` passes it.
-
-    Raises
-    ------
-    InputError
-        For what is wrong in them.
+    Raises InputError for what is wrong in them.
     """
     drive = _with_sea(_with_motion(case))
     lower = case.anchor_motion
@@ -364,15 +343,7 @@ def _with_sea(drive: Drive) -> Drive:
 def check_for_motion(case: Case) -> None:
     """Refuse a case that lacks what a line in motion needs, with everything that it lacks.
 
-    Parameters
-    ----------
-    case : Case
-        Any.
-
-    Raises
-    ------
-    InputError
-        With the path of every key.
+    Raises InputError with the path of every key.
     """
     problems = [
         *_of_settings(case),

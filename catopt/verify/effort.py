@@ -72,10 +72,7 @@ class Effort:
     def check(self, duration: float) -> None:
         """Refuse what would not end or not fit.
 
-        Raises
-        ------
-        InputError
-            By the keys of ``[dynamics]`` that it hangs on.
+        Raises InputError by the keys of ``[dynamics]`` that it hangs on.
         """
         problems = []
         if self.seconds > MOST_SECONDS:

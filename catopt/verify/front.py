@@ -103,19 +103,7 @@ def verify_front(
     tolerance: float = TOLERANCE,
     progress: Callable[[int, int], None] | None = None,
 ) -> FrontVerification:
-    """Verify designs one after the other; one that fails does not stop the others.
-
-    Parameters
-    ----------
-    title : str
-        Of the search.
-    designs : sequence of Design
-        The front.
-    elements, tolerance
-        As for `verify_case`.
-    progress : callable, optional
-        Told how many designs are done and how many there are.
-    """
+    """Verify designs one after the other; one that fails does not stop the others."""
     found = []
     for done, design in enumerate(designs):
         if progress is not None:

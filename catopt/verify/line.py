@@ -83,19 +83,7 @@ def verify_line(
 ) -> StaticComparison:
     """Solve a line by the truss model on three meshes and hold it against the closed form.
 
-    Parameters
-    ----------
-    moored : Moored
-        The line. A fairlead tension that is known is reached by the closed form's horizontal
-        force.
-    closed : Solution
-        Of the same line.
-    elements : int
-        Bars of the coarsest mesh; the others have two and four times as many.
-    tolerance : float
-        Allowed difference: of the fairlead tension, of the line's length, in rad.
-    name : str
-        Of the load case.
+    `tolerance`: allowed difference: of the fairlead tension, of the line's length, in rad.
     """
     trusses = on_meshes(
         elements,
@@ -129,17 +117,7 @@ def on_meshes(
     cut: Callable[[int], list[LineMesh]],
     solve: Callable[[list[LineMesh]], Truss],
 ) -> tuple[Truss, ...]:
-    """Solve on a mesh and on those of twice and four times as many bars.
-
-    Parameters
-    ----------
-    elements : int
-        Bars of each line on the coarsest mesh.
-    cut : callable
-        Makes the meshes of all lines, of so many bars a line.
-    solve : callable
-        Brings lines of these meshes to rest.
-    """
+    """Solve on a mesh and on those of twice and four times as many bars."""
     meshes = cut(elements)
     solutions = []
     for _ in range(MESHES):
@@ -156,15 +134,7 @@ def compare_line(
     tolerance: float,
     name: str = "",
 ) -> StaticComparison:
-    """Hold solutions of the truss model against a closed form.
-
-    Parameters
-    ----------
-    moored, closed, tolerance, name
-        As for `verify_line`.
-    trusses : sequence of TrussSolution
-        Each of twice the bars of the one before.
-    """
+    """Hold solutions of the truss model against a closed form."""
     return StaticComparison(
         name=name,
         kind="line",
@@ -228,12 +198,7 @@ def slack_bar(truss: TrussSolution) -> tuple[float, float]:
 def angle_scale(tension: float, there: float, tolerance: float) -> float:
     """Scale of an angle, rad: what turns the force at an end by the same part of the tension.
 
-    Parameters
-    ----------
-    tension, there : float
-        At the fairlead and at the end in question, N.
-    tolerance : float
-        Over the scale; no angle may be off by more than pi.
+    `tension`, `there`: at the fairlead and at the end in question, N.
     """
     return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
 

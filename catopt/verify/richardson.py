@@ -22,18 +22,8 @@ ORDER = 2.0
 def observed_order(values: Sequence[float], noise: float) -> float | None:
     """Order by which the last three values close up.
 
-    Parameters
-    ----------
-    values : sequence of float
-        One a mesh, each of twice the bars of the one before.
-    noise : float
-        Change that is rounding.
-
-    Returns
-    -------
-    float or None
-        None where there are fewer than three values or the last change is rounding; infinite
-        never: a change that comes after none counts as order minus infinity, not smooth.
+    Returns: None where there are fewer than three values or the last change is rounding; infinite
+    never: a change that comes after none counts as order minus infinity, not smooth.
     """
     if len(values) < 3:
         return None
@@ -46,12 +36,7 @@ def observed_order(values: Sequence[float], noise: float) -> float | None:
 def extrapolated(values: Sequence[float], order: float = ORDER) -> float:
     """Richardson's estimate from the last two values.
 
-    Parameters
-    ----------
-    values : sequence of float
-        One a mesh, each of twice the bars of the one before; at least two.
-    order : float
-        By which the error falls.
+    `order`: by which the error falls.
     """
     gain = math.pow(2.0, order) - 1.0
     return values[-1] + (values[-1] - values[-2]) / gain

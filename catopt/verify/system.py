@@ -33,17 +33,6 @@ def verify_system(
 
     The truss model's body does not turn: where the system's does, it is held in the closed form's
     yaw, and the moment of its lines is compared with the one that yaw balances.
-
-    Parameters
-    ----------
-    system : System
-        Lines and load.
-    elements : int
-        Bars of each line on the coarsest mesh.
-    tolerance : float
-        Allowed difference, over the fairlead tension of each line, its length, and the offset.
-    name : str
-        Of the load case.
     """
     closed = solve_system(system)
     legs, height = truss_legs(system, closed.position.yaw)
@@ -67,17 +56,8 @@ def verify_system(
 def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
     """Lay the lines of a system out for the truss model.
 
-    Parameters
-    ----------
-    system : System
-        Lines.
-    yaw : float
-        In which the body is held, rad.
-
-    Returns
-    -------
-    list of Leg, float
-        The lines, and the height of the body's origin, m: that of the first fairlead.
+    `yaw`: in which the body is held, rad. Returns: the lines, and the height of the body's origin,
+    m: that of the first fairlead.
     """
     height = system.legs[0].fairlead_height
     cosine, sine = math.cos(yaw), math.sin(yaw)
@@ -97,17 +77,7 @@ def compare_system(
     tolerance: float,
     name: str = "",
 ) -> StaticComparison:
-    """Hold solutions of the truss model against a system's closed form.
-
-    Parameters
-    ----------
-    system, tolerance, name
-        As for `verify_system`.
-    closed : SystemSolution
-        By the closed form.
-    trusses : sequence of SystemSolution
-        Of the truss model, each of twice the bars of the one before.
-    """
+    """Hold solutions of the truss model against a system's closed form."""
     count = len(system.legs)
     return StaticComparison(
         name=name,

@@ -54,12 +54,7 @@ def wave_number(omega: float, depth: float) -> float:
 def fill_wave_numbers(omega: Any, depth: float, k: Any) -> None:
     """Write the wave number of each frequency into `k`; the same for arrays, meant to be compiled.
 
-    Parameters
-    ----------
-    omega, k : array, shape (n,)
-        rad/s, and written to: rad/m.
-    depth : float
-        Water depth, m.
+    `omega`, `k` (n,): rad/s, and written to: rad/m; `depth`: water depth, m.
     """
     for i in range(omega.shape[0]):
         k[i] = wave_number(omega[i], depth)
