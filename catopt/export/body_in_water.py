@@ -13,8 +13,6 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
 from catopt.model import PointLoad, Segment
 
-__all__ = ["STEEL_DENSITY", "BodyInWater", "of_point_load", "of_segment"]
-
 STEEL_DENSITY = 7850.0
 """kg/m3: stands in for a segment whose mass is not known."""
 

@@ -33,8 +33,6 @@ from catopt.export.exported import Exported, Source
 from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.text import plain
 
-__all__ = ["LAYERS", "dxf_drawing"]
-
 LAYERS = MappingProxyType(
     {
         "BED": 34,

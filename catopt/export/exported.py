@@ -7,8 +7,6 @@ from typing import Any, Literal
 
 from catopt._version import __version__
 
-__all__ = ["Exported", "Format", "Source"]
-
 Format = Literal["moordyn", "dxf"]
 
 

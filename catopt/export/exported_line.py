@@ -13,8 +13,6 @@ from catopt.model import Case, Line
 from catopt.mooring.case import report_system
 from catopt.mooring.solution import LegState, SystemSolution
 
-__all__ = ["ExportedLine", "ExportedLines", "exported_lines", "rigid_segments"]
-
 
 @dataclass(frozen=True)
 class ExportedLine:

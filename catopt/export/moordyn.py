@@ -20,8 +20,6 @@ from catopt.export.moordyn_model import DAMPING, ELEMENTS, STEP, LineType, Model
 from catopt.export.moordyn_remarks import ADDED_MASS, DRAG, has_drag, remarks_of
 from catopt.export.text import plain, significant
 
-__all__ = ["moordyn_input"]
-
 
 def moordyn_input(
     solved: ExportedLines,

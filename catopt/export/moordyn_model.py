@@ -17,19 +17,6 @@ from catopt.export.pieces import Joint, Piece, cut_line
 from catopt.export.text import word
 from catopt.model import Segment
 
-__all__ = [
-    "DAMPING",
-    "ELEMENTS",
-    "SINKING",
-    "STEP",
-    "LineType",
-    "Model",
-    "Part",
-    "is_above",
-    "model_of",
-    "resting",
-]
-
 ELEMENTS = 50
 """Of a line, unless it is said how many."""
 

@@ -7,8 +7,6 @@ from itertools import pairwise
 
 from catopt.model import Line, PointLoad
 
-__all__ = ["Joint", "Piece", "cut_line"]
-
 SAME_PLACE = 1e-9
 """Distance over the line's length at which two cuts are one: rounding of lengths added up."""
 

@@ -41,8 +41,6 @@ from catopt.fem.touchdown import (
     shift_slope,
 )
 
-__all__ = ["Bars", "Law", "State", "assemble"]
-
 Array = npt.NDArray[np.float64]
 Codes = npt.NDArray[np.int64]
 

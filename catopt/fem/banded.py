@@ -10,8 +10,6 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-__all__ = ["DIAGONAL", "REACH", "WIDTH", "back_substitute", "eliminate"]
-
 REACH: Final = 6
 DIAGONAL: Final = 6
 WIDTH: Final = 19

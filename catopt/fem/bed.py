@@ -16,23 +16,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "ABSENT",
-    "FREE",
-    "FRICTION_LAWS",
-    "HELD",
-    "LAID",
-    "NO_FRICTION",
-    "ON_BED",
-    "PULLED",
-    "SPRING",
-    "Bed",
-    "Ground",
-    "HeldBed",
-    "friction_sense",
-    "touches",
-]
-
 Array = npt.NDArray[np.float64]
 
 FREE: Final = 0

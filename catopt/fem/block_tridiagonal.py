@@ -14,8 +14,6 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Equations
 
-__all__ = ["back_substitute_blocks", "eliminate_blocks"]
-
 
 def eliminate_blocks(equations: Equations, first: int, end: int) -> bool:
     """Eliminate the nodes from `first` up to the one before `end`.

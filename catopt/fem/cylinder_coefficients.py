@@ -10,8 +10,6 @@ from __future__ import annotations
 import math
 from typing import Final
 
-__all__ = ["OBLIQUE", "added_mass", "steady_drag", "wake_amplification"]
-
 OBLIQUE: Final = (0.03, 0.05)
 """m and n of the drag along, C_n (m + n sin g) cos g, S4 [2.32]."""
 

@@ -22,8 +22,6 @@ from catopt.fem.seabed import Seabed
 from catopt.model import PointLoad
 from catopt.model.validity import Findings
 
-__all__ = ["Fluid", "MassMatrix", "lay_out_moving"]
-
 Array = npt.NDArray[np.float64]
 
 MassMatrix = Literal["consistent", "lumped"]

@@ -37,15 +37,6 @@ from catopt.model.validity import Findings
 from catopt.waves import Sea
 from catopt.words import Measure, Message
 
-__all__ = [
-    "BodyInertia",
-    "LineProperties",
-    "TimeStepping",
-    "line_at_rest",
-    "run_dynamics",
-    "run_system_dynamics",
-]
-
 Array = npt.NDArray[np.float64]
 
 _SERIES = (Harmonic, Sampled, Together)

@@ -23,8 +23,6 @@ from catopt.fem.moving_load import book_loads, load_works
 from catopt.fem.rows import clear_blocks
 from catopt.fem.seabed import across_bed, along_bed
 
-__all__ = ["EnergyBalance", "add_works", "begin_works", "fill_forces", "own_kinetic_energy"]
-
 
 @dataclass(frozen=True)
 class EnergyBalance:

@@ -12,8 +12,6 @@ import numpy.typing as npt
 
 from catopt.fem.statistics import peaks_above_mean
 
-__all__ = ["CONFIDENCE", "LEAST_RUNS", "Extreme", "GumbelFit", "TailFit", "gumbel", "weibull_tail"]
-
 Array = npt.NDArray[np.float64]
 
 CONFIDENCE: Final = 0.9

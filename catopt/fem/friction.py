@@ -14,8 +14,6 @@ from catopt.fem.banded import DIAGONAL
 from catopt.fem.bar import axis
 from catopt.fem.bed import ON_BED, Ground
 
-__all__ = ["drag_spring", "limit", "rub", "slipped_foot"]
-
 
 def limit(node: int, reaction: float, ground: Ground, contact: Any) -> float:
     """Return the friction at which a node slides, N.

@@ -18,8 +18,6 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.fem.bar import axis
 from catopt.model.validity import Findings
 
-__all__ = ["BarLoads", "Current", "DragSection", "Weights", "bar_loads"]
-
 Array = npt.NDArray[np.float64]
 
 

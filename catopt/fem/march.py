@@ -15,8 +15,6 @@ from catopt.fem.series import SeriesRows, fill_series
 from catopt.fem.water_at import fill_water
 from catopt.waves.kinematics import Flow
 
-__all__ = ["MarchReport", "march"]
-
 _LONGER: Final = 0.2
 """Part of the allowed surprise below which the next step may be twice as long."""
 

@@ -13,8 +13,6 @@ import numpy.typing as npt
 from catopt.errors import InputError, Problem
 from catopt.model import Line
 
-__all__ = ["LineMesh", "mesh_line"]
-
 Array = npt.NDArray[np.float64]
 
 _SAME_PLACE = 1e-9

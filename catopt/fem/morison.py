@@ -21,8 +21,6 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.model.validity import Findings
 
-__all__ = ["MorisonSection", "axial_drag", "split_velocity"]
-
 
 @dataclass(frozen=True)
 class MorisonSection:

@@ -11,8 +11,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["Blend", "BodyNode", "Equations", "Moving", "MovingLines", "WaterAt"]
-
 Array = npt.NDArray[np.float64]
 
 

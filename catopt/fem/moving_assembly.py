@@ -10,8 +10,6 @@ from catopt.fem.moving_bar import add_bars
 from catopt.fem.moving_load import add_loads
 from catopt.fem.seabed import across_bed, push_and_rub
 
-__all__ = ["assemble_moving"]
-
 
 def assemble_moving(
     lines: MovingLines, body: BodyNode, water: WaterAt, force: Any, now: Moving, before: Moving,

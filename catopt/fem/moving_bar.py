@@ -17,8 +17,6 @@ from catopt.compiled import inlined
 from catopt.fem.morison import axial_drag, split_velocity
 from catopt.fem.moving import Blend, Equations, Moving, MovingLines, WaterAt
 
-__all__ = ["add_bars", "inertia_of_half"]
-
 
 def add_bars(
     line: int, lines: MovingLines, now: Moving, before: Moving, water: WaterAt, blend: Blend,

@@ -18,8 +18,6 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Blend, Equations, Moving, MovingLines, WaterAt
 
-__all__ = ["add_loads", "book_loads", "immersion", "load_works"]
-
 
 @inlined
 def immersion(below: float, radius: float) -> tuple[float, float]:

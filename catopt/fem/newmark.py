@@ -28,8 +28,6 @@ from catopt.fem.rows import copy_rows
 from catopt.fem.series import SeriesRows, fill_series
 from catopt.model.validity import Findings
 
-__all__ = ["Scheme", "close_step", "predict", "solve_moving"]
-
 _LEAST: Final = 1.0 / 32.0
 """Least part of a Newton step that is taken where the forces left over do not get smaller."""
 

@@ -15,8 +15,6 @@ from catopt.fem.loads import BarLoads, bar_loads
 from catopt.fem.problem import Problem
 from catopt.fem.step import StepReport, Workspace, newton_step, take_step
 
-__all__ = ["Newton"]
-
 Array = npt.NDArray[np.float64]
 
 _DRAG_IN = 1e-9

@@ -10,8 +10,6 @@ from catopt.model.validity import Findings
 from catopt.waves import Sea, breaking_warning, repetition_warning
 from catopt.words import Message, term
 
-__all__ = ["record_warnings", "step_warnings"]
-
 _FEWEST: Final = 4.0
 """Steps in a period below which nothing is left of it."""
 _WANTED: Final = 20.0

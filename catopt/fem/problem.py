@@ -29,8 +29,6 @@ from catopt.fem.loads import Current, Weights
 from catopt.fem.mesh import LineMesh
 from catopt.fem.step import Body
 
-__all__ = ["Problem", "Water", "build", "node_friction", "straight"]
-
 Array = npt.NDArray[np.float64]
 
 _SAME_PLACE = 1e-9

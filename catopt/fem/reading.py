@@ -14,8 +14,6 @@ from catopt.fem.result import EndForce, TrussSolution
 from catopt.fem.settle import Rest
 from catopt.fem.touchdown import hanging_part
 
-__all__ = ["read_line"]
-
 Array = npt.NDArray[np.float64]
 
 _NO_TENSION = 1e-9

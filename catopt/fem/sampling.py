@@ -14,8 +14,6 @@ from catopt.fem.moving_load import immersion
 from catopt.fem.seabed import across_bed
 from catopt.fem.series import SeriesRows, fill_series
 
-__all__ = ["Record", "Room", "Rules", "fill_end_forces", "take_sample"]
-
 Array = npt.NDArray[np.float64]
 
 

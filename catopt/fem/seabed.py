@@ -27,8 +27,6 @@ from catopt.model.dynamics import INITIAL_FRICTION, InitialFriction
 from catopt.model.site import STEEPEST
 from catopt.model.validity import Findings
 
-__all__ = ["Seabed", "across_bed", "along_bed", "drag_feet", "push_and_rub"]
-
 
 @dataclass(frozen=True)
 class Seabed:

@@ -19,17 +19,6 @@ from catopt.compiled import compiled
 from catopt.model.validity import Findings
 from catopt.waves.kinematics import row_at
 
-__all__ = [
-    "Harmonic",
-    "Sampled",
-    "Series",
-    "SeriesRows",
-    "Together",
-    "fill_series",
-    "series_rows",
-    "series_values",
-]
-
 Array = npt.NDArray[np.float64]
 
 _GAP = 5.0

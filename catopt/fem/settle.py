@@ -27,8 +27,6 @@ from catopt.fem.problem import Problem
 from catopt.fem.step import Body
 from catopt.words import Message
 
-__all__ = ["Controls", "Rest", "follow", "settle"]
-
 
 @dataclass(frozen=True)
 class Controls:

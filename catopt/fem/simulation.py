@@ -25,8 +25,6 @@ from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
 from catopt.words import Message, Several
 
-__all__ = ["Break", "Simulation"]
-
 Array = npt.NDArray[np.float64]
 
 _HELD = BodyNode(np.zeros(3), np.zeros(3), np.zeros(3))
@@ -138,11 +136,6 @@ class Simulation:
             ends_before=np.zeros((ends.size, 2, 3)),
             wet_before=np.ones((bars, 2)),
         )
-
-    @property
-    def node_count(self) -> int:
-        """Nodes of all lines."""
-        return int(self.state.x.shape[0])
 
     def _form(self, function: Callable[..., Any], visits: int = 1) -> Callable[..., Any]:
         """Give a kernel function for some visits to every bar, plain or compiled."""

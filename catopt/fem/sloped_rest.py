@@ -20,8 +20,6 @@ from catopt.fem.simulation import Simulation
 from catopt.model.dynamics import InitialFriction
 from catopt.words import Message
 
-__all__ = ["settle_on_slope"]
-
 _NO_SLIP: Final = 10.0
 """Factor on the friction at which springs slip while they are drawn out."""
 _SOFT: Final = 1e-2

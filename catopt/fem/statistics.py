@@ -10,13 +10,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "SeriesStatistics",
-    "peaks_above_mean",
-    "power_spectrum",
-    "series_statistics",
-]
-
 Array = npt.NDArray[np.float64]
 
 

@@ -13,8 +13,6 @@ from catopt.fem.banded import DIAGONAL, back_substitute, eliminate
 from catopt.fem.bed import Ground
 from catopt.fem.loads import BarLoads
 
-__all__ = ["Body", "StepReport", "Workspace", "newton_step", "take_step"]
-
 Array = npt.NDArray[np.float64]
 
 

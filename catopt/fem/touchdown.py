@@ -20,15 +20,6 @@ from typing import Any, Final
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.bed import FREE, ON_BED
 
-__all__ = [
-    "hanging_node",
-    "hanging_part",
-    "own_rest",
-    "share_slope",
-    "share_weight",
-    "shift_slope",
-]
-
 _LEAST: Final = 1e-14
 """r that is rounding."""
 

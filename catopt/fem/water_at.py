@@ -8,8 +8,6 @@ from catopt.compiled import inlined
 from catopt.fem.moving import WaterAt
 from catopt.waves.kinematics import Flow, fill_kinematics
 
-__all__ = ["fill_water", "wet_part"]
-
 
 def fill_water(
     t: float, x: Any, start: Any, flow: Flow, early: float, before: Any, water: WaterAt

@@ -10,8 +10,6 @@ from collections.abc import Sequence
 
 from catopt.reproduce.items import Item, Reproduction, Study
 
-__all__ = ["book", "views"]
-
 _FURTHER_DIGITS = 3
 _MOST_DECIMALS = 6
 """A print of more decimals is the output of a program; more of ours would be rounding."""

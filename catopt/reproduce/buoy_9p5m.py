@@ -18,8 +18,6 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
-__all__ = ["NAME", "ZERO", "study"]
-
 NAME = "buoy_9p5m"
 
 ZERO = 1e-12

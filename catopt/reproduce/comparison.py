@@ -9,8 +9,6 @@ from catopt.reproduce.published import Published
 from catopt.reproduce.verdict import by_digits, not_reproducible
 from catopt.words import term
 
-__all__ = ["compare", "set_aside", "study_of"]
-
 _UNITS = ("m", "kN", "tf")
 _PURE_NUMBER = "-"
 

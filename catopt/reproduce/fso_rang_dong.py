@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution
     from catopt.verify.result import StaticComparison
 
-__all__ = ["BARS", "NAME", "as_run", "free_bed", "held_bed", "study", "turret"]
-
 NAME = "fso_rang_dong"
 
 BARS = 200

@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from catopt.fem import Harmonic, LineProperties
     from catopt.waves import Spectrum, Waves
 
-__all__ = ["NAME", "BedModel", "Maxima", "SeaSpectrum", "run", "study", "synthetic_force"]
-
 NAME = "fso_rang_dong_dynamic"
 
 SeaSpectrum = Literal["Pierson-Moskowitz", "JONSWAP"]

@@ -24,8 +24,6 @@ from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.words import Message, Several, term
 
-__all__ = ["CONDITIONS", "NAME", "fso", "fso_loads", "fso_lyings", "study"]
-
 NAME = "fso_rang_dong_loads"
 
 CONDITIONS: Final = ("loaded", "ballast")

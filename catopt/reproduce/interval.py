@@ -8,8 +8,6 @@ from dataclasses import dataclass
 
 from catopt.reproduce.printed import Printed
 
-__all__ = ["Interval", "interval"]
-
 
 @dataclass(frozen=True)
 class Interval:

@@ -12,18 +12,6 @@ from catopt.words import Message, Several, term
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
-__all__ = [
-    "Drawn",
-    "Input",
-    "Item",
-    "MooredLine",
-    "Mooring",
-    "Reproduction",
-    "SideBySide",
-    "Study",
-    "in_unit",
-]
-
 
 @dataclass(frozen=True)
 class Item:

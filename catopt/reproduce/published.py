@@ -11,8 +11,6 @@ from typing import Any
 from catopt.reproduce.printed import Printed
 from catopt.words import Cited, Language, Told
 
-__all__ = ["Published", "published"]
-
 
 @dataclass(frozen=True)
 class Published:

@@ -14,8 +14,6 @@ from catopt.reproduce.published import Published, published
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
-__all__ = ["NAME", "load_row", "study"]
-
 NAME = "tanker_20m_loads"
 
 _KN = UNITS[Dimension.FORCE]["kN"]

@@ -9,8 +9,6 @@ from typing import Literal
 from catopt.reproduce.printed import Printed
 from catopt.words import Message, term
 
-__all__ = ["Judgement", "Verdict", "by_digits", "by_order", "not_reproducible"]
-
 Verdict = Literal["reproduces", "differs", "not reproducible"]
 
 

@@ -15,8 +15,6 @@ from catopt.verify.result import StaticComparison, Verification
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.system import verify_system
 
-__all__ = ["LOAD", "load_states", "verify_case"]
-
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
 

@@ -9,8 +9,6 @@ from typing import Literal
 from catopt.ties import largest
 from catopt.verify.richardson import ORDER, extrapolated, observed_order
 
-__all__ = ["NOISE", "ROUNDING", "SMOOTH", "Compared", "Unit", "worst_of"]
-
 Unit = Literal["N", "m", "rad", "Nm"]
 
 SMOOTH = 0.25

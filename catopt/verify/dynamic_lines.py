@@ -13,10 +13,10 @@ import numpy.typing as npt
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
 from catopt.errors import InputError, Problem
-from catopt.fem.dynamics import TimeStepping, line_at_rest, run_dynamics, run_system_dynamics
+from catopt.fem.dynamics import line_at_rest, run_dynamics, run_system_dynamics
 from catopt.fem.history import History
 from catopt.fem.mesh import mesh_line
-from catopt.fem.run_settings import BodyInertia
+from catopt.fem.run_settings import BodyInertia, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
 from catopt.fem.simulation import Simulation
@@ -28,8 +28,6 @@ from catopt.verify.dynamic_setup import Drive
 from catopt.verify.system import truss_legs
 from catopt.waves import Sea, Waves
 from catopt.words import Message
-
-__all__ = ["LinesAtRest", "LinesOfABody", "lines_at_rest", "quasi_static"]
 
 Array = npt.NDArray[np.float64]
 Progress = Callable[[float], None]

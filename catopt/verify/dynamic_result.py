@@ -12,7 +12,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from catopt.fem.extremes import Extreme, GumbelFit, TailFit, weibull_tail
+from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
@@ -21,18 +21,6 @@ from catopt.model.dynamics import InitialFriction
 from catopt.ties import largest
 from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
 from catopt.words import Message
-
-__all__ = [
-    "SERIES",
-    "DynamicPart",
-    "DynamicRun",
-    "DynamicVerification",
-    "Envelope",
-    "Extreme",
-    "OverRuns",
-    "TailFit",
-    "Verdict",
-]
 
 Array = npt.NDArray[np.float64]
 

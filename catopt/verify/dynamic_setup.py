@@ -18,9 +18,9 @@ from catopt.fem.cylinder_coefficients import (
 )
 from catopt.fem.damping import LineDamping
 from catopt.fem.dynamic_model import Fluid
-from catopt.fem.dynamics import LineProperties, TimeStepping
 from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
+from catopt.fem.run_settings import LineProperties, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.fem.step_controls import StepControls
@@ -46,8 +46,6 @@ from catopt.waves import (
     regular_wave,
 )
 from catopt.words import Message
-
-__all__ = ["Drive", "check_for_motion", "read_drive"]
 
 _STEPS = 60.0
 """Steps in the shortest period, unless the step is given."""

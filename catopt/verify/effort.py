@@ -8,8 +8,6 @@ from catopt.errors import InputError, Problem
 from catopt.verify.dynamic_lines import LinesAtRest
 from catopt.verify.proof import Proof, work_of_proof
 
-__all__ = ["Effort", "effort_of"]
-
 SECONDS_PER_BAR_AND_STEP = 6e-6
 """On one core: 4 million bars times steps take 15 to 30 s."""
 

@@ -12,8 +12,6 @@ from catopt.verify.case import verify_case
 from catopt.verify.result import Verification
 from catopt.verify.settings import ELEMENTS, TOLERANCE
 
-__all__ = ["Design", "DesignVerification", "FrontVerification", "verify_front"]
-
 
 @dataclass(frozen=True)
 class Design:

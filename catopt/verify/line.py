@@ -19,19 +19,6 @@ from catopt.verify.richardson import ORDER
 from catopt.verify.shape import largest_distances
 from catopt.words import Message, Several
 
-__all__ = [
-    "MESHES",
-    "SLACK",
-    "SLACK_ORDER",
-    "Moored",
-    "angle_scale",
-    "bends",
-    "compare_line",
-    "on_meshes",
-    "slack_bar",
-    "verify_line",
-]
-
 Truss = TypeVar("Truss")
 
 MESHES = 3

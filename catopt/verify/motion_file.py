@@ -17,17 +17,6 @@ from catopt.fem.series import Harmonic, Sampled
 from catopt.units import UNITS, Dimension, as_written
 from catopt.waves import Waves
 
-__all__ = [
-    "Raos",
-    "energy_beyond",
-    "read_columns",
-    "read_force",
-    "read_motion",
-    "read_raos",
-    "refused",
-    "too_short",
-]
-
 Array = npt.NDArray[np.float64]
 
 _AXES = ("x", "y", "z")

@@ -11,19 +11,6 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final, Literal
 
-__all__ = [
-    "FINER",
-    "LEAST_TENSION",
-    "LIMIT",
-    "Again",
-    "Change",
-    "Proof",
-    "Way",
-    "added",
-    "largest_changes",
-    "work_of_proof",
-]
-
 LIMIT: Final = 0.05
 """Change of a maximum, or part of the work lost, above which a run has not converged."""
 

@@ -13,8 +13,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-__all__ = ["ORDER", "extrapolated", "observed_order"]
-
 ORDER = 2.0
 """Of bars with half of their load at each end."""
 

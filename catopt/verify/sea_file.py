@@ -12,8 +12,6 @@ from catopt.units import UNITS, Dimension
 from catopt.verify.motion_file import read_columns, too_short
 from catopt.waves import CurrentSeries, ElevationRecord
 
-__all__ = ["read_current", "read_elevation"]
-
 _SURFACE = {"time": UNITS[Dimension.TIME], "elevation": UNITS[Dimension.LENGTH]}
 _CURRENT = {
     "time": UNITS[Dimension.TIME],

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from catopt.model.validity import Findings
 
-__all__ = ["ELEMENTS", "TOLERANCE", "check_settings"]
-
 ELEMENTS = 200
 """Bars of a line on the coarsest mesh."""
 

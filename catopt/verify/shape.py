@@ -14,8 +14,6 @@ from catopt.catenary.solution import Solution
 from catopt.fem import TrussSolution
 from catopt.verify.richardson import ORDER
 
-__all__ = ["Array", "closed_form_at", "flat", "largest_distances"]
-
 Array = npt.NDArray[np.float64]
 
 _AT_JOINT = 1e-12

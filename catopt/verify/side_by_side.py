@@ -16,8 +16,6 @@ from typing import Any, TypeVar
 
 from catopt.errors import CatoptError
 
-__all__ = ["side_by_side"]
-
 T = TypeVar("T")
 Progress = Callable[[int, int], None]
 

@@ -20,8 +20,6 @@ from catopt.verify.result import LinePair, Mesh, StaticComparison
 from catopt.verify.richardson import ORDER
 from catopt.words import Message
 
-__all__ = ["compare_system", "truss_legs", "verify_system"]
-
 _LEAST_OFFSET = 0.01
 """Offset by which positions are measured at least, over the length of the longest line."""
 

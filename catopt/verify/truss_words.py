@@ -16,15 +16,6 @@ if TYPE_CHECKING:
     from catopt.verify.compared import Compared
     from catopt.verify.result import StaticComparison
 
-__all__ = [
-    "QUANTITY_OF",
-    "gap_words",
-    "in_parts",
-    "name_of",
-    "part_sentence",
-    "rough_sentence",
-]
-
 
 def _named(key: str, name: str, symbol: str | None = None) -> Quantity:
     of = QUANTITIES[key]

@@ -15,8 +15,6 @@ from catopt.verify.motion_file import Raos, read_columns, refused
 if TYPE_CHECKING:
     from catopt.model import Motion
 
-__all__ = ["VesselRaos", "read_vessel_raos"]
-
 Array = npt.NDArray[np.float64]
 
 _WAYS = ("surge", "sway", "heave")

@@ -12,8 +12,6 @@ from typing import Any, Final
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.validity import Findings
 
-__all__ = ["fill_wave_numbers", "wave_number", "wavelength"]
-
 _DEEP: Final = 20.0
 """tanh is 1 in double precision from 19.1 on, and k d is omega² d/g."""
 

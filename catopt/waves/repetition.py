@@ -23,8 +23,6 @@ from catopt.model.validity import Findings
 from catopt.waves.components import Waves
 from catopt.words import Message
 
-__all__ = ["Return", "repetition_warning", "strongest_return", "waves_needed"]
-
 _APART: Final = 10.0
 """In mean periods: after these the waves of even the narrowest spectrum here have come apart."""
 
