@@ -14,7 +14,7 @@ import numpy.typing as npt
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.fem.bed import HeldBed
 from catopt.fem.damping import LineDamping
-from catopt.fem.mesh import LineMesh
+from catopt.fem.mesh import LineMesh, by_bar
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import MovingLines
 from catopt.fem.problem import node_friction
@@ -72,7 +72,7 @@ def lay_out_moving(
     _check(meshes, sections, fluid)
     start = np.concatenate([[0], np.cumsum([mesh.elements for mesh in meshes])]).astype(np.int64)
     length = np.concatenate([mesh.length for mesh in meshes])
-    EA, mass, weight = (_by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
+    EA, mass, weight = (by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
     in_air = mass * fluid.gravity
     displaced = (in_air - weight) / fluid.gravity
     water = np.zeros((6, length.size))
@@ -136,15 +136,6 @@ def lay_out_moving(
         lower_free=np.zeros(len(meshes), dtype=bool),
         force_scale=_force_scale(start, length, weight, force, EA),
     )
-
-
-def _by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
-    """Figure of the segment to which each bar belongs."""
-    figures = [
-        np.array([getattr(segment, name) for segment in mesh.line.segments], dtype=float)
-        for mesh in meshes
-    ]
-    return np.concatenate([f[mesh.segment] for f, mesh in zip(figures, meshes, strict=True)])
 
 
 def _section_row(section: MorisonSection, density: float) -> tuple[float, ...]:

@@ -26,7 +26,7 @@ from catopt.fem.bed import (
     HeldBed,
 )
 from catopt.fem.loads import Current, Weights
-from catopt.fem.mesh import LineMesh
+from catopt.fem.mesh import LineMesh, by_bar
 from catopt.fem.step import Body
 
 Array = npt.NDArray[np.float64]
@@ -126,11 +126,11 @@ def build(
     length = np.concatenate([mesh.length for mesh in meshes])
     multiplier = bed.EA_multiplier if isinstance(bed, HeldBed) else 1.0
     with np.errstate(divide="ignore"):
-        compliance = 1.0 / (multiplier * _by_bar(meshes, "EA"))
-    submerged = length * _by_bar(meshes, "submerged_weight")
+        compliance = 1.0 / (multiplier * by_bar(meshes, "EA"))
+    submerged = length * by_bar(meshes, "submerged_weight")
     in_air = submerged
     if math.isfinite(water.surface):
-        in_air = length * water.gravity * _by_bar(meshes, "mass")
+        in_air = length * water.gravity * by_bar(meshes, "mass")
     nodal = np.concatenate([_point_loads(mesh) for mesh in meshes])
     across, along = _drag(meshes, water.current)
     soft = _weight_scale(start, submerged, nodal, body)
@@ -175,15 +175,6 @@ def straight(problem: Problem, anchors: Array, fairleads: Array) -> State:
         reaction=np.zeros(nodes),
         balance=np.zeros((nodes, 3)),
     )
-
-
-def _by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
-    """Figure of the segment to which each bar belongs."""
-    figures = [
-        np.array([getattr(segment, name) for segment in mesh.line.segments], dtype=float)
-        for mesh in meshes
-    ]
-    return np.concatenate([f[mesh.segment] for f, mesh in zip(figures, meshes, strict=True)])
 
 
 def _point_loads(mesh: LineMesh) -> Array:
