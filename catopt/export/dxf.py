@@ -67,12 +67,7 @@ ROW = 1.6
 class Sheet:
     """How a line's points come onto the drawing.
 
-    Attributes
-    ----------
-    solved : ExportedLines
-        What is drawn.
-    size : float
-        The longest span or length of a line, m.
+    `solved`: what is drawn; `size`: the longest span or length of a line, m.
     """
 
     solved: ExportedLines
@@ -104,16 +99,8 @@ class Sheet:
 class Mark:
     """Something on a line.
 
-    Attributes
-    ----------
-    layer : str
-        One of LAYERS.
-    distance, height : float
-        From the anchor, and above the bed, m.
-    words : str
-        Beside it.
-    row : int
-        Where the words stand (`Sheet.beside`).
+    `layer`: one of LAYERS; `distance`, `height`: from the anchor, and above the bed, m; `row`:
+    where the words stand (`Sheet.beside`).
     """
 
     layer: str

@@ -72,18 +72,9 @@ class ExportedLine:
 class ExportedLines:
     """A case with its lines where they hang.
 
-    Attributes
-    ----------
-    case : Case
-        Under the load that was taken.
-    lines : tuple of ExportedLine
-        One, or those of the system.
-    system : SystemSolution or None
-        Of a moored body.
-    EA : float or None
-        Of the segments that do not stretch in the case, N; None: they were left as they are.
-    warnings : tuple of str
-        What an engineer should know before using the answer.
+    `case`: under the load that was taken; `lines`: one, or those of the system; `system`: of a
+    moored body; `EA`: of the segments that do not stretch in the case, N; None: they were left as
+    they are; `warnings`: what an engineer should know before using the answer.
     """
 
     case: Case

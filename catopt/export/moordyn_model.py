@@ -63,18 +63,8 @@ class Part:
 class Model:
     """What is written.
 
-    Attributes
-    ----------
-    solved : ExportedLines
-        The lines.
-    parts : sequence of Part
-        The same, cut.
-    surface : float
-        Height of the water surface above the bed, m.
-    bed_stiffness, bed_damping : float
-        Pa/m and Pa s/m.
-    step : float
-        s.
+    `parts`: the same, cut; `surface`: height of the water surface above the bed, m;
+    `bed_stiffness`, `bed_damping`: Pa/m and Pa s/m; `step`: s.
     """
 
     solved: ExportedLines

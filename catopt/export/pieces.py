@@ -15,12 +15,7 @@ SAME_PLACE = 1e-9
 class Joint:
     """A place between two pieces, or an end of the line.
 
-    Attributes
-    ----------
-    arc : float
-        Unstretched, from the anchor, m.
-    loads : tuple of PointLoad
-        What hangs there.
+    `arc`: unstretched, from the anchor, m; `loads`: what hangs there.
     """
 
     arc: float
@@ -31,14 +26,8 @@ class Joint:
 class Piece:
     """A uniform part of the line between two joints that follow each other.
 
-    Attributes
-    ----------
-    segment : int
-        Which one it belongs to, counted from 0 at the anchor.
-    length : float
-        Unstretched, m.
-    elements : int
-        Into how many equal parts it is cut.
+    `segment`: which one it belongs to, counted from 0 at the anchor; `length`: unstretched, m;
+    `elements`: into how many equal parts it is cut.
     """
 
     segment: int

@@ -60,13 +60,9 @@ Where friction has used up the tension of a line that was pulled straight, it st
 class Bars(NamedTuple):
     """All bars, one line after the other.
 
-    Attributes
-    ----------
-    length, compliance : array, shape (bars,)
-        Unstretched length, m, and 1/EA, 1/N.
-    start : array of int, shape (lines + 1,)
-        First bar of each line. Line k has one node more than bars: bar e lies between nodes e + k
-        and e + k + 1.
+    `length`, `compliance` (bars,): unstretched length, m, and 1/EA, 1/N; `start` (lines + 1,):
+    first bar of each line. Line k has one node more than bars: bar e lies between nodes e + k and e
+    + k + 1.
     """
 
     length: Array

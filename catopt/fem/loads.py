@@ -68,12 +68,8 @@ class Current:
 class Weights(NamedTuple):
     """Weight of the bars; arrays of shape (bars,).
 
-    Attributes
-    ----------
-    submerged, in_air : array
-        Weight of each bar, N.
-    surface : float
-        Height of the still water surface, m; infinite when all is taken to be submerged.
+    `submerged`, `in_air`: weight of each bar, N; `surface`: height of the still water surface, m;
+    infinite when all is taken to be submerged.
     """
 
     submerged: Array
@@ -84,13 +80,8 @@ class Weights(NamedTuple):
 class BarLoads(NamedTuple):
     """What each bar hands to each of its ends.
 
-    Attributes
-    ----------
-    force : array, shape (bars, 3)
-        N.
-    by_first, by_second : array, shape (bars, 3, 3)
-        Derivatives by the coordinates of its first and second node, N/m; of shape (0, 3, 3) when
-        the loads do not depend on the shape.
+    `force` (bars, 3): N; `by_first`, `by_second` (bars, 3, 3): derivatives by the coordinates of
+    its first and second node, N/m; of shape (0, 3, 3) when the loads do not depend on the shape.
     """
 
     force: Array

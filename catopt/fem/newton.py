@@ -28,14 +28,8 @@ _USUAL = 25
 class Newton:
     """Iterations on one state, which they move; counts them.
 
-    Attributes
-    ----------
-    state : State
-        Where the lines are.
-    iterations : int
-        Taken so far.
-    last : StepReport or None
-        What was left over when last looked at.
+    `state`: where the lines are; `iterations`: taken so far; `last`: what was left over when last
+    looked at.
     """
 
     def __init__(self, problem: Problem, state: State, most: int) -> None:

@@ -164,18 +164,9 @@ Series = Harmonic | Sampled | Together
 class SeriesRows(NamedTuple):
     """Series of one or more ends as the kernels read them.
 
-    Attributes
-    ----------
-    base : array, shape (ends, 3)
-        Value at rest, before the series has begun.
-    harmonics : array, shape (ends, n, 7)
-        omega, amplitudes, phases.
-    times : array, shape (m,)
-        Of the spline; empty without one.
-    spline : array, shape (ends, m - 1, 3, 4)
-        Its coefficients.
-    ramp_time : float
-        s over which it grows as (1 - cos(pi t/T))/2.
+    `base` (ends, 3): value at rest, before the series has begun; `harmonics` (ends, n, 7): omega,
+    amplitudes, phases; `times` (m,): of the spline; empty without one; `spline` (ends, m - 1, 3,
+    4): its coefficients; `ramp_time`: s over which it grows as (1 - cos(pi t/T))/2.
     """
 
     base: Array

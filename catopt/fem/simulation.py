@@ -53,14 +53,8 @@ _PIECE = 0.1
 class Break(NamedTuple):
     """Where and when a line parts.
 
-    Attributes
-    ----------
-    line : int
-        From 0.
-    sample : int
-        After which one.
-    at_anchor : bool
-        At its anchor, whose end is then free; otherwise at its fairlead: its last bar is then gone.
+    `line`: from 0; `sample`: after which one; `at_anchor`: at its anchor, whose end is then free;
+    otherwise at its fairlead: its last bar is then gone.
     """
 
     line: int

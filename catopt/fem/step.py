@@ -19,14 +19,9 @@ Array = npt.NDArray[np.float64]
 class Body(NamedTuple):
     """The node in which the lines meet.
 
-    Attributes
-    ----------
-    free : array, shape (3,)
-        1.0 for each direction in which it may move, 0.0 where it is held.
-    force : array, shape (3,)
-        On it, N.
-    place : array, shape (3,)
-        Where the last node of the first line belongs in the directions that are held, m.
+    `free` (3,): 1.0 for each direction in which it may move, 0.0 where it is held; `force` (3,): on
+    it, N; `place` (3,): where the last node of the first line belongs in the directions that are
+    held, m.
     """
 
     free: Array

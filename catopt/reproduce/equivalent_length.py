@@ -14,14 +14,8 @@ class SinkerLine:
     length of line below the sinker, ends at b1. The upper piece starts at b2, further up by the
     equivalent length, and ends at the fairlead C.
 
-    Attributes
-    ----------
-    x_b1, x_b2, x_oc : float
-        From O to b1, b2 and C, horizontally, m.
-    z_oc : float
-        From O up to C, m; S2 (35).
-    length : float
-        Of line, below and above the sinker, m; S2 (36).
+    `x_b1`, `x_b2`, `x_oc`: from O to b1, b2 and C, horizontally, m; `z_oc`: from O up to C, m; S2
+    (35); `length`: of line, below and above the sinker, m; S2 (36).
     """
 
     x_b1: float

@@ -132,12 +132,8 @@ def in_unit(quantity: str, unit: str) -> Message:
 class MooredLine:
     """Where one line of a moored body lies, from its anchor; m.
 
-    Attributes
-    ----------
-    x, y, z : tuple of float
-        Places along it, z above the seabed.
-    on_bed : tuple of bool
-        Whether the line lies on the bed there, or is held down to it.
+    `x`, `y`, `z`: places along it, z above the seabed; `on_bed`: whether the line lies on the bed
+    there, or is held down to it.
     """
 
     x: tuple[float, ...]

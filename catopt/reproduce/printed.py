@@ -10,10 +10,7 @@ from decimal import Decimal
 class Printed:
     """A printed number.
 
-    Attributes
-    ----------
-    text : str
-        As printed, such as ``"17.430"``; the closing zero is a claim.
+    `text`: as printed, such as ``"17.430"``; the closing zero is a claim.
     """
 
     text: str

@@ -73,14 +73,8 @@ def lines_at_rest(drive: Drive) -> LinesAtRest:
 class OneLine:
     """A line whose fairlead is led.
 
-    Attributes
-    ----------
-    drive : Drive
-        What drives it.
-    load : Load
-        By which the truss model is brought to rest.
-    span : float
-        That it gives, m.
+    `drive`: what drives it; `load`: by which the truss model is brought to rest; `span`: that it
+    gives, m.
     """
 
     drive: Drive
@@ -183,16 +177,8 @@ class OneLine:
 class LinesOfABody:
     """Lines that meet in a body, which is led or moves under forces.
 
-    Attributes
-    ----------
-    drive : Drive
-        What drives the body.
-    legs : tuple of Leg
-        Its lines, in the yaw that it has at rest.
-    place : tuple of float
-        Of its origin at rest, m: x, y, and the height of the first fairlead.
-    yaw : float
-        At rest, rad.
+    `drive`: what drives the body; `legs`: its lines, in the yaw that it has at rest; `place`: of
+    its origin at rest, m: x, y, and the height of the first fairlead; `yaw`: at rest, rad.
     """
 
     drive: Drive

@@ -199,14 +199,8 @@ def over_runs(
 class Envelope(NamedTuple):
     """What the bars of a line see over all runs.
 
-    Attributes
-    ----------
-    arc : ndarray, shape (bars,)
-        Unstretched arc length of each, m.
-    largest, smallest : ndarray, shape (bars,)
-        Tensions, N.
-    slack, longest_slack : ndarray, shape (bars,)
-        Time without tension of a run in all, and at a stretch, s.
+    `arc` (bars,): unstretched arc length of each, m; `largest`, `smallest` (bars,): tensions, N;
+    `slack`, `longest_slack` (bars,): time without tension of a run in all, and at a stretch, s.
     """
 
     arc: Array
@@ -395,14 +389,9 @@ class DynamicPart:
 class DynamicVerification:
     """A case in motion.
 
-    Attributes
-    ----------
-    case : Case
-        What was run.
-    parts : tuple of DynamicPart
-        One a load case; of a body with several lines, one a line.
-    is_complete : bool
-        False when it was stopped (Ctrl-C): the last run is short, and others may be missing.
+    `case`: what was run; `parts`: one a load case; of a body with several lines, one a line;
+    `is_complete`: False when it was stopped (Ctrl-C): the last run is short, and others may be
+    missing.
     """
 
     case: Case

@@ -21,16 +21,9 @@ MOST_SECONDS, MOST_BYTES = 30.0 * 86400.0, 8e9
 class Effort:
     """Time and memory of a load case.
 
-    Attributes
-    ----------
-    steps, bars, runs : float
-        Of one run, of all lines together, and how many runs.
-    proof : int
-        How often the work of a run its proof takes at most: where a line goes slack.
-    samples : float
-        That are kept of each line in each run.
-    lines : int
-        How many.
+    `steps`, `bars`, `runs`: of one run, of all lines together, and how many runs; `proof`: how
+    often the work of a run its proof takes at most: where a line goes slack; `samples`: that are
+    kept of each line in each run.
     """
 
     steps: float

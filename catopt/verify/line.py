@@ -41,16 +41,8 @@ _FOOT = "anchor"
 class Moored:
     """A line, where it is moored and what is known of its load.
 
-    Attributes
-    ----------
-    line : Line
-        The line.
-    height, anchor_height : float
-        Of the fairlead and the anchor above the seabed, m.
-    seabed_friction : float
-        Coulomb coefficient.
-    load : Load
-        What is known at the fairlead.
+    `height`, `anchor_height`: of the fairlead and the anchor above the seabed, m; `load`: what is
+    known at the fairlead.
     """
 
     line: Line

@@ -30,13 +30,8 @@ _SHOWN = 10
 class Raos:
     """Response amplitude operators of the fairlead itself, by the waves' frequency.
 
-    Attributes
-    ----------
-    omega : ndarray, shape (n,)
-        Angular frequency, rad/s, rising.
-    response : ndarray of complex, shape (n, 3)
-        Along x, y and z in m to a wave of 1 m: size, and phase by which it lags behind the crest
-        over the fairlead.
+    `omega` (n,): angular frequency, rad/s, rising; `response` (n, 3): along x, y and z in m to a
+    wave of 1 m: size, and phase by which it lags behind the crest over the fairlead.
     """
 
     omega: Array

@@ -41,12 +41,8 @@ _WANTED: Final = 0.25
 class Return:
     """When a sum of waves comes closest to repeating itself.
 
-    Attributes
-    ----------
-    lag : float
-        s after which; 0 for a run too short to tell.
-    correlation : float
-        R there: 1 is a repetition, 0 none.
+    `lag`: s after which; 0 for a run too short to tell; `correlation`: R there: 1 is a repetition,
+    0 none.
     """
 
     lag: float
