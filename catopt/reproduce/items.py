@@ -206,21 +206,11 @@ class Study:
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""
         return {
-            "name": self.name,
-            "title": self.title,
-            "source": self.source,
-            "source_title": self.source_title,
-            "source_where": self.source_where,
-            "where": self.where,
-            "inputs": [
-                {
-                    "quantity": given.quantity,
-                    "value": given.value,
-                    "unit": given.unit,
-                    "origin": given.origin,
-                }
-                for given in self.inputs
-            ],
+            **{
+                key: getattr(self, key)
+                for key in ("name", "title", "source", "source_title", "source_where", "where")
+            },
+            "inputs": [dict(vars(given)) for given in self.inputs],
             "findings": list(self.findings),
             "side_by_side": [table.to_dict() for table in self.side_by_side],
         }
