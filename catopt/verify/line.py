@@ -13,9 +13,8 @@ from catopt.catenary.solution import Solution
 from catopt.errors import NotConvergedError
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
 from catopt.model import Line, Load
-from catopt.verify.compared import Compared, Unit
+from catopt.verify.compared import ORDER, Compared, Unit
 from catopt.verify.result import LinePair, Mesh, StaticComparison
-from catopt.verify.richardson import ORDER
 from catopt.verify.shape import largest_distances
 from catopt.words import Message, Several
 
@@ -146,10 +145,8 @@ def _quantities(
     force, reach = max(tension, bar[0] / tolerance), max(length, bar[1] / tolerance)
 
     def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
-        values = tuple(_read(truss, path) for truss in trusses)
-        return Compared(
-            quantity, unit, _read(closed, path), values, scale, tolerance, theory=theory
-        )
+        values = tuple(read(truss, path) for truss in trusses)
+        return Compared(quantity, unit, read(closed, path), values, scale, tolerance, theory=theory)
 
     if moored.load.span is None:
         yield compared("span", "m", "span", reach)
@@ -159,7 +156,7 @@ def _quantities(
         yield compared(f"{end}_tension", "N", f"{end}.tension", force)
         yield compared(f"{end}_vertical_force", "N", f"{end}.vertical_force", force)
         if not is_slack:
-            scale = angle_scale(tension, _read(closed, f"{end}.tension"), tolerance)
+            scale = angle_scale(tension, read(closed, f"{end}.tension"), tolerance)
             yield compared(f"{end}_angle", "rad", f"{end}.angle", scale)
     yield compared("grounded_length", "m", "grounded_length", reach)
     if not is_slack:
@@ -182,7 +179,8 @@ def angle_scale(tension: float, there: float, tolerance: float) -> float:
     return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
 
 
-def _read(solution: Any, path: str) -> float:
+def read(solution: Any, path: str) -> float:
+    """Figure of a solution by its path, such as ``"fairlead.tension"``."""
     for name in path.split("."):
         solution = getattr(solution, name)
     return float(solution)

@@ -12,7 +12,7 @@ from catopt.catenary.layout import end_of
 from catopt.catenary.profile import tension_at
 from catopt.catenary.solution import Solution
 from catopt.fem import TrussSolution
-from catopt.verify.richardson import ORDER
+from catopt.verify.compared import ORDER
 
 Array = npt.NDArray[np.float64]
 

@@ -14,10 +14,9 @@ from catopt.fem import solve_system as solve_truss
 from catopt.model import System
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
-from catopt.verify.compared import Compared, Unit
-from catopt.verify.line import SLACK, SLACK_ORDER, bends, on_meshes, slack_bar
+from catopt.verify.compared import ORDER, Compared, Unit
+from catopt.verify.line import SLACK, SLACK_ORDER, bends, on_meshes, read, slack_bar
 from catopt.verify.result import LinePair, Mesh, StaticComparison
-from catopt.verify.richardson import ORDER
 from catopt.words import Message
 
 _LEAST_OFFSET = 0.01
@@ -157,34 +156,13 @@ def _line(
         weight, bar = slack_bar(trusses[-1].lines[k])
         tension, length = max(tension, weight / tolerance), max(length, bar / tolerance)
 
-    def compared(
-        quantity: str, unit: Unit, own: float, fem: Sequence[float], scale: float
-    ) -> Compared:
+    def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
         theory = SLACK_ORDER if is_slack else ORDER
-        return Compared(quantity, unit, own, tuple(fem), scale, tolerance, k, theory=theory)
+        fem = tuple(read(truss.lines[k], path) for truss in trusses)
+        return Compared(quantity, unit, read(exact, path), fem, scale, tolerance, k, theory=theory)
 
-    lines = [truss.lines[k] for truss in trusses]
-    yield compared(
-        "fairlead_tension", "N",
-        exact.fairlead.tension,
-        [line.fairlead.tension for line in lines], tension,
-    )  # fmt: skip
-    yield compared(
-        "anchor_tension", "N",
-        exact.anchor.tension,
-        [line.anchor.tension for line in lines], tension,
-    )  # fmt: skip
-    yield compared(
-        "horizontal_force", "N",
-        exact.horizontal_force,
-        [line.horizontal_force for line in lines], tension,
-    )  # fmt: skip
-    yield compared(
-        "span", "m",
-        exact.span, [line.span for line in lines], length,
-    )  # fmt: skip
-    yield compared(
-        "grounded_length", "m",
-        exact.grounded_length,
-        [line.grounded_length for line in lines], length,
-    )  # fmt: skip
+    yield compared("fairlead_tension", "N", "fairlead.tension", tension)
+    yield compared("anchor_tension", "N", "anchor.tension", tension)
+    yield compared("horizontal_force", "N", "horizontal_force", tension)
+    yield compared("span", "m", "span", length)
+    yield compared("grounded_length", "m", "grounded_length", length)

@@ -8,8 +8,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.verify.compared import ROUNDING
-from catopt.verify.richardson import ORDER
+from catopt.verify.compared import ORDER, ROUNDING
 from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
