@@ -34,14 +34,13 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
+    from catopt.fem import Extreme, TailFit
     from catopt.fem.energy_balance import EnergyBalance
     from catopt.verify.dynamic_result import (
         DynamicPart,
         DynamicRun,
         DynamicVerification,
-        Extreme,
         OverRuns,
-        TailFit,
     )
 
 __all__ = ["motion_answer"]

@@ -13,8 +13,6 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError, Problem
 from catopt.model import PointLoad, Segment
 
-__all__ = ["STEEL_DENSITY", "BodyInWater", "of_point_load", "of_segment"]
-
 STEEL_DENSITY = 7850.0
 """kg/m3: stands in for a segment whose mass is not known."""
 
@@ -53,19 +51,9 @@ class BodyInWater:
 def of_segment(segment: Segment, water_density: float, key: str) -> BodyInWater:
     """Mass and volume of a segment, per length.
 
-    Parameters
-    ----------
-    segment : Segment
-        Without a mass it is taken to be of steel.
-    water_density : float
-        kg/m3.
-    key : str
-        Where the segment stands in the case, for messages.
-
-    Raises
-    ------
-    InputError
-        It does not sink and its mass is not known, or its mass is less than its weight in water.
+    `water_density`: kg/m3; `key`: where the segment stands in the case, for messages. Raises
+    InputError when it does not sink and its mass is not known, or its mass is less than its weight
+    in water.
     """
     weight = segment.submerged_weight / STANDARD_GRAVITY
     if segment.mass == 0.0:
@@ -83,19 +71,8 @@ def of_segment(segment: Segment, water_density: float, key: str) -> BodyInWater:
 def of_point_load(load: PointLoad, water_density: float, key: str) -> BodyInWater:
     """Mass and volume of a clump weight or a buoy, with its drag and added mass.
 
-    Parameters
-    ----------
-    load : PointLoad
-        Without a mass a weight gets no volume, and a buoy no mass.
-    water_density : float
-        kg/m3.
-    key : str
-        Where the load stands in the case, for messages.
-
-    Raises
-    ------
-    InputError
-        Its mass in air is less than its weight in water.
+    `water_density`: kg/m3; `key`: where the load stands in the case, for messages. Raises
+    InputError when its mass in air is less than its weight in water.
     """
     weight = load.submerged_weight / STANDARD_GRAVITY
     if load.mass is None:

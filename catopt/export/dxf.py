@@ -32,8 +32,6 @@ from catopt.export.exported import Exported, Source
 from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.text import plain
 
-__all__ = ["LAYERS", "dxf_drawing"]
-
 LAYERS = MappingProxyType(
     {
         "BED": 34,
@@ -68,12 +66,7 @@ ROW = 1.6
 class Sheet:
     """How a line's points come onto the drawing.
 
-    Attributes
-    ----------
-    solved : ExportedLines
-        What is drawn.
-    size : float
-        The longest span or length of a line, m.
+    `solved`: what is drawn; `size`: the longest span or length of a line, m.
     """
 
     solved: ExportedLines
@@ -105,16 +98,8 @@ class Sheet:
 class Mark:
     """Something on a line.
 
-    Attributes
-    ----------
-    layer : str
-        One of LAYERS.
-    distance, height : float
-        From the anchor, and above the bed, m.
-    words : str
-        Beside it.
-    row : int
-        Where the words stand (`Sheet.beside`).
+    `layer`: one of LAYERS; `distance`, `height`: from the anchor, and above the bed, m; `row`:
+    where the words stand (`Sheet.beside`).
     """
 
     layer: str
@@ -125,15 +110,7 @@ class Mark:
 
 
 def dxf_drawing(solved: ExportedLines, *, sources: Sequence[Source] = ()) -> Exported:
-    """Draw lines where they hang.
-
-    Parameters
-    ----------
-    solved : ExportedLines
-        The lines.
-    sources : sequence of Source
-        What the case was read from.
-    """
+    """Draw lines where they hang."""
     size = max(max(line.solution.span, line.solution.line.length) for line in solved.lines)
     sheet = Sheet(solved, size)
     remarks = tuple(_remarks(solved))

@@ -4,18 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-__all__ = [
-    "Group",
-    "Point",
-    "circle",
-    "file_text",
-    "point",
-    "polyline",
-    "section",
-    "tables",
-    "text",
-]
-
 Group = tuple[int, str]
 Point = tuple[float, float, float]
 

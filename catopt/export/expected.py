@@ -9,8 +9,6 @@ from catopt.catenary.solution import Solution
 from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.text import plain, significant
 
-__all__ = ["expected", "in_words"]
-
 ROUNDING = 1e-12
 """Of a number over the fairlead tension: what is below it is shown as 0."""
 

@@ -7,8 +7,6 @@ from typing import Any, Literal
 
 from catopt._version import __version__
 
-__all__ = ["Exported", "Format", "Source"]
-
 Format = Literal["moordyn", "dxf"]
 
 
@@ -58,10 +56,7 @@ class Exported:
     def to_dict(self, path: str | None = None) -> dict[str, Any]:
         """Build the document that ``catopt export --json`` prints (schema catopt.export/1).
 
-        Parameters
-        ----------
-        path : str or None
-            Where the file was written; None: nowhere, and the document holds its text.
+        `path`: where the file was written; None: nowhere, and the document holds its text.
         """
         from hashlib import sha256
 

@@ -13,8 +13,6 @@ from catopt.model import Case, Line
 from catopt.mooring.case import report_system
 from catopt.mooring.solution import LegState, SystemSolution
 
-__all__ = ["ExportedLine", "ExportedLines", "exported_lines", "rigid_segments"]
-
 
 @dataclass(frozen=True)
 class ExportedLine:
@@ -51,10 +49,7 @@ class ExportedLine:
     def in_space(self, distance: float, height: float) -> tuple[float, float, float]:
         """Place a point of the line's plane: x, y and height above the bed, m.
 
-        Parameters
-        ----------
-        distance, height : float
-            Horizontally from the anchor, and above the bed, m.
+        `distance`, `height`: horizontally from the anchor, and above the bed, m.
         """
         x, y = self.anchor
         return (
@@ -77,18 +72,9 @@ class ExportedLine:
 class ExportedLines:
     """A case with its lines where they hang.
 
-    Attributes
-    ----------
-    case : Case
-        Under the load that was taken.
-    lines : tuple of ExportedLine
-        One, or those of the system.
-    system : SystemSolution or None
-        Of a moored body.
-    EA : float or None
-        Of the segments that do not stretch in the case, N; None: they were left as they are.
-    warnings : tuple of str
-        What an engineer should know before using the answer.
+    `case`: under the load that was taken; `lines`: one, or those of the system; `system`: of a
+    moored body; `EA`: of the segments that do not stretch in the case, N; None: they were left as
+    they are; `warnings`: what an engineer should know before using the answer.
     """
 
     case: Case
@@ -106,29 +92,14 @@ class ExportedLines:
 def exported_lines(case: Case, EA: float | None = None) -> ExportedLines:
     """Solve a case, and once more with an EA for the segments that do not stretch.
 
-    Parameters
-    ----------
-    case : Case
-        A line under a load or with something sought, or a body with several lines.
-    EA : float, optional
-        For segments without, N; the load stays what it is.
-
-    Raises
-    ------
-    NoEquilibriumError, NotConvergedError
-        As for `solve_case` and `solve_system`.
+    `EA`: for segments without, N; the load stays what it is. Raises NoEquilibriumError,
+    NotConvergedError as for `solve_case` and `solve_system`.
     """
     return _line(case, EA) if case.system is None else _body(case, EA)
 
 
 def rigid_segments(case: Case) -> tuple[str, ...]:
-    """List the segments of a case that do not stretch, by their keys, each once.
-
-    Parameters
-    ----------
-    case : Case
-        Its own line; all lines of a system that was read from a case file are like it.
-    """
+    """List the segments of a case that do not stretch, by their keys, each once."""
     lines = [case.line] if case.system is None else [leg.line for leg in case.system.legs]
     found = (
         f"line.segments[{number}]"

@@ -20,8 +20,6 @@ from catopt.export.moordyn_model import DAMPING, ELEMENTS, STEP, LineType, Model
 from catopt.export.moordyn_remarks import ADDED_MASS, DRAG, has_drag, remarks_of
 from catopt.export.text import plain, significant
 
-__all__ = ["moordyn_input"]
-
 
 def moordyn_input(
     solved: ExportedLines,
@@ -32,21 +30,9 @@ def moordyn_input(
 ) -> Exported:
     """Write lines as the input of MoorDyn.
 
-    Parameters
-    ----------
-    solved : ExportedLines
-        The lines where they hang; every segment has an EA.
-    elements : int
-        About how many a line is cut into.
-    true_depth : bool
-        Whether the water ends where it does in the case, even if a line reaches above it.
-    sources : sequence of Source
-        What the case was read from.
-
-    Raises
-    ------
-    InputError
-        A segment does not stretch, or its mass is missing or too small, with every one at once.
+    `solved`: the lines where they hang; every segment has an EA; `true_depth`: whether the water
+    ends where it does in the case, even if a line reaches above it. Raises InputError when a
+    segment does not stretch, or its mass is missing or too small, with every one at once.
     """
     model = model_of(solved, elements=elements, true_depth=true_depth)
     remarks = tuple(remarks_of(model))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from catopt.errors import InputError, Problem
 from catopt.export.body_in_water import (
@@ -13,22 +14,8 @@ from catopt.export.body_in_water import (
     of_segment,
 )
 from catopt.export.exported_line import ExportedLine, ExportedLines
-from catopt.export.pieces import Joint, Piece, cut_line
 from catopt.export.text import word
-from catopt.model import Segment
-
-__all__ = [
-    "DAMPING",
-    "ELEMENTS",
-    "SINKING",
-    "STEP",
-    "LineType",
-    "Model",
-    "Part",
-    "is_above",
-    "model_of",
-    "resting",
-]
+from catopt.model import Line, PointLoad, Segment
 
 ELEMENTS = 50
 """Of a line, unless it is said how many."""
@@ -50,6 +37,34 @@ DAMPING = 0.8
 
 ROUNDING = 1e-9
 """Of a height over the water depth."""
+
+
+SAME_PLACE = 1e-9
+"""Distance over the line's length at which two cuts are one: rounding of lengths added up."""
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A place between two pieces, or an end of the line.
+
+    `arc`: unstretched, from the anchor, m; `loads`: what hangs there.
+    """
+
+    arc: float
+    loads: tuple[PointLoad, ...] = ()
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A uniform part of the line between two joints that follow each other.
+
+    `segment`: which one it belongs to, counted from 0 at the anchor; `length`: unstretched, m;
+    `elements`: into how many equal parts it is cut.
+    """
+
+    segment: int
+    length: float
+    elements: int
 
 
 @dataclass(frozen=True)
@@ -76,18 +91,8 @@ class Part:
 class Model:
     """What is written.
 
-    Attributes
-    ----------
-    solved : ExportedLines
-        The lines.
-    parts : sequence of Part
-        The same, cut.
-    surface : float
-        Height of the water surface above the bed, m.
-    bed_stiffness, bed_damping : float
-        Pa/m and Pa s/m.
-    step : float
-        s.
+    `parts`: the same, cut; `surface`: height of the water surface above the bed, m;
+    `bed_stiffness`, `bed_damping`: Pa/m and Pa s/m; `step`: s.
     """
 
     solved: ExportedLines
@@ -106,19 +111,9 @@ class Model:
 def model_of(solved: ExportedLines, *, elements: int = ELEMENTS, true_depth: bool = False) -> Model:
     """Cut the lines, and choose a bed and a time step.
 
-    Parameters
-    ----------
-    solved : ExportedLines
-        The lines where they hang; every segment has an EA.
-    elements : int
-        About how many a line is cut into.
-    true_depth : bool
-        Whether the water ends where it does in the case, even if a line reaches above it.
-
-    Raises
-    ------
-    InputError
-        A segment does not stretch, or its mass is missing or too small, with every one at once.
+    `solved`: the lines where they hang; every segment has an EA; `true_depth`: whether the water
+    ends where it does in the case, even if a line reaches above it. Raises InputError when a
+    segment does not stretch, or its mass is missing or too small, with every one at once.
     """
     parts = _parts(solved, elements)
     depth = solved.case.site.water_depth
@@ -262,3 +257,25 @@ def _rounded_down(value: float) -> float:
     """Round to two significant digits, towards 0."""
     unit = 10.0 ** (math.floor(math.log10(value)) - 1)
     return math.floor(value / unit * (1.0 + ROUNDING)) * unit
+
+
+def cut_line(line: Line, elements: int) -> tuple[list[Joint], list[Piece]]:
+    """Cut a line; there is one joint more than pieces."""
+    total = line.length
+    ends: list[float] = []
+    for segment in line.segments:
+        ends.append((ends[-1] if ends else 0.0) + segment.length)
+    joints: list[Joint] = []
+    for arc in sorted([0.0, *ends[:-1], total, *(load.position for load in line.point_loads)]):
+        if not joints or arc - joints[-1].arc > SAME_PLACE * total:
+            joints.append(Joint(arc))
+    for load in line.point_loads:
+        at = min(range(len(joints)), key=lambda k: abs(joints[k].arc - load.position))
+        joints[at] = Joint(joints[at].arc, (*joints[at].loads, load))
+    pieces = []
+    for lower, upper in pairwise(joints):
+        middle = 0.5 * (lower.arc + upper.arc)
+        segment_number = next((k for k, end in enumerate(ends) if middle < end), len(ends) - 1)
+        length = upper.arc - lower.arc
+        pieces.append(Piece(segment_number, length, max(2, round(elements * length / total))))
+    return joints, pieces

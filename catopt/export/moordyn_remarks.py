@@ -12,8 +12,6 @@ from catopt.export.moordyn_model import Model, Part, is_above, resting
 from catopt.export.text import significant
 from catopt.model import Segment
 
-__all__ = ["ADDED_MASS", "DRAG", "has_drag", "remarks_of"]
-
 MOORPY_REACH = 2.0
 """Height above the bed below which MoorPy 1.3 takes weight off a point, m."""
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 import unicodedata
 
-__all__ = ["plain", "significant", "word"]
-
 _WITHOUT_MARKS = str.maketrans({"đ": "d", "Đ": "D"})
 
 
@@ -20,12 +18,7 @@ def plain(text: str) -> str:
 def word(text: str, instead: str) -> str:
     """Return a text as one word of letters, digits and underscores that begins with a letter.
 
-    Parameters
-    ----------
-    text : str
-        Any.
-    instead : str
-        Taken where nothing is left, and put before what does not begin with a letter.
+    `instead`: taken where nothing is left, and put before what does not begin with a letter.
     """
     kept = re.sub(r"[^A-Za-z0-9.]+", "_", plain(text).replace("?", " ")).strip("_.")
     kept = kept.replace(".", "p")

@@ -41,8 +41,6 @@ from catopt.fem.touchdown import (
     shift_slope,
 )
 
-__all__ = ["Bars", "Law", "State", "assemble"]
-
 Array = npt.NDArray[np.float64]
 Codes = npt.NDArray[np.int64]
 
@@ -62,13 +60,9 @@ Where friction has used up the tension of a line that was pulled straight, it st
 class Bars(NamedTuple):
     """All bars, one line after the other.
 
-    Attributes
-    ----------
-    length, compliance : array, shape (bars,)
-        Unstretched length, m, and 1/EA, 1/N.
-    start : array of int, shape (lines + 1,)
-        First bar of each line. Line k has one node more than bars: bar e lies between nodes e + k
-        and e + k + 1.
+    `length`, `compliance` (bars,): unstretched length, m, and 1/EA, 1/N; `start` (lines + 1,):
+    first bar of each line. Line k has one node more than bars: bar e lies between nodes e + k and e
+    + k + 1.
     """
 
     length: Array
@@ -129,23 +123,11 @@ def assemble(
 ) -> tuple[int, float]:  # fmt: skip
     """Write the equations of a line into `band` and `rhs`.
 
-    Parameters
-    ----------
-    line : int
-        Which.
-    bars, state, loads, ground, law
-        What the equations are made of; `state.contact`, `reaction` and `balance` are brought up
-        to date.
-    nodal : array, shape (nodes, 3)
-        Forces on the nodes, N.
-    band, rhs : array, shape (4 bars, 19) and (4 bars,)
-        Written to, for all lines; forces are divided by `law.soft`.
-
-    Returns
-    -------
-    changed, strain : int, float
-        Number of nodes and bars whose state changed, and the largest misfit of a bar's length
-        relative to it.
+    `bars`, `state`, `loads`, `ground`, `law`: what the equations are made of; `state.contact`,
+    `reaction` and `balance` are brought up to date; `nodal` (nodes, 3): forces on the nodes, N;
+    `band`, `rhs` (4 bars, 19): written to, for all lines; forces are divided by `law.soft`.
+    Returns: changed, strain: number of nodes and bars whose state changed, and the largest misfit
+    of a bar's length relative to it.
     """
     first, end = bars.start[line], bars.start[line + 1]
     for row in range(4 * first, 4 * end):

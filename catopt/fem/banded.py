@@ -10,8 +10,6 @@ from __future__ import annotations
 
 from typing import Any, Final
 
-__all__ = ["DIAGONAL", "REACH", "WIDTH", "back_substitute", "eliminate"]
-
 REACH: Final = 6
 DIAGONAL: Final = 6
 WIDTH: Final = 19
@@ -22,19 +20,8 @@ def eliminate(band: Any, rhs: Any, first: int, end: int) -> int:
 
     What is left in the last three rows is the line's stiffness and force as the body sees them.
 
-    Parameters
-    ----------
-    band : array, shape (rows, 19)
-        Coefficients; overwritten.
-    rhs : array, shape (rows,)
-        Right hand sides; overwritten.
-    first, end : int
-        Rows of the line; the last three are the body's and are never exchanged with others.
-
-    Returns
-    -------
-    int
-        Row at which no pivot was found; -1 when all is well.
+    `band` (rows, 19): coefficients; overwritten; `rhs` (rows,): right hand sides; overwritten.
+    Returns: row at which no pivot was found; -1 when all is well.
     """
     inner = end - 3
     for j in range(first, inner):
@@ -71,10 +58,8 @@ def eliminate(band: Any, rhs: Any, first: int, end: int) -> int:
 def back_substitute(band: Any, rhs: Any, first: int, end: int) -> None:
     """Turn `rhs` into the unknowns, given those of its last three rows.
 
-    Parameters
-    ----------
-    band, rhs, first, end
-        As `eliminate` left them; the last three entries of `rhs` hold the body's displacements.
+    `band`, `rhs`, `first`, `end`: as `eliminate` left them; the last three entries of `rhs` hold
+    the body's displacements.
     """
     for r in range(end - 4, first - 1, -1):
         total = rhs[r]

@@ -1,4 +1,4 @@
-"""The two-node bar: axial force from the coordinates of its ends, and its tangent stiffness.
+"""The two-node bar: its length and direction from the coordinates of its ends.
 
 Three displacements a node, no bending. With d = x2 - x1, l = |d|, t = d/l and the unstretched
 length l0 the axial force is T = EA (l - l0)/l0 (per unstretched length), and a change of d changes
@@ -11,31 +11,15 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numpy as np
-import numpy.typing as npt
-
 from catopt.compiled import inlined
-
-__all__ = ["axis", "bar_force", "bar_stiffness"]
-
-Array = npt.NDArray[np.float64]
 
 
 @inlined
 def axis(x: Any, first: int) -> tuple[float, float, float, float]:
     """Give the current length of the bar between nodes `first` and `first + 1`, and its direction.
 
-    Parameters
-    ----------
-    x : array, shape (nodes, 3)
-        Coordinates, m.
-    first : int
-        Node at the anchor's side.
-
-    Returns
-    -------
-    length, tx, ty, tz : float
-        m, and the unit vector towards the second node.
+    `x` (nodes, 3): coordinates, m. Returns: length, tx, ty, tz: m, and the unit vector towards the
+    second node.
     """
     dx = x[first + 1, 0] - x[first, 0]
     dy = x[first + 1, 1] - x[first, 1]
@@ -44,37 +28,3 @@ def axis(x: Any, first: int) -> tuple[float, float, float, float]:
     if length == 0.0:
         return 0.0, 1.0, 0.0, 0.0
     return length, dx / length, dy / length, dz / length
-
-
-def bar_force(x1: Array, x2: Array, l0: float, EA: float, *, compression: bool = True) -> Array:
-    """Force with which a bar pulls its first node towards its second, N, shape (3,).
-
-    Parameters
-    ----------
-    x1, x2 : ndarray, shape (3,)
-        Coordinates of the ends, m.
-    l0 : float
-        Unstretched length, m.
-    EA : float
-        Axial stiffness, N.
-    compression : bool
-        Whether the bar pushes when it is shorter than `l0`.
-    """
-    d = x2 - x1
-    length = float(np.linalg.norm(d))
-    tension = EA * (length - l0) / l0
-    if not compression:
-        tension = max(tension, 0.0)
-    force: Array = tension / length * d
-    return force
-
-
-def bar_stiffness(x1: Array, x2: Array, l0: float, EA: float) -> Array:
-    """Tangent of `bar_force` by x2 (and its negative by x1), N/m, shape (3, 3)."""
-    d = x2 - x1
-    length = float(np.linalg.norm(d))
-    along = np.outer(d, d) / length**2
-    elastic = EA / l0 * along
-    geometric = EA * (length - l0) / l0 / length * (np.eye(3) - along)
-    stiffness: Array = elastic + geometric
-    return stiffness

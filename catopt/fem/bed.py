@@ -16,23 +16,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "ABSENT",
-    "FREE",
-    "FRICTION_LAWS",
-    "HELD",
-    "LAID",
-    "NO_FRICTION",
-    "ON_BED",
-    "PULLED",
-    "SPRING",
-    "Bed",
-    "Ground",
-    "HeldBed",
-    "friction_sense",
-    "touches",
-]
-
 Array = npt.NDArray[np.float64]
 
 FREE: Final = 0
@@ -149,14 +132,8 @@ def friction_sense(law: int) -> float:
 def touches(contact: int, z: float, reaction: float, depth: float) -> int:
     """State of a node after its height and the bed's reaction changed.
 
-    Parameters
-    ----------
-    contact : int
-        State so far.
-    z, reaction : float
-        Height, m, and what a rigid bed would carry, N.
-    depth : float
-        Penetration that is rounding, m.
+    `z`, `reaction`: height, m, and what a rigid bed would carry, N; `depth`: penetration that is
+    rounding, m.
     """
     if contact == FREE and z < -depth:
         return ON_BED

@@ -14,8 +14,6 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Equations
 
-__all__ = ["back_substitute_blocks", "eliminate_blocks"]
-
 
 def eliminate_blocks(equations: Equations, first: int, end: int) -> bool:
     """Eliminate the nodes from `first` up to the one before `end`.
@@ -23,17 +21,7 @@ def eliminate_blocks(equations: Equations, first: int, end: int) -> bool:
     Diagonal blocks are turned into their inverses. Node `end` keeps its block and right hand side,
     less what the line takes from them.
 
-    Parameters
-    ----------
-    equations : Equations
-        Overwritten.
-    first, end : int
-        First node that moves, and the line's last node.
-
-    Returns
-    -------
-    bool
-        Whether all blocks were regular.
+    `equations`: overwritten. Returns: whether all blocks were regular.
     """
     diagonal, lower, upper, rest = (
         equations.diagonal, equations.lower, equations.upper, equations.rest,
@@ -56,13 +44,7 @@ def eliminate_blocks(equations: Equations, first: int, end: int) -> bool:
 
 
 def back_substitute_blocks(equations: Equations, first: int, end: int) -> None:
-    """Turn `rest` of the nodes from `first` on into displacements, given that of node `end`.
-
-    Parameters
-    ----------
-    equations, first, end
-        As `eliminate_blocks` left them.
-    """
+    """Turn `rest` of the nodes from `first` on into displacements, given that of node `end`."""
     diagonal, upper, rest = equations.diagonal, equations.upper, equations.rest
     for n in range(end - 1, first - 1, -1):
         x, y, z = rest[n + 1, 0], rest[n + 1, 1], rest[n + 1, 2]

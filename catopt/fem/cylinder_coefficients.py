@@ -10,8 +10,6 @@ from __future__ import annotations
 import math
 from typing import Final
 
-__all__ = ["OBLIQUE", "added_mass", "steady_drag", "wake_amplification"]
-
 OBLIQUE: Final = (0.03, 0.05)
 """m and n of the drag along, C_n (m + n sin g) cos g, S4 [2.32]."""
 
@@ -21,10 +19,7 @@ _SMOOTH, _ROUGH = 1e-4, 1e-2
 def steady_drag(roughness: float, diameter: float) -> float:
     """C_DS in a steady flow, S4 [2.30]: 0.65 when smooth, 1.05 when rough.
 
-    Parameters
-    ----------
-    roughness, diameter : float
-        Height k of what is rough, and D, m.
+    `roughness`, `diameter`: height k of what is rough, and D, m.
     """
     relative = roughness / diameter
     if relative < _SMOOTH:
@@ -37,13 +32,8 @@ def steady_drag(roughness: float, diameter: float) -> float:
 def wake_amplification(steady: float, keulegan_carpenter: float) -> float:
     """Factor psi on C_DS in a flow to and fro, C_D = psi C_DS, S4 [2.29].
 
-    Parameters
-    ----------
-    steady : float
-        C_DS.
-    keulegan_carpenter : float
-        KC = v T/D, v being the amplitude of the velocity; 0 or more and below 12: from there on
-        S4 has a graph.
+    `keulegan_carpenter`: KC = v T/D, v being the amplitude of the velocity; 0 or more and below 12:
+    from there on S4 has a graph.
     """
     C_pi = 1.50 - 0.024 * (12.0 / steady - 10.0)
     KC = keulegan_carpenter
@@ -55,12 +45,7 @@ def wake_amplification(steady: float, keulegan_carpenter: float) -> float:
 def added_mass(steady: float, keulegan_carpenter: float) -> float:
     """C_A across the cylinder, S4 [2.31]; C_M = 1 + C_A.
 
-    Parameters
-    ----------
-    steady : float
-        C_DS.
-    keulegan_carpenter : float
-        KC, 0 or more.
+    `keulegan_carpenter`: KC, 0 or more.
     """
     if keulegan_carpenter < 3.0:
         return 1.0

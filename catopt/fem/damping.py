@@ -10,8 +10,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = ["LineDamping", "rayleigh_factors"]
-
 Array = npt.NDArray[np.float64]
 
 

@@ -14,15 +14,13 @@ import numpy.typing as npt
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.fem.bed import HeldBed
 from catopt.fem.damping import LineDamping
-from catopt.fem.mesh import LineMesh
+from catopt.fem.mesh import LineMesh, by_bar
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import MovingLines
 from catopt.fem.problem import node_friction
 from catopt.fem.seabed import Seabed
 from catopt.model import PointLoad
 from catopt.model.validity import Findings
-
-__all__ = ["Fluid", "MassMatrix", "lay_out_moving"]
 
 Array = npt.NDArray[np.float64]
 
@@ -67,35 +65,14 @@ def lay_out_moving(
 ) -> MovingLines:
     """Arrays of all lines, one after the other.
 
-    Parameters
-    ----------
-    meshes : sequence of LineMesh
-        The lines; every segment has a finite EA and a mass, every point load a mass. The water
-        acts on point loads by their own figures.
-    sections : sequence of MorisonSection or None
-        One for each segment of every line; None for no load of the water but the weight.
-    fluid : Fluid
-        Water and gravity. A segment displaces what its mass times g exceeds its weight in water
-        by.
-    seabed : Seabed, HeldBed or None
-        None for no bed. A `HeldBed` holds by springs 10,000 times as stiff as a bed of no given
-        stiffness.
-    damping : LineDamping
-        Of the bars.
-    mass_matrix : {"consistent", "lumped"}
-        How a bar's mass acts on its nodes.
-    carries_compression : bool
-        Whether bars push.
-
-    Raises
-    ------
-    InputError
-        For what is missing.
+    `sections`: one for each segment of every line; None for no load of the water but the weight;
+    `seabed`: None for no bed. A `HeldBed` holds by springs 10,000 times as stiff as a bed of no
+    given stiffness. Raises InputError for what is missing.
     """
     _check(meshes, sections, fluid)
     start = np.concatenate([[0], np.cumsum([mesh.elements for mesh in meshes])]).astype(np.int64)
     length = np.concatenate([mesh.length for mesh in meshes])
-    EA, mass, weight = (_by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
+    EA, mass, weight = (by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
     in_air = mass * fluid.gravity
     displaced = (in_air - weight) / fluid.gravity
     water = np.zeros((6, length.size))
@@ -159,15 +136,6 @@ def lay_out_moving(
         lower_free=np.zeros(len(meshes), dtype=bool),
         force_scale=_force_scale(start, length, weight, force, EA),
     )
-
-
-def _by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
-    """Figure of the segment to which each bar belongs."""
-    figures = [
-        np.array([getattr(segment, name) for segment in mesh.line.segments], dtype=float)
-        for mesh in meshes
-    ]
-    return np.concatenate([f[mesh.segment] for f, mesh in zip(figures, meshes, strict=True)])
 
 
 def _section_row(section: MorisonSection, density: float) -> tuple[float, ...]:

@@ -37,15 +37,6 @@ from catopt.model.validity import Findings
 from catopt.waves import Sea
 from catopt.words import Measure, Message
 
-__all__ = [
-    "BodyInertia",
-    "LineProperties",
-    "TimeStepping",
-    "line_at_rest",
-    "run_dynamics",
-    "run_system_dynamics",
-]
-
 Array = npt.NDArray[np.float64]
 
 _SERIES = (Harmonic, Sampled, Together)
@@ -130,15 +121,7 @@ def line_at_rest(
     properties: LineProperties | None = None,
     sea: Sea | None = None,
 ) -> Simulation:
-    """Bring one line to rest in the current, ready to be set in motion.
-
-    Parameters
-    ----------
-    mesh : LineMesh
-        The line, cut.
-    height, span, horizontal_force, anchor_height, properties, sea
-        As for `run_dynamics`.
-    """
+    """Bring one line to rest in the current, ready to be set in motion."""
     with_what = properties or LineProperties()
     lines = lay_out_moving(
         [mesh], with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,

@@ -23,8 +23,6 @@ from catopt.fem.moving_load import book_loads, load_works
 from catopt.fem.rows import clear_blocks
 from catopt.fem.seabed import across_bed, along_bed
 
-__all__ = ["EnergyBalance", "add_works", "begin_works", "fill_forces", "own_kinetic_energy"]
-
 
 @dataclass(frozen=True)
 class EnergyBalance:
@@ -72,15 +70,8 @@ class EnergyBalance:
 def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, to: Any) -> None:
     """Write the forces on the nodes whose work is booked beside that of the bars, N.
 
-    Parameters
-    ----------
-    lines, at, water
-        What moves, how, and in what.
-    has_sea : bool
-        Without a sea all is in still water, and the first two are none.
-    to : array, shape (4, nodes, 3)
-        Weight out of the water; pressure of the waves with the added mass; Rayleigh's damping of
-        the mass, and of turning bars. Left alone where none of them is.
+    `to` (4, nodes, 3): weight out of the water; pressure of the waves with the added mass;
+    Rayleigh's damping of the mass, and of turning bars. Left alone where none of them is.
     """
     alpha, beta = lines.mass_factor, lines.stiffness_factor
     if not (has_sea or alpha > 0.0 or beta > 0.0):
@@ -173,14 +164,7 @@ def begin_works(
 ) -> None:
     """Write what `add_works` needs of the first moment.
 
-    Parameters
-    ----------
-    lines, at, water, has_sea
-        As for `fill_forces`.
-    booked : array, shape (4, nodes, 3)
-        Its forces.
-    works : array, shape (8,)
-        Kinetic energy counts from here.
+    `booked` (4, nodes, 3): its forces; `works` (8,): kinetic energy counts from here.
     """
     fill_forces(lines, at, water, has_sea, booked)
     works[6] = -own_kinetic_energy(lines, at)
@@ -210,22 +194,9 @@ def add_works(
 ) -> None:  # fmt: skip
     """Add what the forces did in a step.
 
-    Parameters
-    ----------
-    h : float
-        Length of the step, s.
-    lines, before, now
-        What moves, at the step's start and at its end.
-    water : WaterAt
-        At the end.
-    is_booked : bool
-        Whether there are forces of `fill_forces`.
-    room : Room
-        These and the forces at the ends, at the start and at the end; what was in the water, at the
-        start.
-    works : array, shape (8,)
-        Of the ends, the water, drag, bed, friction and line damping on the line; kinetic energy
-        (not written to); what ends, water and drag put in, J.
+    `h`: length of the step, s; `is_booked`: whether there are forces of `fill_forces`; `works`
+    (8,): of the ends, the water, drag, bed, friction and line damping on the line; kinetic energy
+    (not written to); what ends, water and drag put in, J.
     """
     x, x_0, R, R_0, rub, rub_0 = now.x, before.x, now.reaction, before.reaction, now.rub, before.rub
     force, force_0, steady = now.force, before.force, lines.node_force

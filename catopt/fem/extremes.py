@@ -12,8 +12,6 @@ import numpy.typing as npt
 
 from catopt.fem.statistics import peaks_above_mean
 
-__all__ = ["CONFIDENCE", "LEAST_RUNS", "Extreme", "GumbelFit", "TailFit", "gumbel", "weibull_tail"]
-
 Array = npt.NDArray[np.float64]
 
 CONFIDENCE: Final = 0.9
@@ -234,12 +232,8 @@ def _fit(logs: Array, counts: npt.NDArray[np.int64]) -> tuple[Array, Array]:
     P(X > x) = exp(-A ((x/threshold)^b - 1)): for a shape given, 1/A is the mean of the brackets;
     the shape is where the likelihood is highest, by a parabola between three of `_SHAPES`.
 
-    Parameters
-    ----------
-    logs : ndarray, shape (rows, most)
-        ln(x/threshold), padded by zeros, which add nothing.
-    counts : ndarray of int, shape (rows,)
-        How many of a row are there.
+    `logs` (rows, most): ln(x/threshold), padded by zeros, which add nothing; `counts` (rows,): how
+    many of a row are there.
     """
     mean_log = logs.sum(axis=1) / counts
     power, factor = np.exp(_SHAPES[0] * logs), np.exp(_STEP * logs)

@@ -12,8 +12,6 @@ from catopt.fem.run_settings import LineProperties
 from catopt.fem.simulation import Simulation
 from catopt.waves import Sea
 
-__all__ = ["line_frequencies", "natural_frequencies"]
-
 Array = npt.NDArray[np.float64]
 
 

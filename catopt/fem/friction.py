@@ -14,18 +14,11 @@ from catopt.fem.banded import DIAGONAL
 from catopt.fem.bar import axis
 from catopt.fem.bed import ON_BED, Ground
 
-__all__ = ["drag_spring", "limit", "rub", "slipped_foot"]
-
 
 def limit(node: int, reaction: float, ground: Ground, contact: Any) -> float:
     """Return the friction at which a node slides, N.
 
-    Parameters
-    ----------
-    node, reaction : int, float
-        The node, and what the bed carries there, N.
-    ground, contact : Ground, array of int
-        The bed, and the states of the nodes.
+    `node`, `reaction`: the node, and what the bed carries there, N.
     """
     most = float(ground.friction[node]) * reaction
     for side in range(2):
@@ -45,22 +38,11 @@ def rub(
     bar pulls, whichever is less, so that tension falls to 0 and not below. With negative `most` and
     `friction` it acts along that pull, so that tension grows.
 
-    Parameters
-    ----------
-    x : array, shape (nodes, 3)
-        Coordinates, m.
-    node, row : int
-        The node, and the row of its balance along x.
-    T, most : float
-        Tension of the bar at the fairlead's side and the `limit` of the friction, N.
-    friction, soft : float
-        Coulomb coefficient; unit of force of the equations, N.
-    rigid, stiffness : bool, float
-        Whether the bed is rigid, else its stiffness under the node, N/m.
-    balance : array, shape (3,)
-        Of the node; for a rigid bed without the reaction.
-    band : array, shape (rows, 19)
-        Equations.
+    `x` (nodes, 3): coordinates, m; `T`, `most`: tension of the bar at the fairlead's side and the
+    `limit` of the friction, N; `friction`, `soft`: Coulomb coefficient; unit of force of the
+    equations, N; `rigid`, `stiffness`: whether the bed is rigid, else its stiffness under the node,
+    N/m; `balance` (3,): of the node; for a rigid bed without the reaction; `band` (rows, 19):
+    equations.
     """
     size, tx, ty, _ = axis(x, node)
     level = math.sqrt(tx * tx + ty * ty)
@@ -104,16 +86,8 @@ def drag_spring(
 ) -> None:  # fmt: skip
     """Add the force of a node's friction spring: elastic below mu R, slipping at it.
 
-    Parameters
-    ----------
-    x : array, shape (3,)
-        Coordinates of the node, m.
-    foot : array, shape (2,)
-        Where the spring has its foot, m.
-    spring : float
-        Its stiffness, N/m.
-    row, most, friction, soft, rigid, stiffness, balance, band
-        As for `rub`.
+    `x` (3,): coordinates of the node, m; `foot` (2,): where the spring has its foot, m; `spring`:
+    its stiffness, N/m.
     """
     u = (x[0] - foot[0], x[1] - foot[1])
     distance = math.sqrt(u[0] * u[0] + u[1] * u[1])
@@ -147,12 +121,8 @@ def slipped_foot(
 ) -> tuple[float, float]:
     """Foot of a friction spring after the node moved: dragged along so that it is `reach` away.
 
-    Parameters
-    ----------
-    x, y, foot_x, foot_y : float
-        Node and foot, m.
-    reach : float
-        Largest elongation, mu R over the spring's stiffness, m.
+    `x`, `y`, `foot_x`, `foot_y`: node and foot, m; `reach`: largest elongation, mu R over the
+    spring's stiffness, m.
     """
     dx, dy = x - foot_x, y - foot_y
     distance = math.hypot(dx, dy)

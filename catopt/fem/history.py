@@ -10,8 +10,6 @@ import numpy.typing as npt
 from catopt.fem.energy_balance import EnergyBalance
 from catopt.fem.statistics import SeriesStatistics, series_statistics
 
-__all__ = ["STOPPED", "History"]
-
 STOPPED = "motion.stopped_at"
 """Key of the warning of a run that was stopped."""
 

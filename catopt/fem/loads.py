@@ -18,8 +18,6 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.fem.bar import axis
 from catopt.model.validity import Findings
 
-__all__ = ["BarLoads", "Current", "DragSection", "Weights", "bar_loads"]
-
 Array = npt.NDArray[np.float64]
 
 
@@ -70,12 +68,8 @@ class Current:
 class Weights(NamedTuple):
     """Weight of the bars; arrays of shape (bars,).
 
-    Attributes
-    ----------
-    submerged, in_air : array
-        Weight of each bar, N.
-    surface : float
-        Height of the still water surface, m; infinite when all is taken to be submerged.
+    `submerged`, `in_air`: weight of each bar, N; `surface`: height of the still water surface, m;
+    infinite when all is taken to be submerged.
     """
 
     submerged: Array
@@ -86,13 +80,8 @@ class Weights(NamedTuple):
 class BarLoads(NamedTuple):
     """What each bar hands to each of its ends.
 
-    Attributes
-    ----------
-    force : array, shape (bars, 3)
-        N.
-    by_first, by_second : array, shape (bars, 3, 3)
-        Derivatives by the coordinates of its first and second node, N/m; of shape (0, 3, 3) when
-        the loads do not depend on the shape.
+    `force` (bars, 3): N; `by_first`, `by_second` (bars, 3, 3): derivatives by the coordinates of
+    its first and second node, N/m; of shape (0, 3, 3) when the loads do not depend on the shape.
     """
 
     force: Array
@@ -112,22 +101,10 @@ def bar_loads(
 ) -> None:
     """Fill `loads` for the shape `x`.
 
-    Parameters
-    ----------
-    x : array, shape (nodes, 3)
-        Coordinates, m.
-    first_node : array of int, shape (bars,)
-        First node of each bar.
-    weights : Weights
-        Weight of the bars.
-    length : array, shape (bars,)
-        Unstretched length, m.
-    across, along : array, shape (bars,)
-        0.5 rho D C across and along, N s2/m3; of shape (0,) without a current.
-    velocity : array, shape (bars, 3)
-        Of the water at the bars' middles, m/s.
-    loads : BarLoads
-        Written to.
+    `x` (nodes, 3): coordinates, m; `first_node` (bars,): first node of each bar; `length` (bars,):
+    unstretched length, m; `across`, `along` (bars,): 0.5 rho D C across and along, N s2/m3; of
+    shape (0,) without a current; `velocity` (bars, 3): of the water at the bars' middles, m/s;
+    `loads`: written to.
     """
     force, by_first, by_second = loads
     varies = by_first.shape[0] > 0

@@ -15,8 +15,6 @@ from catopt.fem.series import SeriesRows, fill_series
 from catopt.fem.water_at import fill_water
 from catopt.waves.kinematics import Flow
 
-__all__ = ["MarchReport", "march"]
-
 _LONGER: Final = 0.2
 """Part of the allowed surprise below which the next step may be twice as long."""
 
@@ -70,24 +68,9 @@ def march(
 ) -> MarchReport:  # fmt: skip
     """Step from sample `first` to sample `end`, and take the samples after the first.
 
-    Parameters
-    ----------
-    first, end : int
-        Samples; sample i is taken at i `every` steps.
-    level : int
-        How often the step is halved at first, as the march before this one left it.
-    rules : Rules
-        How to step.
-    lines, body : MovingLines, BodyNode
-        What moves.
-    led, load : SeriesRows
-        Where the ends are led; the force on the body, of one end.
-    flow, has_sea : Flow, bool
-        The sea, and whether there is one.
-    before : Moving
-        State at sample `first`, and then where the steps have come to.
-    room, record
-        Work space, and where the samples go.
+    `first`, `end`: samples; sample i is taken at i `every` steps; `led`, `load`: where the ends are
+    led; the force on the body, of one end; `before`: state at sample `first`, and then where the
+    steps have come to; `room`, `record`: work space, and where the samples go.
     """
     steps = iterations = halvings = refinements = unresolved = 0
     ringing = strain = 0.0
@@ -154,19 +137,9 @@ def tension_surprise(
 ) -> tuple[float, float, float]:
     """Compare tensions at a step's end with what they were heading for.
 
-    Parameters
-    ----------
-    h : float
-        Length of the step, s.
-    lines, before, now
-        What moves, at the step's start and at its end.
-    slope : array, shape (bars,)
-        Rate of the tensions in the last step, N/s.
-
-    Returns
-    -------
-    surprise, ringing, strain : float
-        Largest difference, N; energy of the differences and of the tensions, times h, J s.
+    `h`: length of the step, s; `slope` (bars,): rate of the tensions in the last step, N/s.
+    Returns: surprise, ringing, strain: largest difference, N; energy of the differences and of the
+    tensions, times h, J s.
     """
     largest = ringing = strain = 0.0
     old, new, length, EA = before.tension, now.tension, lines.length, lines.EA

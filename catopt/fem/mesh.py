@@ -13,8 +13,6 @@ import numpy.typing as npt
 from catopt.errors import InputError, Problem
 from catopt.model import Line
 
-__all__ = ["LineMesh", "mesh_line"]
-
 Array = npt.NDArray[np.float64]
 
 _SAME_PLACE = 1e-9
@@ -179,3 +177,12 @@ def _check(line: Line, elements: int | Sequence[int], element_length: float | No
         problems.append(Problem("elements", repr(elements), wanted))
     if problems:
         raise InputError(problems, "mesh_line")
+
+
+def by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
+    """Figure of the segment to which each bar belongs."""
+    figures = [
+        np.array([getattr(segment, name) for segment in mesh.line.segments], dtype=float)
+        for mesh in meshes
+    ]
+    return np.concatenate([f[mesh.segment] for f, mesh in zip(figures, meshes, strict=True)])

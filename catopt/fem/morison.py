@@ -21,8 +21,6 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.model.validity import Findings
 
-__all__ = ["MorisonSection", "axial_drag", "split_velocity"]
-
 
 @dataclass(frozen=True)
 class MorisonSection:
@@ -66,23 +64,11 @@ def axial_drag(
 ) -> tuple[float, float, float, float]:
     """Drag along the bar over the velocity along it, with its derivatives.
 
-    Parameters
-    ----------
-    along, across : float
-        Relative velocity along the bar, and size of that across it, m/s.
-    by_along, by_speed, by_across : float
-        0.5 rho D times C_t, C_n m and C_n n, times a length, N s2/m2.
-
-    Returns
-    -------
-    drag : float
-        A, N s/m; the force is A times `along`.
-    by_turn : float
-        Of the force, by the turn of the bar over `across`.
-    by_itself : float
-        Of the force, by `along`.
-    by_crossing : float
-        Of the force, by the velocity across, over `across`.
+    `along`, `across`: relative velocity along the bar, and size of that across it, m/s; `by_along`,
+    `by_speed`, `by_across`: 0.5 rho D times C_t, C_n m and C_n n, times a length, N s2/m2. Returns:
+    drag: A, N s/m; the force is A times `along`; by_turn: of the force, by the turn of the bar over
+    `across`; by_itself: of the force, by `along`; by_crossing: of the force, by the velocity
+    across, over `across`.
     """
     speed = math.sqrt(along * along + across * across)
     own = by_along * abs(along)
@@ -104,19 +90,8 @@ def split_velocity(
 ) -> tuple[float, float, float, float, float]:
     """Relative velocity of the water at a node: along the bar, and across it with its size.
 
-    Parameters
-    ----------
-    u, v : array, shape (nodes, 3)
-        Velocities of the water and of the line, m/s.
-    node : int
-        Where.
-    tx, ty, tz : float
-        Direction of the bar.
-
-    Returns
-    -------
-    along, nx, ny, nz, size : float
-        m/s.
+    `u`, `v` (nodes, 3): velocities of the water and of the line, m/s. Returns: along, nx, ny, nz,
+    size: m/s.
     """
     rx, ry, rz = u[node, 0] - v[node, 0], u[node, 1] - v[node, 1], u[node, 2] - v[node, 2]
     along = rx * tx + ry * ty + rz * tz

@@ -11,8 +11,6 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-__all__ = ["Blend", "BodyNode", "Equations", "Moving", "MovingLines", "WaterAt"]
-
 Array = npt.NDArray[np.float64]
 
 
@@ -116,12 +114,8 @@ class MovingLines(NamedTuple):
 class BodyNode(NamedTuple):
     """What the last nodes of all lines are fixed to.
 
-    Attributes
-    ----------
-    free : array, shape (3,)
-        1.0 for each direction in which it moves under the forces on it; 0.0 where it is led.
-    mass, damping : array, shape (3,)
-        Its own inertia, kg, and linear damping, N s/m, along x, y and z.
+    `free` (3,): 1.0 for each direction in which it moves under the forces on it; 0.0 where it is
+    led; `mass`, `damping` (3,): its own inertia, kg, and linear damping, N s/m, along x, y and z.
     """
 
     free: Array
@@ -192,15 +186,9 @@ class WaterAt(NamedTuple):
 class Blend(NamedTuple):
     """Where in a step the forces and the inertia balance, and what a displacement brings with it.
 
-    Attributes
-    ----------
-    before_force, before_inertia : float
-        Weights alpha_f and alpha_m of the step's start.
-    by_x, by_v, by_a : float
-        Derivatives by the displacement at the step's end of the blended displacement (1),
-        velocity (1/s) and acceleration (1/s2).
-    step : float
-        Length of the step, s; 0 at rest.
+    `before_force`, `before_inertia`: weights alpha_f and alpha_m of the step's start; `by_x`,
+    `by_v`, `by_a`: derivatives by the displacement at the step's end of the blended displacement
+    (1), velocity (1/s) and acceleration (1/s2); `step`: length of the step, s; 0 at rest.
     """
 
     before_force: float

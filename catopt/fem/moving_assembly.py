@@ -10,8 +10,6 @@ from catopt.fem.moving_bar import add_bars
 from catopt.fem.moving_load import add_loads
 from catopt.fem.seabed import across_bed, push_and_rub
 
-__all__ = ["assemble_moving"]
-
 
 def assemble_moving(
     lines: MovingLines, body: BodyNode, water: WaterAt, force: Any, now: Moving, before: Moving,
@@ -19,24 +17,10 @@ def assemble_moving(
 ) -> tuple[float, int]:  # fmt: skip
     """Write what is left over at every node, and its derivatives.
 
-    Parameters
-    ----------
-    lines, body, water
-        What moves, and in what.
-    force : array, shape (3,)
-        On the body, N.
-    now, before : Moving
-        At the step's end, whose forces are written, and at its start.
-    blend : Blend
-        How the two are weighed.
-    to : Equations
-        Written to: `rest` is what forces exceed inertia by.
-
-    Returns
-    -------
-    worst, node : float, int
-        Largest force left over at a node that moves, over the largest tension or
-        what a line weighs; its node, -1 for the body.
+    `force` (3,): on the body, N; `now`, `before`: at the step's end, whose forces are written, and
+    at its start; `to`: written to: `rest` is what forces exceed inertia by. Returns: worst, node:
+    largest force left over at a node that moves, over the largest tension or what a line weighs;
+    its node, -1 for the body.
     """
     _clear(lines, now, before, blend, to)
     add_loads(lines, now, before, water, blend, to)

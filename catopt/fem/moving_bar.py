@@ -17,8 +17,6 @@ from catopt.compiled import inlined
 from catopt.fem.morison import axial_drag, split_velocity
 from catopt.fem.moving import Blend, Equations, Moving, MovingLines, WaterAt
 
-__all__ = ["add_bars", "inertia_of_half"]
-
 
 def add_bars(
     line: int, lines: MovingLines, now: Moving, before: Moving, water: WaterAt, blend: Blend,
@@ -29,21 +27,8 @@ def add_bars(
     All arrays are taken out of their tuples before the loop: numba counts references to those that
     are taken out within it, which would be most of the time.
 
-    Parameters
-    ----------
-    line : int
-        Whose bars.
-    lines, water, blend
-        What acts.
-    now, before : Moving
-        State at the step's end, of which force, tension and axis are written, and at its start.
-    to : Equations
-        The diagonal blocks are added to, the others of this line are set.
-
-    Returns
-    -------
-    float
-        Largest force in a bar, N.
+    `now`, `before`: state at the step's end, of which force, tension and axis are written, and at
+    its start. Returns: largest force in a bar, N.
     """
     x, v, force, axis, tension = now.x, now.v, now.force, now.axis, now.tension
     acc, old_axis = to.acceleration, before.axis
@@ -245,14 +230,7 @@ def inertia_of_half(
 ) -> tuple[float, float, float]:
     """Inertia of a bar at one of its nodes, N.
 
-    Parameters
-    ----------
-    e, node, other : int
-        The bar, the node, and the bar's other node.
-    lines, at, water
-        What moves, its directions and velocities, and the water.
-    a : array, shape (nodes, 3)
-        Accelerations, m/s2.
+    `a` (nodes, 3): accelerations, m/s2.
     """
     l0 = lines.length[e]
     near, far, alpha = l0 * lines.near, l0 * lines.far, lines.mass_factor

@@ -18,24 +18,12 @@ from typing import Any
 from catopt.compiled import inlined
 from catopt.fem.moving import Blend, Equations, Moving, MovingLines, WaterAt
 
-__all__ = ["add_loads", "book_loads", "immersion", "load_works"]
-
 
 @inlined
 def immersion(below: float, radius: float) -> tuple[float, float]:
-    """Part of a sphere that is under water, and how it grows with the depth.
+    """Part of a sphere that is under water, and how it grows with the depth, 1/m.
 
-    Parameters
-    ----------
-    below : float
-        Depth of its middle below the surface, m.
-    radius : float
-        m.
-
-    Returns
-    -------
-    part, slope : float
-        And 1/m.
+    `below`: depth of its middle below the surface, m.
     """
     s = 0.5 * below / radius + 0.5
     if s >= 1.0:
@@ -50,14 +38,8 @@ def add_loads(
 ) -> None:
     """Add the water's forces on point loads to `now.force` and `to.rest`, with their derivatives.
 
-    Parameters
-    ----------
-    lines, water, blend
-        What acts.
-    now, before : Moving
-        State at the step's end, of which force is written, and at its start.
-    to : Equations
-        Of which rest holds the inertia and acceleration what inertia acts by.
+    `now`, `before`: state at the step's end, of which force is written, and at its start; `to`: of
+    which rest holds the inertia and acceleration what inertia acts by.
     """
     force, rest, acc, diagonal = now.force, to.rest, to.acceleration, to.diagonal
     flow, u, v = water.velocity, water.acceleration, now.v
@@ -92,13 +74,8 @@ def book_loads(
 ) -> None:
     """Add the forces on point loads whose work is booked, N.
 
-    Parameters
-    ----------
-    lines, at, water
-        What moves, how, and in what.
-    out, pressed, damped : array, shape (nodes, 3)
-        Added to: lift that is lost out of the water; pressure of the waves with the added mass;
-        Rayleigh's damping of the added mass.
+    `out`, `pressed`, `damped` (nodes, 3): added to: lift that is lost out of the water; pressure of
+    the waves with the added mass; Rayleigh's damping of the added mass.
     """
     for k in range(lines.load_node.shape[0]):
         n, added = lines.load_node[k], lines.load_added[k]
@@ -112,12 +89,7 @@ def book_loads(
 def load_works(lines: MovingLines, before: Moving, now: Moving, surface: Any) -> float:
     """Work that point loads do on their added mass in a step, J.
 
-    Parameters
-    ----------
-    lines, before, now
-        What moves, at the step's start and at its end.
-    surface : array, shape (nodes,)
-        Height up to which there is water, m.
+    `surface` (nodes,): height up to which there is water, m.
     """
     work = 0.0
     for k in range(lines.load_node.shape[0]):

@@ -28,8 +28,6 @@ from catopt.fem.rows import copy_rows
 from catopt.fem.series import SeriesRows, fill_series
 from catopt.model.validity import Findings
 
-__all__ = ["Scheme", "close_step", "predict", "solve_moving"]
-
 _LEAST: Final = 1.0 / 32.0
 """Least part of a Newton step that is taken where the forces left over do not get smaller."""
 
@@ -92,20 +90,9 @@ def predict(
 ) -> None:  # fmt: skip
     """Set the state at the step's end as if accelerations went on; led ends to where they are led.
 
-    Parameters
-    ----------
-    t, h : float
-        Start and length of the step, s.
-    scheme : tuple of float
-        alpha_m, alpha_f, beta, gamma.
-    lines, body, led
-        What moves, and where to.
-    before, now : Moving
-        At the step's start; written to.
-    change : array, shape (nodes, 3)
-        Of the accelerations over the step, as it is expected, m/s2.
-    room : array, shape (2, 3, 3)
-        Work space.
+    `t`, `h`: start and length of the step, s; `lines`, `body`, `led`: what moves, and where to;
+    `before`, `now`: at the step's start; written to; `change` (nodes, 3): of the accelerations over
+    the step, as it is expected, m/s2; `room` (2, 3, 3): work space.
     """
     shift = (scheme[0] - scheme[1]) * h
     beta, gamma = scheme[2], scheme[3]
@@ -158,14 +145,8 @@ def solve_moving(
 ) -> bool:  # fmt: skip
     """Turn the equations into displacements, in `to.rest`; False when they have no solution.
 
-    Parameters
-    ----------
-    lines, body, now, before, blend
-        As for `assemble_moving`.
-    to : Equations
-        As it left them.
-    room : array, shape (2, 3, 3)
-        Work space: the body's matrix, and its right hand side in the first row of the second.
+    `room` (2, 3, 3): work space: the body's matrix, and its right hand side in the first row of the
+    second.
     """
     moves = body.free[0] + body.free[1] + body.free[2] > 0.0
     matrix, pull = room[0], room[1, 0]
@@ -223,30 +204,12 @@ def close_step(
 ) -> tuple[bool, int, float, int]:  # fmt: skip
     """Iterate until the forces balance at every node.
 
-    Parameters
-    ----------
-    h : float
-        Length of the step, s.
-    scheme : tuple of float
-        alpha_m, alpha_f, beta, gamma.
-    limit : int
-        Iterations, at most.
-    tolerance : float
-        Largest force left over at a node, over the largest tension.
-    lines, body, water
-        What moves, and in what.
-    force : array, shape (3,)
-        On the body at the step's end, N.
-    before, now : Moving
-        At the step's start; as `predict` left it, and then at the step's end.
-    to, room
-        Work space, as for `solve_moving`.
-
-    Returns
-    -------
-    closed, iterations, worst, node : bool, int, float, int
-        Whether they balance, how many equations were solved, and the largest force left over,
-        over the largest tension, with its node (-1: the body).
+    `h`: length of the step, s; `limit`: iterations, at most; `tolerance`: largest force left over
+    at a node, over the largest tension; `force` (3,): on the body at the step's end, N; `before`,
+    `now`: at the step's start; as `predict` left it, and then at the step's end; `to`, `room`: work
+    space, as for `solve_moving`. Returns: closed, iterations, worst, node: whether they balance,
+    how many equations were solved, and the largest force left over, over the largest tension, with
+    its node (-1: the body).
     """
     alpha_m, alpha_f, beta, gamma = scheme
     by_v, by_a = gamma / (beta * h), 1.0 / (beta * h * h)

@@ -15,8 +15,6 @@ from catopt.fem.loads import BarLoads, bar_loads
 from catopt.fem.problem import Problem
 from catopt.fem.step import StepReport, Workspace, newton_step, take_step
 
-__all__ = ["Newton"]
-
 Array = npt.NDArray[np.float64]
 
 _DRAG_IN = 1e-9
@@ -30,14 +28,8 @@ _USUAL = 25
 class Newton:
     """Iterations on one state, which they move; counts them.
 
-    Attributes
-    ----------
-    state : State
-        Where the lines are.
-    iterations : int
-        Taken so far.
-    last : StepReport or None
-        What was left over when last looked at.
+    `state`: where the lines are; `iterations`: taken so far; `last`: what was left over when last
+    looked at.
     """
 
     def __init__(self, problem: Problem, state: State, most: int) -> None:
@@ -68,21 +60,8 @@ class Newton:
     def run(self, ease: float, ground: Ground, limit: int, tolerance: float) -> bool:
         """Iterate until the forces balance.
 
-        Parameters
-        ----------
-        ease : float
-            e of `assembly.Law`.
-        ground : Ground
-            The bed.
-        limit : int
-            Iterations, at most.
-        tolerance : float
-            Largest force left over at a node over the largest tension.
-
-        Returns
-        -------
-        bool
-            Whether they do.
+        `ease`: e of `assembly.Law`; `limit`: iterations, at most; `tolerance`: largest force left
+        over at a node over the largest tension. Returns: whether they do.
         """
         law = Law(ease, self.problem.soft, self.problem.carries_compression, self._drag_in)
         if ease == 1.0:

@@ -10,8 +10,6 @@ from catopt.model.validity import Findings
 from catopt.waves import Sea, breaking_warning, repetition_warning
 from catopt.words import Message, term
 
-__all__ = ["record_warnings", "step_warnings"]
-
 _FEWEST: Final = 4.0
 """Steps in a period below which nothing is left of it."""
 _WANTED: Final = 20.0
@@ -27,19 +25,8 @@ def step_warnings(
 ) -> list[str]:
     """Words about a step too long for what drives the run, and about its waves.
 
-    Parameters
-    ----------
-    step, duration : float
-        s.
-    periods : dict of str to float
-        What drives the run, with its shortest period, s.
-    sea : Sea or None
-        Waves and current.
-
-    Raises
-    ------
-    InputError
-        When a period has fewer than four steps.
+    `step`, `duration`: s; `periods`: what drives the run, with its shortest period, s. Raises
+    InputError when a period has fewer than four steps.
     """
     driven = dict(periods)
     warnings = []
@@ -70,12 +57,7 @@ def step_warnings(
 def record_warnings(period: float, step: float) -> list[str]:
     """Words about a record whose samples do not resolve its own acceleration.
 
-    Parameters
-    ----------
-    period : float
-        That 99 % of its acceleration's variance exceeds, s.
-    step : float
-        From sample to sample, s.
+    `period`: that 99 % of its acceleration's variance exceeds, s; `step`: from sample to sample, s.
     """
     if period >= _FEWEST_SAMPLES * step * (1.0 - 1e-9):
         return []

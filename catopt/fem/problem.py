@@ -26,10 +26,8 @@ from catopt.fem.bed import (
     HeldBed,
 )
 from catopt.fem.loads import Current, Weights
-from catopt.fem.mesh import LineMesh
+from catopt.fem.mesh import LineMesh, by_bar
 from catopt.fem.step import Body
-
-__all__ = ["Problem", "Water", "build", "node_friction", "straight"]
 
 Array = npt.NDArray[np.float64]
 
@@ -121,31 +119,18 @@ def build(
 ) -> Problem:
     """Lay out all lines, one after the other.
 
-    Parameters
-    ----------
-    meshes : sequence of LineMesh
-        The lines.
-    body : Body
-        Where they meet.
-    bed : Bed or HeldBed
-        The seabed.
-    friction : float
-        Coulomb coefficient.
-    water : Water
-        Surface and current.
-    carries_compression : bool
-        Whether bars push.
+    `body`: where they meet.
     """
     counts = [mesh.elements for mesh in meshes]
     start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
     length = np.concatenate([mesh.length for mesh in meshes])
     multiplier = bed.EA_multiplier if isinstance(bed, HeldBed) else 1.0
     with np.errstate(divide="ignore"):
-        compliance = 1.0 / (multiplier * _by_bar(meshes, "EA"))
-    submerged = length * _by_bar(meshes, "submerged_weight")
+        compliance = 1.0 / (multiplier * by_bar(meshes, "EA"))
+    submerged = length * by_bar(meshes, "submerged_weight")
     in_air = submerged
     if math.isfinite(water.surface):
-        in_air = length * water.gravity * _by_bar(meshes, "mass")
+        in_air = length * water.gravity * by_bar(meshes, "mass")
     nodal = np.concatenate([_point_loads(mesh) for mesh in meshes])
     across, along = _drag(meshes, water.current)
     soft = _weight_scale(start, submerged, nodal, body)
@@ -169,12 +154,7 @@ def build(
 def straight(problem: Problem, anchors: Array, fairleads: Array) -> State:
     """Every line straight from its anchor to its fairlead, without tension.
 
-    Parameters
-    ----------
-    problem : Problem
-        The lines.
-    anchors, fairleads : ndarray, shape (lines, 3)
-        Their ends, m.
+    `anchors`, `fairleads` (lines, 3): their ends, m.
     """
     bars = problem.bars
     nodes = problem.nodal.shape[0]
@@ -195,15 +175,6 @@ def straight(problem: Problem, anchors: Array, fairleads: Array) -> State:
         reaction=np.zeros(nodes),
         balance=np.zeros((nodes, 3)),
     )
-
-
-def _by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
-    """Figure of the segment to which each bar belongs."""
-    figures = [
-        np.array([getattr(segment, name) for segment in mesh.line.segments], dtype=float)
-        for mesh in meshes
-    ]
-    return np.concatenate([f[mesh.segment] for f, mesh in zip(figures, meshes, strict=True)])
 
 
 def _point_loads(mesh: LineMesh) -> Array:
@@ -232,15 +203,7 @@ def _contact(mesh: LineMesh, bed: Bed | HeldBed) -> npt.NDArray[np.int64]:
 
 
 def node_friction(mesh: LineMesh, friction: float) -> Array:
-    """Coulomb coefficient of each node: that of its point load, where that has its own.
-
-    Parameters
-    ----------
-    mesh : LineMesh
-        The line.
-    friction : float
-        Of the bed.
-    """
+    """Coulomb coefficient of each node: that of its point load, where that has its own."""
     rough = np.full(mesh.elements + 1, float(friction))
     for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True):
         if load.friction is not None:

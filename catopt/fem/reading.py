@@ -14,8 +14,6 @@ from catopt.fem.result import EndForce, TrussSolution
 from catopt.fem.settle import Rest
 from catopt.fem.touchdown import hanging_part
 
-__all__ = ["read_line"]
-
 Array = npt.NDArray[np.float64]
 
 _NO_TENSION = 1e-9
@@ -23,17 +21,7 @@ _NO_TENSION = 1e-9
 
 
 def read_line(index: int, mesh: LineMesh, problem: Problem, rest: Rest) -> TrussSolution:
-    """Solution of one of the lines of a state at rest.
-
-    Parameters
-    ----------
-    index : int
-        Which.
-    mesh : LineMesh
-        How it was cut.
-    problem, rest
-        All lines.
-    """
+    """Solution of one of the lines of a state at rest."""
     first, end = problem.bars.start[index], problem.bars.start[index + 1]
     bars, at = slice(first, end), slice(first + index, end + index + 1)
     state = rest.state

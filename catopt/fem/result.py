@@ -10,8 +10,6 @@ import numpy.typing as npt
 from catopt.fem.mesh import LineMesh
 from catopt.fem.settle import Rest
 
-__all__ = ["EndForce", "SystemSolution", "TrussSolution"]
-
 Array = npt.NDArray[np.float64]
 
 

@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["clear_blocks", "copy_blocks", "copy_rows"]
-
 
 def copy_rows(of: Any, to: Any) -> None:
     """Write an array of two axes to another."""

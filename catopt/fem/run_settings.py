@@ -15,8 +15,6 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.step_controls import StepControls
 from catopt.model.validity import Findings
 
-__all__ = ["BodyInertia", "LineProperties", "TimeStepping"]
-
 
 @dataclass(frozen=True)
 class TimeStepping:

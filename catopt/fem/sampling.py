@@ -14,8 +14,6 @@ from catopt.fem.moving_load import immersion
 from catopt.fem.seabed import across_bed
 from catopt.fem.series import SeriesRows, fill_series
 
-__all__ = ["Record", "Room", "Rules", "fill_end_forces", "take_sample"]
-
 Array = npt.NDArray[np.float64]
 
 
@@ -143,18 +141,7 @@ def take_sample(
 ) -> None:  # fmt: skip
     """Write a sample.
 
-    Parameters
-    ----------
-    sample : int
-        Which.
-    rules, lines, led, body
-        As for `march`.
-    at : Moving
-        The state at its time.
-    room : Room
-        Accelerations at its time are in `room.equations.acceleration`.
-    record : Record
-        Written to.
+    `room`: accelerations at its time are in `room.equations.acceleration`; `record`: written to.
     """
     t = sample * rules.every * rules.step
     record.time[sample] = t
@@ -186,14 +173,7 @@ def take_sample(
 def fill_end_forces(lines: MovingLines, at: Moving, a: Any, room: Room, to: Any) -> None:
     """Write the forces of all lines on what holds their anchors and fairleads, N.
 
-    Parameters
-    ----------
-    lines, at, room
-        What moves, how, and the water around it.
-    a : array, shape (nodes, 3)
-        Accelerations, m/s2.
-    to : array, shape (lines, 2, 3)
-        Written to.
+    `a` (nodes, 3): accelerations, m/s2; `to` (lines, 2, 3): written to.
     """
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
@@ -229,14 +209,8 @@ def length_on_bed(line: int, lines: MovingLines, at: Moving) -> float:
 def fill_energy(lines: MovingLines, at: Moving, room: Room, rest: Any, energy: Any) -> None:
     """Write kinetic energy and what strain, weight and bed hold more than at rest, J.
 
-    Parameters
-    ----------
-    lines, at, room
-        What moves, and how.
-    rest : array, shape (nodes, 3)
-        Places at rest, m.
-    energy : array, shape (4,)
-        Written to. Added mass counts in the kinetic energy.
+    `rest` (nodes, 3): places at rest, m; `energy` (4,): written to. Added mass counts in the
+    kinetic energy.
     """
     for i in range(4):
         energy[i] = 0.0

@@ -27,8 +27,6 @@ from catopt.model.dynamics import INITIAL_FRICTION, InitialFriction
 from catopt.model.site import STEEPEST
 from catopt.model.validity import Findings
 
-__all__ = ["Seabed", "across_bed", "along_bed", "drag_feet", "push_and_rub"]
-
 
 @dataclass(frozen=True)
 class Seabed:
@@ -174,14 +172,7 @@ def drag_feet(lines: MovingLines, now: Moving, h: float) -> None:
     The foot of a slipping node follows so that spring and dashpot together pull with mu R; a node
     that has come down sets its foot where it lies, and one that hangs has none.
 
-    Parameters
-    ----------
-    lines : MovingLines
-        What moves.
-    now : Moving
-        At the step's end; the feet are written to.
-    h : float
-        Length of the step, s.
+    `now`: at the step's end; the feet are written to; `h`: length of the step, s.
     """
     foot: Any = now.foot
     for n in range(foot.shape[0]):

@@ -19,17 +19,6 @@ from catopt.compiled import compiled
 from catopt.model.validity import Findings
 from catopt.waves.kinematics import row_at
 
-__all__ = [
-    "Harmonic",
-    "Sampled",
-    "Series",
-    "SeriesRows",
-    "Together",
-    "fill_series",
-    "series_rows",
-    "series_values",
-]
-
 Array = npt.NDArray[np.float64]
 
 _GAP = 5.0
@@ -175,18 +164,9 @@ Series = Harmonic | Sampled | Together
 class SeriesRows(NamedTuple):
     """Series of one or more ends as the kernels read them.
 
-    Attributes
-    ----------
-    base : array, shape (ends, 3)
-        Value at rest, before the series has begun.
-    harmonics : array, shape (ends, n, 7)
-        omega, amplitudes, phases.
-    times : array, shape (m,)
-        Of the spline; empty without one.
-    spline : array, shape (ends, m - 1, 3, 4)
-        Its coefficients.
-    ramp_time : float
-        s over which it grows as (1 - cos(pi t/T))/2.
+    `base` (ends, 3): value at rest, before the series has begun; `harmonics` (ends, n, 7): omega,
+    amplitudes, phases; `times` (m,): of the spline; empty without one; `spline` (ends, m - 1, 3,
+    4): its coefficients; `ramp_time`: s over which it grows as (1 - cos(pi t/T))/2.
     """
 
     base: Array
@@ -199,14 +179,7 @@ class SeriesRows(NamedTuple):
 def series_rows(base: Array, series: Sequence[Series | None], ramp_time: float) -> SeriesRows:
     """Lay out the series of all ends; those sampled must share their times.
 
-    Parameters
-    ----------
-    base : ndarray, shape (ends, 3)
-        Values at rest.
-    series : sequence of Harmonic, Sampled, Together or None
-        One an end.
-    ramp_time : float
-        s.
+    `base` (ends, 3): values at rest; `ramp_time`: s.
     """
     ends = len(series)
     regular = [s.harmonic if isinstance(s, Together) else s for s in series]
@@ -250,16 +223,7 @@ def _fill_values(times: Any, rows: SeriesRows, room: Any, to: Any) -> None:
 def fill_series(t: float, rows: SeriesRows, end: int, out: Any) -> None:
     """Write value, rate and second derivative at a time.
 
-    Parameters
-    ----------
-    t : float
-        s.
-    rows : SeriesRows
-        The series.
-    end : int
-        Which.
-    out : array, shape (3, 3)
-        Written to: rows of value, first and second derivative along x, y and z.
+    `t`: s; `out` (3, 3): written to: rows of value, first and second derivative along x, y and z.
     """
     for i in range(3):
         out[0, i] = out[1, i] = out[2, i] = 0.0

@@ -27,8 +27,6 @@ from catopt.fem.problem import Problem
 from catopt.fem.step import Body
 from catopt.words import Message
 
-__all__ = ["Controls", "Rest", "follow", "settle"]
-
 
 @dataclass(frozen=True)
 class Controls:
@@ -93,19 +91,8 @@ _LAST_EASE = 1e-6
 def settle(problem: Problem, start: State, controls: Controls) -> Rest:
     """Bring lines to rest from any shape.
 
-    Parameters
-    ----------
-    problem : Problem
-        What is to come to rest.
-    start : State
-        Where it starts, such as `problem.straight`; not changed.
-    controls : Controls
-        When to stop.
-
-    Raises
-    ------
-    NotConvergedError
-        With the node and the force left over there.
+    `start`: where it starts, such as `problem.straight`; not changed; `controls`: when to stop.
+    Raises NotConvergedError with the node and the force left over there.
     """
     newton = Newton(problem, _copied(start), controls.max_iterations)
     if not newton.run(1.0, _soft_bed(problem, 1.0), controls.max_iterations, _STAGE_TOLERANCE):
@@ -136,17 +123,8 @@ def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
     feet, and drag them along where they slip. Without such a history there is no need to go
     through every change between: after a few vain cuts the way is that of `settle`.
 
-    Parameters
-    ----------
-    problem, controls
-        As for `settle`.
-    start : Rest
-        Of the same lines; not changed.
-
-    Raises
-    ------
-    NotConvergedError
-        With the node and the force left over there.
+    `start`: of the same lines; not changed. Raises NotConvergedError with the node and the force
+    left over there.
     """
     ground = problem.ground._replace(spring_foot=start.ground.spring_foot)
     newton = Newton(problem, _copied(start.state), controls.max_iterations)

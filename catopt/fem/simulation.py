@@ -25,8 +25,6 @@ from catopt.interrupt import waiting_interrupt
 from catopt.waves import Sea
 from catopt.words import Message, Several
 
-__all__ = ["Break", "Simulation"]
-
 Array = npt.NDArray[np.float64]
 
 _HELD = BodyNode(np.zeros(3), np.zeros(3), np.zeros(3))
@@ -55,14 +53,8 @@ _PIECE = 0.1
 class Break(NamedTuple):
     """Where and when a line parts.
 
-    Attributes
-    ----------
-    line : int
-        From 0.
-    sample : int
-        After which one.
-    at_anchor : bool
-        At its anchor, whose end is then free; otherwise at its fairlead: its last bar is then gone.
+    `line`: from 0; `sample`: after which one; `at_anchor`: at its anchor, whose end is then free;
+    otherwise at its fairlead: its last bar is then gone.
     """
 
     line: int
@@ -119,14 +111,13 @@ class Simulation:
         self._before_break: float | None = None
         nodes, bars = x.shape[0], lines.length.size
         still = np.full(nodes, np.inf)
-        water = WaterAt(_rows(nodes), _rows(nodes), _rows(nodes), still, np.ones((bars, 2)))
+        flow = np.zeros((3, nodes, 3))
+        water = WaterAt(flow[0], flow[1], flow[2], still, np.ones((bars, 2)))
         self._room = Room(
             now=_moving(lines, np.array(x, dtype=float)),
             water=water,
             water_before=np.zeros((nodes, 3)),
-            equations=Equations(
-                _blocks(nodes), _blocks(nodes), _blocks(nodes), _rows(nodes), _rows(nodes)
-            ),
+            equations=Equations(*np.zeros((3, nodes, 3, 3)), *np.zeros((2, nodes, 3))),
             small=np.zeros((2, 3, 3)),
             force=np.zeros(3),
             slope=np.zeros(bars),
@@ -138,11 +129,6 @@ class Simulation:
             ends_before=np.zeros((ends.size, 2, 3)),
             wet_before=np.ones((bars, 2)),
         )
-
-    @property
-    def node_count(self) -> int:
-        """Nodes of all lines."""
-        return int(self.state.x.shape[0])
 
     def _form(self, function: Callable[..., Any], visits: int = 1) -> Callable[..., Any]:
         """Give a kernel function for some visits to every bar, plain or compiled."""
@@ -198,7 +184,7 @@ class Simulation:
             at.foot[lies] = (
                 at.x[lies, :2] - at.force[lies, :2] / self.lines.drag_spring[lies, np.newaxis]
             )
-            self._form(drag_feet)(self.lines, at, 0.0)
+            drag_feet(self.lines, at, 0.0)
         self.find_rest()
 
     def hold_ends(self) -> None:
@@ -262,7 +248,7 @@ class Simulation:
 
     def slip_feet(self) -> None:
         """Let the friction springs slip as far as they must, and take stock of the forces."""
-        self._form(drag_feet)(self.lines, self.state, 0.0)
+        drag_feet(self.lines, self.state, 0.0)
         self.assemble(_AT_REST)
 
     def _part_of(self, move: Array, longest: float) -> float:
@@ -391,16 +377,14 @@ class Simulation:
     def balance(self, record: Record) -> EnergyBalance:
         """Book the energy of a run, from its record and the state at its end."""
         stored = np.zeros(4)
-        self._form(fill_energy)(self.lines, self.state, self._room, record.rest, stored)
+        fill_energy(self.lines, self.state, self._room, record.rest, stored)
         ends, water, drag, bed, friction, damping, kinetic, put_in = map(float, record.works)
-        if (
-            self._before_break is not None
-        ):  # what a break sets free drives the lines as a force does
+        if self._before_break is not None:  # what is set free drives the lines as a force does
             put_in += max(0.0, self._before_break - float(stored[1:].sum()))
         return EnergyBalance(
             ends=ends,
             water=water,
-            kinetic=kinetic + float(self._form(own_kinetic_energy)(self.lines, self.state)),
+            kinetic=kinetic + float(own_kinetic_energy(self.lines, self.state)),
             elastic=float(stored[1] + stored[3]) + self._gone,
             potential=float(stored[2]),
             drag=-drag,
@@ -413,12 +397,12 @@ class Simulation:
     def _break(self, line: int, record: Record) -> None:
         """Take the last bar of a line away: no force, no mass, no drag; what it held is booked."""
         bar, at, held = int(self.lines.start[line + 1]) - 1, self.state, np.zeros((2, 4))
-        self._form(fill_energy)(self.lines, at, self._room, record.rest, held[0])
+        fill_energy(self.lines, at, self._room, record.rest, held[0])
         changed = {name: getattr(self.lines, name).copy() for name in _OF_BARS}
         for name, values in changed.items():
             values[bar] *= _NEXT_TO_NOTHING if name in {"EA", "damping"} else 0.0
         self.lines = self.lines._replace(**changed)
-        self._form(fill_energy)(self.lines, at, self._room, record.rest, held[1])
+        fill_energy(self.lines, at, self._room, record.rest, held[1])
         self._gone = float((held[0] - held[1])[1:3].sum())
         self._before_break = float(held[1, 1:].sum())
         pull, last = at.tension[bar] * at.axis[bar], bar + line + 1
@@ -430,7 +414,7 @@ class Simulation:
     def _let_go(self, line: int, record: Record) -> None:
         """Let the first node of a line move freely; what is stored then drives the lines."""
         held = np.zeros(4)
-        compiled(fill_energy)(self.lines, self.state, self._room, record.rest, held)
+        fill_energy(self.lines, self.state, self._room, record.rest, held)
         self._before_break = float(held[1:].sum())
         free = self.lines.lower_free.copy()
         free[line] = True
@@ -447,11 +431,9 @@ class Simulation:
 
     def _first_sample(self, rules: Rules, record: Record) -> None:
         self._room.equations.acceleration[:] = self.state.a
-        self._form(take_sample)(
-            0, rules, self.lines, self.led, self.body, self.state, self._room, record
-        )
+        take_sample(0, rules, self.lines, self.led, self.body, self.state, self._room, record)
         room = self._room
-        self._form(begin_works)(
+        begin_works(
             self.lines, self.state, room.water, self.sea is not None, room.booked_before,
             record.works,
         )  # fmt: skip
@@ -494,7 +476,7 @@ class Simulation:
     def _lead_accelerations(self) -> None:
         out = np.zeros((3, 3))
         for k, last in enumerate(self.lines.start[1:] + np.arange(self.lines.start.size - 1)):
-            self._form(fill_series)(0.0, self.led, k, out)
+            fill_series(0.0, self.led, k, out)
             held = self.body.free == 0.0
             self.state.x[last, held] = out[0, held]
             self.state.v[last, held] = out[1, held]
@@ -502,7 +484,7 @@ class Simulation:
         lines = self.lines.start.size - 1
         for row in range(lines, self.led.base.shape[0]):
             first = self.lines.start[row - lines] + row - lines
-            compiled(fill_series)(0.0, self.led, row, out)
+            fill_series(0.0, self.led, row, out)
             self.state.x[first], self.state.v[first], self.state.a[first] = out
 
 
@@ -520,14 +502,6 @@ def _moving(lines: MovingLines, x: Array) -> Moving:
         foot=np.full((nodes, 2), np.nan),
         body_force=np.zeros(3),
     )
-
-
-def _rows(nodes: int) -> Array:
-    return np.zeros((nodes, 3))
-
-
-def _blocks(nodes: int) -> Array:
-    return np.zeros((nodes, 3, 3))
 
 
 def _cut(record: Record, last: int) -> Record:

@@ -20,8 +20,6 @@ from catopt.fem.simulation import Simulation
 from catopt.model.dynamics import InitialFriction
 from catopt.words import Message
 
-__all__ = ["settle_on_slope"]
-
 _NO_SLIP: Final = 10.0
 """Factor on the friction at which springs slip while they are drawn out."""
 _SOFT: Final = 1e-2
@@ -35,17 +33,8 @@ _SAME: Final = 1e-5
 def settle_on_slope(simulation: Simulation, initial_friction: InitialFriction) -> None:
     """Bring one line to rest on a bed that slopes, from its shape on a level one.
 
-    Parameters
-    ----------
-    simulation : Simulation
-        Of the line; its state is moved.
-    initial_friction : {"pulled", "none", "laid"}
-        As `Seabed` has it.
-
-    Raises
-    ------
-    NotConvergedError
-        With the node and the force left over there; or when the line slides down past its anchor.
+    Raises NotConvergedError with the node and the force left over there; or when the line slides
+    down past its anchor.
     """
     lines = simulation.lines
     friction = lines.friction

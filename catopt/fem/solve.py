@@ -21,8 +21,6 @@ from catopt.model import Line
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = ["Leg", "solve_line", "solve_system"]
-
 Array = npt.NDArray[np.float64]
 
 

@@ -10,13 +10,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "SeriesStatistics",
-    "peaks_above_mean",
-    "power_spectrum",
-    "series_statistics",
-]
-
 Array = npt.NDArray[np.float64]
 
 
@@ -71,12 +64,7 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
 def peaks_above_mean(values: Array, mean: float | None = None) -> Array:
     """Largest value between each upward crossing of the mean and the next.
 
-    Parameters
-    ----------
-    values : ndarray, shape (n,)
-        The series.
-    mean : float, optional
-        Its own, unless it is one of several.
+    `values` (n,): the series; `mean`: its own, unless it is one of several.
     """
     above = values > (values.mean() if mean is None else mean)
     ups = np.flatnonzero(above[1:] & ~above[:-1]) + 1

@@ -13,22 +13,15 @@ from catopt.fem.banded import DIAGONAL, back_substitute, eliminate
 from catopt.fem.bed import Ground
 from catopt.fem.loads import BarLoads
 
-__all__ = ["Body", "StepReport", "Workspace", "newton_step", "take_step"]
-
 Array = npt.NDArray[np.float64]
 
 
 class Body(NamedTuple):
     """The node in which the lines meet.
 
-    Attributes
-    ----------
-    free : array, shape (3,)
-        1.0 for each direction in which it may move, 0.0 where it is held.
-    force : array, shape (3,)
-        On it, N.
-    place : array, shape (3,)
-        Where the last node of the first line belongs in the directions that are held, m.
+    `free` (3,): 1.0 for each direction in which it may move, 0.0 where it is held; `force` (3,): on
+    it, N; `place` (3,): where the last node of the first line belongs in the directions that are
+    held, m.
     """
 
     free: Array
@@ -82,15 +75,9 @@ def newton_step(
 ) -> StepReport:  # fmt: skip
     """Assemble, measure what is left over, and solve; the step is left in `room.rhs`.
 
-    Parameters
-    ----------
-    bars, state, loads, nodal, ground, law
-        As for `assembly.assemble`.
-    body : Body
-        Where the lines meet.
-    room : Workspace
-        Written to: entry 4 e is the change of the tension of bar e over `law.soft`, entries
-        4 e + 1 to 4 e + 3 the displacement of its second node.
+    `bars`, `state`, `loads`, `nodal`, `ground`, `law`: as for `assembly.assemble`; `body`: where
+    the lines meet; `room`: written to: entry 4 e is the change of the tension of bar e over
+    `law.soft`, entries 4 e + 1 to 4 e + 3 the displacement of its second node.
     """
     band, rhs = room
     lines = bars.start.shape[0] - 1

@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 from catopt.fem.march import MarchReport
 from catopt.model.validity import Findings
 
-__all__ = ["StepControls", "StepCounts"]
-
 
 @dataclass(frozen=True)
 class StepControls:

@@ -20,15 +20,6 @@ from typing import Any, Final
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.bed import FREE, ON_BED
 
-__all__ = [
-    "hanging_node",
-    "hanging_part",
-    "own_rest",
-    "share_slope",
-    "share_weight",
-    "shift_slope",
-]
-
 _LEAST: Final = 1e-14
 """r that is rounding."""
 
@@ -36,10 +27,7 @@ _LEAST: Final = 1e-14
 def hanging_part(lift: float, weight: float) -> float:
     """Give the part r of a bar that hangs, from 0 to 1.
 
-    Parameters
-    ----------
-    lift, weight : float
-        V and W, N.
+    `lift`, `weight`: V and W, N.
     """
     if weight <= 0.0 or 2.0 * lift >= weight:
         return 1.0
@@ -47,15 +35,7 @@ def hanging_part(lift: float, weight: float) -> float:
 
 
 def hanging_node(a: int, contact: Any) -> int:
-    """Give the node that hangs of a bar whose other node lies on the bed; -1 where there is none.
-
-    Parameters
-    ----------
-    a : int
-        First node of the bar.
-    contact : array of int
-        States of the nodes.
-    """
+    """Give the node that hangs of a bar whose other node lies on the bed; -1 for none."""
     if contact[a] == ON_BED and contact[a + 1] == FREE:
         return a + 1
     if contact[a] == FREE and contact[a + 1] == ON_BED:
@@ -66,14 +46,7 @@ def hanging_node(a: int, contact: Any) -> int:
 def share_weight(a: int, hangs: int, rise: float, weight: float, balance: Any) -> None:
     """Shift weight from the hanging node of a bar to the lying one.
 
-    Parameters
-    ----------
-    a, hangs : int
-        First node, and the node that hangs.
-    rise, weight : float
-        T t_z of the bar and its weight, N.
-    balance : array
-        As in `assembly`.
+    `rise`, `weight`: T t_z of the bar and its weight, N.
     """
     lift = rise if hangs > a else -rise
     shifted = 0.5 * weight * (1.0 - hanging_part(lift, weight)) ** 2
@@ -89,12 +62,7 @@ def shift_slope(lift: float, weight: float, left: float) -> float:
     left with W (q - r), where q is the part that has to hang; so what is wanted is the lift at q.
     r and q go on below 0, as V/W, and above 1, as V/W + 1/2: there nothing more is shifted.
 
-    Parameters
-    ----------
-    lift, weight : float
-        V and W, N.
-    left : float
-        Upward force left over at the hanging node, N.
+    `lift`, `weight`: V and W, N; `left`: upward force left over at the hanging node, N.
     """
     if weight <= 0.0 or 2.0 * lift >= weight:
         return 0.0
@@ -112,16 +80,7 @@ def share_slope(
 ) -> None:  # fmt: skip
     """Write the derivatives of `share_weight`.
 
-    Parameters
-    ----------
-    row, has_first : int, bool
-        Row of the bar's tension, whether the first node has rows of its own.
-    slope : float
-        Of the weight that is shifted (`shift_slope`).
-    t, across : tuple, float
-        Direction of the bar, and its stiffness across itself in the equations' unit.
-    band : array
-        As in `assembly`.
+    `slope`: of the weight that is shifted (`shift_slope`).
     """
     band[row + 3, DIAGONAL - 3] -= slope * t[2]
     if has_first:
@@ -138,14 +97,7 @@ def share_slope(
 def own_rest(node: int, below: float, above: float, contact: Any) -> float:
     """Weight that keeps lying when a node lifts off, N: half of each bar that lies wholly.
 
-    Parameters
-    ----------
-    node : int
-        The node.
-    below, above : float
-        Weight of the bars towards the anchor and the fairlead, N.
-    contact : array of int
-        States of the nodes.
+    `below`, `above`: weight of the bars towards the anchor and the fairlead, N.
     """
     rest = 0.0
     if contact[node - 1] == ON_BED:

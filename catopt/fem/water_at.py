@@ -8,30 +8,15 @@ from catopt.compiled import inlined
 from catopt.fem.moving import WaterAt
 from catopt.waves.kinematics import Flow, fill_kinematics
 
-__all__ = ["fill_water", "wet_part"]
-
 
 def fill_water(
     t: float, x: Any, start: Any, flow: Flow, early: float, before: Any, water: WaterAt
 ) -> None:
     """Write the water's motion at the nodes at a step's end.
 
-    Parameters
-    ----------
-    t : float
-        Time of the step's end, s.
-    x : array, shape (nodes, 3)
-        Where the nodes are expected, m.
-    start : array of int, shape (lines + 1,)
-        First bar of each line.
-    flow : Flow
-        The sea.
-    early : float
-        Weight of the step's start in the acceleration that the step balances.
-    before : array, shape (nodes, 3)
-        Acceleration at the step's start, m/s2.
-    water : WaterAt
-        Written to.
+    `t`: time of the step's end, s; `x` (nodes, 3): where the nodes are expected, m; `start` (lines
+    + 1,): first bar of each line; `before` (nodes, 3): acceleration at the step's start, m/s2;
+    `water`: written to.
     """
     fill_kinematics(t, x, flow, water.velocity, water.latest, water.surface)
     for n in range(x.shape[0]):

@@ -10,8 +10,6 @@ from collections.abc import Sequence
 
 from catopt.reproduce.items import Item, Reproduction, Study
 
-__all__ = ["book", "views"]
-
 _FURTHER_DIGITS = 3
 _MOST_DECIMALS = 6
 """A print of more decimals is the output of a program; more of ours would be rounding."""
@@ -83,13 +81,7 @@ def _study(study: Study) -> list[str]:
 
 
 def views(study: Study) -> list[str]:
-    """Name the figures of a study by the ends of their files' names.
-
-    Parameters
-    ----------
-    study : Study
-        What is shown.
-    """
+    """Name the figures of a study by the ends of their files' names."""
     of_what = {
         "lines": study.drawn,
         "fitness": study.by_swarm,

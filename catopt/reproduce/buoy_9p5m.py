@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
 
 from catopt.model import Line, Segment, SwarmSettings
+from catopt.reproduce.comparison import by_print, compare, item_of, study_of
 from catopt.reproduce.interval import Interval, interval
 from catopt.reproduce.items import Drawn, Input, Item, Study
 from catopt.reproduce.printed import Printed
 from catopt.reproduce.published import Published, published
-from catopt.reproduce.verdict import Judgement, by_digits, by_order, not_reproducible
+from catopt.reproduce.verdict import by_order, not_reproducible
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-
-__all__ = ["NAME", "ZERO", "study"]
 
 NAME = "buoy_9p5m"
 
@@ -26,7 +26,6 @@ ZERO = 1e-12
 """m: below it S1's objective, a sum of two lengths of about 10 m, is zero but for rounding."""
 
 _RESULTS = ("theta0_rad", "offset_m", "tension_tf")
-_UNITS = {"theta0_rad": "rad", "offset_m": "m", "tension_tf": "tf", "objective_m": "m"}
 _TONNE_FORCE = UNITS[Dimension.FORCE]["tf"]
 _KGF_PER_M = UNITS[Dimension.FORCE_PER_LENGTH]["kgf/m"]
 _WEIGHTS = (9.0, 10.5)  # kgf/m, where the intervals of the weight are looked for
@@ -35,29 +34,18 @@ Progress = Callable[[int, int], None]
 
 
 def study(progress: Progress | None = None) -> Study:
-    """Recompute the buoy by swarm and in closed form and judge every printed number.
-
-    Parameters
-    ----------
-    progress : callable, optional
-        Told of the swarm runs done and wanted.
-    """
+    """Recompute the buoy by swarm and in closed form and judge every printed number."""
     source = published(NAME)
     solution = _solve_by_swarm(source, progress)
     by_swarm = _results(solution)
     in_closed_form = _results(_hang(source.inputs["submerged_weight_kgf_per_m"]))
-    return Study(
-        name=NAME,
-        title=source.title,
-        source=source.source,
-        source_title=source.source_title,
-        source_where=source.source_where,
-        where=source.where,
+    made = study_of(
+        source,
         inputs=_inputs(source),
         items=(
             *_swarm_items(source, by_swarm),
-            *_reference_items(source, "fem", in_closed_form),
-            *_reference_items(source, "analytic", in_closed_form),
+            *compare(source, "fem", in_closed_form),
+            *compare(source, "analytic", in_closed_form),
             *_error_items(source, "fem", by_swarm),
             *_error_items(source, "analytic", by_swarm),
         ),
@@ -67,9 +55,9 @@ def study(progress: Progress | None = None) -> Study:
             _about_the_tension(source),
             _about_the_objective(),
         ),
-        by_swarm=solution,
         drawn=(Drawn("20 m of chain under 0.343 tf", solution),),
     )
+    return replace(made, by_swarm=solution)
 
 
 # ------------------------------------------------------------------ solving
@@ -142,53 +130,15 @@ def _inputs(source: Published) -> tuple[Input, ...]:
     )
 
 
-def _item(
-    quantity: str,
-    unit: str,
-    method: str,
-    computed_by: str,
-    printed: Printed,
-    computed: float | None,
-    judgement: Judgement,
-    remark: str = "",
-) -> Item:
-    source = published(NAME).source
-    return Item(
-        source, NAME, quantity, unit, method, computed_by, printed, computed, judgement, remark
-    )
-
-
 def _swarm_items(source: Published, ours: dict[str, float]) -> list[Item]:
     table = source.printed["pso"]
-    items = [
-        _item(key, _UNITS[key], "pso", "pso", table[key], ours[key], judged)
-        for key in _RESULTS
-        for judged in [by_digits(table[key], ours[key], _UNITS[key])]
-    ]
-    objective = by_order(table["objective_m"], ours["objective_m"], ZERO, "m")
-    items.append(
-        _item(
-            "objective_m", "m", "pso", "pso", table["objective_m"], ours["objective_m"], objective
-        )
-    )
-    wall_time = not_reproducible(Message("reproduce.authors_machine"))
-    items.append(_item("wall_time_s", "s", "pso", "", table["wall_time_s"], None, wall_time))
-    return items
-
-
-def _reference_items(source: Published, method: str, ours: dict[str, float]) -> list[Item]:
-    """Judge what S1 quotes from its reference [4] against the closed form."""
+    zero, wall_time = table["objective_m"], table["wall_time_s"]
+    objective = by_order(zero, ours["objective_m"], ZERO, "m")
+    other_machine = not_reproducible(Message("reproduce.authors_machine"))
     return [
-        _item(
-            key,
-            _UNITS[key],
-            method,
-            "closed-form",
-            printed,
-            ours[key],
-            by_digits(printed, ours[key], _UNITS[key]),
-        )
-        for key, printed in source.printed[method].items()
+        *(by_print(source, "pso", key, table[key], ours[key], "pso") for key in _RESULTS),
+        item_of(source, "pso", "objective_m", zero, objective, ours["objective_m"], "pso"),
+        item_of(source, "pso", "wall_time_s", wall_time, other_machine),
     ]
 
 
@@ -215,24 +165,10 @@ def _error_items(source: Published, method: str, ours: dict[str, float]) -> list
         if unrounded != printed.text:
             from_digits = f"|{rounded} - {reference.text}| / {reference.text}"
             remark = Message(_FROM_DIGITS[key], computed=from_digits, unrounded=unrounded)
-        items.append(
-            _item(
-                f"{_quantity(key)}_error_percent",
-                "%",
-                f"pso against {method}",
-                "pso",
-                printed,
-                error,
-                by_digits(printed, error, "%"),
-                remark,
-            )
-        )
+        quantity = f"{key.rpartition('_')[0]}_error_percent"
+        against = f"pso against {method}"
+        items.append(by_print(source, against, quantity, printed, error, "pso", remark))
     return items
-
-
-def _quantity(key: str) -> str:
-    """Drop the unit: ``offset`` for ``offset_m``."""
-    return key.rpartition("_")[0]
 
 
 def _percent(value: float, reference: float) -> float:

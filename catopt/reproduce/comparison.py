@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from catopt.reproduce.items import Drawn, Input, Item, Study
+from catopt.reproduce.printed import Printed
 from catopt.reproduce.published import Published
-from catopt.reproduce.verdict import by_digits, not_reproducible
+from catopt.reproduce.verdict import Judgement, by_digits, not_reproducible
 from catopt.words import term
 
-__all__ = ["compare", "set_aside", "study_of"]
-
-_UNITS = ("m", "kN", "tf")
+_UNITS = {unit: unit for unit in ("m", "kN", "tf", "rad", "s")} | {"percent": "%"}
 _PURE_NUMBER = "-"
 
 
@@ -22,63 +21,65 @@ def compare(
     remarks: Mapping[str, str] | None = None,
     computed_by: str = "closed-form",
 ) -> tuple[Item, ...]:
-    """Judge every number that a source printed for a method, digit for digit.
-
-    Parameters
-    ----------
-    source : Published
-        The calculation.
-    method : str
-        Which of its tables of printed numbers.
-    computed : mapping of str to float
-        By the quantities of that table, in the unit that their names end in.
-    remarks : mapping of str to str, optional
-        What a reader should know beside the verdict, by quantity.
-    computed_by : str
-        How catopt came by the numbers.
-    """
+    """Judge every number that a source printed in the table of a method, digit for digit."""
     said = remarks or {}
     return tuple(
-        Item(
-            source=source.source,
-            name=source.name,
-            quantity=quantity,
-            unit=_unit(quantity),
-            method=method,
-            computed_by=computed_by,
-            printed=printed,
-            computed=computed[quantity],
-            judgement=by_digits(printed, computed[quantity], _unit(quantity).strip(_PURE_NUMBER)),
-            remark=term(said.get(quantity, "")),
+        by_print(
+            source,
+            method,
+            quantity,
+            printed,
+            computed[quantity],
+            computed_by,
+            said.get(quantity, ""),
         )
         for quantity, printed in source.printed[method].items()
     )
 
 
-def set_aside(source: Published, method: str, reason: str) -> tuple[Item, ...]:
-    """Tell of every number printed for a method that nothing computed can be held against it.
+def by_print(
+    source: Published,
+    method: str,
+    quantity: str,
+    printed: Printed,
+    computed: float,
+    computed_by: str,
+    remark: str = "",
+) -> Item:
+    """Judge one printed number digit for digit."""
+    judgement = by_digits(printed, computed, _unit(quantity).strip(_PURE_NUMBER))
+    return item_of(source, method, quantity, printed, judgement, computed, computed_by, remark)
 
-    Parameters
-    ----------
-    source : Published
-        The calculation.
-    method : str
-        Which of its tables of printed numbers.
-    reason : str
-        Why.
-    """
+
+def item_of(
+    source: Published,
+    method: str,
+    quantity: str,
+    printed: Printed,
+    judgement: Judgement,
+    computed: float | None = None,
+    computed_by: str = "",
+    remark: str = "",
+) -> Item:
+    """Put a printed number and its judgement together; its unit is the end of the quantity."""
+    return Item(
+        source.source,
+        source.name,
+        quantity,
+        _unit(quantity),
+        method,
+        computed_by,
+        printed,
+        computed,
+        judgement,
+        term(remark),
+    )
+
+
+def set_aside(source: Published, method: str, reason: str) -> tuple[Item, ...]:
+    """Tell of every number in the table of a method that nothing computed can be held against."""
     return tuple(
-        Item(
-            source=source.source,
-            name=source.name,
-            quantity=quantity,
-            unit=_unit(quantity),
-            method=method,
-            computed_by="",
-            printed=printed,
-            computed=None,
-            judgement=not_reproducible(reason),
-        )
+        item_of(source, method, quantity, printed, not_reproducible(reason))
         for quantity, printed in source.printed[method].items()
     )
 
@@ -90,15 +91,7 @@ def study_of(
     findings: Sequence[str],
     drawn: Sequence[Drawn] = (),
 ) -> Study:
-    """Put a study together that has no swarm.
-
-    Parameters
-    ----------
-    source : Published
-        The calculation.
-    inputs, items, findings, drawn : sequence
-        As in `Study`.
-    """
+    """Put a study together that has no swarm."""
     return Study(
         name=source.name,
         title=source.title,
@@ -115,5 +108,4 @@ def study_of(
 
 def _unit(quantity: str) -> str:
     """Read the unit off the end of a quantity's name; a pure number has none."""
-    unit = quantity.rpartition("_")[2]
-    return unit if unit in _UNITS else _PURE_NUMBER
+    return _UNITS.get(quantity.rpartition("_")[2], _PURE_NUMBER)

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-__all__ = ["SinkerLine", "sinker_line"]
-
 
 @dataclass(frozen=True)
 class SinkerLine:
@@ -16,14 +14,8 @@ class SinkerLine:
     length of line below the sinker, ends at b1. The upper piece starts at b2, further up by the
     equivalent length, and ends at the fairlead C.
 
-    Attributes
-    ----------
-    x_b1, x_b2, x_oc : float
-        From O to b1, b2 and C, horizontally, m.
-    z_oc : float
-        From O up to C, m; S2 (35).
-    length : float
-        Of line, below and above the sinker, m; S2 (36).
+    `x_b1`, `x_b2`, `x_oc`: from O to b1, b2 and C, horizontally, m; `z_oc`: from O up to C, m; S2
+    (35); `length`: of line, below and above the sinker, m; S2 (36).
     """
 
     x_b1: float
@@ -41,16 +33,8 @@ class SinkerLine:
 def sinker_line(a: float, height: float, position: float, equivalent_length: float) -> SinkerLine:
     """Lay out a line with a sinker by S2 (30) to (40).
 
-    Parameters
-    ----------
-    a : float
-        H / q, m.
-    height : float
-        Of the fairlead above the anchor, m.
-    position : float
-        Length of line from the anchor to the sinker, m.
-    equivalent_length : float
-        L_eq = W_s / q, m; S2 (30).
+    `a`: H / q, m; `height`: of the fairlead above the anchor, m; `position`: length of line from
+    the anchor to the sinker, m; `equivalent_length`: L_eq = W_s / q, m; S2 (30).
     """
     upper = position + equivalent_length
     z_b1, z_b2 = (math.hypot(a, s) - a for s in (position, upper))

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution
     from catopt.verify.result import StaticComparison
 
-__all__ = ["BARS", "NAME", "as_run", "free_bed", "held_bed", "study", "turret"]
-
 NAME = "fso_rang_dong"
 
 BARS = 200
@@ -74,15 +72,7 @@ def study() -> Study:
 
 
 def turret(source: Published, azimuths: str = "azimuth_deg") -> System:
-    """Lay the nine lines out as printed.
-
-    Parameters
-    ----------
-    source : Published
-        The figures.
-    azimuths : str
-        Series that has the azimuths: those of the printed node coordinates, or of the text.
-    """
+    """Lay the nine lines out as printed."""
     series, given = source.series, source.inputs
     columns = zip(
         series["length_m"], series["submerged_mass_kg_per_m"], series["EA_kN"], strict=True
@@ -110,14 +100,7 @@ def as_run(
 ) -> TrussSystem:
     """Solve with the source's restraint: nodes up to the second joint held in height both ways.
 
-    Parameters
-    ----------
-    stiffened : bool
-        Whether EA is a hundredfold, as in the source's run, or as printed.
-    azimuths : str
-        Series of the published figures that has them.
-    force : float, optional
-        On the turret along x, N; the printed one when left out.
+    `force`: on the turret along x, N; the printed one when left out.
     """
     from catopt.fem import solve_system
     from catopt.verify.system import truss_legs

@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from catopt.fem import Harmonic, LineProperties
     from catopt.waves import Spectrum, Waves
 
-__all__ = ["NAME", "BedModel", "Maxima", "SeaSpectrum", "run", "study", "synthetic_force"]
-
 NAME = "fso_rang_dong_dynamic"
 
 SeaSpectrum = Literal["Pierson-Moskowitz", "JONSWAP"]
@@ -187,14 +185,8 @@ def _elevation(
 def run(of: SeaSpectrum, bed: BedModel = "as run", mass: float = BODY_MASS) -> Maxima:
     """Run the nine lines and the turret under the synthetic force.
 
-    Parameters
-    ----------
-    of : {"Pierson-Moskowitz", "JONSWAP"}
-        Spectrum of the fluctuation.
-    bed : {"as run", "pushes only"}
-        S4's restraint with a hundredfold EA, or a bed that only pushes with the printed EA.
-    mass : float
-        Of the turret node, kg.
+    `bed`: S4's restraint with a hundredfold EA, or a bed that only pushes with the printed EA;
+    `mass`: of the turret node, kg.
     """
     return _run(of, bed, mass)
 

@@ -24,8 +24,6 @@ from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.words import Message, Several, term
 
-__all__ = ["CONDITIONS", "NAME", "fso", "fso_loads", "fso_lyings", "study"]
-
 NAME = "fso_rang_dong_loads"
 
 CONDITIONS: Final = ("loaded", "ballast")
@@ -38,12 +36,7 @@ _CURRENT_OFF = (0.0, 30.0, 60.0, 90.0)
 def fso(source: Published, condition: str) -> Ship:
     """Make the ship of Table 4.1 afloat.
 
-    Parameters
-    ----------
-    source : Published
-        The figures.
-    condition : str
-        One of `CONDITIONS`.
+    `condition`: one of `CONDITIONS`.
     """
     given = source.inputs
     length, breadth = given["length_m"], given["breadth_m"]
@@ -73,14 +66,7 @@ def _lateral_area(source: Published, draught: float) -> float:
 def fso_loads(source: Published, condition: str, method: str) -> Loads:
     """Compute the forces, all from ahead.
 
-    Parameters
-    ----------
-    source : Published
-        The figures.
-    condition : str
-        One of `CONDITIONS`.
-    method : str
-        One of `catopt.loads.METHODS`.
+    `condition`: one of `CONDITIONS`; `method`: one of `catopt.loads.METHODS`.
     """
     return ship_loads(
         fso(source, condition),
@@ -154,15 +140,7 @@ def _side_by_side(source: Published) -> SideBySide:
 
 
 def fso_lyings(source: Published, degrees: float) -> tuple[Lying, ...]:
-    """Find how the ship lies on its external turret when the current comes from another side.
-
-    Parameters
-    ----------
-    source : Published
-        The figures.
-    degrees : float
-        From the direction of wind and waves to that of the current.
-    """
+    """Find how the ship lies on its external turret when the current comes from another side."""
     return every_lying(
         [Afloat(each, fso(source, each), f"tanker {each}") for each in CONDITIONS],
         *_weather(source),

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 
 from catopt.reproduce.printed import Printed
 
-__all__ = ["Interval", "interval"]
-
 
 @dataclass(frozen=True)
 class Interval:
@@ -31,14 +29,8 @@ def interval(
 ) -> Interval:
     """Find the values of an input for which a quantity prints as it did.
 
-    Parameters
-    ----------
-    quantity : callable
-        The printed quantity as a monotone function of the input.
-    printed : Printed
-        What was printed.
-    within : tuple of float
-        Where to look; the quantity must pass both bounds of the print in between.
+    `quantity`: the printed quantity as a monotone function of the input; `within`: where to look;
+    the quantity must pass both bounds of the print in between.
     """
     ends = sorted(_where(quantity, bound, within) for bound in printed.bounds)
     return Interval(ends[0], ends[1])

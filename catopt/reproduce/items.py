@@ -12,18 +12,6 @@ from catopt.words import Message, Several, term
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
-__all__ = [
-    "Drawn",
-    "Input",
-    "Item",
-    "MooredLine",
-    "Mooring",
-    "Reproduction",
-    "SideBySide",
-    "Study",
-    "in_unit",
-]
-
 
 @dataclass(frozen=True)
 class Item:
@@ -144,12 +132,8 @@ def in_unit(quantity: str, unit: str) -> Message:
 class MooredLine:
     """Where one line of a moored body lies, from its anchor; m.
 
-    Attributes
-    ----------
-    x, y, z : tuple of float
-        Places along it, z above the seabed.
-    on_bed : tuple of bool
-        Whether the line lies on the bed there, or is held down to it.
+    `x`, `y`, `z`: places along it, z above the seabed; `on_bed`: whether the line lies on the bed
+    there, or is held down to it.
     """
 
     x: tuple[float, ...]
@@ -222,21 +206,11 @@ class Study:
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""
         return {
-            "name": self.name,
-            "title": self.title,
-            "source": self.source,
-            "source_title": self.source_title,
-            "source_where": self.source_where,
-            "where": self.where,
-            "inputs": [
-                {
-                    "quantity": given.quantity,
-                    "value": given.value,
-                    "unit": given.unit,
-                    "origin": given.origin,
-                }
-                for given in self.inputs
-            ],
+            **{
+                key: getattr(self, key)
+                for key in ("name", "title", "source", "source_title", "source_where", "where")
+            },
+            "inputs": [dict(vars(given)) for given in self.inputs],
             "findings": list(self.findings),
             "side_by_side": [table.to_dict() for table in self.side_by_side],
         }

@@ -8,8 +8,6 @@ from catopt.reproduce.items import Input, Study
 from catopt.reproduce.published import published
 from catopt.words import Message
 
-__all__ = ["NAME", "study"]
-
 NAME = "load_sharing"
 
 

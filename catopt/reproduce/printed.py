@@ -5,17 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from decimal import Decimal
 
-__all__ = ["Printed"]
-
 
 @dataclass(frozen=True)
 class Printed:
     """A printed number.
 
-    Attributes
-    ----------
-    text : str
-        As printed, such as ``"17.430"``; the closing zero is a claim.
+    `text`: as printed, such as ``"17.430"``; the closing zero is a claim.
     """
 
     text: str
@@ -39,15 +34,7 @@ class Printed:
         return len(number.as_tuple().digits) if number else self.decimals
 
     def rounding(self, value: float, *, further: int = 0) -> str:
-        """Write a value to the decimals of this print.
-
-        Parameters
-        ----------
-        value : float
-            In the unit of the print.
-        further : int
-            How many decimals more.
-        """
+        """Write a value to the decimals of this print."""
         return f"{value:.{self.decimals + further}f}"
 
     @property

@@ -11,8 +11,6 @@ from typing import Any
 from catopt.reproduce.printed import Printed
 from catopt.words import Cited, Language, Told
 
-__all__ = ["Published", "published"]
-
 
 @dataclass(frozen=True)
 class Published:
@@ -57,10 +55,7 @@ def _said(text: str | dict[Language, str]) -> str:
 def published(name: str) -> Published:
     """Look up a published calculation.
 
-    Parameters
-    ----------
-    name : str
-        Of its table in ``published.toml``.
+    `name`: of its table in ``published.toml``.
     """
     table = _data()[name]
     source = _data()["sources"][table["source"]]

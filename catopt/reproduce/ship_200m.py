@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.catenary.find import Found
     from catopt.catenary.solution import Solution
 
-__all__ = ["NAME", "study"]
-
 NAME = "ship_200m"
 
 _KN = UNITS[Dimension.FORCE]["kN"]

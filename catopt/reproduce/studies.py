@@ -18,8 +18,6 @@ from catopt.reproduce import (
 )
 from catopt.reproduce.items import Reproduction, Study
 
-__all__ = ["names", "reproduce"]
-
 Progress = Callable[[int, int], None]
 
 _STUDIES: dict[str, Callable[[Progress | None], Study]] = {

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from catopt.catenary.find import Found
     from catopt.catenary.solution import Solution
 
-__all__ = ["NAME", "study"]
-
 NAME = "tanker_20m"
 
 _KN = UNITS[Dimension.FORCE]["kN"]

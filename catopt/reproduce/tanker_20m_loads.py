@@ -14,8 +14,6 @@ from catopt.reproduce.published import Published, published
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
-__all__ = ["NAME", "load_row", "study"]
-
 NAME = "tanker_20m_loads"
 
 _KN = UNITS[Dimension.FORCE]["kN"]
@@ -76,13 +74,7 @@ def _methods(source: Published) -> SideBySide:
 
 
 def load_row(of: Loads) -> tuple[str, ...]:
-    """Write the parts of a force by its method, kN, with the grade of the least sure of them.
-
-    Parameters
-    ----------
-    of : Loads
-        By one method.
-    """
+    """Write the parts of a force by its method, kN, with the grade of the least sure of them."""
     kinds = {each.kind for each in of.components}
     waves = [of.of(kind) for kind in ("wave drift", "wave") if kind in kinds]
     return (

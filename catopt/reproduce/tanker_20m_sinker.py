@@ -19,8 +19,6 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.catenary.find import Found
 
-__all__ = ["NAME", "study"]
-
 NAME = "tanker_20m_sinker"
 
 _KN = UNITS[Dimension.FORCE]["kN"]

@@ -9,8 +9,6 @@ from typing import Literal
 from catopt.reproduce.printed import Printed
 from catopt.words import Message, term
 
-__all__ = ["Judgement", "Verdict", "by_digits", "by_order", "not_reproducible"]
-
 Verdict = Literal["reproduces", "differs", "not reproducible"]
 
 
@@ -24,17 +22,7 @@ class Judgement:
 
 
 def by_digits(printed: Printed, computed: float, unit: str) -> Judgement:
-    """Judge digit for digit: the computed number, rounded as printed, is the printed one or not.
-
-    Parameters
-    ----------
-    printed : Printed
-        What the source says.
-    computed : float
-        In the same unit.
-    unit : str
-        For the reason.
-    """
+    """Judge digit for digit: the computed number, rounded as printed, is the printed one or not."""
     text = printed.rounding(computed)
     if text == printed.text:
         return Judgement("reproduces", text)
@@ -53,16 +41,8 @@ def _two_digits(difference: float) -> str:
 def by_order(printed: Printed, computed: float, limit: float, unit: str) -> Judgement:
     """Judge a number that is zero but for rounding, so that its digits are chance.
 
-    Parameters
-    ----------
-    printed : Printed
-        What the source says.
-    computed : float
-        In the same unit, not negative.
-    limit : float
-        Below it a number counts as zero; the printed one must lie below it too.
-    unit : str
-        For the reason.
+    `computed`: in the same unit, not negative; `limit`: below it a number counts as zero; the
+    printed one must lie below it too.
     """
     if max(computed, printed.value) < limit:
         return Judgement(

@@ -15,8 +15,6 @@ from catopt.verify.result import StaticComparison, Verification
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.system import verify_system
 
-__all__ = ["LOAD", "load_states", "verify_case"]
-
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
 
@@ -88,17 +86,8 @@ def verify_case(
 def load_states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
     """Name every state of a case that is to be verified, with the case under its load.
 
-    Parameters
-    ----------
-    case : Case
-        With or without load cases.
-    wanted : str or None
-        Name of one load case; None: all of them, or the load where there are none.
-
-    Raises
-    ------
-    InputError
-        When no load case has that name.
+    `wanted`: name of one load case; None: all of them, or the load where there are none. Raises
+    InputError when no load case has that name.
     """
     states = dict(_named(case))
     if wanted is None:

@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from catopt.verify.front import DesignVerification, FrontVerification
     from catopt.verify.result import Mesh, StaticComparison, Verification
 
-__all__ = ["front_document", "static_document", "verification_document"]
-
 _SCHEMA = "catopt.verify/1"
 
 

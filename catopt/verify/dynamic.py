@@ -26,8 +26,6 @@ from catopt.verify.proof import FINER, Again, Proof, Way, work_of_proof
 from catopt.verify.side_by_side import side_by_side
 from catopt.words import Message, is_said
 
-__all__ = ["verify_dynamic"]
-
 Progress = Callable[[int, int], None]
 
 _MILLI = 1000

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     )
     from catopt.verify.proof import Again
 
-__all__ = ["dynamic_document"]
-
 
 def dynamic_document(found: DynamicVerification) -> dict[str, Any]:
     """Build the part of a case in motion; all in SI. Series are in the files of ``--out``."""

@@ -13,10 +13,10 @@ import numpy.typing as npt
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
 from catopt.errors import InputError, Problem
-from catopt.fem.dynamics import TimeStepping, line_at_rest, run_dynamics, run_system_dynamics
+from catopt.fem.dynamics import line_at_rest, run_dynamics, run_system_dynamics
 from catopt.fem.history import History
 from catopt.fem.mesh import mesh_line
-from catopt.fem.run_settings import BodyInertia
+from catopt.fem.run_settings import BodyInertia, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
 from catopt.fem.simulation import Simulation
@@ -28,8 +28,6 @@ from catopt.verify.dynamic_setup import Drive
 from catopt.verify.system import truss_legs
 from catopt.waves import Sea, Waves
 from catopt.words import Message
-
-__all__ = ["LinesAtRest", "LinesOfABody", "lines_at_rest", "quasi_static"]
 
 Array = npt.NDArray[np.float64]
 Progress = Callable[[float], None]
@@ -64,10 +62,7 @@ class LinesAtRest(Protocol):
 def lines_at_rest(drive: Drive) -> LinesAtRest:
     """Find how the lines of a case hang before they move.
 
-    Raises
-    ------
-    NoEquilibriumError, NotConvergedError
-        As for `solve_case` and `solve_system`.
+    Raises NoEquilibriumError, NotConvergedError as for `solve_case` and `solve_system`.
     """
     if drive.case.system is not None:
         return LinesOfABody.at_rest(drive)
@@ -78,14 +73,8 @@ def lines_at_rest(drive: Drive) -> LinesAtRest:
 class OneLine:
     """A line whose fairlead is led.
 
-    Attributes
-    ----------
-    drive : Drive
-        What drives it.
-    load : Load
-        By which the truss model is brought to rest.
-    span : float
-        That it gives, m.
+    `drive`: what drives it; `load`: by which the truss model is brought to rest; `span`: that it
+    gives, m.
     """
 
     drive: Drive
@@ -188,16 +177,8 @@ class OneLine:
 class LinesOfABody:
     """Lines that meet in a body, which is led or moves under forces.
 
-    Attributes
-    ----------
-    drive : Drive
-        What drives the body.
-    legs : tuple of Leg
-        Its lines, in the yaw that it has at rest.
-    place : tuple of float
-        Of its origin at rest, m: x, y, and the height of the first fairlead.
-    yaw : float
-        At rest, rad.
+    `drive`: what drives the body; `legs`: its lines, in the yaw that it has at rest; `place`: of
+    its origin at rest, m: x, y, and the height of the first fairlead; `yaw`: at rest, rad.
     """
 
     drive: Drive
@@ -352,17 +333,7 @@ def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
 
 
 def quasi_static(leg: Leg, history: History, seabed_friction: float) -> Array:
-    """Tension at a line's fairlead in closed form at each of its places; nan where it has none.
-
-    Parameters
-    ----------
-    leg : Leg
-        The line with its anchor.
-    history : History
-        Of that line alone.
-    seabed_friction : float
-        Coulomb coefficient.
-    """
+    """Tension at a line's fairlead in closed form at each of its places; nan where it has none."""
     at = history.fairlead[:, 0]
     solved = solve_many(
         leg.line,

@@ -12,7 +12,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from catopt.fem.extremes import Extreme, GumbelFit, TailFit, weibull_tail
+from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
@@ -21,18 +21,6 @@ from catopt.model.dynamics import InitialFriction
 from catopt.ties import largest
 from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
 from catopt.words import Message
-
-__all__ = [
-    "SERIES",
-    "DynamicPart",
-    "DynamicRun",
-    "DynamicVerification",
-    "Envelope",
-    "Extreme",
-    "OverRuns",
-    "TailFit",
-    "Verdict",
-]
 
 Array = npt.NDArray[np.float64]
 
@@ -161,10 +149,7 @@ class DynamicRun:
     def changes(self, line_length: float) -> Iterator[Change]:
         """Yield how far each maximum moved from one run to the next that has an answer.
 
-        Parameters
-        ----------
-        line_length : float
-            m.
+        `line_length`: m.
         """
         before: Mapping[str, float] = self.maxima
         for again in self.again:
@@ -197,17 +182,7 @@ def over_runs(
     tail: TailFit | None = None,
     gumbel: GumbelFit | None = None,
 ) -> OverRuns:
-    """Put the statistics of several runs together.
-
-    Parameters
-    ----------
-    quantity : str
-        What they are of.
-    each : sequence of SeriesStatistics
-        One a run.
-    tail, gumbel : TailFit, GumbelFit, optional
-        Of what is random.
-    """
+    """Put the statistics of several runs together."""
     means = np.array([one.mean for one in each])
     variance = float(np.mean([one.std**2 for one in each]) + means.var())
     return OverRuns(
@@ -224,14 +199,8 @@ def over_runs(
 class Envelope(NamedTuple):
     """What the bars of a line see over all runs.
 
-    Attributes
-    ----------
-    arc : ndarray, shape (bars,)
-        Unstretched arc length of each, m.
-    largest, smallest : ndarray, shape (bars,)
-        Tensions, N.
-    slack, longest_slack : ndarray, shape (bars,)
-        Time without tension of a run in all, and at a stretch, s.
+    `arc` (bars,): unstretched arc length of each, m; `largest`, `smallest` (bars,): tensions, N;
+    `slack`, `longest_slack` (bars,): time without tension of a run in all, and at a stretch, s.
     """
 
     arc: Array
@@ -420,14 +389,9 @@ class DynamicPart:
 class DynamicVerification:
     """A case in motion.
 
-    Attributes
-    ----------
-    case : Case
-        What was run.
-    parts : tuple of DynamicPart
-        One a load case; of a body with several lines, one a line.
-    is_complete : bool
-        False when it was stopped (Ctrl-C): the last run is short, and others may be missing.
+    `case`: what was run; `parts`: one a load case; of a body with several lines, one a line;
+    `is_complete`: False when it was stopped (Ctrl-C): the last run is short, and others may be
+    missing.
     """
 
     case: Case

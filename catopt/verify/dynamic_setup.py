@@ -18,9 +18,9 @@ from catopt.fem.cylinder_coefficients import (
 )
 from catopt.fem.damping import LineDamping
 from catopt.fem.dynamic_model import Fluid
-from catopt.fem.dynamics import LineProperties, TimeStepping
 from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
+from catopt.fem.run_settings import LineProperties, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.fem.step_controls import StepControls
@@ -46,8 +46,6 @@ from catopt.waves import (
     regular_wave,
 )
 from catopt.words import Message
-
-__all__ = ["Drive", "check_for_motion", "read_drive"]
 
 _STEPS = 60.0
 """Steps in the shortest period, unless the step is given."""
@@ -185,12 +183,7 @@ class Drive:
     def motion(self, sea: Sea, span: float) -> Series | None:
         """Motion of the fairlead in a sea.
 
-        Parameters
-        ----------
-        sea : Sea
-            Of the run.
-        span : float
-            At rest, m.
+        `span`: at rest, m.
         """
         given = self.case.motion
         if given is None:
@@ -214,15 +207,7 @@ class Drive:
         return None if given is None else self.anchor_record or _harmonic(given)
 
     def stepping(self, sea: Sea, driven_by: Sequence[Series], finer: int = 1) -> TimeStepping:
-        """Lay out steps and samples of a run.
-
-        Parameters
-        ----------
-        sea, driven_by
-            Of the run.
-        finer : int
-            So many steps in place of one, and the square of that less surprise in each.
-        """
+        """Lay out steps and samples of a run."""
         dynamics = self.dynamics
         step = dynamics.time_step or self._shortest_period(sea, driven_by) / _STEPS
         if dynamics.output_interval is None:
@@ -307,15 +292,7 @@ class Drive:
 def read_drive(case: Case) -> Drive:
     """Read the files of a case's sea and motion.
 
-    Parameters
-    ----------
-    case : Case
-        As `check_for_motion` passes it.
-
-    Raises
-    ------
-    InputError
-        For what is wrong in them.
+    Raises InputError for what is wrong in them.
     """
     drive = _with_sea(_with_motion(case))
     lower = case.anchor_motion
@@ -364,15 +341,7 @@ def _with_sea(drive: Drive) -> Drive:
 def check_for_motion(case: Case) -> None:
     """Refuse a case that lacks what a line in motion needs, with everything that it lacks.
 
-    Parameters
-    ----------
-    case : Case
-        Any.
-
-    Raises
-    ------
-    InputError
-        With the path of every key.
+    Raises InputError with the path of every key.
     """
     problems = [
         *_of_settings(case),

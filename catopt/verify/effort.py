@@ -8,8 +8,6 @@ from catopt.errors import InputError, Problem
 from catopt.verify.dynamic_lines import LinesAtRest
 from catopt.verify.proof import Proof, work_of_proof
 
-__all__ = ["Effort", "effort_of"]
-
 SECONDS_PER_BAR_AND_STEP = 6e-6
 """On one core: 4 million bars times steps take 15 to 30 s."""
 
@@ -23,16 +21,9 @@ MOST_SECONDS, MOST_BYTES = 30.0 * 86400.0, 8e9
 class Effort:
     """Time and memory of a load case.
 
-    Attributes
-    ----------
-    steps, bars, runs : float
-        Of one run, of all lines together, and how many runs.
-    proof : int
-        How often the work of a run its proof takes at most: where a line goes slack.
-    samples : float
-        That are kept of each line in each run.
-    lines : int
-        How many.
+    `steps`, `bars`, `runs`: of one run, of all lines together, and how many runs; `proof`: how
+    often the work of a run its proof takes at most: where a line goes slack; `samples`: that are
+    kept of each line in each run.
     """
 
     steps: float
@@ -72,10 +63,7 @@ class Effort:
     def check(self, duration: float) -> None:
         """Refuse what would not end or not fit.
 
-        Raises
-        ------
-        InputError
-            By the keys of ``[dynamics]`` that it hangs on.
+        Raises InputError by the keys of ``[dynamics]`` that it hangs on.
         """
         problems = []
         if self.seconds > MOST_SECONDS:

@@ -12,21 +12,13 @@ from catopt.verify.case import verify_case
 from catopt.verify.result import Verification
 from catopt.verify.settings import ELEMENTS, TOLERANCE
 
-__all__ = ["Design", "DesignVerification", "FrontVerification", "verify_front"]
-
 
 @dataclass(frozen=True)
 class Design:
     """One design of a front.
 
-    Attributes
-    ----------
-    number : int
-        Counted from 1, as in the tables of the front.
-    case : Case
-        Of this design.
-    load_case : str or None
-        Name of the load case that governs it; None: all of them.
+    `number`: counted from 1, as in the tables of the front; `case`: of this design; `load_case`:
+    name of the load case that governs it; None: all of them.
     """
 
     number: int
@@ -38,16 +30,9 @@ class Design:
 class DesignVerification:
     """What came of one design.
 
-    Attributes
-    ----------
-    design : Design
-        Which.
-    verification : Verification or None
-        None where a model gave no answer.
-    failure : str
-        Why there is none; empty where there is one.
-    did_not_converge : bool
-        Whether that was a solver that stopped short.
+    `design`: which; `verification`: None where a model gave no answer; `failure`: why there is
+    none; empty where there is one; `did_not_converge`: whether that was a solver that stopped
+    short.
     """
 
     design: Design
@@ -60,12 +45,7 @@ class DesignVerification:
 class FrontVerification:
     """A front by both models.
 
-    Attributes
-    ----------
-    title : str
-        Of the search.
-    designs : tuple of DesignVerification
-        In the order of the front.
+    `title`: of the search; `designs`: in the order of the front.
     """
 
     title: str
@@ -103,19 +83,7 @@ def verify_front(
     tolerance: float = TOLERANCE,
     progress: Callable[[int, int], None] | None = None,
 ) -> FrontVerification:
-    """Verify designs one after the other; one that fails does not stop the others.
-
-    Parameters
-    ----------
-    title : str
-        Of the search.
-    designs : sequence of Design
-        The front.
-    elements, tolerance
-        As for `verify_case`.
-    progress : callable, optional
-        Told how many designs are done and how many there are.
-    """
+    """Verify designs one after the other; one that fails does not stop the others."""
     found = []
     for done, design in enumerate(designs):
         if progress is not None:

@@ -13,24 +13,10 @@ from catopt.catenary.solution import Solution
 from catopt.errors import NotConvergedError
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
 from catopt.model import Line, Load
-from catopt.verify.compared import Compared, Unit
+from catopt.verify.compared import ORDER, Compared, Unit
 from catopt.verify.result import LinePair, Mesh, StaticComparison
-from catopt.verify.richardson import ORDER
 from catopt.verify.shape import largest_distances
 from catopt.words import Message, Several
-
-__all__ = [
-    "MESHES",
-    "SLACK",
-    "SLACK_ORDER",
-    "Moored",
-    "angle_scale",
-    "bends",
-    "compare_line",
-    "on_meshes",
-    "slack_bar",
-    "verify_line",
-]
 
 Truss = TypeVar("Truss")
 
@@ -54,16 +40,8 @@ _FOOT = "anchor"
 class Moored:
     """A line, where it is moored and what is known of its load.
 
-    Attributes
-    ----------
-    line : Line
-        The line.
-    height, anchor_height : float
-        Of the fairlead and the anchor above the seabed, m.
-    seabed_friction : float
-        Coulomb coefficient.
-    load : Load
-        What is known at the fairlead.
+    `height`, `anchor_height`: of the fairlead and the anchor above the seabed, m; `load`: what is
+    known at the fairlead.
     """
 
     line: Line
@@ -83,19 +61,7 @@ def verify_line(
 ) -> StaticComparison:
     """Solve a line by the truss model on three meshes and hold it against the closed form.
 
-    Parameters
-    ----------
-    moored : Moored
-        The line. A fairlead tension that is known is reached by the closed form's horizontal
-        force.
-    closed : Solution
-        Of the same line.
-    elements : int
-        Bars of the coarsest mesh; the others have two and four times as many.
-    tolerance : float
-        Allowed difference: of the fairlead tension, of the line's length, in rad.
-    name : str
-        Of the load case.
+    `tolerance`: allowed difference: of the fairlead tension, of the line's length, in rad.
     """
     trusses = on_meshes(
         elements,
@@ -129,17 +95,7 @@ def on_meshes(
     cut: Callable[[int], list[LineMesh]],
     solve: Callable[[list[LineMesh]], Truss],
 ) -> tuple[Truss, ...]:
-    """Solve on a mesh and on those of twice and four times as many bars.
-
-    Parameters
-    ----------
-    elements : int
-        Bars of each line on the coarsest mesh.
-    cut : callable
-        Makes the meshes of all lines, of so many bars a line.
-    solve : callable
-        Brings lines of these meshes to rest.
-    """
+    """Solve on a mesh and on those of twice and four times as many bars."""
     meshes = cut(elements)
     solutions = []
     for _ in range(MESHES):
@@ -156,15 +112,7 @@ def compare_line(
     tolerance: float,
     name: str = "",
 ) -> StaticComparison:
-    """Hold solutions of the truss model against a closed form.
-
-    Parameters
-    ----------
-    moored, closed, tolerance, name
-        As for `verify_line`.
-    trusses : sequence of TrussSolution
-        Each of twice the bars of the one before.
-    """
+    """Hold solutions of the truss model against a closed form."""
     return StaticComparison(
         name=name,
         kind="line",
@@ -197,10 +145,8 @@ def _quantities(
     force, reach = max(tension, bar[0] / tolerance), max(length, bar[1] / tolerance)
 
     def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
-        values = tuple(_read(truss, path) for truss in trusses)
-        return Compared(
-            quantity, unit, _read(closed, path), values, scale, tolerance, theory=theory
-        )
+        values = tuple(read(truss, path) for truss in trusses)
+        return Compared(quantity, unit, read(closed, path), values, scale, tolerance, theory=theory)
 
     if moored.load.span is None:
         yield compared("span", "m", "span", reach)
@@ -210,7 +156,7 @@ def _quantities(
         yield compared(f"{end}_tension", "N", f"{end}.tension", force)
         yield compared(f"{end}_vertical_force", "N", f"{end}.vertical_force", force)
         if not is_slack:
-            scale = angle_scale(tension, _read(closed, f"{end}.tension"), tolerance)
+            scale = angle_scale(tension, read(closed, f"{end}.tension"), tolerance)
             yield compared(f"{end}_angle", "rad", f"{end}.angle", scale)
     yield compared("grounded_length", "m", "grounded_length", reach)
     if not is_slack:
@@ -228,17 +174,13 @@ def slack_bar(truss: TrussSolution) -> tuple[float, float]:
 def angle_scale(tension: float, there: float, tolerance: float) -> float:
     """Scale of an angle, rad: what turns the force at an end by the same part of the tension.
 
-    Parameters
-    ----------
-    tension, there : float
-        At the fairlead and at the end in question, N.
-    tolerance : float
-        Over the scale; no angle may be off by more than pi.
+    `tension`, `there`: at the fairlead and at the end in question, N.
     """
     return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
 
 
-def _read(solution: Any, path: str) -> float:
+def read(solution: Any, path: str) -> float:
+    """Figure of a solution by its path, such as ``"fairlead.tension"``."""
     for name in path.split("."):
         solution = getattr(solution, name)
     return float(solution)

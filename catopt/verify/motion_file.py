@@ -17,17 +17,6 @@ from catopt.fem.series import Harmonic, Sampled
 from catopt.units import UNITS, Dimension, as_written
 from catopt.waves import Waves
 
-__all__ = [
-    "Raos",
-    "energy_beyond",
-    "read_columns",
-    "read_force",
-    "read_motion",
-    "read_raos",
-    "refused",
-    "too_short",
-]
-
 Array = npt.NDArray[np.float64]
 
 _AXES = ("x", "y", "z")
@@ -41,13 +30,8 @@ _SHOWN = 10
 class Raos:
     """Response amplitude operators of the fairlead itself, by the waves' frequency.
 
-    Attributes
-    ----------
-    omega : ndarray, shape (n,)
-        Angular frequency, rad/s, rising.
-    response : ndarray of complex, shape (n, 3)
-        Along x, y and z in m to a wave of 1 m: size, and phase by which it lags behind the crest
-        over the fairlead.
+    `omega` (n,): angular frequency, rad/s, rising; `response` (n, 3): along x, y and z in m to a
+    wave of 1 m: size, and phase by which it lags behind the crest over the fairlead.
     """
 
     omega: Array
@@ -86,12 +70,7 @@ class Raos:
 def energy_beyond(omega: Array, waves: Waves) -> float:
     """Part of the waves' energy at frequencies that a table does not have.
 
-    Parameters
-    ----------
-    omega : ndarray
-        Frequencies of the table, rad/s, rising.
-    waves : Waves
-        The sea.
+    `omega`: frequencies of the table, rad/s, rising.
     """
     energy = waves.amplitude**2
     outside = (waves.omega < omega[0]) | (waves.omega > omega[-1])
@@ -101,18 +80,9 @@ def energy_beyond(omega: Array, waves: Waves) -> float:
 def read_motion(path: str, duration: float) -> Sampled:
     """Read a motion over time; its first row is the start of the run.
 
-    Parameters
-    ----------
-    path : str
-        CSV with a row of headings: ``t``, and any of ``x``, ``y``, ``z``; s and m.
-    duration : float
-        Of the run, s; the record may not end before it.
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, wrong headings or cells, times that do not rise, a gap, or
-        a record that is too short.
+    `path`: CSV with a row of headings: ``t``, and any of ``x``, ``y``, ``z``; s and m; `duration`:
+    of the run, s; the record may not end before it. Raises InputError for a file that cannot be
+    read, wrong headings or cells, times that do not rise, a gap, or a record that is too short.
     """
     columns = read_columns(path, needed=("t",), known=("t", *_AXES), some_of=_AXES)
     return _over_time(path, columns, _AXES, duration)
@@ -121,18 +91,9 @@ def read_motion(path: str, duration: float) -> Sampled:
 def read_force(path: str, duration: float) -> Sampled:
     """Read the force on a body over time, without its mean; its first row is the start of the run.
 
-    Parameters
-    ----------
-    path : str
-        CSV with a row of headings: ``t (s)``, and any of ``Fx``, ``Fy``, ``Fz`` with the unit of a
-        force.
-    duration : float
-        Of the run, s; the record may not end before it.
-
-    Raises
-    ------
-    InputError
-        As for `read_motion`, and for a heading without a unit.
+    `path`: CSV with a row of headings: ``t (s)``, and any of ``Fx``, ``Fy``, ``Fz`` with the unit
+    of a force; `duration`: of the run, s; the record may not end before it. Raises InputError as
+    for `read_motion`, and for a heading without a unit.
     """
     units = {"t": UNITS[Dimension.TIME], **dict.fromkeys(_FORCES, UNITS[Dimension.FORCE])}
     columns = read_columns(path, needed=("t",), known=tuple(units), some_of=_FORCES, units=units)
@@ -157,12 +118,7 @@ def _over_time(
 def too_short(path: str, key: str, length: float, duration: float) -> InputError:
     """Refuse a record that ends before its run.
 
-    Parameters
-    ----------
-    path, key : str
-        File, and its column of times.
-    length, duration : float
-        Of the record and of the run, s.
+    `length`, `duration`: of the record and of the run, s.
     """
     wanted = f"the run of {duration:g} s is longer: shorten it, or give a longer record"
     return refused(path, key, f"{length:g} s from the first row to the last", wanted)
@@ -171,16 +127,9 @@ def too_short(path: str, key: str, length: float, duration: float) -> InputError
 def read_raos(path: str) -> Raos:
     """Read a ship's response at the fairlead.
 
-    Parameters
-    ----------
-    path : str
-        CSV with a row of headings: ``period`` (s), any of ``surge``, ``sway``, ``heave`` (m in a
-        wave of 1 m), and ``surge_phase`` and so on (deg behind the crest over the fairlead).
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, wrong headings or cells, or a period twice.
+    `path`: CSV with a row of headings: ``period`` (s), any of ``surge``, ``sway``, ``heave`` (m in
+    a wave of 1 m), and ``surge_phase`` and so on (deg behind the crest over the fairlead). Raises
+    InputError for a file that cannot be read, wrong headings or cells, or a period twice.
     """
     phases = tuple(f"{each}_phase" for each in _MOTIONS)
     columns = read_columns(
@@ -212,20 +161,10 @@ def read_columns(
 ) -> dict[str, Array]:
     """Read the columns of a file of numbers; every problem at once.
 
-    Parameters
-    ----------
-    path : str
-        CSV with a row of headings, such as ``Fx (kN)``.
-    needed, known, some_of : sequence of str
-        Headings that have to be there, that may be, and of which one at least has to.
-    units : mapping of str to mapping of str to float, optional
-        Units that each heading may name, one of which it has to, with their sizes in SI. Without,
-        what stands in brackets is not read.
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, wrong headings or cells.
+    `path`: CSV with a row of headings, such as ``Fx (kN)``; `needed`, `known`, `some_of`: headings
+    that have to be there, that may be, and of which one at least has to; `units`: units that each
+    heading may name, one of which it has to, with their sizes in SI. Without, what stands in
+    brackets is not read. Raises InputError for a file that cannot be read, wrong headings or cells.
     """
     rows = _rows(path)
     if len(rows) < 2:

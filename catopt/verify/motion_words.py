@@ -13,19 +13,8 @@ from catopt.verify.proof import LIMIT
 from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
-    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Extreme
-
-__all__ = [
-    "DYNAMIC_QUANTITY_OF",
-    "doubts",
-    "dynamic_sentences",
-    "interval",
-    "motion_sentences",
-    "not_converged_sentence",
-    "proof_sentences",
-    "stopped_sentence",
-    "stopped_words",
-]
+    from catopt.fem import Extreme
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 
 
 def _named(key: str, name: str, symbol: str | None = None) -> Quantity:

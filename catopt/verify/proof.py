@@ -11,19 +11,6 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final, Literal
 
-__all__ = [
-    "FINER",
-    "LEAST_TENSION",
-    "LIMIT",
-    "Again",
-    "Change",
-    "Proof",
-    "Way",
-    "added",
-    "largest_changes",
-    "work_of_proof",
-]
-
 LIMIT: Final = 0.05
 """Change of a maximum, or part of the work lost, above which a run has not converged."""
 
@@ -47,18 +34,8 @@ FINER: Mapping[Way, tuple[int, int]] = MappingProxyType({"step": (2, 1), "bars":
 class Again:
     """One run again.
 
-    Attributes
-    ----------
-    way : {"step", "bars"}
-        At half the step, or at half the step with twice the bars.
-    step : float
-        s.
-    elements : int
-        Bars.
-    maxima : mapping of str to float
-        As `DynamicRun.maxima`; empty where it did not converge itself.
-    failure : str
-        Why it did not.
+    `way`: at half the step, or at half the step with twice the bars; `step`: s; `maxima`: as
+    `DynamicRun.maxima`; empty where it did not converge itself; `failure`: why it did not.
     """
 
     way: Way
@@ -72,15 +49,9 @@ class Again:
 class Change:
     """How far a maximum moved when a run was made again, from that of the run before.
 
-    Attributes
-    ----------
-    quantity : str
-        A key of `DynamicRun.maxima`.
-    way : {"step", "bars", "both"}
-        How it was run again; "both" where the changes by the two are
-        added, and a third more.
-    size : float
-        Over the maximum of the finer run; over the line's length of a grounded length.
+    `quantity`: a key of `DynamicRun.maxima`; `way`: how it was run again; "both" where the changes
+    by the two are added, and a third more; `size`: over the maximum of the finer run; over the
+    line's length of a grounded length.
     """
 
     quantity: str

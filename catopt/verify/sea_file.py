@@ -12,8 +12,6 @@ from catopt.units import UNITS, Dimension
 from catopt.verify.motion_file import read_columns, too_short
 from catopt.waves import CurrentSeries, ElevationRecord
 
-__all__ = ["read_current", "read_elevation"]
-
 _SURFACE = {"time": UNITS[Dimension.TIME], "elevation": UNITS[Dimension.LENGTH]}
 _CURRENT = {
     "time": UNITS[Dimension.TIME],
@@ -25,18 +23,10 @@ _CURRENT = {
 def read_elevation(path: str, duration: float) -> ElevationRecord:
     """Read a recorded surface; its first row is the start of the run.
 
-    Parameters
-    ----------
-    path : str
-        CSV with a row of headings, ``time (s)`` and ``elevation (m)``, or in other units.
-    duration : float
-        Of the run, s; the record may not end before it.
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, wrong headings or cells, times that do not rise, a gap, or
-        a record that is too short.
+    `path`: CSV with a row of headings, ``time (s)`` and ``elevation (m)``, or in other units;
+    `duration`: of the run, s; the record may not end before it. Raises InputError for a file that
+    cannot be read, wrong headings or cells, times that do not rise, a gap, or a record that is too
+    short.
     """
     columns = _columns(path, _SURFACE, needed=("time", "elevation"))
     try:
@@ -51,19 +41,10 @@ def read_elevation(path: str, duration: float) -> ElevationRecord:
 def read_current(path: str, duration: float) -> CurrentSeries:
     """Read the current at the surface over time; its first row is the start of the run.
 
-    Parameters
-    ----------
-    path : str
-        CSV with a row of headings, ``time (min)``, ``speed (m/s)`` and, where it turns,
-        ``direction (deg)``, or in other units.
-    duration : float
-        Of the run, s; the series may not end before it.
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, wrong headings or cells, times that do not rise, or a series
-        that is too short.
+    `path`: CSV with a row of headings, ``time (min)``, ``speed (m/s)`` and, where it turns,
+    ``direction (deg)``, or in other units; `duration`: of the run, s; the series may not end before
+    it. Raises InputError for a file that cannot be read, wrong headings or cells, times that do not
+    rise, or a series that is too short.
     """
     columns = _columns(path, _CURRENT, needed=("time", "speed"))
     t = columns["time"] - columns["time"][0]

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from catopt.model.validity import Findings
 
-__all__ = ["ELEMENTS", "TOLERANCE", "check_settings"]
-
 ELEMENTS = 200
 """Bars of a line on the coarsest mesh."""
 
@@ -19,19 +17,9 @@ _LOOSEST = 0.1
 def check_settings(elements: int, tolerance: float, *, source: str, prefix: str = "") -> None:
     """Refuse settings that are out of range, all at once.
 
-    Parameters
-    ----------
-    elements : int
-        Bars of a line on the coarsest mesh.
-    tolerance : float
-        Largest difference that counts as agreement.
-    source, prefix : str
-        Who was given them, and what stands before their names there, such as ``"--"``.
-
-    Raises
-    ------
-    InputError
-        With every one that is wrong.
+    `tolerance`: largest difference that counts as agreement; `source`, `prefix`: who was given
+    them, and what stands before their names there, such as ``"--"``. Raises InputError with every
+    one that is wrong.
     """
     found = Findings(source)
     found.number(f"{prefix}elements", elements, "", at_least=_FEWEST, at_most=_MOST)

@@ -11,9 +11,7 @@ import numpy.typing as npt
 from catopt.catenary.layout import end_of, tension_at
 from catopt.catenary.solution import Solution
 from catopt.fem import TrussSolution
-from catopt.verify.richardson import ORDER
-
-__all__ = ["Array", "closed_form_at", "flat", "largest_distances"]
+from catopt.verify.compared import ORDER
 
 Array = npt.NDArray[np.float64]
 
@@ -24,17 +22,8 @@ _AT_JOINT = 1e-12
 def closed_form_at(closed: Solution, arc: Sequence[float] | Array) -> Array:
     """Place and tension of points of the closed form's line.
 
-    Parameters
-    ----------
-    closed : Solution
-        The line.
-    arc : array_like, shape (points,)
-        Unstretched arc lengths from the anchor, m.
-
-    Returns
-    -------
-    ndarray, shape (points, 3)
-        x and z, m, and tension, N. At a joint those of its upper side.
+    `arc` (points,): unstretched arc lengths from the anchor, m. Returns: x and z, m, and tension,
+    N. At a joint those of its upper side, shape (points, 3).
     """
     stretches = [stretch for stretch in closed.stretches if stretch.length > 0.0]
     starts = [stretch.start for stretch in stretches]
@@ -62,17 +51,7 @@ def largest_distances(
     This is not less than the distance of the node from the curve. It is taken at the nodes of the
     coarsest mesh, which all meshes share.
 
-    Parameters
-    ----------
-    closed : Solution
-        The closed form.
-    trusses : sequence of TrussSolution
-        Each of twice the bars of the one before.
-
-    Returns
-    -------
-    tuple of float, float
-        On each mesh, and with the nodes themselves extrapolated; m.
+    Returns: on each mesh, and with the nodes themselves extrapolated; m.
     """
     exact = closed_form_at(closed, trusses[0].arc)[:, :2]
     shapes = [flat(truss)[:: 2**k] for k, truss in enumerate(trusses)]

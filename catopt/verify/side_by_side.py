@@ -16,8 +16,6 @@ from typing import Any, TypeVar
 
 from catopt.errors import CatoptError
 
-__all__ = ["side_by_side"]
-
 T = TypeVar("T")
 Progress = Callable[[int, int], None]
 
@@ -38,29 +36,12 @@ def side_by_side(
     New processes are started in the same way on every system (spawn), and do not import the script
     that called: it needs no guard.
 
-    Parameters
-    ----------
-    task : callable
-        Given a number and what to tell its progress to, which raises KeyboardInterrupt when it is
-        to stop before its end; it returns what it has then, or lets the interrupt through if that
-        is nothing. It and what it returns go through pickle.
-    count : int
-        Of numbers.
-    workers : int
-        Processes at most.
-    progress : callable
-        Told how far all are together and how far they go.
-
-    Returns
-    -------
-    list
-        What the tasks returned, by number; when `progress` raised KeyboardInterrupt, of those that
-        had something by then.
-
-    Raises
-    ------
-    CatoptError
-        As a task raises it, after all others were stopped, or when a process ended on its own.
+    `task`: given a number and what to tell its progress to, which raises KeyboardInterrupt when it
+    is to stop before its end; it returns what it has then, or lets the interrupt through if that is
+    nothing. It and what it returns go through pickle; `workers`: processes at most. Returns: what
+    the tasks returned, by number; when `progress` raised KeyboardInterrupt, of those that had
+    something by then. Raises CatoptError as a task raises it, after all others were stopped, or
+    when a process ended on its own.
     """
     context = get_context("spawn")
     told, stop = context.SimpleQueue(), context.Event()

@@ -14,13 +14,10 @@ from catopt.fem import solve_system as solve_truss
 from catopt.model import System
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
-from catopt.verify.compared import Compared, Unit
-from catopt.verify.line import SLACK, SLACK_ORDER, bends, on_meshes, slack_bar
+from catopt.verify.compared import ORDER, Compared, Unit
+from catopt.verify.line import SLACK, SLACK_ORDER, bends, on_meshes, read, slack_bar
 from catopt.verify.result import LinePair, Mesh, StaticComparison
-from catopt.verify.richardson import ORDER
 from catopt.words import Message
-
-__all__ = ["compare_system", "truss_legs", "verify_system"]
 
 _LEAST_OFFSET = 0.01
 """Offset by which positions are measured at least, over the length of the longest line."""
@@ -33,17 +30,6 @@ def verify_system(
 
     The truss model's body does not turn: where the system's does, it is held in the closed form's
     yaw, and the moment of its lines is compared with the one that yaw balances.
-
-    Parameters
-    ----------
-    system : System
-        Lines and load.
-    elements : int
-        Bars of each line on the coarsest mesh.
-    tolerance : float
-        Allowed difference, over the fairlead tension of each line, its length, and the offset.
-    name : str
-        Of the load case.
     """
     closed = solve_system(system)
     legs, height = truss_legs(system, closed.position.yaw)
@@ -67,17 +53,8 @@ def verify_system(
 def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
     """Lay the lines of a system out for the truss model.
 
-    Parameters
-    ----------
-    system : System
-        Lines.
-    yaw : float
-        In which the body is held, rad.
-
-    Returns
-    -------
-    list of Leg, float
-        The lines, and the height of the body's origin, m: that of the first fairlead.
+    `yaw`: in which the body is held, rad. Returns: the lines, and the height of the body's origin,
+    m: that of the first fairlead.
     """
     height = system.legs[0].fairlead_height
     cosine, sine = math.cos(yaw), math.sin(yaw)
@@ -97,17 +74,7 @@ def compare_system(
     tolerance: float,
     name: str = "",
 ) -> StaticComparison:
-    """Hold solutions of the truss model against a system's closed form.
-
-    Parameters
-    ----------
-    system, tolerance, name
-        As for `verify_system`.
-    closed : SystemSolution
-        By the closed form.
-    trusses : sequence of SystemSolution
-        Of the truss model, each of twice the bars of the one before.
-    """
+    """Hold solutions of the truss model against a system's closed form."""
     count = len(system.legs)
     return StaticComparison(
         name=name,
@@ -189,34 +156,13 @@ def _line(
         weight, bar = slack_bar(trusses[-1].lines[k])
         tension, length = max(tension, weight / tolerance), max(length, bar / tolerance)
 
-    def compared(
-        quantity: str, unit: Unit, own: float, fem: Sequence[float], scale: float
-    ) -> Compared:
+    def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
         theory = SLACK_ORDER if is_slack else ORDER
-        return Compared(quantity, unit, own, tuple(fem), scale, tolerance, k, theory=theory)
+        fem = tuple(read(truss.lines[k], path) for truss in trusses)
+        return Compared(quantity, unit, read(exact, path), fem, scale, tolerance, k, theory=theory)
 
-    lines = [truss.lines[k] for truss in trusses]
-    yield compared(
-        "fairlead_tension", "N",
-        exact.fairlead.tension,
-        [line.fairlead.tension for line in lines], tension,
-    )  # fmt: skip
-    yield compared(
-        "anchor_tension", "N",
-        exact.anchor.tension,
-        [line.anchor.tension for line in lines], tension,
-    )  # fmt: skip
-    yield compared(
-        "horizontal_force", "N",
-        exact.horizontal_force,
-        [line.horizontal_force for line in lines], tension,
-    )  # fmt: skip
-    yield compared(
-        "span", "m",
-        exact.span, [line.span for line in lines], length,
-    )  # fmt: skip
-    yield compared(
-        "grounded_length", "m",
-        exact.grounded_length,
-        [line.grounded_length for line in lines], length,
-    )  # fmt: skip
+    yield compared("fairlead_tension", "N", "fairlead.tension", tension)
+    yield compared("anchor_tension", "N", "anchor.tension", tension)
+    yield compared("horizontal_force", "N", "horizontal_force", tension)
+    yield compared("span", "m", "span", length)
+    yield compared("grounded_length", "m", "grounded_length", length)

@@ -8,22 +8,12 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.verify.compared import ROUNDING
-from catopt.verify.richardson import ORDER
+from catopt.verify.compared import ORDER, ROUNDING
 from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
     from catopt.verify.compared import Compared
     from catopt.verify.result import StaticComparison
-
-__all__ = [
-    "QUANTITY_OF",
-    "gap_words",
-    "in_parts",
-    "name_of",
-    "part_sentence",
-    "rough_sentence",
-]
 
 
 def _named(key: str, name: str, symbol: str | None = None) -> Quantity:

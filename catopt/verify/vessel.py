@@ -15,8 +15,6 @@ from catopt.verify.motion_file import Raos, read_columns, refused
 if TYPE_CHECKING:
     from catopt.model import Motion
 
-__all__ = ["VesselRaos", "read_vessel_raos"]
-
 Array = npt.NDArray[np.float64]
 
 _WAYS = ("surge", "sway", "heave")
@@ -53,17 +51,9 @@ class VesselRaos:
     def of_point(self, heading: float, point: tuple[float, float, float]) -> Raos:
         """Response of a point of the ship, along the ship's axes; rotations are small.
 
-        Parameters
-        ----------
-        heading : float
-            Where the waves travel to, counter-clockwise from the ship's x axis, rad.
-        point : tuple of float
-            Along the ship's x and y from the body's origin, and above the seabed, m.
-
-        Raises
-        ------
-        InputError
-            When the table has nothing around that heading.
+        `heading`: where the waves travel to, counter-clockwise from the ship's x axis, rad;
+        `point`: along the ship's x and y from the body's origin, and above the seabed, m. Raises
+        InputError when the table has nothing around that heading.
         """
         given = self._at(heading)
         x, y, z = (a - b for a, b in zip(point, self.reference, strict=True))
@@ -91,18 +81,10 @@ class VesselRaos:
 def read_vessel_raos(motion: Motion) -> VesselRaos:
     """Read a ship's response in six degrees of freedom.
 
-    Parameters
-    ----------
-    motion : Motion
-        With the path of a CSV file and its conventions. Its columns, with their units: ``heading``,
-        ``period`` or ``frequency``, any of ``surge``, ``sway``, ``heave``, ``roll``, ``pitch`` and
-        ``yaw``, and ``surge_phase`` and so on.
-
-    Raises
-    ------
-    InputError
-        For a file that cannot be read, wrong headings or cells, or headings that do not all have
-        the same periods, each once.
+    `motion`: with the path of a CSV file and its conventions. Its columns, with their units:
+    ``heading``, ``period`` or ``frequency``, any of ``surge``, ``sway``, ``heave``, ``roll``,
+    ``pitch`` and ``yaw``, and ``surge_phase`` and so on. Raises InputError for a file that cannot
+    be read, wrong headings or cells, or headings that do not all have the same periods, each once.
     """
     path, motions = motion.rao_file, (*_WAYS, *_TURNS)
     phases = tuple(f"{each}_phase" for each in motions)

@@ -16,8 +16,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = ["Waves", "regular_wave"]
-
 Array = npt.NDArray[np.float64]
 
 _ARRAYS: Final = ("amplitude", "omega", "phase", "direction")

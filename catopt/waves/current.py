@@ -17,17 +17,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = [
-    "WIND_SHARE",
-    "Current",
-    "CurrentSeries",
-    "PowerLawCurrent",
-    "TableCurrent",
-    "WindCurrent",
-    "WindRule",
-    "wind_driven_speed",
-]
-
 Array = npt.NDArray[np.float64]
 
 WindRule = Literal["S4", "CALMAR"]

@@ -12,8 +12,6 @@ from typing import Any, Final
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.validity import Findings
 
-__all__ = ["fill_wave_numbers", "wave_number", "wavelength"]
-
 _DEEP: Final = 20.0
 """tanh is 1 in double precision from 19.1 on, and k d is omega² d/g."""
 
@@ -54,12 +52,7 @@ def wave_number(omega: float, depth: float) -> float:
 def fill_wave_numbers(omega: Any, depth: float, k: Any) -> None:
     """Write the wave number of each frequency into `k`; the same for arrays, meant to be compiled.
 
-    Parameters
-    ----------
-    omega, k : array, shape (n,)
-        rad/s, and written to: rad/m.
-    depth : float
-        Water depth, m.
+    `omega`, `k` (n,): rad/s, and written to: rad/m; `depth`: water depth, m.
     """
     for i in range(omega.shape[0]):
         k[i] = wave_number(omega[i], depth)

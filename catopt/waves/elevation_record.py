@@ -17,8 +17,6 @@ import numpy.typing as npt
 from catopt.model.validity import Findings
 from catopt.waves.components import Waves
 
-__all__ = ["ElevationRecord"]
-
 Array = npt.NDArray[np.float64]
 
 _FEWEST: Final = 8

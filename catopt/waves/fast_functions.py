@@ -14,8 +14,6 @@ import numpy as np
 
 from catopt.compiled import inlined
 
-__all__ = ["cos_sin", "exp_below_zero"]
-
 _ROUND: Final = 6755399441055744.0
 """1.5 · 2^52: adding and taking it away rounds to a whole number."""
 

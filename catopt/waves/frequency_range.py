@@ -8,8 +8,6 @@ from typing import Final
 from catopt.model.validity import Findings
 from catopt.waves.spectrum import Spectrum
 
-__all__ = ["frequency_range", "s4_range_jonswap", "s4_range_pierson_moskowitz", "thousandth"]
-
 _LOWEST, _HIGHEST = 0.5, 6.0
 """In peak frequencies: leaves out 1e-9 of the energy below and 0.1 % above."""
 

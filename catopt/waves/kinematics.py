@@ -24,8 +24,6 @@ import numpy as np
 from catopt.compiled import inlined
 from catopt.waves.fast_functions import cos_sin, exp_below_zero
 
-__all__ = ["NEGLIGIBLE", "Flow", "fill_elevation", "fill_kinematics", "row_at", "smooth_ramp"]
-
 NEGLIGIBLE: Final = 37.0
 """k (d - z) from which a wave is left out: exp(-37) is below the rounding of its surface motion."""
 

@@ -11,8 +11,6 @@ from typing import Final
 
 from catopt.model.validity import Findings
 
-__all__ = ["peak_from_mean", "peak_from_zero_crossing", "zero_crossing_from_mean"]
-
 _MEAN_BY_ZERO_CROSSING: Final = 1.086
 _PEAK_BY_ZERO_CROSSING: Final = 1.408
 

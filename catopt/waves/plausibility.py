@@ -11,8 +11,6 @@ from catopt.waves.dispersion import wave_number
 from catopt.waves.sea import Sea
 from catopt.words import Message
 
-__all__ = ["breaking_height", "breaking_warning"]
-
 _STEEPEST: Final = 0.142
 """Height over length of the steepest regular wave in deep water, Miche (1944)."""
 

@@ -14,8 +14,6 @@ from catopt.waves.frequency_range import frequency_range
 from catopt.waves.spectrum import Spectrum
 from catopt.waves.spreading import CosineSpreading
 
-__all__ = ["Bands", "random_waves"]
-
 Array = npt.NDArray[np.float64]
 
 Bands = Literal["equal-energy", "equal-width", "S4"]

@@ -23,8 +23,6 @@ from catopt.model.validity import Findings
 from catopt.waves.components import Waves
 from catopt.words import Message
 
-__all__ = ["Return", "repetition_warning", "strongest_return", "waves_needed"]
-
 _APART: Final = 10.0
 """In mean periods: after these the waves of even the narrowest spectrum here have come apart."""
 
@@ -43,12 +41,8 @@ _WANTED: Final = 0.25
 class Return:
     """When a sum of waves comes closest to repeating itself.
 
-    Attributes
-    ----------
-    lag : float
-        s after which; 0 for a run too short to tell.
-    correlation : float
-        R there: 1 is a repetition, 0 none.
+    `lag`: s after which; 0 for a run too short to tell; `correlation`: R there: 1 is a repetition,
+    0 none.
     """
 
     lag: float

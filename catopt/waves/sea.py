@@ -31,8 +31,6 @@ from catopt.waves.kinematics import (
     fill_kinematics,
 )
 
-__all__ = ["Kinematics", "Reach", "Sea", "Stretching"]
-
 Array = npt.NDArray[np.float64]
 
 Stretching = Literal["none", "wheeler"]

@@ -21,8 +21,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = ["Normalisation", "Spectrum", "jonswap", "peak_enhancement", "pierson_moskowitz"]
-
 Array = npt.NDArray[np.float64]
 
 Normalisation = Literal["computed", "S4"]

@@ -9,8 +9,6 @@ import numpy.typing as npt
 
 from catopt.model.validity import Findings
 
-__all__ = ["CosineSpreading"]
-
 Array = npt.NDArray[np.float64]
 
 

@@ -11,15 +11,9 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from catopt.errors import InputError, NotConvergedError
-from catopt.fem import Fluid, LineDamping, mesh_line
+from catopt.fem import Fluid, LineDamping, LineProperties, TimeStepping, mesh_line
 from catopt.fem.dynamic_model import lay_out_moving
-from catopt.fem.dynamics import (
-    LineProperties,
-    TimeStepping,
-    line_at_rest,
-    run_dynamics,
-    run_system_dynamics,
-)
+from catopt.fem.dynamics import line_at_rest, run_dynamics, run_system_dynamics
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, series_rows
 from catopt.fem.simulation import Simulation
