@@ -285,7 +285,8 @@ def criteria_of(
     anchor_key : str
         Where its anchor stands, for messages.
     analysis : {"quasi-static", "dynamic"}
-        From which the tensions are: a code's factors for the other are not among the criteria.
+        From which the tensions are: a code's factors for the other are not among the criteria,
+        unless tensions are dynamic and it has none for them; those for lines at rest then hold.
 
     Raises
     ------
@@ -298,7 +299,7 @@ def criteria_of(
         criterion
         for each in profiles
         for criterion in each.criteria
-        if criterion.check != "tension" or criterion.analysis == analysis
+        if criterion.check != "tension" or criterion.analysis == _analysis_of(each, analysis)
     ]
     found = (
         *_own(case.checks),
@@ -312,6 +313,11 @@ def criteria_of(
         catalogue=case.catalogue,
         warnings=tuple(_notes(case.checks, profiles)),
     )
+
+
+def _analysis_of(profile: Profile, wanted: Analysis) -> Analysis:
+    """Return the analysis whose factors of a code are taken: that for motion, where it has any."""
+    return wanted if any(each.analysis == wanted for each in profile.criteria) else "quasi-static"
 
 
 def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:

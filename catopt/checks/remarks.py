@@ -22,6 +22,7 @@ __all__ = [
     "in_load_case",
     "of_criteria",
     "of_other_states",
+    "of_transient",
     "of_uplift",
 ]
 
@@ -56,10 +57,21 @@ def of_criteria(criteria: Criteria, line: Line, strengths: Sequence[Strength]) -
 
 def of_other_states(criteria: Criteria) -> Iterator[Message]:
     """Say which codes are for one line out, too: a line by itself is not judged by that."""
-    damaged = (each for each in criteria.all if each.states == ("one_line_out",))
-    codes = dict.fromkeys(each.source.code for each in damaged)
+    yield from _only_for(criteria, "one_line_out", "checks.line_by_itself")
+    yield from of_transient(criteria)
+
+
+def of_transient(criteria: Criteria) -> Iterator[Message]:
+    """Say which codes have factors for the transient state: nothing at rest is judged by them."""
+    yield from _only_for(criteria, "transient", "checks.transient_not_judged")
+
+
+def _only_for(criteria: Criteria, state: State, said: str) -> Iterator[Message]:
+    """Name the codes that have criteria for one state alone."""
+    found = (each.source.code for each in criteria.all if each.states == (state,))
+    codes = tuple(dict.fromkeys(found))
     if codes:
-        yield Message("checks.line_by_itself", codes=Listed(codes, "and"))
+        yield Message(said, codes=Listed(codes, "and"))
 
 
 class Lifted(NamedTuple):

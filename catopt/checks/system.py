@@ -10,7 +10,7 @@ from catopt.checks.criteria import HORIZONTAL_PULL, USER, Criteria, criteria_of
 from catopt.checks.criterion import Criterion
 from catopt.checks.evaluation import evaluate
 from catopt.checks.excess import buoyancy_excess
-from catopt.checks.remarks import Lifted, of_criteria, of_uplift
+from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.state import Place, State
 from catopt.model import Case
@@ -90,6 +90,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     warnings = (
         *(warning for told in lines.values() for warning in told),
         *_of_line_out(criteria, damaged, len(legs)),
+        *of_transient(criteria),
         *of_uplift((each for each, _ in solved), criteria, case.anchor),
         *report.solution.warnings,
     )

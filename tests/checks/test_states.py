@@ -194,6 +194,16 @@ def test_a_code_without_a_factor_for_one_line_out_judges_the_intact_body_and_say
     )
 
 
+def test_the_transient_state_is_not_judged_at_rest_and_that_is_said() -> None:
+    """API RP 2SK has 1.18 and 1.05 for it; E301 has nothing."""
+    by_both = by("API-RP-2SK", "DNV-OS-E301-2008-CC1")
+    for case in (body(checks=by_both), asking(checks=by_both)):
+        told = [str(e) for e in check_case(case).warnings if "the transient state" in e]
+        assert len(told) == 1
+        assert told[0].startswith("API-RP-2SK: the transient state, while a line parts, is not")
+    assert not any("transient" in e for e in check_case(body(checks=by("break/5"))).warnings)
+
+
 def test_a_body_that_cannot_do_without_its_line_fails_by_the_codes_for_that() -> None:
     """H = 60 kN on one line: T = 80 kN, 80 * 1.7 / 190 = 0.716 intact."""
     report = check_case(body(1, by("DNV-OS-E301-2008-CC1")))
