@@ -300,8 +300,9 @@ def _checks(document: dict[str, Any]) -> Iterator[Finding]:
     """Find codes or a largest span given in two ways, and what goes with several lines."""
     checks, line_out = table(document, "checks"), "safety_factor_line_out"
     has_system = "system" in document or misspelt(CaseTable, ["system"], document)
-    if line_out in checks and not has_system:
-        yield Finding(("checks", line_out), as_written(checks[line_out]), NEEDS_SEVERAL_LINES)
+    for name, given in (("checks", checks), ("anchor", table(document, "anchor"))):
+        if line_out in given and not has_system:
+            yield Finding((name, line_out), as_written(given[line_out]), NEEDS_SEVERAL_LINES)
     if "code" in checks and "codes" in checks:
         yield Finding(("checks",), "code and codes", "put all of them into codes")
     if "max_span" in checks and "max_offset" in checks:
@@ -319,6 +320,8 @@ def _anchor(document: dict[str, Any]) -> Iterator[Finding]:
     given: dict[str, Any] = {
         key: 1.0 for key in entries(AnchorTable) if key in anchor and key not in {"kind", "density"}
     }
+    if "factor_source" in given:
+        given["factor_source"] = "-"
     if kind == "sinker":
         yield from _weight(AnchorTable, (path, anchor))
         yield from sinks_findings(document, AnchorTable, (path, anchor))

@@ -318,6 +318,8 @@ class AnchorTable(Table):
     friction: Friction | None = None
     holding_capacity: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
     safety_factor: Factor | None = None
+    safety_factor_line_out: Factor | None = None
+    factor_source: Annotated[str, Text(filled=True)] | None = None
 
 
 class VariantsTable(Table):

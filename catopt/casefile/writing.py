@@ -210,6 +210,8 @@ def _anchor(anchor: Anchor) -> Iterator[str]:
     yield from measured("friction", anchor.friction)
     yield from measured("holding_capacity", anchor.holding_capacity, "N")
     yield from measured("safety_factor", anchor.safety_factor)
+    yield from measured("safety_factor_line_out", anchor.safety_factor_line_out)
+    yield from text("factor_source", anchor.factor_source)
 
 
 def _catalogue(choice: CatalogueChoice) -> Iterator[tuple[str, Iterable[str]]]:

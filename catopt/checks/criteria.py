@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from catopt.checks.criterion import CheckKind, Criterion, StrengthKind
@@ -16,7 +16,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, CatalogueChoice, Line, Segment, Service
 from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
-from catopt.words import Message
+from catopt.words import Cited, Message
 
 __all__ = ["AllowedTension", "Criteria", "Limits", "criteria_of"]
 
@@ -362,10 +362,21 @@ def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Itera
     if anchor is None:
         return
     check: CheckKind = "sliding" if anchor.kind == "sinker" else "holding"
+    damaged = anchor.safety_factor_line_out
+    if damaged is not None:
+        yield Criterion(check, damaged, USER, states=("one_line_out",))
+    whole = tuple(state for state in STATES if damaged is None or state != "one_line_out")
     if anchor.safety_factor is not None:
-        yield Criterion(check, anchor.safety_factor, USER)
+        source = (
+            CheckSource("anchor", Cited(anchor.factor_source)) if anchor.factor_source else USER
+        )
+        yield Criterion(check, anchor.safety_factor, source, states=whole)
         return
-    factors = [criterion for criterion in coded if criterion.check == check]
+    factors = [
+        replace(each, states=tuple(state for state in each.states if state in whole))
+        for each in coded
+        if each.check == check
+    ]
     if not factors:
         allowed = f"missing; give the factor on {check}, or name a code that has one"
         raise InputError([Problem(f"{key}.safety_factor", "", allowed)], "checks")

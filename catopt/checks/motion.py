@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import USER, Criteria, criteria_of
 from catopt.checks.evaluation import evaluate_tension
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.state import Place, State
 from catopt.model import Case, Line
+from catopt.model.load_case import LoadCaseKind
 from catopt.words import Listed, Message
 
 __all__ = ["LineInMotion", "check_motion"]
@@ -68,28 +69,32 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
     results: list[CheckResult] = []
     for moved in judged:
         kind = kinds.get(moved.load_case, "extreme")
-        place = Place(state, moved.number, None if state == "intact" else broken)
-        strengths = criteria.strengths(moved.line, {kind}, {state})
-        for index, strength in enumerate(strengths):
-            for criterion in criteria.of("tension", kind, state):
-                if criterion.is_for(strength.kind):
-                    results.append(
-                        evaluate_tension(
-                            criterion,
-                            moved.line.segments[index],
-                            strength,
-                            moved.largest[index],
-                            mean_share=_share(moved, index),
-                            load_case=moved.load_case,
-                            place=Place(state, moved.number, place.missing, index + 1),
-                        )
-                    )
+        results += _tensions(moved, criteria, kind, Place(state, moved.number, broken))
     warnings = (
         *_of_codes(case, criteria, state),
         *_of_a_break(broken, bool(judged)),
         *_of_the_mean(criteria, judged),
     )
     return CheckReport(case.title, tuple(results), (), warnings)
+
+
+def _tensions(
+    moved: LineInMotion, criteria: Criteria, kind: LoadCaseKind, place: Place
+) -> Iterator[CheckResult]:
+    """Check every segment of a line."""
+    strengths = criteria.strengths(moved.line, {kind}, {place.state})
+    for index, (segment, strength) in enumerate(zip(moved.line.segments, strengths, strict=True)):
+        for criterion in criteria.of("tension", kind, place.state):
+            if criterion.is_for(strength.kind):
+                yield evaluate_tension(
+                    criterion,
+                    segment,
+                    strength,
+                    moved.largest[index],
+                    mean_share=_share(moved, index),
+                    load_case=moved.load_case,
+                    place=replace(place, segment=index + 1),
+                )
 
 
 def _share(moved: LineInMotion, index: int) -> float:

@@ -30,7 +30,8 @@ class CheckSource:
     Attributes
     ----------
     code : str
-        Name of the profile; ``"user"`` for the case's own numbers.
+        Name of the profile; ``"user"`` for the case's own numbers, ``"anchor"`` for the factor of
+        its anchor where the case says what that is from.
     document, clause : str
         What to open, and where in it; empty for the case's own numbers, which are then those of
         the case file.

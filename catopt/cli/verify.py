@@ -185,9 +185,7 @@ def _answer(found: _Found) -> Answer:
     return verification_answer(found)
 
 
-def _show(
-    output: Output, found: _Found, dynamic: _Moved | None, language: Language
-) -> None:
+def _show(output: Output, found: _Found, dynamic: _Moved | None, language: Language) -> None:
     """Print the line at rest, and below it the line in motion."""
     from catopt.render.terminal import show
 
@@ -200,9 +198,7 @@ def _show(
     show(output, answer, language)
 
 
-def _files(
-    found: _Found, dynamic: _Moved | None, language: Language
-) -> dict[str, bytes]:
+def _files(found: _Found, dynamic: _Moved | None, language: Language) -> dict[str, bytes]:
     """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
     from catopt.render.files import files_of
     from catopt.render.plain import document_bytes

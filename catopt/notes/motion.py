@@ -24,7 +24,14 @@ if TYPE_CHECKING:
     from catopt.verify.proof import Proof
 from catopt.words import Measure, Message
 
-__all__ = ["InMotion", "SegmentUse", "checks_in_motion", "in_motion", "motion_files", "motion_warnings"]
+__all__ = [
+    "InMotion",
+    "SegmentUse",
+    "checks_in_motion",
+    "in_motion",
+    "motion_files",
+    "motion_warnings",
+]
 
 Progress = Callable[[int, int], None]
 

@@ -146,7 +146,8 @@ ANCHORS = st.one_of(
         Anchor,
         kind=st.just("drag"),
         holding_capacity=POSITIVE,
-        safety_factor=st.none() | FACTOR,
+        safety_factor=FACTOR,
+        factor_source=TEXT,
         mass=st.none() | POSITIVE,
     ),
 )

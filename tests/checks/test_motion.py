@@ -101,7 +101,9 @@ def test_a_run_in_which_a_line_breaks_is_judged_by_the_transient_factors() -> No
 
 
 def test_a_line_that_is_lost_itself_is_not_judged() -> None:
-    lost = replace(ALONE, dynamics=Dynamics(24.0, broken_line=1, broken_at=9.0, broken_end="anchor"))
+    lost = replace(
+        ALONE, dynamics=Dynamics(24.0, broken_line=1, broken_at=9.0, broken_end="anchor")
+    )
     report = check_motion(replace(lost, checks=Checks(codes=("API-RP-2SK",))), [MOVED])
     assert report.results == ()
     assert said(report, "checks.motion_all_lost")

@@ -257,6 +257,33 @@ def test_wear_anchor_span_and_buoyancy_of_every_line() -> None:
     assert [each.passes for each in uplift] == [True] * 4
 
 
+def test_a_factor_of_the_anchor_for_one_line_out() -> None:
+    """90 kN with 1.5 intact and 1.2 with a line out: 30 * 1.5 / 90 and 60 * 1.2 / 90."""
+    anchor = Anchor("drag", holding_capacity=90e3, safety_factor=1.5, safety_factor_line_out=1.2)
+    case = replace(body(checks=Checks(safety_factor=2.0)), anchor=anchor)
+    report = check_case(case)
+    used = {e.place.state: e.utilisation for e in report.results if e.kind == "holding"}
+    assert used == pytest.approx({"intact": 0.5, "one_line_out": 0.8}, rel=SOLVED)
+    coded = replace(case, checks=by("UFC-4-159-03"), anchor=replace(anchor, safety_factor=None))
+    held = [e for e in check_case(coded).results if e.kind == "holding"]
+    assert next((e.place.state, e.source.code) for e in held) == ("intact", "UFC-4-159-03")
+    assert {e.place.state for e in held[2:]} == {"one_line_out"}
+    with pytest.raises(InputError, match=r"anchor\.safety_factor_line_out: found 1\.2; leave it"):
+        asking(anchor=anchor)
+
+
+def test_a_factor_of_the_anchor_is_cited_by_what_it_is_from() -> None:
+    anchor = Anchor(
+        "drag", holding_capacity=90e3, safety_factor=1.5, factor_source="UFC 4-159-03, table 3-7"
+    )
+    for told, wanted in ((anchor, "UFC 4-159-03, table 3-7"),
+                         (replace(anchor, factor_source=""), "case file")):  # fmt: skip
+        (held,) = [e for e in check_case(asking(anchor=told)).results if e.kind == "holding"]
+        assert str(held.source.text) == wanted
+    with pytest.raises(InputError, match="goes with safety_factor, which is missing"):
+        replace(anchor, safety_factor=None)
+
+
 def test_keys_that_a_body_cannot_keep_are_refused_as_those_of_a_line() -> None:
     with pytest.raises(InputError, match=r'checks\.codes\[0\]: found "NONSENSE"'):
         check_case(body(checks=by("NONSENSE")))
