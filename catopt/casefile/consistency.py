@@ -47,7 +47,7 @@ from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.checks import NEEDS_SEVERAL_LINES
 from catopt.model.drag_method import drag_misfits
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
-from catopt.model.line import END_ROUNDING
+from catopt.model.line import END_ROUNDING, break_test_misfits
 from catopt.model.system import system_misfits
 from catopt.model.wear import wear_misfits
 from catopt.units import Dimension, as_written
@@ -195,7 +195,7 @@ def _segment(place: Place) -> Iterator[Finding]:
             for key in segment
             if key in entries(SegmentTable)
         }
-        for problem in drag_misfits(given):
+        for problem in (*drag_misfits(given), *break_test_misfits(segment)):
             found = as_written(segment[problem.key]) if problem.found else ""
             yield Finding((*path, problem.key), found, problem.allowed)
 

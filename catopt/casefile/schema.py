@@ -23,6 +23,7 @@ from catopt.model.design import OBJECTIVES, SEARCH_METHODS
 from catopt.model.drag_method import DRAG_METHODS
 from catopt.model.dynamics import BROKEN_ENDS, INITIAL_FRICTION, TIME_SCHEMES
 from catopt.model.find import FIND_QUANTITIES
+from catopt.model.line import HIGHEST_COV
 from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
 from catopt.model.site import STEEPEST
@@ -163,6 +164,10 @@ class SegmentTable(Table):
     mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
     EA: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
     MBL: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    MBL_mean: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
+    MBL_cov: (
+        Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=HIGHEST_COV)] | None
+    ) = None
     proof_load: Annotated[float, Measured(Dimension.FORCE, above=0.0)] | None = None
     price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
     wear_rate: WearRate | None = None

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from catopt.documents import unfit
 from catopt.errors import InputError, Problem
+from catopt.units import UNITS, Dimension
 
 __all__ = ["flag", "measured", "measures", "text", "texts", "whole"]
 
@@ -23,6 +24,18 @@ def measured(key: str, value: float | None, unit: str = "") -> Iterator[str]:
     """Write a number with its unit; nothing for None."""
     if value is not None:
         yield f"{key} = {_number(value, unit)}"
+
+
+def wear(key: str, rate: float | None) -> Iterator[str]:
+    """Write a rate of wear (m/s) in mm a year, where that reads back as the same number."""
+    if rate is None:
+        return
+    unit = UNITS[Dimension.SPEED]["mm/year"]
+    per_year = float(f"{rate / unit:.15g}")
+    if per_year * unit == rate:
+        yield f"{key} = {_number(per_year, 'mm/year')}"
+    else:
+        yield from measured(key, rate, "m/s")
 
 
 def measures(key: str, values: Sequence[float], unit: str) -> Iterator[str]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from hashlib import sha256
 
 from catopt.casefile.design_writing import design_sections
-from catopt.casefile.toml_text import flag, measured, measures, text, texts, whole
+from catopt.casefile.toml_text import flag, measured, measures, text, texts, wear, whole
 from catopt.errors import InputError, Problem
 from catopt.model import (
     Anchor,
@@ -105,9 +105,11 @@ def _segment(segment: Segment) -> Iterator[str]:
     if math.isfinite(segment.EA):
         yield from measured("EA", segment.EA, "N")
     yield from measured("MBL", segment.MBL, "N")
+    yield from measured("MBL_mean", segment.MBL_mean, "N")
+    yield from measured("MBL_cov", segment.MBL_cov)
     yield from measured("proof_load", segment.proof_load, "N")
     yield from measured("price", segment.price, "USD/m")
-    yield from measured("wear_rate", segment.wear_rate, "m/s")
+    yield from wear("wear_rate", segment.wear_rate)
     yield from text("wear_zone", segment.wear_zone or "")
     yield from measured("drag_diameter", segment.drag_diameter, "m")
     for key in ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial"):
@@ -195,7 +197,7 @@ def _checks(case: Case) -> Iterator[str]:
 
 def _service(service: Service) -> Iterator[str]:
     yield from measured("life", service.life, "s")
-    yield from measured("wear_rate", service.wear_rate or None, "m/s")
+    yield from wear("wear_rate", service.wear_rate or None)
     yield from text("wear_table", service.wear_table or "")
 
 

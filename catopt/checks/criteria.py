@@ -29,6 +29,8 @@ HORIZONTAL_PULL = CheckSource(
 """A drag anchor holds against a horizontal pull, unless the case says how much uplift it takes."""
 
 
+_NO_TESTS = "leave it out, or name a code that judges by tests, such as DNV-OS-E301-2008-CC1"
+
 _INTACT: tuple[State, ...] = ("intact",)
 
 UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
@@ -150,6 +152,8 @@ class Criteria:
                 problems |= dict.fromkeys(error.problems)
                 continue
             found.append(strength)
+            if strength.tested is not None and not any(each.takes_tests for each in self.all):
+                problems[Problem(f"{key}.MBL_mean", f"{segment.MBL_mean:g} N", _NO_TESTS)] = None
             problems |= dict.fromkeys(self.lacking(strength, kinds, key, states))
         if problems:
             raise InputError(tuple(problems), "checks")
@@ -267,6 +271,8 @@ def allowed_by(
     factor = criterion.value
     if criterion.mean_factor is not None:
         factor = criterion.mean_factor * mean_share + criterion.value * (1.0 - mean_share)
+    if criterion.takes_tests and strength.tested is not None:
+        return strength.tested / factor
     return criterion.part * strength.need(criterion.of, key, wanted_by) / factor
 
 

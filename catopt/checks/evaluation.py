@@ -204,9 +204,11 @@ def _tension(
     """Largest tension of a segment <= strength at the end of life / factor."""
     capacity = allowed_by(criterion, strength, f"line.segments[{index}]", mean_share)
     assert criterion.of != ""
-    full = strength.need(criterion.of, "", "")
-    note = Message(_STRENGTHS[criterion.of], strength=Measure("MBL", full), factor=criterion.value)
-    if criterion.part != 1.0:
+    by_tests = criterion.takes_tests and strength.tested is not None
+    full = strength.tested if by_tests else strength.need(criterion.of, "", "")
+    said = "checks.tested" if by_tests else _STRENGTHS[criterion.of]
+    note = Message(said, strength=Measure("MBL", full or 0.0), factor=criterion.value)
+    if criterion.part != 1.0 and not by_tests:
         note = Message("checks.part_of", part=criterion.part, strength=note)
     if criterion.mean_factor is not None:
         values = {"factor": criterion.mean_factor, "share": mean_share}

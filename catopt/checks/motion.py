@@ -13,7 +13,7 @@ from catopt.model import Case, Line
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Listed, Message
 
-__all__ = ["LineInMotion", "check_motion"]
+__all__ = ["LineInMotion", "check_motion", "check_strengths"]
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
         As for `check_case`.
     """
     criteria = criteria_of(case, analysis="dynamic")
-    broken = None if case.dynamics is None else case.dynamics.broken_line
+    broken = _broken(case)
     state: State = "intact" if broken is None else "transient"
     judged = [each for each in lines if broken is None or (each.number or broken) != broken]
     kinds = {each.name: each.kind for each in case.load_cases}
@@ -76,6 +76,31 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
         *_of_the_mean(criteria, judged),
     )
     return CheckReport(case.title, tuple(results), (), warnings)
+
+
+def check_strengths(case: Case) -> None:
+    """Refuse, before lines are run in time, a case whose tensions cannot be judged.
+
+    Parameters
+    ----------
+    case : Case
+        With its checks.
+
+    Raises
+    ------
+    InputError
+        As for `check_motion`.
+    """
+    criteria = criteria_of(case, analysis="dynamic")
+    legs = () if case.system is None else case.system.legs
+    kinds = {each.kind for each in case.load_cases} or {"extreme"}
+    state: State = "intact" if _broken(case) is None else "transient"
+    for line in dict.fromkeys(leg.line for leg in legs) or (case.line,):
+        criteria.strengths(line, kinds, {state})
+
+
+def _broken(case: Case) -> int | None:
+    return None if case.dynamics is None else case.dynamics.broken_line
 
 
 def _tensions(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, NamedTuple
 
+from catopt.catalogue.figure import RECALLED
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import UPLIFT, Criteria
 from catopt.checks.evaluation import segment_words
@@ -13,7 +14,7 @@ from catopt.checks.strength import Strength
 from catopt.model import Anchor, Line
 from catopt.model.load_case import LoadCaseKind
 from catopt.ties import largest
-from catopt.words import Listed, Measure, Message
+from catopt.words import Listed, Measure, Message, term
 
 __all__ = [
     "IN_LOAD_CASE",
@@ -46,6 +47,9 @@ def of_criteria(criteria: Criteria, line: Line, strengths: Sequence[Strength]) -
     if not criteria.all:
         yield Message(NO_CHECK)
     yield from criteria.warnings
+    table = None if criteria.service is None else criteria.service.table
+    if table is not None and table.confidence == RECALLED:
+        yield Message("checks.wear_table_recalled", source=term(table.source))
     for index, strength in enumerate(strengths):
         covered = any(
             each.check == "tension" and each.is_for(strength.kind) for each in criteria.all

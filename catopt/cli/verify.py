@@ -268,10 +268,12 @@ def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
 
     case = with_known_codes(read_case_or_design(path, design))
     if with_motion:
+        from catopt.checks.motion import check_strengths
         from catopt.verify.dynamic_setup import check_for_motion, read_drive
 
         check_for_motion(case)
         read_drive(case)
+        check_strengths(case)
     return case
 
 

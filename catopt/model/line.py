@@ -3,16 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Final
 
-from catopt.errors import InputError
+from catopt.errors import InputError, Problem
 from catopt.model.drag_method import DRAG_METHODS, DragMethod, drag_misfits
 from catopt.model.validity import Findings
 from catopt.model.wear import WEAR_ZONES
 
-__all__ = ["Line", "PointLoad", "Segment"]
+__all__ = ["HIGHEST_COV", "Line", "PointLoad", "Segment", "break_test_misfits"]
+
+HIGHEST_COV: Final = 0.25
+"""Coefficient of variation from which c (3 - 6 c) falls: more scatter would make more strength."""
+
+
+TESTS: Final = ("MBL_mean", "MBL_cov")
+"""Statistics of break tests."""
+
+
+def break_test_misfits(given: Collection[str]) -> list[Problem]:
+    """List which of the statistics of break tests is missing beside the other."""
+    missing = [key for key in TESTS if key not in given]
+    if len(missing) != 1:
+        return []
+    return [Problem(missing[0], "", "missing; MBL_mean and MBL_cov go together")]
 
 
 @dataclass(frozen=True)
@@ -62,6 +78,9 @@ class Segment:
         diameter.
     wake_amplification : float or None
         Factor psi on the drag of a steady flow; None: by the KC, below 12.
+    MBL_mean, MBL_cov : float or None
+        Mean (N) and coefficient of variation of the breaking loads of a series of tests; None when
+        not known.
     """
 
     length: float
@@ -85,6 +104,8 @@ class Segment:
     roughness: float | None = None
     keulegan_carpenter: float | None = None
     wake_amplification: float | None = None
+    MBL_mean: float | None = None
+    MBL_cov: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Segment")
@@ -95,6 +116,7 @@ class Segment:
             found.number("mass", self.mass, "kg/m", at_least=0.0)
         if self.MBL is not None:
             found.number("MBL", self.MBL, "N", above=0.0)
+        self._check_tests(found)
         if self.nominal_diameter is not None:
             found.number("nominal_diameter", self.nominal_diameter, "m", above=0.0)
         if self.proof_load is not None:
@@ -107,6 +129,23 @@ class Segment:
             found.add("wear_zone", f'"{self.wear_zone}"', "one of " + ", ".join(WEAR_ZONES))
         self._check_drag(found)
         found.raise_if_any()
+
+    def _check_tests(self, found: Findings) -> None:
+        if self.MBL_mean is not None:
+            found.number("MBL_mean", self.MBL_mean, "N", above=0.0)
+        if self.MBL_cov is not None:
+            found.number("MBL_cov", self.MBL_cov, "", at_least=0.0, at_most=HIGHEST_COV)
+        found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
+
+    @property
+    def tested_strength(self) -> float | None:
+        """Characteristic strength by tests, mu (1 - c (3 - 6 c)) (DNV-OS-E301, 2008, C), N.
+
+        None without tests.
+        """
+        if self.MBL_mean is None or self.MBL_cov is None:
+            return None
+        return self.MBL_mean * (1.0 - self.MBL_cov * (3.0 - 6.0 * self.MBL_cov))
 
     def _check_drag(self, found: Findings) -> None:
         if self.drag_diameter is not None:

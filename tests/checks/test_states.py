@@ -105,6 +105,32 @@ def test_what_went_into_the_capacity_says_the_part_of_the_strength() -> None:
     assert only(asking(checks=by("DNV-OS-E301-2008-CC1"))).note == "0.95 MBL 200 kN / 1.7"
 
 
+def test_break_tests_take_the_place_of_a_part_of_the_mbl() -> None:
+    """A mean of 210 kN, c = 0.05: 210 (1 - 0.05 (3 - 0.3)) = 210 * 0.865 = 181.65 kN.
+
+    50 kN by 1.7: 50 * 1.7 / 181.65 = 0.468, beside 50 * 1.7 / 190 = 0.447 by 0.95 MBL; worn from
+    100 to 90 mm, times 0.81.
+    """
+    tested = replace(PLAIN, MBL=None, MBL_mean=210e3, MBL_cov=0.05)
+    case = asking(checks=by("DNV-OS-E301-2008-CC1"), line=Line([tested]))
+    result = only(case)
+    assert result.capacity == pytest.approx(181.65e3 / 1.7, rel=CLOSE)
+    assert result.utilisation == pytest.approx(50.0 * 1.7 / 181.65, rel=CLOSE)
+    assert "by break tests" in str(result.note)
+    worn = only(replace(case, service=Service(life=10.0, wear_rate=1e-3)))
+    assert worn.capacity == pytest.approx(0.81 * 181.65e3 / 1.7, rel=CLOSE)
+
+
+def test_break_tests_that_no_code_takes_are_refused() -> None:
+    tested = Line([replace(PLAIN, MBL_mean=210e3, MBL_cov=0.05)])
+    with pytest.raises(InputError, match=r"line\.segments\[0\]\.MBL_mean: found 210000 N; leave"):
+        check_case(asking(checks=by("API-RP-2SK"), line=tested))
+    with pytest.raises(InputError, match="MBL_cov: missing; MBL_mean and MBL_cov go together"):
+        replace(PLAIN, MBL_mean=210e3)
+    with pytest.raises(InputError, match=r"MBL_cov: found 0\.3"):
+        replace(PLAIN, MBL_mean=210e3, MBL_cov=0.3)
+
+
 def test_factors_for_dynamic_analysis_are_on_no_tension_at_rest() -> None:
     for code in ALONE:
         case = asking(checks=by(code, allow_recalled=True))
