@@ -13,6 +13,7 @@ from catopt.mooring.solve import solve_system
 from catopt.notes.capacity import allowed_tensions
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
+from catopt.units import lasting
 from catopt.verify.case import load_states
 
 if TYPE_CHECKING:
@@ -167,10 +168,27 @@ def checks_in_motion(
         largest = tuple(_largest(part, line))
         lines.append(LineInMotion(line, largest, mean, part.name, part.line))
     report = check_motion(found.case, lines)
+    if report.results:
+        report = replace(report, warnings=(*report.warnings, *_beyond_the_runs(found.parts)))
     if found.verdict == "not converged" or not found.is_complete:
         doubt = Message("checks.motion_doubted")
         return replace(report, is_doubted=True, warnings=(doubt, *report.warnings))
     return report
+
+
+def _beyond_the_runs(parts: Sequence[DynamicPart]) -> Iterator[Message]:
+    """Say where the storm is likely to bring more than the runs that are judged."""
+    for part in parts:
+        fairlead = part.of("fairlead_tension")
+        probable = fairlead.most_probable_maximum
+        if probable is not None and probable > fairlead.maximum:
+            yield Message(
+                "checks.motion_probable",
+                where=part.where,
+                largest=Measure("tension", fairlead.maximum),
+                probable=Measure("tension", probable),
+                time=lasting(part.duration_of_interest),
+            )
 
 
 def _at_rest(found: DynamicVerification) -> Sequence[Solution | None]:

@@ -100,6 +100,22 @@ def test_a_case_without_codes_says_so(run: Run, moving: Path) -> None:
     ]
 
 
+def test_more_that_the_storm_is_likely_to_bring_is_said(run: Run, tmp_path: Path) -> None:
+    """A random sea of 60 s, judged by its own largest tension; 3 h bring more."""
+    sea = '[waves]\nspectrum = "jonswap"\nheight = "2 m"\nperiod = "8 s"\ndirection = "180 deg"\n'
+    path = tmp_path / "sea.toml"
+    still = '[motion]\nperiod = "8 s"\nsurge = "0.5 m"\n'
+    assert still in CODED
+    path.write_text(CODED.replace(still, sea).replace('"24 s"', '"2 min"'), encoding="utf-8")
+    found = document(run("verify", path, "--dynamic", "--once", "--json").out)["dynamic"]
+    fairlead = found["load_cases"][0]["quantities"][0]
+    said = [each for each in found["checks"]["warnings"] if "the most probable one" in each]
+    assert fairlead["most_probable_max"] > fairlead["max"]
+    (told,) = said
+    assert told.startswith("load case load: the largest tension at the fairlead of the runs")
+    assert f"{fairlead['most_probable_max'] / 1e3:.3f} kN" in told
+
+
 def test_a_case_at_rest_says_what_it_lacks(run: Run) -> None:
     ran = run("verify", BUOY, "--dynamic")
     assert ran.status == 2
