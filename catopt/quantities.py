@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Literal
 
+from catopt.constants import YEAR
 from catopt.units import UNITS, Dimension
 
 __all__ = ["GREEK", "QUANTITIES", "Quantity", "Units"]
@@ -86,6 +87,16 @@ class Quantity:
     def to_field(self, si: float) -> float:
         """Convert a value (or an array) in SI to the field unit."""
         return si / self.factor
+
+    def in_files(self, si: float) -> float:
+        """Convert a value in SI to the field unit, to the 15 digits that a double surely holds.
+
+        Examples
+        --------
+        >>> QUANTITIES["angle"].in_files(1.0471975511965976)  # 60 deg, not 59.99999999999999
+        60.0
+        """
+        return float(f"{self.to_field(si):.15g}") if self.factor != 1.0 else si
 
     def to_si(self, field: float) -> float:
         """Convert a value (or an array) in the field unit to SI."""
@@ -213,6 +224,7 @@ _TABLE = (
     Quantity("submerged_weight", "Submerged weight per length", "w", "N/m", "N/m", 1.0, 2),
     Quantity("mass", "Mass", "m", "kg", "t", 1e3, 3),
     Quantity("mass_per_length", "Mass per length", "m", "kg/m", "kg/m", 1.0, 2),
+    Quantity("wear_rate", "Wear", "", "m/s", "mm/year", 1e-3 / YEAR, 3, "shortest"),
     Quantity("utilisation", "Utilisation", "", "-", "-", 1.0, 3),
     Quantity("safety_factor", "Safety factor", "SF", "-", "-", 1.0, 2),
     Quantity("friction", "Seabed friction", "mu", "-", "-", 1.0, 2),

@@ -73,3 +73,12 @@ def test_digits_can_be_asked_for() -> None:
 def test_conversion_goes_both_ways() -> None:
     assert QUANTITIES["tension"].to_field(4500.0) == 4.5
     assert QUANTITIES["tension"].to_si(4.5) == 4500.0
+
+
+def test_a_file_has_no_rounding_noise_of_the_conversion() -> None:
+    """60 deg in rad and back is 59.99999999999999 in double precision."""
+    angle = QUANTITIES["angle"]
+    assert angle.to_field(math.radians(60.0)) != 60.0
+    assert angle.in_files(math.radians(60.0)) == 60.0
+    assert QUANTITIES["wear_rate"].in_files(0.4e-3 / (365.25 * 86400.0)) == 0.4
+    assert QUANTITIES["span"].in_files(0.1 + 0.2) == 0.1 + 0.2  # nothing is converted

@@ -121,7 +121,7 @@ class Column:
         value, quantity = self.values[row], self.quantity_of(row)
         if quantity is None or isinstance(value, str):
             return value
-        return math.nan if value is None else quantity.to_field(value)
+        return math.nan if value is None else quantity.in_files(value)
 
 
 @dataclass(frozen=True)

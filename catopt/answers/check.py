@@ -31,6 +31,7 @@ __all__ = [
     "check_columns",
     "checked",
     "checked_body",
+    "checks_in_motion",
     "governing_sentence",
     "kind_name",
     "load_case_table",
@@ -102,6 +103,40 @@ def checked_body(report: CheckReport) -> tuple[Block, ...]:
         Text(said, is_small=True),
         _criteria([report.results[row] for row in table.shown or ()]),
     )
+
+
+def checks_in_motion(report: CheckReport) -> Iterator[Block]:
+    """Lay out the checks of lines in motion: people see the tightest of a body's, files have all.
+
+    Parameters
+    ----------
+    report : CheckReport
+        As `catopt.notes.motion.checks_in_motion` made it.
+    """
+    results = report.results
+    of_a_body = any(each.place.line is not None for each in results)
+    if results:
+        shown = report.tightest_by_state if of_a_body else tuple(range(len(results)))
+        names = dict.fromkeys(results[row].load_case for row in shown)
+        yield Table(
+            "dynamic_checks",
+            check_columns(results, of_a_body=of_a_body),
+            Message("captions.checks_in_motion"),
+            shown=shown if of_a_body else None,
+            parts=tuple(
+                (
+                    Message("captions.checks_in_motion_of", name=name),
+                    tuple(row for row in shown if results[row].load_case == name),
+                )
+                for name in (names if len(names) > 1 else ())
+            ),
+        )
+        yield _criteria([results[row] for row in shown])
+        yield from _confidence(report)
+    yield Verdict(verdict_sentence(report), report.verdict is True)
+    if results:
+        yield Text(governing_sentence(report))
+    yield Warnings(report.warnings)
 
 
 def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) -> tuple[Column, ...]:

@@ -24,6 +24,7 @@ from catopt.answers.blocks import (
     texts,
     where_known,
 )
+from catopt.answers.check import checks_in_motion
 from catopt.answers.verification import label, remarks
 from catopt.quantities import Quantity
 from catopt.units import lasting
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
+    from catopt.checks.result import CheckReport
     from catopt.fem import Extreme, TailFit
     from catopt.fem.energy_balance import EnergyBalance
     from catopt.verify.dynamic_result import (
@@ -77,22 +79,28 @@ _ENERGIES: tuple[tuple[str, Callable[[EnergyBalance], float]], ...] = (
 _Rows = Iterable[float | None]
 
 
-def motion_answer(found: DynamicVerification, *, with_series: bool = False) -> Answer:
+def motion_answer(
+    found: DynamicVerification, checks: CheckReport | None = None, *, with_series: bool = False
+) -> Answer:
     """Lay out a case in motion.
 
     Parameters
     ----------
     found : DynamicVerification
         What came out.
+    checks : CheckReport, optional
+        Of its tensions; nothing is said of them when left out.
     with_series : bool
         Whether files have every sample, too.
     """
     said = _of_body(found) if found.case.system is not None else _of_load_cases(found)
+    judged = () if checks is None else tuple(checks_in_motion(checks))
     return Answer(
         "dynamic",
         found.case.title or Message("captions.mooring_line"),
         (
             Section(Message("captions.motion"), tuple(said)),
+            *((Section(Message("captions.checks_in_motion"), judged),) if judged else ()),
             *_files(found, with_series=with_series),
         ),
     )

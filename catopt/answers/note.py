@@ -28,6 +28,7 @@ from catopt.words import Cited, Message, quantity_name
 if TYPE_CHECKING:
     from catopt.catalogue import Component, Source
     from catopt.model import Case, Line, Segment
+    from catopt.notes.inputs import Input
     from catopt.notes.origin import Origin
 
 __all__ = [
@@ -95,13 +96,19 @@ def inputs_section(origin: Origin, design: int | None = None) -> Section:
     return note_section("inputs", [*blocks, inputs_table(origin)], "note.inputs_heading")
 
 
+def _of_input(each: Input) -> Quantity:
+    """Show a value with the digits of a hand calculation; wear in mm a year, not 1e-11 m/s."""
+    is_wear = each.key.rpartition(".")[2] == "wear_rate"
+    return QUANTITIES["wear_rate"] if is_wear else exact(each.unit)
+
+
 def inputs_table(origin: Origin) -> Table:
     """Tabulate every value of a file, as it stands there and in SI."""
     every = origin.inputs
     in_si = Column(
         Message("page.si"),
         tuple(each.si if isinstance(each.si, float) else Cited(each.si or "") for each in every),
-        units=tuple(exact(each.unit) for each in every),
+        units=tuple(_of_input(each) for each in every),
     )
     return Table(
         "inputs",

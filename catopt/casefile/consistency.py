@@ -47,7 +47,7 @@ from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.checks import NEEDS_SEVERAL_LINES
 from catopt.model.drag_method import drag_misfits
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
-from catopt.model.line import END_ROUNDING
+from catopt.model.line import END_ROUNDING, break_test_misfits
 from catopt.model.system import system_misfits
 from catopt.model.wear import wear_misfits
 from catopt.units import Dimension, as_written
@@ -185,7 +185,7 @@ def _segment(place: Place) -> Iterator[Finding]:
             for key in segment
             if key in entries(SegmentTable)
         }
-        for problem in drag_misfits(given):
+        for problem in (*drag_misfits(given), *break_test_misfits(segment)):
             found = as_written(segment[problem.key]) if problem.found else ""
             yield Finding((*path, problem.key), found, problem.allowed)
 
@@ -290,8 +290,9 @@ def _checks(document: dict[str, Any]) -> Iterator[Finding]:
     """Find codes or a largest span given in two ways, and what goes with several lines."""
     checks, line_out = table(document, "checks"), "safety_factor_line_out"
     has_system = "system" in document or misspelt(CaseTable, ["system"], document)
-    if line_out in checks and not has_system:
-        yield Finding(("checks", line_out), as_written(checks[line_out]), NEEDS_SEVERAL_LINES)
+    for name, given in (("checks", checks), ("anchor", table(document, "anchor"))):
+        if line_out in given and not has_system:
+            yield Finding((name, line_out), as_written(given[line_out]), NEEDS_SEVERAL_LINES)
     if "code" in checks and "codes" in checks:
         yield Finding(("checks",), "code and codes", "put all of them into codes")
     if "max_span" in checks and "max_offset" in checks:
@@ -309,6 +310,8 @@ def _anchor(document: dict[str, Any]) -> Iterator[Finding]:
     given: dict[str, Any] = {
         key: 1.0 for key in entries(AnchorTable) if key in anchor and key not in {"kind", "density"}
     }
+    if "factor_source" in given:
+        given["factor_source"] = "-"
     if kind == "sinker":
         yield from _weight(AnchorTable, (path, anchor))
         yield from sinks_findings(document, AnchorTable, (path, anchor))

@@ -23,6 +23,7 @@ from catopt.model.design import OBJECTIVES, SEARCH_METHODS
 from catopt.model.drag_method import DRAG_METHODS
 from catopt.model.dynamics import BROKEN_ENDS, INITIAL_FRICTION, TIME_SCHEMES
 from catopt.model.find import FIND_QUANTITIES
+from catopt.model.line import HIGHEST_COV
 from catopt.model.load_case import LOAD_CASE_KINDS
 from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
 from catopt.model.site import STEEPEST
@@ -132,6 +133,10 @@ class SegmentTable(Table):
     mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
     EA: Strength | None = None
     MBL: Strength | None = None
+    MBL_mean: Strength | None = None
+    MBL_cov: (
+        Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=HIGHEST_COV)] | None
+    ) = None
     proof_load: Strength | None = None
     price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
     wear_rate: WearRate | None = None
@@ -281,6 +286,8 @@ class AnchorTable(Table):
     friction: Friction | None = None
     holding_capacity: Strength | None = None
     safety_factor: Factor | None = None
+    safety_factor_line_out: Factor | None = None
+    factor_source: Annotated[str, Text(filled=True)] | None = None
 
 
 class VariantsTable(Table):

@@ -56,6 +56,7 @@ from catopt.model import (
     WaveState,
 )
 from catopt.model.motion import HARMONIC
+from catopt.units import UNITS, Dimension
 
 _UNITS = {"seabed_stiffness": "N/m^2"}
 """Of keys that are not written in the unit of their dimension."""
@@ -228,9 +229,20 @@ def _line(schema: type[Table], key: str, value: Any) -> str:
     unit = None
     if isinstance(entry.kind, Measured):
         unit = _UNITS.get(key, entry.kind.dimension.si_unit)
+    if key == "wear_rate":
+        return f"{key} = {_wear(value)}"
     if not entry.array:
         return f"{key} = {_written(value, unit)}"
     return _array(key, [_written(each, unit) for each in value])
+
+
+def _wear(rate: float) -> str:
+    """Write a rate of wear (m/s) in mm a year, where that reads back as the same number."""
+    unit = UNITS[Dimension.SPEED]["mm/year"]
+    per_year = float(f"{rate / unit:.15g}")
+    if per_year * unit == rate:
+        return _written(per_year, "mm/year")
+    return _written(rate, "m/s")
 
 
 def _written(value: Any, unit: str | None) -> str:

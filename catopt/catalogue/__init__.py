@@ -8,7 +8,7 @@ document; used only when asked for). Diameters are nominal and in m; all else is
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import cache
 
 from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue
@@ -16,6 +16,7 @@ from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Pr
 from catopt.catalogue.family import Family, Sizes
 from catopt.catalogue.figure import Figure, Source
 from catopt.catalogue.names import ComponentName
+from catopt.catalogue.searching import search
 from catopt.constants import SEA_WATER_DENSITY
 
 __all__ = [
@@ -155,69 +156,3 @@ def read_families(path: str | os.PathLike[str]) -> Catalogue:
 
     known = {s.key: s for f in standard().families for figure in f.figures for s in figure.sources}
     return reading.read_families(path, known)
-
-
-def search(
-    *,
-    MBL_at_least: float | None = None,
-    proof_load_at_least: float | None = None,
-    mass_at_most: float | None = None,
-    price_at_most: float | None = None,
-    diameter_at_least: float | None = None,
-    diameter_at_most: float | None = None,
-    family: str | Sequence[str] | None = None,
-    grade: str | Sequence[str] | None = None,
-    variants: Mapping[str, str] = NO_VARIANTS,
-    water_density: float = SEA_WATER_DENSITY,
-    allow_recalled: bool = False,
-    all_sizes: bool = False,
-    among: Catalogue | None = None,
-) -> tuple[Component, ...]:
-    """Find components, in the sizes that are sold, that meet every limit.
-
-    Parameters
-    ----------
-    MBL_at_least, proof_load_at_least : float, optional
-        N. The MBL is that in water, which for nylon is less than the dry one.
-    mass_at_most : float, optional
-        In air, kg/m.
-    price_at_most : float, optional
-        USD/m. A component without price does not meet it.
-    diameter_at_least, diameter_at_most : float, optional
-        Nominal, m.
-    family, grade : str or sequence of str, optional
-        Only these.
-    variants, water_density, allow_recalled
-        As for `component`; a family that lacks a variant keeps its default.
-    all_sizes : bool
-        Every size that meets the limits, instead of the smallest of each family and grade.
-    among : Catalogue, optional
-        Instead of catopt's own.
-
-    Returns
-    -------
-    tuple of Component
-        From the lightest in air to the heaviest; empty when there is none.
-
-    Raises
-    ------
-    InputError
-        With every problem of the limits, names and variants.
-    """
-    from catopt.catalogue.searching import search_in
-
-    return search_in(
-        among or standard(),
-        MBL_at_least=MBL_at_least,
-        proof_load_at_least=proof_load_at_least,
-        mass_at_most=mass_at_most,
-        price_at_most=price_at_most,
-        diameter_at_least=diameter_at_least,
-        diameter_at_most=diameter_at_most,
-        family=family,
-        grade=grade,
-        variants=variants,
-        water_density=water_density,
-        allow_recalled=allow_recalled,
-        all_sizes=all_sizes,
-    )

@@ -15,7 +15,7 @@ from catopt.catalogue.figure import CONFIDENCES, SPECS, Figure, Source, within
 from catopt.catalogue.formula import Formula, Rows
 from catopt.catalogue.formula_reading import read_formula
 from catopt.catalogue.table import Table
-from catopt.documents import parse_toml, read_text
+from catopt.documents import read_text
 from catopt.model.validity import Findings
 
 SCHEMA = "catopt.families/1"
@@ -62,11 +62,7 @@ def _parse(
     text: str, source: str, known: Mapping[str, Source]
 ) -> tuple[list[Family], dict[str, Source]]:
     """Read families, and the sources known after them."""
-    findings = Findings(source)
-    document = Table(parse_toml(text, source), "", findings)
-    document.only("schema", "sources", "family", "figure")
-    if document.text("schema") not in {SCHEMA, None}:
-        document.problem("schema", f'"{SCHEMA}" is wanted')
+    document, findings = Table.of_file(text, source, SCHEMA, ("sources", "family", "figure"))
     sources = {**known, **_sources(document)}
     drafts = [_draft(table, sources) for table in document.tables("family", required=False)]
     by_name = {draft.name: draft for draft in drafts if draft.name}

@@ -16,8 +16,7 @@ from catopt.units import as_written
 Condition = Callable[[Component], bool]
 
 
-def search_in(
-    catalogue: Catalogue,
+def search(
     *,
     MBL_at_least: float | None = None,
     proof_load_at_least: float | None = None,
@@ -31,8 +30,42 @@ def search_in(
     water_density: float = SEA_WATER_DENSITY,
     allow_recalled: bool = False,
     all_sizes: bool = False,
+    among: Catalogue | None = None,
 ) -> tuple[Component, ...]:
-    """Find components in the sizes that are sold; see `catopt.catalogue.search`."""
+    """Find components, in the sizes that are sold, that meet every limit.
+
+    Parameters
+    ----------
+    MBL_at_least, proof_load_at_least : float, optional
+        N. The MBL is that in water, which for nylon is less than the dry one.
+    mass_at_most : float, optional
+        In air, kg/m.
+    price_at_most : float, optional
+        USD/m. A component without price does not meet it.
+    diameter_at_least, diameter_at_most : float, optional
+        Nominal, m.
+    family, grade : str or sequence of str, optional
+        Only these.
+    variants, water_density, allow_recalled
+        As for `component`; a family that lacks a variant keeps its default.
+    all_sizes : bool
+        Every size that meets the limits, instead of the smallest of each family and grade.
+    among : Catalogue, optional
+        Instead of catopt's own.
+
+    Returns
+    -------
+    tuple of Component
+        From the lightest in air to the heaviest; empty when there is none.
+
+    Raises
+    ------
+    InputError
+        With every problem of the limits, names and variants.
+    """
+    from catopt.catalogue import standard
+
+    catalogue = among or standard()
     limits = {
         "MBL_at_least": (MBL_at_least, "N"),
         "proof_load_at_least": (proof_load_at_least, "N"),

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar
 
 from catopt.catalogue.names import meant, nearest
+from catopt.documents import parse_toml
 from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import LANGUAGES, Cited, Told
@@ -30,6 +31,30 @@ class Table:
         self.values = values
         self.path = path
         self._findings = findings
+
+    @classmethod
+    def of_file(
+        cls, text: str, source: str, schema: str, keys: Sequence[str]
+    ) -> tuple[Table, Findings]:
+        """Read the text of a file of one schema; note what is wrong with its top.
+
+        Parameters
+        ----------
+        text : str
+            TOML.
+        source : str
+            Name of the file, for messages.
+        schema : str
+            What stands under its key ``schema``.
+        keys : sequence of str
+            That may stand beside it.
+        """
+        findings = Findings(source)
+        table = cls(parse_toml(text, source), "", findings)
+        table.only("schema", *keys)
+        if table.text("schema") not in {schema, None}:
+            table.problem("schema", f'"{schema}" is wanted')
+        return table, findings
 
     def problem(self, key: str, allowed: str) -> None:
         """Note what is wrong with the value of a key."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from catopt.checks.criterion import CheckKind, Criterion, StrengthKind
@@ -16,7 +16,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, CatalogueChoice, Line, Segment, Service
 from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
-from catopt.words import Message
+from catopt.words import Cited, Message
 
 __all__ = ["AllowedTension", "Criteria", "Limits", "criteria_of"]
 
@@ -28,6 +28,8 @@ HORIZONTAL_PULL = CheckSource(
 )
 """A drag anchor holds against a horizontal pull, unless the case says how much uplift it takes."""
 
+
+_NO_TESTS = "leave it out, or name a code that judges by tests, such as DNV-OS-E301-2008-CC1"
 
 _INTACT: tuple[State, ...] = ("intact",)
 
@@ -150,6 +152,8 @@ class Criteria:
                 problems |= dict.fromkeys(error.problems)
                 continue
             found.append(strength)
+            if strength.tested is not None and not any(each.takes_tests for each in self.all):
+                problems[Problem(f"{key}.MBL_mean", f"{segment.MBL_mean:g} N", _NO_TESTS)] = None
             problems |= dict.fromkeys(self.lacking(strength, kinds, key, states))
         if problems:
             raise InputError(tuple(problems), "checks")
@@ -267,6 +271,8 @@ def allowed_by(
     factor = criterion.value
     if criterion.mean_factor is not None:
         factor = criterion.mean_factor * mean_share + criterion.value * (1.0 - mean_share)
+    if criterion.takes_tests and strength.tested is not None:
+        return strength.tested / factor
     return criterion.part * strength.need(criterion.of, key, wanted_by) / factor
 
 
@@ -285,7 +291,8 @@ def criteria_of(
     anchor_key : str
         Where its anchor stands, for messages.
     analysis : {"quasi-static", "dynamic"}
-        From which the tensions are: a code's factors for the other are not among the criteria.
+        From which the tensions are: a code's factors for the other are not among the criteria,
+        unless tensions are dynamic and it has none for them; those for lines at rest then hold.
 
     Raises
     ------
@@ -298,7 +305,7 @@ def criteria_of(
         criterion
         for each in profiles
         for criterion in each.criteria
-        if criterion.check != "tension" or criterion.analysis == analysis
+        if criterion.check != "tension" or criterion.analysis == _analysis_of(each, analysis)
     ]
     found = (
         *_own(case.checks),
@@ -312,6 +319,11 @@ def criteria_of(
         catalogue=case.catalogue,
         warnings=tuple(_notes(case.checks, profiles)),
     )
+
+
+def _analysis_of(profile: Profile, wanted: Analysis) -> Analysis:
+    """Return the analysis whose factors of a code are taken: that for motion, where it has any."""
+    return wanted if any(each.analysis == wanted for each in profile.criteria) else "quasi-static"
 
 
 def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:
@@ -356,10 +368,21 @@ def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Itera
     if anchor is None:
         return
     check: CheckKind = "sliding" if anchor.kind == "sinker" else "holding"
+    damaged = anchor.safety_factor_line_out
+    if damaged is not None:
+        yield Criterion(check, damaged, USER, states=("one_line_out",))
+    whole = tuple(state for state in STATES if damaged is None or state != "one_line_out")
     if anchor.safety_factor is not None:
-        yield Criterion(check, anchor.safety_factor, USER)
+        source = (
+            CheckSource("anchor", Cited(anchor.factor_source)) if anchor.factor_source else USER
+        )
+        yield Criterion(check, anchor.safety_factor, source, states=whole)
         return
-    factors = [criterion for criterion in coded if criterion.check == check]
+    factors = [
+        replace(each, states=tuple(state for state in each.states if state in whole))
+        for each in coded
+        if each.check == check
+    ]
     if not factors:
         allowed = f"missing; give the factor on {check}, or name a code that has one"
         raise InputError([Problem(f"{key}.safety_factor", "", allowed)], "checks")

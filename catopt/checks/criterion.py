@@ -76,6 +76,11 @@ class Criterion:
     analysis: Analysis = "quasi-static"
     note: str = ""
 
+    @property
+    def takes_tests(self) -> bool:
+        """Whether statistics of break tests take the place of a part of the MBL."""
+        return self.of == "MBL" and self.part != 1.0
+
     def is_for(self, line: LineKind | None) -> bool:
         """Whether it is for a kind of line; for one whose kind is not known every criterion is."""
         return line is None or line in self.lines

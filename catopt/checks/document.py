@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from catopt.checks.state import Place
     from catopt.model import LoadCase
 
-__all__ = ["check_document", "result_document", "verdict_document"]
+__all__ = ["check_document", "motion_document", "result_document", "verdict_document"]
 
 
 def check_document(report: CheckReport) -> dict[str, Any]:
@@ -42,6 +42,17 @@ def verdict_document(report: CheckReport) -> dict[str, Any]:
         "failed": len(report.failed),
         "passes": report.passes,
         "governing": None if found is None else result_document(found) | _place(found.place),
+        "warnings": list(report.warnings),
+    }
+
+
+def motion_document(report: CheckReport) -> dict[str, Any]:
+    """Build the checks of lines in motion as ``catopt verify --dynamic --json`` has them."""
+    governing = report.governing
+    return {
+        "passes": report.verdict,
+        "governing": None if governing is None else report.results.index(governing),
+        "checks": [result_document(each) | _place(each.place) for each in report.results],
         "warnings": list(report.warnings),
     }
 

@@ -26,7 +26,7 @@ from catopt.model.anchor import sinker_needed
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Measure, Message, Several
 
-__all__ = ["evaluate", "segment_words"]
+__all__ = ["evaluate", "evaluate_tension", "segment_words"]
 
 _STRENGTHS = {"MBL": "checks.MBL", "proof_load": "checks.proof_load"}
 _BY_ITSELF = Place()
@@ -84,23 +84,69 @@ def evaluate(
         A strength that a criterion needs is not known.
     """
     return tuple(
-        CheckResult(
-            name=found.name,
-            kind=check,
-            load_case=load_case,
-            demand=found.demand,
-            capacity=found.capacity,
-            unit=found.unit,
-            excess=found.excess,
-            source=criterion.source,
-            note=Several(part for part in (found.note, criterion.note) if part),
-            place=replace(place, segment=found.segment),
-        )
+        _result(check, criterion, found, load_case, place)
         for check in CHECK_KINDS
         if place.line is None or check != "buoyancy"
         for criterion, found in _measured(
             check, list(criteria.of(check, kind, place.state)), solution, strengths, anchor
         )
+    )
+
+
+def evaluate_tension(
+    criterion: Criterion,
+    segment: Segment,
+    strength: Strength,
+    tension: float,
+    *,
+    mean_share: float = 1.0,
+    load_case: str,
+    place: Place,
+) -> CheckResult:
+    """Check the tension of one segment by one criterion.
+
+    Parameters
+    ----------
+    criterion : Criterion
+        On a tension.
+    segment : Segment
+        The segment, and by `place` its number.
+    strength : Strength
+        Of the segment.
+    tension : float
+        The largest, N.
+    mean_share : float
+        The mean tension over the largest, from 0 to 1.
+    load_case : str
+        Its name.
+    place : Place
+        Line, state and segment.
+
+    Raises
+    ------
+    InputError
+        The strength is not known.
+    """
+    assert place.segment is not None
+    index = place.segment - 1
+    found = _tension(criterion, segment, index, strength, tension, mean_share)
+    return _result("tension", criterion, found, load_case, place)
+
+
+def _result(
+    check: CheckKind, criterion: Criterion, found: _Measured, load_case: str, place: Place
+) -> CheckResult:
+    return CheckResult(
+        name=found.name,
+        kind=check,
+        load_case=load_case,
+        demand=found.demand,
+        capacity=found.capacity,
+        unit=found.unit,
+        excess=found.excess,
+        source=criterion.source,
+        note=Several(part for part in (found.note, criterion.note) if part),
+        place=replace(place, segment=found.segment),
     )
 
 
@@ -116,7 +162,9 @@ def _measured(
         for index, strength in enumerate(strengths):
             for criterion in wanted:
                 if criterion.is_for(strength.kind):
-                    yield criterion, _tension(criterion, solution, index, strength)
+                    segment, largest = solution.line.segments[index], solution.segments[index]
+                    tension = largest.max_tension
+                    yield criterion, _tension(criterion, segment, index, strength, tension)
         return
     for criterion in wanted:
         yield criterion, _of_line(check, criterion.value, solution, anchor)
@@ -145,17 +193,28 @@ def _of_line(
             return _holding(value, solution, anchor)
 
 
-def _tension(criterion: Criterion, solution: Solution, index: int, strength: Strength) -> _Measured:
+def _tension(
+    criterion: Criterion,
+    segment: Segment,
+    index: int,
+    strength: Strength,
+    demand: float,
+    mean_share: float = 1.0,
+) -> _Measured:
     """Largest tension of a segment <= strength at the end of life / factor."""
-    demand = solution.segments[index].max_tension
-    capacity = allowed_by(criterion, strength, f"line.segments[{index}]")
+    capacity = allowed_by(criterion, strength, f"line.segments[{index}]", mean_share)
     assert criterion.of != ""
-    full = strength.need(criterion.of, "", "")
-    note = Message(_STRENGTHS[criterion.of], strength=Measure("MBL", full), factor=criterion.value)
-    if criterion.part != 1.0:
+    by_tests = criterion.takes_tests and strength.tested is not None
+    full = strength.tested if by_tests else strength.need(criterion.of, "", "")
+    said = "checks.tested" if by_tests else _STRENGTHS[criterion.of]
+    note = Message(said, strength=Measure("MBL", full or 0.0), factor=criterion.value)
+    if criterion.part != 1.0 and not by_tests:
         note = Message("checks.part_of", part=criterion.part, strength=note)
+    if criterion.mean_factor is not None:
+        values = {"factor": criterion.mean_factor, "share": mean_share}
+        note = Message("checks.on_the_mean", strength=note, **values)
     return _Measured(
-        Message("checks.tension", segment=segment_words(solution.line.segments[index], index)),
+        Message("checks.tension", segment=segment_words(segment, index)),
         demand,
         capacity,
         "N",

@@ -21,7 +21,6 @@ from catopt.checks.criterion import (
 from catopt.checks.line_kind import LINE_KINDS
 from catopt.checks.result import CheckSource
 from catopt.checks.state import ANALYSES, STATES
-from catopt.documents import parse_toml
 from catopt.model.checks import Checks
 from catopt.model.validity import Findings
 from catopt.units import as_written
@@ -129,11 +128,7 @@ def parse_profiles(text: str, source: str = "") -> tuple[Profile, ...]:
     InputError
         With every problem of the text.
     """
-    findings = Findings(source)
-    document = Table(parse_toml(text, source), "", findings)
-    document.only("schema", "profile")
-    if document.text("schema") not in {SCHEMA, None}:
-        document.problem("schema", f'"{SCHEMA}" is wanted')
+    document, findings = Table.of_file(text, source, SCHEMA, ("profile",))
     found = tuple(_profile(table) for table in document.tables("profile"))
     findings.raise_if_any()
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, NamedTuple
 
+from catopt.catalogue.figure import RECALLED
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import UPLIFT, Criteria
 from catopt.checks.evaluation import segment_words
@@ -13,7 +14,7 @@ from catopt.checks.strength import Strength
 from catopt.model import Anchor, Line
 from catopt.model.load_case import LoadCaseKind
 from catopt.ties import largest
-from catopt.words import Listed, Measure, Message
+from catopt.words import Listed, Measure, Message, term
 
 __all__ = [
     "IN_LOAD_CASE",
@@ -22,6 +23,7 @@ __all__ = [
     "in_load_case",
     "of_criteria",
     "of_other_states",
+    "of_transient",
     "of_uplift",
 ]
 
@@ -45,6 +47,9 @@ def of_criteria(criteria: Criteria, line: Line, strengths: Sequence[Strength]) -
     if not criteria.all:
         yield Message(NO_CHECK)
     yield from criteria.warnings
+    table = None if criteria.service is None else criteria.service.table
+    if table is not None and table.confidence == RECALLED:
+        yield Message("checks.wear_table_recalled", source=term(table.source))
     for index, strength in enumerate(strengths):
         covered = any(
             each.check == "tension" and each.is_for(strength.kind) for each in criteria.all
@@ -56,10 +61,21 @@ def of_criteria(criteria: Criteria, line: Line, strengths: Sequence[Strength]) -
 
 def of_other_states(criteria: Criteria) -> Iterator[Message]:
     """Say which codes are for one line out, too: a line by itself is not judged by that."""
-    damaged = (each for each in criteria.all if each.states == ("one_line_out",))
-    codes = dict.fromkeys(each.source.code for each in damaged)
+    yield from _only_for(criteria, "one_line_out", "checks.line_by_itself")
+    yield from of_transient(criteria)
+
+
+def of_transient(criteria: Criteria) -> Iterator[Message]:
+    """Say which codes have factors for the transient state: nothing at rest is judged by them."""
+    yield from _only_for(criteria, "transient", "checks.transient_not_judged")
+
+
+def _only_for(criteria: Criteria, state: State, said: str) -> Iterator[Message]:
+    """Name the codes that have criteria for one state alone."""
+    found = (each.source.code for each in criteria.all if each.states == (state,))
+    codes = tuple(dict.fromkeys(found))
     if codes:
-        yield Message("checks.line_by_itself", codes=Listed(codes, "and"))
+        yield Message(said, codes=Listed(codes, "and"))
 
 
 class Lifted(NamedTuple):

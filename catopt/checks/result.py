@@ -30,7 +30,8 @@ class CheckSource:
     Attributes
     ----------
     code : str
-        Name of the profile; ``"user"`` for the case's own numbers.
+        Name of the profile; ``"user"`` for the case's own numbers, ``"anchor"`` for the factor of
+        its anchor where the case says what that is from.
     document, clause : str
         What to open, and where in it; empty for the case's own numbers, which are then those of
         the case file.
@@ -135,6 +136,9 @@ class CheckReport:
         Those of the case, in the order of `solutions`; empty when its load alone was checked.
     places : tuple of Place
         Of a body: line and state of each of the `solutions`.
+    is_doubted : bool
+        Whether the demands are not borne out: of a run in time that was stopped or did not
+        converge.
     """
 
     title: str
@@ -143,11 +147,19 @@ class CheckReport:
     warnings: tuple[str, ...] = ()
     load_cases: tuple[LoadCase, ...] = ()
     places: tuple[Place, ...] = ()
+    is_doubted: bool = False
 
     @property
     def passes(self) -> bool:
         """Whether every check is passed."""
         return all(result.passes for result in self.results)
+
+    @property
+    def verdict(self) -> bool | None:
+        """Whether every check is passed; None where there is none, or all are but in doubt."""
+        if not self.results or (self.passes and self.is_doubted):
+            return None
+        return self.passes
 
     @property
     def governing(self) -> CheckResult | None:

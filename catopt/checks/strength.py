@@ -34,6 +34,9 @@ class Strength:
         At the end of the service life, as it hangs in water, N; None when not known.
     diameter, end_diameter : float or None
         Nominal, new and at the end of the service life, m; None when not known.
+    tested : float or None
+        Characteristic strength by break tests, at the end of the service life, N; None without
+        tests.
     note : str
         The wear in words; empty when there is none.
     missing : tuple of (str, str)
@@ -45,6 +48,7 @@ class Strength:
     proof_load: float | None
     diameter: float | None = None
     end_diameter: float | None = None
+    tested: float | None = None
     note: str = ""
     missing: tuple[tuple[str, str], ...] = ()
 
@@ -127,6 +131,7 @@ def strength_of(
         proof_load=_worn(proof_load, "proof_load", component, new, end),
         diameter=new,
         end_diameter=end,
+        tested=_worn(segment.tested_strength, "MBL", component, new, end),
         note=_note(new, end, segment, service),
         missing=tuple(each for each in lacks if each[0] in ("MBL", "proof_load")),
     )

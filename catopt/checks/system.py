@@ -6,11 +6,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from catopt.checks.criteria import HORIZONTAL_PULL, USER, Criteria, criteria_of
+from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
 from catopt.checks.criterion import Criterion
 from catopt.checks.evaluation import evaluate
 from catopt.checks.excess import buoyancy_excess
-from catopt.checks.remarks import Lifted, of_criteria, of_uplift
+from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.state import Place, State
 from catopt.model import Case
@@ -90,6 +90,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     warnings = (
         *(warning for told in lines.values() for warning in told),
         *_of_line_out(criteria, damaged, len(legs)),
+        *of_transient(criteria),
         *of_uplift((each for each, _ in solved), criteria, case.anchor),
         *report.solution.warnings,
     )
@@ -165,7 +166,7 @@ def _of_line_out(
         yield Message("checks.one_line" if lines == 1 else "checks.line_out_not_judged")
         return
     judging = {each.source.code for each in damaged}
-    coded = (each.source for each in criteria.all if each.source not in (USER, HORIZONTAL_PULL))
+    coded = (each.source for each in criteria.all if each.source.confidence is not None)
     for code in dict.fromkeys(source.code for source in coded):
-        if code not in judging:
+        if code not in (*judging, HORIZONTAL_PULL.code):
             yield Message("checks.intact_only", code=code)

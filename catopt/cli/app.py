@@ -66,7 +66,7 @@ def catopt(
 
 
 for _command in (solve, curve, design, check, verify, system, report, export, reproduce, new):
-    app.command()(_command if _command in (export, new) else in_units(_command))
+    app.command()(_command if _command in (export, new, reproduce) else in_units(_command))
 app.command("compile")(compile_all)
 app.add_typer(catalog)
 app.add_typer(loads)

@@ -293,8 +293,7 @@ def ship(
     }
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
         make = of.telling.make
-        areas = () if file else ("frontal_area", "lateral_area")
-        of.want("length", "breadth", "draught", "depth", *areas)
+        of.want("length", "breadth", "draught", "depth")
         own = make(in_si, given)
         make(refuse_needless, {} if weathervane else needless)
         turning = make(read_turning, current_yaw or "", own) if weathervane else None

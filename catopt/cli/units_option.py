@@ -49,8 +49,11 @@ def in_units(command: Command) -> Command:
     def in_wanted_units(*args: Any, units: ForceUnits | None = None, **options: Any) -> None:
         from catopt.render.units import UNITS
 
-        UNITS.set("" if units is None else units.value)
-        command(*args, **options)
+        before = UNITS.set("" if units is None else units.value)
+        try:
+            command(*args, **options)
+        finally:
+            UNITS.reset(before)
 
     own = inspect.signature(command, eval_str=True).parameters
     made = inspect.Parameter(

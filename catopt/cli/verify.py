@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
@@ -22,6 +22,7 @@ from catopt.words import say
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
+    from catopt.checks.result import CheckReport
     from catopt.cli.output import Output
     from catopt.model import Case
     from catopt.verify.dynamic_result import DynamicVerification
@@ -42,6 +43,13 @@ STOPPED = 4
 
 INTERRUPTED = 130
 """Of --dynamic: Ctrl-C; what was computed until then is printed and written."""
+
+
+class _Moved(NamedTuple):
+    """Lines in motion, and the checks of their tensions."""
+
+    found: DynamicVerification
+    checks: CheckReport
 
 
 def verify(
@@ -130,7 +138,7 @@ def verify(
     )
     check_settings(elements, tolerance, source="options", prefix="--")
     found: _Found
-    dynamic: DynamicVerification | None = None
+    dynamic: _Moved | None = None
     if every:
         _refuse(load_case, design, with_motion=with_motion)
         found = _front(case, output, elements, tolerance)
@@ -144,7 +152,8 @@ def verify(
         else:
             found = _case(read, output, load_case, elements, tolerance)
         proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
-        dynamic = _dynamic(read, output, load_case, proof, workers) if with_motion else None
+        if with_motion:
+            dynamic = _dynamic(read, output, load_case, proof, workers)
     if out is not None:
         from catopt.cli.result_files import write_result
 
@@ -154,12 +163,17 @@ def verify(
         output.json(_document(found, dynamic))
     else:
         _show(output, found, dynamic, lang.value)
-    _end(output, found, dynamic, lang, strict=strict)
+    _end(output, found, None if dynamic is None else dynamic.found, lang, strict=strict)
 
 
-def _document(found: _Found, dynamic: DynamicVerification | None) -> dict[str, Any]:
+def _document(found: _Found, dynamic: _Moved | None) -> dict[str, Any]:
     document = found.to_dict()
-    return document if dynamic is None else document | {"dynamic": dynamic.to_dict()}
+    if dynamic is None:
+        return document
+    from catopt.checks.document import motion_document
+
+    checks = motion_document(dynamic.checks)
+    return document | {"dynamic": dynamic.found.to_dict() | {"checks": checks}}
 
 
 def _answer(found: _Found) -> Answer:
@@ -171,9 +185,7 @@ def _answer(found: _Found) -> Answer:
     return verification_answer(found)
 
 
-def _show(
-    output: Output, found: _Found, dynamic: DynamicVerification | None, language: Language
-) -> None:
+def _show(output: Output, found: _Found, dynamic: _Moved | None, language: Language) -> None:
     """Print the line at rest, and below it the line in motion."""
     from catopt.render.terminal import show
 
@@ -181,13 +193,12 @@ def _show(
     if dynamic is not None:
         from catopt.answers.motion import motion_answer
 
-        answer = replace(answer, sections=(*answer.sections, *motion_answer(dynamic).sections))
+        moved = motion_answer(dynamic.found, dynamic.checks)
+        answer = replace(answer, sections=(*answer.sections, *moved.sections))
     show(output, answer, language)
 
 
-def _files(
-    found: _Found, dynamic: DynamicVerification | None, language: Language
-) -> dict[str, bytes]:
+def _files(found: _Found, dynamic: _Moved | None, language: Language) -> dict[str, bytes]:
     """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
     from catopt.render.files import files_of
     from catopt.render.plain import document_bytes
@@ -204,8 +215,8 @@ def _files(
     if dynamic is not None:
         from catopt.answers.motion import motion_answer
 
-        moved = motion_answer(dynamic, with_series=True)
-        files |= files_of(moved, None, language) | motion_pictures(dynamic)
+        moved = motion_answer(dynamic.found, dynamic.checks, with_series=True)
+        files |= files_of(moved, None, language) | motion_pictures(dynamic.found)
     return files
 
 
@@ -257,10 +268,12 @@ def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
 
     case = with_known_codes(read_case_or_design(path, design))
     if with_motion:
+        from catopt.checks.motion import check_strengths
         from catopt.verify.dynamic_setup import check_for_motion, read_drive
 
         check_for_motion(case)
         read_drive(case)
+        check_strengths(case)
     return case
 
 
@@ -277,11 +290,12 @@ def _case(
 
 def _dynamic(
     case: Case, output: Output, load_case: str | None, proof: Proof, workers: int | None
-) -> DynamicVerification:
+) -> _Moved:
+    from catopt.notes.motion import checks_in_motion
     from catopt.verify.dynamic import verify_dynamic
 
     with output.progress("Line in motion") as tell:
-        return verify_dynamic(
+        found = verify_dynamic(
             case,
             load_case=load_case,
             proof=proof,
@@ -289,6 +303,7 @@ def _dynamic(
             progress=tell,
             announce=lambda words: output.note(f"catopt: {words}"),
         )
+    return _Moved(found, checks_in_motion(found))
 
 
 def _case_of_front(directory: Path) -> Case:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from catopt.catalogue.names import nearest
 from catopt.catalogue.table import Table
-from catopt.documents import parse_toml, read_text
+from catopt.documents import read_text
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.validity import Findings
@@ -83,11 +83,7 @@ def parse_buoys(text: str, source: str = "") -> tuple[BuoyShape, ...]:
     InputError
         With every problem of the text.
     """
-    findings = Findings(source)
-    file = Table(parse_toml(text, source), "", findings)
-    file.only("schema", "origin", "buoy")
-    if file.text("schema") not in {SCHEMA, None}:
-        file.problem("schema", f'"{SCHEMA}" is wanted')
+    file, findings = Table.of_file(text, source, SCHEMA, ("origin", "buoy"))
     origin = file.text("origin", required=False) or "the user's own"
     read = [_read(table, origin, findings) for table in file.tables("buoy")]
     found = tuple(shape for shape in read if shape is not None)

@@ -28,6 +28,10 @@ class Anchor:
         Ultimate horizontal holding capacity of a drag anchor, N; None for a sinker.
     safety_factor : float or None
         On sliding or on the holding capacity; None: that of the codes that are checked.
+    safety_factor_line_out : float or None
+        The same with one line of a body out; None: as for the intact mooring.
+    factor_source : str
+        Document and place that `safety_factor` is from; empty for the user's own number.
     mass : float or None
         In air, kg; None when not known.
     """
@@ -37,6 +41,8 @@ class Anchor:
     friction: float | None = None
     holding_capacity: float | None = None
     safety_factor: float | None = None
+    safety_factor_line_out: float | None = None
+    factor_source: str = ""
     mass: float | None = None
 
     def __post_init__(self) -> None:
@@ -58,8 +64,10 @@ class Anchor:
                     found.number(key, value, unit, above=0.0)
             elif value is not None:
                 found.add(key, f"{value:g}", f"does not go with a {noun}; leave it out")
-        found.numbers(self, "", "safety_factor", at_least=1.0)
+        found.numbers(self, "", "safety_factor", "safety_factor_line_out", at_least=1.0)
         found.numbers(self, "kg", "mass", above=0.0)
+        if self.factor_source and self.safety_factor is None:
+            found.add("factor_source", "", "goes with safety_factor, which is missing")
         found.raise_if_any()
 
 

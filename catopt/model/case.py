@@ -181,9 +181,10 @@ class Case:
                     "site.seabed_slope": self.site.seabed_slope,
                 }
             )
-        factor = self.checks.safety_factor_line_out
-        if factor is not None and self.system is None:
-            found.add("checks.safety_factor_line_out", f"{factor:g}", NEEDS_SEVERAL_LINES)
+        for part, of in (("checks", self.checks), ("anchor", self.anchor)):
+            factor = None if of is None else of.safety_factor_line_out
+            if factor is not None and self.system is None:
+                found.add(f"{part}.safety_factor_line_out", f"{factor:g}", NEEDS_SEVERAL_LINES)
         found.problems += dynamics_misfits(
             [k for k in _FOR_MOTION if getattr(self, k) is not None],
             list(self._given_for_motion()),

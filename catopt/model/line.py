@@ -3,14 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Final
 
-from catopt.errors import InputError
+from catopt.errors import InputError, Problem
 from catopt.model.drag_method import DRAG_METHODS, DragMethod, drag_misfits
 from catopt.model.validity import Findings
 from catopt.model.wear import WEAR_ZONES
+
+HIGHEST_COV: Final = 0.25
+"""Coefficient of variation from which c (3 - 6 c) falls: more scatter would make more strength."""
+
+
+TESTS: Final = ("MBL_mean", "MBL_cov")
+"""Statistics of break tests."""
+
+
+def break_test_misfits(given: Collection[str]) -> list[Problem]:
+    """List which of the statistics of break tests is missing beside the other."""
+    missing = [key for key in TESTS if key not in given]
+    if len(missing) != 1:
+        return []
+    return [Problem(missing[0], "", "missing; MBL_mean and MBL_cov go together")]
 
 
 @dataclass(frozen=True)
@@ -60,6 +76,9 @@ class Segment:
         diameter.
     wake_amplification : float or None
         Factor psi on the drag of a steady flow; None: by the KC, below 12.
+    MBL_mean, MBL_cov : float or None
+        Mean (N) and coefficient of variation of the breaking loads of a series of tests; None when
+        not known.
     """
 
     length: float
@@ -83,6 +102,8 @@ class Segment:
     roughness: float | None = None
     keulegan_carpenter: float | None = None
     wake_amplification: float | None = None
+    MBL_mean: float | None = None
+    MBL_cov: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Segment")
@@ -90,7 +111,9 @@ class Segment:
         found.number("submerged_weight", self.submerged_weight, "N/m")
         found.number("EA", self.EA, "N", above=0.0, infinite=True)
         found.numbers(self, "kg/m", "mass", at_least=0.0)
-        found.numbers(self, "N", "MBL", above=0.0)
+        found.numbers(self, "N", "MBL", "MBL_mean", above=0.0)
+        found.numbers(self, "", "MBL_cov", at_least=0.0, at_most=HIGHEST_COV)
+        found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
         found.numbers(self, "m", "nominal_diameter", above=0.0)
         found.numbers(self, "N", "proof_load", above=0.0)
         found.numbers(self, "USD/m", "price", at_least=0.0)
@@ -99,6 +122,16 @@ class Segment:
             found.add("wear_zone", f'"{self.wear_zone}"', "one of " + ", ".join(WEAR_ZONES))
         self._check_drag(found)
         found.raise_if_any()
+
+    @property
+    def tested_strength(self) -> float | None:
+        """Characteristic strength by tests, mu (1 - c (3 - 6 c)) (DNV-OS-E301, 2008, C), N.
+
+        None without tests.
+        """
+        if self.MBL_mean is None or self.MBL_cov is None:
+            return None
+        return self.MBL_mean * (1.0 - self.MBL_cov * (3.0 - 6.0 * self.MBL_cov))
 
     def _check_drag(self, found: Findings) -> None:
         found.numbers(self, "m", "drag_diameter", above=0.0)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -16,7 +15,6 @@ def allowed_tensions(
     checks: CheckReport,
     solution: Solution,
     load_case: str = "",
-    without: Collection[str] = (),
 ) -> list[float | None]:
     """Find the least tension that each segment is allowed, N.
 
@@ -31,8 +29,6 @@ def allowed_tensions(
         Its segments.
     load_case : str
         Name of the load case; empty where there is only the load.
-    without : collection of str
-        Codes whose checks are left out.
     """
     found: list[float | None] = []
     for index, segment in enumerate(solution.segments, start=1):
@@ -42,7 +38,6 @@ def allowed_tensions(
             if result.kind == "tension"
             and (result.load_case == load_case or not load_case)
             and result.place.segment == index
-            and result.source.code not in without
         ]
         if checked:
             found.append(min(checked))

@@ -3,26 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from catopt.checks.criteria import allowed_by, criteria_of
+from catopt.catenary.case import solve_case
+from catopt.checks.criteria import criteria_of
+from catopt.checks.motion import LineInMotion, check_motion
+from catopt.mooring.solve import solve_system
 from catopt.notes.capacity import allowed_tensions
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
+from catopt.units import lasting
+from catopt.verify.case import load_states
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.checks.criteria import Criteria
-    from catopt.checks.criterion import Criterion
     from catopt.checks.result import CheckReport
-    from catopt.model import Case
+    from catopt.model import Case, Line
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Drive
     from catopt.verify.proof import Proof
 from catopt.words import Measure, Message
 
-__all__ = ["InMotion", "SegmentUse", "in_motion", "motion_files", "motion_warnings"]
+__all__ = [
+    "InMotion",
+    "SegmentUse",
+    "checks_in_motion",
+    "in_motion",
+    "motion_files",
+    "motion_warnings",
+]
 
 Progress = Callable[[int, int], None]
 
@@ -40,8 +50,8 @@ class SegmentUse:
     largest, at_rest : float
         Tension in motion, at an end or in a bar, and in closed form at rest, N.
     capacity : float or None
-        Least tension that is allowed, N: by the factors that codes have for dynamic analysis, else
-        by the checks at rest, or the MBL over the safety factor.
+        Least tension that is allowed, N, by `checks_in_motion`; without any, the MBL over the
+        safety factor.
     """
 
     number: int
@@ -121,53 +131,101 @@ def in_motion(
     found = verify_dynamic(case, proof=proof, progress=progress)
     at_rest = dict(checks.solutions)
     solutions = tuple(at_rest[part.name] for part in found.parts)
-    criteria = criteria_of(case, analysis="dynamic")
-    kinds = {state.name: state.kind for state in case.load_cases}
-    uses = []
-    for part, solution in zip(found.parts, solutions, strict=True):
-        wanted = criteria.of("tension", kinds.get(part.name, "extreme"))
-        dynamic = [each for each in wanted if each.analysis == "dynamic"]
-        uses.append(tuple(_uses(part, solution, checks, criteria, dynamic)))
-    codes = dict.fromkeys(e.source.code for e in criteria.all if e.analysis == "dynamic")
-    return InMotion(found, drive, tuple(uses), solutions, tuple(codes))
-
-
-def _uses(
-    part: DynamicPart,
-    solution: Solution,
-    checks: CheckReport,
-    criteria: Criteria,
-    dynamic: Sequence[Criterion],
-) -> Iterator[SegmentUse]:
-    """Yield what each segment carries: the largest of its bars, and of its end where it is held.
-
-    The mean of a tension in motion is that at rest.
-    """
-    import numpy as np
-
-    high = np.fmax.reduce([run.history.max_tension for run in part.runs])
-    arc = part.runs[0].history.arc
-    allowed = allowed_tensions(
-        checks, solution, part.name, without={each.source.code for each in dynamic}
+    made = checks_in_motion(found, solutions)
+    uses = tuple(
+        tuple(_uses(part, solution, made))
+        for part, solution in zip(found.parts, solutions, strict=True)
     )
-    ends = {0: part.of("anchor_tension").maximum}
-    last = len(solution.segments) - 1
-    ends[last] = max(ends.get(last, 0.0), part.of("fairlead_tension").maximum)
+    wanted = criteria_of(case, analysis="dynamic").all
+    codes = dict.fromkeys(each.source.code for each in wanted if each.analysis == "dynamic")
+    return InMotion(found, drive, uses, solutions, tuple(codes))
+
+
+def checks_in_motion(
+    found: DynamicVerification, at_rest: Sequence[Solution] | None = None
+) -> CheckReport:
+    """Check what came of a case in motion, by `check_motion`.
+
+    The mean tension of a segment is its largest at rest, under the mean loads.
+
+    Parameters
+    ----------
+    found : DynamicVerification
+        All its load cases, or all lines of its body.
+    at_rest : sequence of Solution, optional
+        By its parts; solved here when left out. On a bed that slopes there is none.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError, NotConvergedError
+        As for `check_case`.
+    """
+    solved = _at_rest(found) if at_rest is None else at_rest
+    lines = []
+    for part, solution in zip(found.parts, solved, strict=True):
+        line = found.case.line if solution is None else solution.line
+        mean = None if solution is None else tuple(e.max_tension for e in solution.segments)
+        largest = tuple(_largest(part, line))
+        lines.append(LineInMotion(line, largest, mean, part.name, part.line))
+    report = check_motion(found.case, lines)
+    if report.results:
+        report = replace(report, warnings=(*report.warnings, *_beyond_the_runs(found.parts)))
+    if found.verdict == "not converged" or not found.is_complete:
+        doubt = Message("checks.motion_doubted")
+        return replace(report, is_doubted=True, warnings=(doubt, *report.warnings))
+    return report
+
+
+def _beyond_the_runs(parts: Sequence[DynamicPart]) -> Iterator[Message]:
+    """Say where the storm is likely to bring more than the runs that are judged."""
+    for part in parts:
+        fairlead = part.of("fairlead_tension")
+        probable = fairlead.most_probable_maximum
+        if probable is not None and probable > fairlead.maximum:
+            yield Message(
+                "checks.motion_probable",
+                where=part.where,
+                largest=Measure("tension", fairlead.maximum),
+                probable=Measure("tension", probable),
+                time=lasting(part.duration_of_interest),
+            )
+
+
+def _at_rest(found: DynamicVerification) -> Sequence[Solution | None]:
+    """Solve every line at rest, in closed form; none on a bed that slopes."""
+    case = found.case
+    if case.site.seabed_slope != 0.0:
+        return [None] * len(found.parts)
+    if case.system is not None:
+        return [each.solution for each in solve_system(case.system).lines]
+    states = dict(load_states(case, None))
+    return [solve_case(states[part.name]) for part in found.parts]
+
+
+def _largest(part: DynamicPart, line: Line) -> Iterator[float]:
+    """Yield the largest tension of each segment: of its bars, and of its end where it is held."""
+    envelope = part.envelope
+    last = len(line.segments) - 1
     start = 0.0
-    for index, (segment, capacity) in enumerate(zip(solution.segments, allowed, strict=True)):
+    for index, segment in enumerate(line.segments):
         end = start + segment.length
-        of_bars = high[(arc >= start) & (arc <= end)]
-        largest = float(np.fmax.reduce(of_bars, initial=ends.get(index, 0.0)))
-        key, part_of = f"line.segments[{index}]", solution.line.segments[index]
-        share = min(1.0, segment.max_tension / largest) if largest > 0.0 else 1.0
-        strength = criteria.strength(part_of, key) if dynamic else None
-        limits = [] if capacity is None else [capacity]
-        if strength is not None:
-            wanted = (each for each in dynamic if each.is_for(strength.kind))
-            limits += (allowed_by(each, strength, key, share) for each in wanted)
-        least = min(limits, default=None)
-        yield SegmentUse(index + 1, segment.name, largest, segment.max_tension, least)
+        of_bars = envelope.largest[(envelope.arc >= start) & (envelope.arc <= end)]
+        largest = max(of_bars, default=0.0)
+        if index == 0:
+            largest = max(largest, part.of("anchor_tension").maximum)
+        if index == last:
+            largest = max(largest, part.of("fairlead_tension").maximum)
+        yield float(largest)
         start = end
+
+
+def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[SegmentUse]:
+    """Yield what each segment carries beside what the checks of its tension allow."""
+    allowed = allowed_tensions(made, solution, part.name)
+    largest = _largest(part, solution.line)
+    every = zip(solution.segments, largest, allowed, strict=True)
+    for number, (segment, carried, capacity) in enumerate(every, start=1):
+        yield SegmentUse(number, segment.name, carried, segment.max_tension, capacity)
 
 
 def motion_warnings(moved: InMotion) -> Iterator[str]:

@@ -164,7 +164,7 @@ def _trail(sheet: Sheet, block: Trail, language: Language) -> None:
 
 
 def _of(quantity: Quantity, si: float | None) -> Cell:
-    return None if si is None else Number(quantity.to_field(si), _pattern(quantity))
+    return None if si is None else Number(quantity.in_files(si), _pattern(quantity))
 
 
 def _facts(sheet: Sheet, block: Facts, title: str, language: Language) -> int:

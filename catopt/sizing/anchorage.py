@@ -198,5 +198,6 @@ class DragGround:
             kind="drag",
             holding_capacity=size.capacity.capacity,
             safety_factor=size.safety_factor,
+            factor_source="" if size.factor_source is None else size.factor_source.text,
             mass=size.mass,
         )

@@ -85,6 +85,8 @@ SEGMENTS = st.one_of(
         Segment,
         length=LENGTHS,
         submerged_weight=ANY,
+        MBL_mean=POSITIVE,
+        MBL_cov=st.just(0.0) | st.floats(1e-6, 0.25),
         mass=NOT_NEGATIVE,
         drag_diameter=POSITIVE,
         added_mass_axial=st.none() | NOT_NEGATIVE,
@@ -146,7 +148,8 @@ ANCHORS = st.one_of(
         Anchor,
         kind=st.just("drag"),
         holding_capacity=POSITIVE,
-        safety_factor=st.none() | FACTOR,
+        safety_factor=FACTOR,
+        factor_source=TEXT,
         mass=st.none() | POSITIVE,
     ),
 )

@@ -133,6 +133,9 @@ BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
     (FindTable, "quantity"): {"anchor_angle": 0.0},
     (FindTable, "segment"): {"anchor_angle": 0.0},
     (FindTable, "point_load"): {"quantity": "clump_weight", "anchor_angle": 0.0},
+    (AnchorTable, "factor_source"): {"safety_factor": 1.5},
+    (SegmentTable, "MBL_mean"): {"MBL_cov": 0.05},
+    (SegmentTable, "MBL_cov"): {"MBL_mean": 2e5},
     (AnchorTable, "holding_capacity"): {
         "kind": "drag",
         "submerged_weight": None,
@@ -191,6 +194,7 @@ NARROWER = {
     (SegmentChoiceTable, "components"),
     (ChecksTable, "codes"),
     (CatalogueTable, "file"),
+    (AnchorTable, "factor_source"),
     (MotionTable, "file"),
     (AnchorMotionTable, "file"),
     *((MotionTable, f"rao_{end}") for end in ("file", "phase", "rotation", "per")),

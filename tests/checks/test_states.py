@@ -105,6 +105,32 @@ def test_what_went_into_the_capacity_says_the_part_of_the_strength() -> None:
     assert only(asking(checks=by("DNV-OS-E301-2008-CC1"))).note == "0.95 MBL 200 kN / 1.7"
 
 
+def test_break_tests_take_the_place_of_a_part_of_the_mbl() -> None:
+    """A mean of 210 kN, c = 0.05: 210 (1 - 0.05 (3 - 0.3)) = 210 * 0.865 = 181.65 kN.
+
+    50 kN by 1.7: 50 * 1.7 / 181.65 = 0.468, beside 50 * 1.7 / 190 = 0.447 by 0.95 MBL; worn from
+    100 to 90 mm, times 0.81.
+    """
+    tested = replace(PLAIN, MBL=None, MBL_mean=210e3, MBL_cov=0.05)
+    case = asking(checks=by("DNV-OS-E301-2008-CC1"), line=Line([tested]))
+    result = only(case)
+    assert result.capacity == pytest.approx(181.65e3 / 1.7, rel=CLOSE)
+    assert result.utilisation == pytest.approx(50.0 * 1.7 / 181.65, rel=CLOSE)
+    assert "by break tests" in str(result.note)
+    worn = only(replace(case, service=Service(life=10.0, wear_rate=1e-3)))
+    assert worn.capacity == pytest.approx(0.81 * 181.65e3 / 1.7, rel=CLOSE)
+
+
+def test_break_tests_that_no_code_takes_are_refused() -> None:
+    tested = Line([replace(PLAIN, MBL_mean=210e3, MBL_cov=0.05)])
+    with pytest.raises(InputError, match=r"line\.segments\[0\]\.MBL_mean: found 210000 N; leave"):
+        check_case(asking(checks=by("API-RP-2SK"), line=tested))
+    with pytest.raises(InputError, match="MBL_cov: missing; MBL_mean and MBL_cov go together"):
+        replace(PLAIN, MBL_mean=210e3)
+    with pytest.raises(InputError, match=r"MBL_cov: found 0\.3"):
+        replace(PLAIN, MBL_mean=210e3, MBL_cov=0.3)
+
+
 def test_factors_for_dynamic_analysis_are_on_no_tension_at_rest() -> None:
     for code in ALONE:
         case = asking(checks=by(code, allow_recalled=True))
@@ -194,6 +220,16 @@ def test_a_code_without_a_factor_for_one_line_out_judges_the_intact_body_and_say
     )
 
 
+def test_the_transient_state_is_not_judged_at_rest_and_that_is_said() -> None:
+    """API RP 2SK has 1.18 and 1.05 for it; E301 has nothing."""
+    by_both = by("API-RP-2SK", "DNV-OS-E301-2008-CC1")
+    for case in (body(checks=by_both), asking(checks=by_both)):
+        told = [str(e) for e in check_case(case).warnings if "the transient state" in e]
+        assert len(told) == 1
+        assert told[0].startswith("API-RP-2SK: the transient state, while a line parts, is not")
+    assert not any("transient" in e for e in check_case(body(checks=by("break/5"))).warnings)
+
+
 def test_a_body_that_cannot_do_without_its_line_fails_by_the_codes_for_that() -> None:
     """H = 60 kN on one line: T = 80 kN, 80 * 1.7 / 190 = 0.716 intact."""
     report = check_case(body(1, by("DNV-OS-E301-2008-CC1")))
@@ -245,6 +281,33 @@ def test_wear_anchor_span_and_buoyancy_of_every_line() -> None:
     assert used["span", "one_line_out"] == pytest.approx(out / 60.0, rel=1e-8)
     uplift = [each for each in report.results if each.kind == "uplift_angle"]
     assert [each.passes for each in uplift] == [True] * 4
+
+
+def test_a_factor_of_the_anchor_for_one_line_out() -> None:
+    """90 kN with 1.5 intact and 1.2 with a line out: 30 * 1.5 / 90 and 60 * 1.2 / 90."""
+    anchor = Anchor("drag", holding_capacity=90e3, safety_factor=1.5, safety_factor_line_out=1.2)
+    case = replace(body(checks=Checks(safety_factor=2.0)), anchor=anchor)
+    report = check_case(case)
+    used = {e.place.state: e.utilisation for e in report.results if e.kind == "holding"}
+    assert used == pytest.approx({"intact": 0.5, "one_line_out": 0.8}, rel=SOLVED)
+    coded = replace(case, checks=by("UFC-4-159-03"), anchor=replace(anchor, safety_factor=None))
+    held = [e for e in check_case(coded).results if e.kind == "holding"]
+    assert next((e.place.state, e.source.code) for e in held) == ("intact", "UFC-4-159-03")
+    assert {e.place.state for e in held[2:]} == {"one_line_out"}
+    with pytest.raises(InputError, match=r"anchor\.safety_factor_line_out: found 1\.2; leave it"):
+        asking(anchor=anchor)
+
+
+def test_a_factor_of_the_anchor_is_cited_by_what_it_is_from() -> None:
+    anchor = Anchor(
+        "drag", holding_capacity=90e3, safety_factor=1.5, factor_source="UFC 4-159-03, table 3-7"
+    )
+    for told, wanted in ((anchor, "UFC 4-159-03, table 3-7"),
+                         (replace(anchor, factor_source=""), "case file")):  # fmt: skip
+        (held,) = [e for e in check_case(asking(anchor=told)).results if e.kind == "holding"]
+        assert str(held.source.text) == wanted
+    with pytest.raises(InputError, match="goes with safety_factor, which is missing"):
+        replace(anchor, safety_factor=None)
 
 
 def test_keys_that_a_body_cannot_keep_are_refused_as_those_of_a_line() -> None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from catopt import check_case
 from catopt.casefile import parse_case
 from catopt.casefile.writing import write_case
 from catopt.checks.strength import strength_of
@@ -67,6 +68,24 @@ def test_a_recalled_table_says_so() -> None:
     worn = strength_of(CHAIN, replace(BY_S4, wear_table="tropical"))
     assert worn.end_diameter == pytest.approx(0.085, rel=1e-12)
     assert "RECALLED" in say(worn.note, "en")
+
+
+def test_a_recalled_table_is_among_the_warnings() -> None:
+    for table, count in (("tropical", 1), ("S4", 0)):
+        text = CASE.replace('"S4"', f'"{table}"') + "[checks]\nsafety_factor = 2.0\n"
+        case = parse_case(text)
+        told = [str(each) for each in check_case(case).warnings if "wear_table" in each]
+        assert len(told) == count
+        assert all("tropical waters are RECALLED, read in no document" in each for each in told)
+
+
+def test_a_rate_of_wear_is_written_in_mm_a_year() -> None:
+    text = CASE.replace('wear_table = "S4"', 'wear_rate = "0.4 mm/year"').replace(
+        'wear_zone = "bottom"', ""
+    )
+    written = write_case(parse_case(text))
+    assert 'wear_rate = "0.4 mm/year"' in written
+    assert parse_case(written) == parse_case(text)
 
 
 def test_steel_without_zone_or_rate_of_its_own_is_refused() -> None:

@@ -155,6 +155,15 @@ def test_a_ship_by_its_deadweight(run: Run) -> None:
     assert any("estimated from the deadweight" in said for said in found["warnings"])
 
 
+def test_areas_that_are_left_out_are_estimated_and_that_is_said(run: Run) -> None:
+    """The table's tanker is 16.4 m deep: (16.4 - 12.6 + 15) 32.2 = 605.4 m2 from ahead."""
+    ship = ("--dwt", "50000 t", "--depth", "20 m", "--wind", "20 m/s")
+    ran = run("loads", "ship", *ship)
+    assert ran.status == 0
+    assert "An = 605.4 m2" in ran.out
+    assert "Estimated: a deckhouse as wide as the ship" in " ".join(ran.out.split())
+
+
 def test_the_worst_and_the_largest_are_said_in_the_units_that_are_asked_for(run: Run) -> None:
     named = ("--load-method", "UFC-Blendermann", "--load-method", "22TCN-222-95")
     shown = run(

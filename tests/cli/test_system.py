@@ -145,7 +145,8 @@ def test_the_files(run: Run, tmp_path: Path) -> None:
     assert ran.status == 0, ran.err
     assert sorted(path.name for path in out.iterdir()) == [
         "body.csv", "case.toml", "held_1_forces.csv", "held_1_load.csv", "held_1_moments.csv",
-        "held_2_forces.csv", "held_2_load.csv", "held_2_moments.csv", "line_out.csv", "lines.csv", "plan.png", "plan.svg",
+        "held_2_forces.csv", "held_2_load.csv", "held_2_moments.csv", "line_out.csv",
+        "lines.csv", "plan.png", "plan.svg",
         "restoring.png", "restoring.svg", "restoring_1.csv", "restoring_2.csv", "system.json",
         "system.xlsx",
         "watch_circle.csv", "watch_circle.png", "watch_circle.svg", "water_levels.csv",

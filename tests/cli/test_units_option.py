@@ -56,6 +56,17 @@ def test_the_setting_of_the_user_holds_and_an_option_goes_before_it(
     assert "'stone' is not one of 'tf', 'kN', 'si'" in ran.err
 
 
+def test_published_figures_stay_in_the_units_in_which_they_are_printed(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ran = run("reproduce", "load_sharing", "--units", "tf")
+    assert ran.status == 2
+    assert "No such option" in ran.err
+    usual = run("reproduce", "load_sharing").out
+    monkeypatch.setenv("CATOPT_UNITS", "tf")
+    assert run("reproduce", "load_sharing").out == usual
+
+
 def test_one_run_leaves_no_units_to_the_next(run: Run) -> None:
     usual = run("solve", BUOY).out
     run("solve", BUOY, "--units", "tf")

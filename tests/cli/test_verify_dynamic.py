@@ -65,6 +65,57 @@ def test_the_document_and_the_files(run: Run, moving: Path, tmp_path: Path) -> N
     assert (out / "dynamic.svg").stat().st_size > 0
 
 
+CODED = (
+    CHAIN_IN_MOTION.replace('mass = "130 kg/m"', 'mass = "130 kg/m"\nMBL = "3000 kN"')
+    + '[checks]\ncodes = ["API-RP-2SK"]\n'
+)
+
+
+def test_codes_judge_the_tensions_by_their_factors_for_motion(run: Run, tmp_path: Path) -> None:
+    """By 1.67, in every face."""
+    path, out = tmp_path / "coded.toml", tmp_path / "out"
+    path.write_text(CODED, encoding="utf-8")
+    found = document(run("verify", path, "--dynamic", "--json", "--out", out).out)["dynamic"]
+    (made,) = found["checks"]["checks"]
+    largest = found["load_cases"][0]["max_tension_N"]
+    assert made["demand"] == largest
+    assert made["utilisation"] == pytest.approx(1.67 * largest / 3000e3, rel=1e-12)
+    assert found["checks"]["passes"] is True
+    assert (made["state"], made["code"]) == ("intact", "API-RP-2SK")
+    with (out / "dynamic_checks.csv").open(newline="", encoding="utf-8") as file:
+        (row,) = csv.DictReader(file)
+    assert float(row["Demand (unit of the row)"]) == pytest.approx(largest / 1e3, rel=1e-9)
+    assert row["Code"] == "API-RP-2SK"
+    printed = run("verify", path, "--dynamic", "--lang", "vi").out
+    assert "Kiểm tra lực căng khi chuyển động" in printed
+    assert "Checks of" not in printed
+
+
+def test_a_case_without_codes_says_so(run: Run, moving: Path) -> None:
+    ran = run("verify", moving, "--dynamic", "--json")
+    checks = document(ran.out)["dynamic"]["checks"]
+    assert (checks["passes"], checks["checks"]) == (None, [])
+    assert checks["warnings"] == [
+        "no code is named in [checks] codes: no code judges the tensions in motion"
+    ]
+
+
+def test_more_that_the_storm_is_likely_to_bring_is_said(run: Run, tmp_path: Path) -> None:
+    """A random sea of 60 s, judged by its own largest tension; 3 h bring more."""
+    sea = '[waves]\nspectrum = "jonswap"\nheight = "2 m"\nperiod = "8 s"\ndirection = "180 deg"\n'
+    path = tmp_path / "sea.toml"
+    still = '[motion]\nperiod = "8 s"\nsurge = "0.5 m"\n'
+    assert still in CODED
+    path.write_text(CODED.replace(still, sea).replace('"24 s"', '"2 min"'), encoding="utf-8")
+    found = document(run("verify", path, "--dynamic", "--once", "--json").out)["dynamic"]
+    fairlead = found["load_cases"][0]["quantities"][0]
+    said = [each for each in found["checks"]["warnings"] if "the most probable one" in each]
+    assert fairlead["most_probable_max"] > fairlead["max"]
+    (told,) = said
+    assert told.startswith("load case load: the largest tension at the fairlead of the runs")
+    assert f"{fairlead['most_probable_max'] / 1e3:.3f} kN" in told
+
+
 def test_a_case_at_rest_says_what_it_lacks(run: Run) -> None:
     ran = run("verify", BUOY, "--dynamic")
     assert ran.status == 2

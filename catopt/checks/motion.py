@@ -1,0 +1,162 @@
+"""Check the tensions of lines in motion, by the factors that codes have for such tensions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from catopt.checks.criteria import USER, Criteria, criteria_of
+from catopt.checks.evaluation import evaluate_tension
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.state import Place, State
+from catopt.model import Case, Line
+from catopt.model.load_case import LoadCaseKind
+from catopt.words import Listed, Message
+
+__all__ = ["LineInMotion", "check_motion", "check_strengths"]
+
+
+@dataclass(frozen=True)
+class LineInMotion:
+    """The tensions of a line that was run in time.
+
+    Attributes
+    ----------
+    line : Line
+        Its segments from the anchor to the fairlead.
+    largest : tuple of float
+        Largest tension of each segment, N.
+    mean : tuple of float or None
+        Mean tension of each, that under the mean loads, N; None where it is not known, and the
+        whole then takes the factor on what is dynamic.
+    load_case : str
+        Name of the load case.
+    number : int or None
+        Of a body with several lines: which, from 1.
+    """
+
+    line: Line
+    largest: tuple[float, ...]
+    mean: tuple[float, ...] | None
+    load_case: str
+    number: int | None = None
+
+
+def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
+    """Check lines in motion by the numbers of a case and the factors of the codes it names.
+
+    A code's factors for dynamic analysis are taken; where it has none, those for lines at rest. A
+    run in which a line breaks is judged by what is for the transient state, and the broken line
+    not at all.
+
+    Parameters
+    ----------
+    case : Case
+        Its checks, service and load cases.
+    lines : sequence of LineInMotion
+        Every line under every load case.
+
+    Raises
+    ------
+    InputError
+        As for `check_case`.
+    """
+    criteria = criteria_of(case, analysis="dynamic")
+    broken = _broken(case)
+    state: State = "intact" if broken is None else "transient"
+    judged = [each for each in lines if broken is None or (each.number or broken) != broken]
+    kinds = {each.name: each.kind for each in case.load_cases}
+    results: list[CheckResult] = []
+    for moved in judged:
+        kind = kinds.get(moved.load_case, "extreme")
+        results += _tensions(moved, criteria, kind, Place(state, moved.number, broken))
+    warnings = (
+        *_of_codes(case, criteria, state),
+        *_of_a_break(broken, bool(judged)),
+        *_of_the_mean(criteria, judged),
+    )
+    return CheckReport(case.title, tuple(results), (), warnings)
+
+
+def check_strengths(case: Case) -> None:
+    """Refuse, before lines are run in time, a case whose tensions cannot be judged.
+
+    Parameters
+    ----------
+    case : Case
+        With its checks.
+
+    Raises
+    ------
+    InputError
+        As for `check_motion`.
+    """
+    criteria = criteria_of(case, analysis="dynamic")
+    legs = () if case.system is None else case.system.legs
+    kinds = {each.kind for each in case.load_cases} or {"extreme"}
+    state: State = "intact" if _broken(case) is None else "transient"
+    for line in dict.fromkeys(leg.line for leg in legs) or (case.line,):
+        criteria.strengths(line, kinds, {state})
+
+
+def _broken(case: Case) -> int | None:
+    return None if case.dynamics is None else case.dynamics.broken_line
+
+
+def _tensions(
+    moved: LineInMotion, criteria: Criteria, kind: LoadCaseKind, place: Place
+) -> Iterator[CheckResult]:
+    """Check every segment of a line."""
+    strengths = criteria.strengths(moved.line, {kind}, {place.state})
+    for index, (segment, strength) in enumerate(zip(moved.line.segments, strengths, strict=True)):
+        for criterion in criteria.of("tension", kind, place.state):
+            if criterion.is_for(strength.kind):
+                yield evaluate_tension(
+                    criterion,
+                    segment,
+                    strength,
+                    moved.largest[index],
+                    mean_share=_share(moved, index),
+                    load_case=moved.load_case,
+                    place=replace(place, segment=index + 1),
+                )
+
+
+def _share(moved: LineInMotion, index: int) -> float:
+    """Mean tension over the largest one, from 0 to 1."""
+    largest = moved.largest[index]
+    if moved.mean is None or not largest > 0.0:
+        return 0.0
+    return min(1.0, moved.mean[index] / largest)
+
+
+def _of_codes(case: Case, criteria: Criteria, state: State) -> Iterator[Message]:
+    """Say that no code is named, or which of those named have nothing for this."""
+    if not case.checks.codes:
+        yield Message("checks.motion_no_code")
+        return
+    tensions = [each for each in criteria.all if each.check == "tension" and each.source != USER]
+    at_rest = _codes(each.source.code for each in tensions if each.analysis != "dynamic")
+    if at_rest:
+        yield Message("checks.motion_at_rest", codes=Listed(at_rest, "and"))
+    judging = {each.source.code for each in tensions if state in each.states}
+    silent = [code for code in _codes(e.source.code for e in tensions) if code not in judging]
+    if silent:
+        yield Message("checks.motion_not_transient", codes=Listed(silent, "and"))
+
+
+def _codes(codes: Iterable[str]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(codes))
+
+
+def _of_a_break(broken: int | None, is_judged: bool) -> Iterator[Message]:
+    """Say what a run in which a line breaks is judged by, and what it is not."""
+    if broken is not None:
+        yield Message("checks.motion_breaks" if is_judged else "checks.motion_all_lost")
+
+
+def _of_the_mean(criteria: Criteria, lines: Sequence[LineInMotion]) -> Iterator[Message]:
+    """Say where a factor on the mean tension finds none."""
+    on_mean = any(each.mean_factor is not None for each in criteria.all)
+    if on_mean and any(each.mean is None for each in lines):
+        yield Message("checks.motion_no_mean")
