@@ -230,10 +230,9 @@ def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> 
         runs, said = _run(lines, number, _share(progress, 0, total))
     except KeyboardInterrupt:
         return None
-    if runs[0].history.time.size < 2:
-        return None
-    if not runs[0].history.is_complete:
-        return _Seed(runs, said, is_whole=False)
+    history = runs[0].history
+    if not history.is_complete:  # stopped in its ramp, nothing of it counts
+        return None if history.counted.sum() < 2 else _Seed(runs, said, is_whole=False)
     ways = _ways(proof, runs)
     with suppress(KeyboardInterrupt):  # what there is of the proof is kept
         done = 1

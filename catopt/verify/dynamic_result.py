@@ -119,7 +119,7 @@ class DynamicRun:
 
     @cached_property
     def counted(self) -> npt.NDArray[np.bool_]:
-        """Which samples count: those after the ramp; all, if the run was stopped before its end."""
+        """Which samples count: those after the ramp; all, if hardly any are."""
         counted = self.history.counted
         return counted if counted.sum() > 1 else np.ones(counted.size, dtype=bool)
 

@@ -445,7 +445,7 @@ def test_what_was_computed_is_kept_when_it_is_stopped() -> None:
 
     def stop(done: int, total: int) -> None:
         reached.append(done / total)
-        if done / total > 0.35:  # in the first seventh of the second
+        if done / total > 0.37:  # in the first quarter of the second
             raise KeyboardInterrupt
 
     found = verify_dynamic(case, progress=stop)
@@ -455,6 +455,17 @@ def test_what_was_computed_is_kept_when_it_is_stopped() -> None:
     assert 0.0 < part.runs[1].history.time[-1] < 60.0
     assert "stopped in run 2 of 3" in part.remarks
     assert reached == sorted(reached)
+
+
+def test_a_run_that_is_stopped_in_its_ramp_is_left_out() -> None:
+    case = chain(Motion(period=8.0, surge=0.1), 60.0, ramp=50.0)
+
+    def stop(done: int, total: int) -> None:
+        if done:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        verify_dynamic(case, progress=stop, proof="none")
 
 
 def test_nothing_is_kept_of_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
