@@ -460,7 +460,7 @@ def test_what_was_computed_is_kept_when_it_is_stopped() -> None:
 def test_a_run_that_is_stopped_in_its_ramp_is_left_out() -> None:
     case = chain(Motion(period=8.0, surge=0.1), 60.0, ramp=50.0)
 
-    def stop(done: int, total: int) -> None:
+    def stop(done: int, _: int) -> None:
         if done:
             raise KeyboardInterrupt
 
