@@ -42,6 +42,7 @@ from catopt.answers.size import (
     pattern_table,
     read_table,
     steady_sentence,
+    without_line_table,
 )
 from catopt.constants import STANDARD_GRAVITY
 from catopt.quantities import GREEK, QUANTITIES, Quantity
@@ -410,6 +411,7 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
         marked=of.states.index(of.hardest),
     )
     yield from _rule(of)
+    yield without_line_table(note.sizing)
     yield from plan_blocks(around)
     yield _lines(around, of.hardest.load_case)
     force = f"{around.residual.force:.1e} N"

@@ -39,6 +39,7 @@ __all__ = [
     "read_table",
     "size_answer",
     "steady_sentence",
+    "without_line_table",
 ]
 
 
@@ -227,7 +228,7 @@ def _forces_found(of: Sizing) -> Iterator[_Row]:
     ):
         if factor is not None:
             yield _measured(name, "safety_factor", factor)
-    pull = max(each.fairlead.vertical_force for _, each in of.point.checks.solutions)
+    pull = max(each.fairlead.vertical_force for _, each in of.intact)
     yield _measured("Pull down at the fairlead", "vertical_force", pull)
     if of.reserve_buoyancy is not None:
         yield _measured("Reserve buoyancy", "vertical_force", of.reserve_buoyancy)
@@ -321,7 +322,8 @@ def _checks(of: Sizing) -> Table:
 
 def _pattern(of: Sizing) -> Iterator[Section]:
     if of.pattern is not None:
-        yield Section(term("Pattern"), (pattern_table(of.pattern),))
+        tables = (pattern_table(of.pattern), without_line_table(of))
+        yield Section(term("Pattern"), tables)
 
 
 def pattern_table(of: Pattern) -> Table:
@@ -347,6 +349,39 @@ def pattern_table(of: Pattern) -> Table:
         force("pull_of_all_lines", (each.pull for each in states), 1),
     )  # fmt: skip
     return Table("pattern", columns, Message("captions.pattern"))
+
+
+def without_line_table(of: Sizing) -> Table:
+    """Tabulate the body of several lines with the worst of them gone, in each load case."""
+    assert of.pattern is not None
+    states = of.pattern.states
+    gone = [each.line_out for each in states]
+    used = [_tension_used(of, each.load_case) for each in states]
+    columns = (
+        texts("load_case", (each.load_case for each in states)),
+        texts("line_out", (each.missing for each in gone)),
+        measured("horizontal_force", (each.line_force for each in gone), "most_loaded_line",
+                 symbol=""),
+        measured("horizontal_force", (each.tension for each in gone), "its_tension", symbol=""),
+        measured("utilisation", used, symbol=""),
+        measured("angle", (each.direction for each in gone), "force_off_line_1", symbol="",
+                 priority=2),
+        measured("offset", (each.offset for each in gone), "largest_offset_of_the_body",
+                 symbol=""),
+        measured("horizontal_force", (each.pull for each in gone), "pull_of_all_lines", symbol="",
+                 priority=1),
+    )  # fmt: skip
+    return Table("pattern_line_out", columns, Message("captions.pattern_line_out"))
+
+
+def _tension_used(of: Sizing, load_case: str) -> float | None:
+    """Largest utilisation of the tension with one line out, under what the line is sized for."""
+    name = Message("sizing.one_line_out", load_case=load_case)
+    results = of.point.checks.results
+    used = [
+        each.utilisation for each in results if each.kind == "tension" and each.load_case == name
+    ]
+    return max((each for each in used if each is not None), default=None)
 
 
 # ------------------------------------------------------------------ loads and notes

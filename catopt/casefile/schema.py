@@ -24,7 +24,7 @@ from catopt.model.drag_method import DRAG_METHODS
 from catopt.model.dynamics import BROKEN_ENDS, INITIAL_FRICTION, TIME_SCHEMES
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.line import HIGHEST_COV
-from catopt.model.load_case import LOAD_CASE_KINDS
+from catopt.model.load_case import LOAD_CASE_KINDS, LOAD_CASE_STATES
 from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
 from catopt.model.site import STEEPEST
 from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
@@ -210,6 +210,7 @@ class LoadCaseTable(Table):
     horizontal_force: Strength
     water_level: Place | None = None
     kind: Annotated[str, OneOf(LOAD_CASE_KINDS)] | None = None
+    state: Annotated[str, OneOf(LOAD_CASE_STATES)] | None = None
 
 
 class SystemTable(Table):

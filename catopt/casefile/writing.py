@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from hashlib import sha256
-from typing import Any
+from typing import Any, Final
 
 from catopt.casefile.fields import Measured
 from catopt.casefile.schema import (
@@ -47,6 +47,7 @@ from catopt.model import (
     CurrentProfile,
     Design,
     Dynamics,
+    LoadCase,
     Motion,
     PointLoad,
     Segment,
@@ -185,13 +186,20 @@ def _tables(opening: str, schema: type[Table], *parts: object) -> Blocks:
             yield [opening, *_lines(schema, _given(part))]
 
 
+_UNSAID: Final[Mapping[type, tuple[str, object]]] = {
+    Site: ("seabed_slope", 0.0),
+    PointLoad: ("added_mass_coefficient", 0.0),
+    LoadCase: ("state", "intact"),
+    Service: ("wear_rate", 0.0),
+}
+"""Keys that go unsaid at their default."""
+
+
 def _given(part: object) -> dict[str, Any]:
     """Return what a part of the model has to say, by key; what is its default goes unsaid."""
     given = {key: value for key, value in vars(part).items() if not _is_nothing(value)}
     unsaid: tuple[str, ...] = ()
     match part:
-        case Site(seabed_slope=0.0):
-            unsaid = ("seabed_slope",)
         case Segment():
             if part.nominal_diameter is not None:
                 given["diameter"] = part.nominal_diameter
@@ -199,16 +207,15 @@ def _given(part: object) -> dict[str, Any]:
                 given["name"] = part.name
             unsaid = ("EA",) if math.isinf(part.EA) else ()
             unsaid += ("drag_method",) if part.drag_method == "given" else ()
-        case PointLoad(added_mass_coefficient=0.0):
-            unsaid = ("added_mass_coefficient",)
-        case Service(wear_rate=0.0):
-            unsaid = ("wear_rate",)
         case CurrentProfile() if part.directions:
             unsaid = ("direction",)
         case Motion(period=None):
             unsaid = HARMONIC
         case Dynamics(broken_line=None):
             unsaid = ("broken_end",)
+        case Site() | PointLoad() | LoadCase() | Service():
+            key, default = _UNSAID[type(part)]
+            unsaid = (key,) if given.get(key) == default else ()
     return {key: value for key, value in given.items() if key not in unsaid}
 
 

@@ -19,9 +19,9 @@ from catopt.checks.remarks import (
     of_uplift,
 )
 from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.state import Place
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
-from catopt.model import Anchor, Case, Line, Load
-from catopt.model.load_case import LoadCaseKind
+from catopt.model import Anchor, Case, Line, Load, LoadCase
 from catopt.words import Message
 
 __all__ = ["LOAD", "check_case", "check_line", "is_of_load"]
@@ -77,24 +77,29 @@ def check_case(case: Case) -> CheckReport:
         return check_system(case)
     case = _found(case)
     criteria = criteria_of(case)
-    strengths = criteria.strengths(case.line, {kind for (_, kind), _ in _states(case)})
+    states = case.load_cases or (LoadCase(LOAD, 1.0),)
+    kinds, of_mooring = {each.kind for each in states}, {each.state for each in states}
+    strengths = criteria.strengths(case.line, kinds, of_mooring)
     results: list[CheckResult] = []
     solutions: list[tuple[str, Solution]] = []
     lifted: list[Lifted] = []
-    for (name, kind), state in _states(case):
+    for each in states:
+        name, kind, place = each.name, each.kind, Place(each.state)
         with _under(name):
-            solution = solve_case(state)
+            solution = solve_case(case.under(each) if case.load_cases else case)
         solutions.append((name, solution))
         where = Message("checks.named_case" if case.load_cases else "checks.under_load", name=name)
-        lifted.append(Lifted(where, "intact", kind, solution))
-        results += evaluate(solution, criteria, strengths, case.anchor, load_case=name, kind=kind)
+        lifted.append(Lifted(where, each.state, kind, solution))
+        results += evaluate(
+            solution, criteria, strengths, case.anchor, load_case=name, kind=kind, place=place
+        )
     return CheckReport(
         title=case.title,
         results=tuple(results),
         solutions=tuple(solutions),
         warnings=(
             *of_criteria(criteria, case.line, strengths),
-            *of_other_states(criteria),
+            *(() if "one_line_out" in of_mooring else of_other_states(criteria)),
             *of_uplift(lifted, criteria, case.anchor),
             *_warned(solutions),
         ),
@@ -109,14 +114,6 @@ def _found(case: Case) -> Case:
     solution = solve_case(case)
     load = Load(horizontal_force=solution.horizontal_force)
     return replace(case, line=solution.line, load=load, find=None)
-
-
-def _states(case: Case) -> Iterator[tuple[tuple[str, LoadCaseKind], Case]]:
-    """Yield name and kind of every load case, with the case in that state."""
-    for state in case.load_cases:
-        yield (state.name, state.kind), case.under(state)
-    if not case.load_cases:
-        yield (LOAD, "extreme"), case
 
 
 @contextmanager

@@ -160,9 +160,14 @@ class Criteria:
         return tuple(found)
 
     def allowed_tension(
-        self, segment: Segment | Strength, kind: LoadCaseKind, *, key: str = "segment"
+        self,
+        segment: Segment | Strength,
+        kind: LoadCaseKind,
+        state: State = "intact",
+        *,
+        key: str = "segment",
     ) -> AllowedTension:
-        """Find the largest tension that a segment of an intact mooring is allowed.
+        """Find the largest tension that a segment is allowed.
 
         It is the least of strength over factor.
 
@@ -176,6 +181,8 @@ class Criteria:
             Or what `strength` gave for it.
         kind : {"extreme", "reference"}
             Of the load case.
+        state : {"intact", "one_line_out", "transient"}
+            Of the mooring.
         key : str
             Of the segment, for messages.
 
@@ -187,7 +194,7 @@ class Criteria:
         """
         strength = segment if isinstance(segment, Strength) else self.strength(segment, key)
         least = AllowedTension(math.inf, None)
-        for criterion in self.of("tension", kind):
+        for criterion in self.of("tension", kind, state):
             if criterion.is_for(strength.kind):
                 allowed = allowed_by(criterion, strength, key)
                 if allowed < least.tension:
@@ -226,11 +233,11 @@ class Criteria:
                 except InputError as error:
                     yield from error.problems
 
-    def limits(self, kind: LoadCaseKind) -> Limits:
-        """Find the strictest limit of each kind for an intact mooring."""
+    def limits(self, kind: LoadCaseKind, state: State = "intact") -> Limits:
+        """Find the strictest limit of each kind for a mooring in one state."""
 
         def values(check: CheckKind) -> list[float]:
-            return [criterion.value for criterion in self.of(check, kind)]
+            return [criterion.value for criterion in self.of(check, kind, state)]
 
         return Limits(
             uplift_angle=min(values("uplift_angle"), default=math.inf),

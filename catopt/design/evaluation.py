@@ -111,7 +111,7 @@ class DesignProblem:
         checked = with_a_sinker(case)
         key = "anchor" if case.design.sinker is None else "design.sinker"
         criteria = criteria_of(checked, anchor_key=key)
-        space, remarks = resolve(case, criteria, {state.kind for state in states})
+        space, remarks = resolve(case, criteria, states)
         tables = tables_of(checked, states, space, criteria, case.design.sinker)
         warnings = (*remarks, *criteria.warnings)
         if not criteria.all:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,15 +14,14 @@ from catopt.checks.criteria import Criteria
 from catopt.checks.line_kind import line_kind
 from catopt.design.space import ClumpWeightVariable, DesignSpace, SegmentVariable
 from catopt.errors import InputError, Problem
-from catopt.model import Case, ClumpWeightChoice, Segment, SegmentChoice
+from catopt.model import Case, ClumpWeightChoice, LoadCase, Segment, SegmentChoice
 from catopt.model.immersion import weight_in_water
-from catopt.model.load_case import LoadCaseKind
 from catopt.model.validity import Findings
 from catopt.words import Listed, Message
 
 
 def resolve(
-    case: Case, criteria: Criteria, kinds: Collection[LoadCaseKind]
+    case: Case, criteria: Criteria, states: Sequence[LoadCase]
 ) -> tuple[DesignSpace, tuple[str, ...]]:
     """Look up what each segment and clump weight of a case's design may be.
 
@@ -47,7 +46,7 @@ def resolve(
         if not choice.components:
             options = list(_own(case, index, choice, key, found))
         _check_figures(options, components, case.design.objectives, key, found)
-        _check_strengths(options, criteria, kinds, key, found)
+        _check_strengths(options, criteria, states, key, found)
         variables.append(
             SegmentVariable(tuple(options), choice.lengths, choice.optional, choice.name)
         )
@@ -138,16 +137,17 @@ def _check_figures(
 def _check_strengths(
     options: list[Segment],
     criteria: Criteria,
-    kinds: Collection[LoadCaseKind],
+    states: Sequence[LoadCase],
     key: str,
     found: Findings,
 ) -> None:
     """Note what the criteria need and an option lacks: once for each reason."""
     lacking: dict[tuple[str, str], list[str]] = {}
+    looked_at = {each.kind for each in states}, key, {each.state for each in states}
     for option in options:
         name = option.name or "the line's segment"
         try:
-            problems = list(criteria.lacking(criteria.strength(option, key), kinds, key))
+            problems = list(criteria.lacking(criteria.strength(option, key), *looked_at))
         except InputError as error:
             problems = list(error.problems)
         for problem in problems:

@@ -182,7 +182,9 @@ def tables_of(
         force=np.array([state.horizontal_force for state in states]),
         height=np.array([each.fairlead_height for each in placed]),
         is_reference=np.array([state.kind == "reference" for state in states], dtype=np.int64),
-        limit=np.array([criteria.limits(state.kind) for state in states], dtype=np.float64),
+        limit=np.array(
+            [criteria.limits(state.kind, state.state) for state in states], dtype=np.float64
+        ),
         sinker_weight=np.array(sinker_weight, dtype=np.float64),
         sinker_friction=sinker_friction,
         holding_capacity=capacity,
@@ -232,7 +234,8 @@ def _allowed(states: Sequence[LoadCase], space: DesignSpace, criteria: Criteria)
         for column, option in enumerate(variable.options):
             strength = criteria.strength(option)
             for state, of_state in zip(states, allowed, strict=True):
-                of_state[row, column] = criteria.allowed_tension(strength, state.kind).tension
+                allowed_here = criteria.allowed_tension(strength, state.kind, state.state)
+                of_state[row, column] = allowed_here.tension
     return allowed
 
 

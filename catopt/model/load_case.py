@@ -9,6 +9,8 @@ from catopt.model.validity import Findings
 
 LoadCaseKind = Literal["extreme", "reference"]
 LOAD_CASE_KINDS: tuple[str, ...] = get_args(LoadCaseKind)
+LoadCaseState = Literal["intact", "one_line_out"]
+LOAD_CASE_STATES: tuple[str, ...] = get_args(LoadCaseState)
 
 
 @dataclass(frozen=True)
@@ -27,12 +29,16 @@ class LoadCase:
     kind : {"extreme", "reference"}
         What the line has to withstand, or the everyday state that excursions start from. Codes
         that tell normal from extreme loads take their normal factors for the reference.
+    state : {"intact", "one_line_out"}
+        Of the mooring that the line is one of: with all its lines, or at rest anew without one.
+        Codes have factors for each.
     """
 
     name: str
     horizontal_force: float
     water_level: float = 0.0
     kind: LoadCaseKind = "extreme"
+    state: LoadCaseState = "intact"
 
     def __post_init__(self) -> None:
         found = Findings("LoadCase")
@@ -41,4 +47,5 @@ class LoadCase:
         found.number("horizontal_force", self.horizontal_force, "N", above=0.0)
         found.number("water_level", self.water_level, "m")
         found.word("kind", self.kind, LOAD_CASE_KINDS)
+        found.word("state", self.state, LOAD_CASE_STATES)
         found.raise_if_any()

@@ -113,6 +113,7 @@ def _load_case(name: str, solution: Solution, of: Sizing) -> dict[str, Any]:
     return {
         "name": name,
         "kind": state.kind,
+        "state": state.state,
         "water_level_m": state.water_level,
         "horizontal_force_N": solution.horizontal_force,
         "fairlead_height_m": solution.fairlead_height,
@@ -233,6 +234,14 @@ def _pattern(of: Pattern) -> dict[str, Any]:
                 "direction_rad": state.direction,
                 "offset_m": state.offset,
                 "pull_N": state.pull,
+                "one_line_out": {
+                    "missing_line": state.line_out.missing,
+                    "direction_rad": state.line_out.direction,
+                    "line_force_N": state.line_out.line_force,
+                    "tension_N": state.line_out.tension,
+                    "offset_m": state.line_out.offset,
+                    "pull_N": state.line_out.pull,
+                },
             }
             for state in of.states
         ],

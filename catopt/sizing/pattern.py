@@ -8,15 +8,24 @@ from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
 from catopt.catenary.solve import solve
-from catopt.errors import InputError
+from catopt.errors import InputError, NoAnswerError
 from catopt.model import Case, Line, System
+from catopt.mooring.line_out import one_line_out
 from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
 from catopt.ties import largest
-from catopt.words import Sentence
+from catopt.words import Message, Sentence
 
-__all__ = ["BodyState", "Pattern", "PatternState", "pattern", "shared_force", "system_case"]
+__all__ = [
+    "BodyState",
+    "Pattern",
+    "PatternState",
+    "WithoutLine",
+    "pattern",
+    "shared_force",
+    "system_case",
+]
 
 _DIRECTIONS: Final = 3
 """From against a line to half way to the next one; the rest follows by symmetry."""
@@ -38,6 +47,33 @@ class BodyState(NamedTuple):
     load_case: str
     force: float
     fairlead_height: float
+
+
+@dataclass(frozen=True)
+class WithoutLine:
+    """The body at rest anew without one of its lines, under the force from its hardest side.
+
+    Attributes
+    ----------
+    missing : int
+        The line that is gone, from 1: line 1 is the one that the force comes nearest to.
+    direction : float
+        Between line 1 and where the force comes from, rad.
+    line_force, tension : float
+        Horizontal force and tension at the fairlead of the most loaded line that is left, N.
+    offset : float
+        Largest offset of the body from its place with all lines under no load, m; whichever line
+        is gone and wherever the force comes from.
+    pull : float
+        Largest pull of the lines that are left downwards on the body, N.
+    """
+
+    missing: int
+    direction: float
+    line_force: float
+    tension: float
+    offset: float
+    pull: float
 
 
 @dataclass(frozen=True)
@@ -63,6 +99,8 @@ class PatternState:
         Of all lines downwards on the body, N.
     fairlead_height : float
         Above the seabed, m.
+    line_out : WithoutLine
+        The same load case with any one line gone.
     """
 
     load_case: str
@@ -74,6 +112,7 @@ class PatternState:
     offset: float
     pull: float
     fairlead_height: float
+    line_out: WithoutLine
 
 
 @dataclass(frozen=True)
@@ -110,8 +149,8 @@ class Pattern:
 
     @property
     def largest_pull(self) -> float:
-        """Of all lines downwards on the body, N."""
-        return max(state.pull for state in self.states)
+        """Of all lines downwards on the body, with each there or one gone, N."""
+        return max(max(state.pull, state.line_out.pull) for state in self.states)
 
 
 def shared_force(force: float, lines: int) -> float:
@@ -213,13 +252,11 @@ def system_case(case: Case, of: Pattern) -> Case:
 
 def _hardest(system: System, state: BodyState, lines: int) -> tuple[PatternState, SystemSolution]:
     """Let the force come from against a line, and on to half way to the next one."""
-    solved = []
-    for step in range(_DIRECTIONS):
-        off = math.pi / lines * step / (_DIRECTIONS - 1)
-        towards = math.pi + off
-        across = state.force * math.sin(towards) if off else 0.0
-        force = (state.force * math.cos(towards), across)
-        solved.append((off, solve_system(system.under(force))))
+    pushed = [
+        (off, system.under(_from(off, state.force)))
+        for off in (math.pi / lines * step / (_DIRECTIONS - 1) for step in range(_DIRECTIONS))
+    ]
+    solved = [(off, solve_system(each)) for off, each in pushed]
     off, hardest = largest(solved, lambda each: _line_force(each[1]))
     return (
         PatternState(
@@ -232,8 +269,37 @@ def _hardest(system: System, state: BodyState, lines: int) -> tuple[PatternState
             offset=max(math.hypot(*each.offset) for _, each in solved),
             pull=max(_pull(each) for _, each in solved),
             fairlead_height=state.fairlead_height,
+            line_out=_without_line(pushed, state.load_case),
         ),
         hardest,
+    )
+
+
+def _from(off: float, force: float) -> tuple[float, float]:
+    """Force on the body from a direction off that of the first line, N."""
+    towards = math.pi + off
+    return force * math.cos(towards), force * math.sin(towards) if off else 0.0
+
+
+def _without_line(pushed: Sequence[tuple[float, System]], load_case: str) -> WithoutLine:
+    """Take each line away under the force from each side; what symmetry adds is the same again."""
+    found = []
+    for off, system in pushed:
+        for each in one_line_out(system):
+            if each.solution is None or each.response is None:
+                number, why = each.missing + 1, each.refusal
+                raise NoAnswerError(
+                    Message("sizing.no_rest", number=number, load_case=load_case, why=why)
+                )
+            found.append((off, each.missing + 1, each.solution, each.response.offset))
+    off, missing, hardest, _ = largest(found, lambda each: _line_force(each[2]))
+    return WithoutLine(
+        missing=missing,
+        direction=off,
+        line_force=_line_force(hardest),
+        tension=max(line.tension for line in hardest.lines),
+        offset=max(offset for *_, offset in found),
+        pull=max(_pull(solution) for _, _, solution, _ in found),
     )
 
 

@@ -64,6 +64,8 @@ class ReadInput:
         if not unit:
             return f"{value:.6g}"
         factor = UNITS[Dimension[self.of.takes]].get(unit, 1.0)
+        if self.of.takes == "TIME" and value < factor:
+            unit, factor = "s", 1.0
         return Message("sizing.in_unit", value=value / factor, unit=term(unit))
 
     @property

@@ -148,16 +148,20 @@ class Sizing:
 
     @property
     def hardest(self) -> tuple[str, Solution]:
-        """Load case and line of the largest tension at the fairlead."""
-        return largest(self.point.checks.solutions, lambda each: each[1].fairlead.tension)
+        """Load case and line of the largest tension at the fairlead, with all lines there."""
+        return largest(self.intact, lambda each: each[1].fairlead.tension)
+
+    @property
+    def intact(self) -> tuple[tuple[str, Solution], ...]:
+        """The line in each load case in which the mooring has all its lines."""
+        whole = {each.name for each in self.case.load_cases if each.state == "intact"}
+        return tuple(each for each in self.point.checks.solutions if each[0] in whole)
 
     @property
     def largest_tension(self) -> float:
-        """In any part of the line, N."""
+        """In any part of the line, with all lines there, N."""
         return max(
-            segment.max_tension
-            for _, solution in self.point.checks.solutions
-            for segment in solution.segments
+            segment.max_tension for _, solution in self.intact for segment in solution.segments
         )
 
     @property
@@ -239,11 +243,19 @@ class Sizing:
             *map(Sentence, self.settled.result.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
             *(() if self.pattern is None else self.pattern.warnings),
-            *(() if self.pattern is None else (Message("sizing.all_lines_there"),)),
+            *self._without_factor,
         ]
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))
+
+    @property
+    def _without_factor(self) -> tuple[Message, ...]:
+        """Say that no check is on the tension with one line out, where that is so."""
+        states = {each.place.state for each in self.point.checks.results if each.kind == "tension"}
+        if self.pattern is None or "one_line_out" in states:
+            return ()
+        return (Message("sizing.no_factor_line_out", codes=", ".join(self.case.checks.codes)),)
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt size --json`` prints (schema catopt.size/1)."""

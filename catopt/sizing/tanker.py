@@ -150,9 +150,14 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
     height = base + max(state.rise for state in states)
     drag = request.ground.sized(max(forces)) if isinstance(request.ground, DragGround) else None
     cases = [
-        LoadCase(state.name, force, state.rise) for state, force in zip(states, forces, strict=True)
+        LoadCase(state.name, force, state.rise)
+        for state, force in zip(states, forces[: len(states)], strict=True)
     ]
-    if request.lines == 1:
+    if request.lines > 1:
+        for state, force in zip(states, forces[len(states) :], strict=True):
+            name = Message("sizing.one_line_out", load_case=state.name)
+            cases.append(LoadCase(name, force, state.rise, state="one_line_out"))
+    else:
         cases.append(
             LoadCase(Message("sizing.everyday"), EVERYDAY_SHARE * max(forces), 0.0, "reference")
         )
@@ -205,7 +210,11 @@ def _settled_within(
         if request.lines > 1:
             found = _pattern(request, posed, point)
             pull = found.largest_pull
-            forces = tuple(rounded_up(state.line_force, 3) for state in found.states)
+            carried = (
+                *(state.line_force for state in found.states),
+                *(state.line_out.line_force for state in found.states),
+            )
+            forces = tuple(rounded_up(force, 3) for force in carried)
         return Assumed(diameter, 0.0 if reserve is None else min(rounded_up(pull), reserve), forces)
 
     return settle(
@@ -288,10 +297,11 @@ def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsA
 def _line_forces(
     request: TankerRequest, loads: tuple[LoadsAt, ...], assumed: Assumed
 ) -> tuple[float, ...]:
-    """Horizontal force of one line in each load case, N."""
+    """Horizontal force of one line in each load case, N: of several, then with one line out."""
     totals = [each.horizontal_force for each in loads]
     if request.lines == 1:
         return tuple(totals)
+    totals *= 2
     least = assumed.forces or (0.0,) * len(totals)
     return tuple(
         max(shared_force(total, request.lines), force)
@@ -329,7 +339,7 @@ def _masses(point: DesignPoint) -> tuple[float, ...]:
 def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Pattern:
     """Solve the equilibrium of all lines, each like a design's."""
     case = posed.case
-    extreme = case.load_cases
+    extreme = [each for each in case.load_cases if each.state == "intact"]
     states = [
         BodyState(each.load_case, each.horizontal_force, case.fairlead_height + state.water_level)
         for each, state in zip(posed.loads, extreme, strict=True)

@@ -202,7 +202,8 @@ def deep() -> Environment:
 def test_a_line_of_several_is_sized_for_no_less_than_its_equilibrium(lines: int) -> None:
     sized = size_tanker(TankerRequest((LOADED,), deep(), lines=lines))
     assert sized.pattern is not None
-    for state, case in zip(sized.pattern.states, sized.case.load_cases, strict=True):
+    intact = [each for each in sized.case.load_cases if each.state == "intact"]
+    for state, case in zip(sized.pattern.states, intact, strict=True):
         assert case.name == state.load_case
         assert state.line_force <= case.horizontal_force * (1.0 + ROUNDING)
     checks = {state.load_case: state.tension for state in sized.pattern.states}

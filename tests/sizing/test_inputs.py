@@ -25,6 +25,7 @@ from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
 from catopt.sizing.kinds import from_text, kind_of, usual
 from catopt.sizing.known import Known, known
 from catopt.sizing.line_choice import PREFERENCES
+from catopt.sizing.read_input import ReadInput
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.schema import schema_of
 from catopt.units import as_written
@@ -268,3 +269,9 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
     assert catopt.size_buoy(request).point.line == sizing.point.line  # type: ignore[arg-type]
     with pytest.raises(InputError, match="the request for a tanker is wanted"):
         catopt.size_tanker(request)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("seconds", "said"), [(10.0, "10 s"), (60.0, "1 min"), (600.0, "10 min")])
+def test_a_duration_is_said_in_the_unit_that_reads_well(seconds: float, said: str) -> None:
+    mean = next(each for each in INPUTS if each.name == "wind_mean")
+    assert ReadInput(mean, seconds, "given").said == said
