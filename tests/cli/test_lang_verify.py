@@ -38,8 +38,7 @@ from catopt.waves import Sea, jonswap, random_waves
 from catopt.words import Message, Several, say
 
 from .conftest import BUOY, CASES, CHAIN_IN_MOTION, SLACK, Run
-from .test_lang_curve import said_alike
-from .vietnamese import in_vietnamese, numbers
+from .vietnamese import in_vietnamese, numbers, said_alike
 
 DESIGN = CASES / "design-buoy-9.5m" / "case.toml"
 FSO = CASES / "fso-rang-dong" / "case.toml"

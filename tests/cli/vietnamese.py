@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from io import BytesIO
 
 import openpyxl
 
 from catopt.words import Message, is_term, say, term
 
-__all__ = ["in_vietnamese", "numbers"]
+__all__ = ["in_vietnamese", "numbers", "said_alike"]
 
 
 def in_vietnamese(english: str) -> str:
@@ -29,3 +30,10 @@ def numbers(workbook: bytes) -> list[tuple[int, str, object, str]]:
         for cell in row
         if cell.data_type == "n" and cell.value is not None
     ]
+
+
+def said_alike(english: str, vietnamese: str) -> set[str]:
+    """Lines with words that are the same in both languages."""
+    in_words = re.compile(r"[^\W\d_]{3,}")
+    lines = (set(text.splitlines()) for text in (english, vietnamese))
+    return {line for line in set.intersection(*lines) if in_words.search(line)}
