@@ -490,18 +490,8 @@ def measured(
 ) -> Column:
     """Make a column of a quantity.
 
-    Parameters
-    ----------
-    key : str
-        Of `catopt.quantities.QUANTITIES`.
-    values : iterable of float or None
-        In SI.
-    name : str
-        Key of its heading in the group ``columns``; the quantity's own name when left out.
-    symbol : str, optional
-        In place of the quantity's.
-    priority, only
-        As of `Column`.
+    `key` is one of `catopt.quantities.QUANTITIES`, values are in SI, `name` is a key of the group
+    ``columns``; the quantity's own name and symbol where they are left out.
     """
     said = Message(f"columns.{name}") if name else quantity_name(key)
     known = tuple(None if value is None else float(value) for value in values)
@@ -519,20 +509,8 @@ def fact(
 ) -> Fact:
     """Make a fact of a quantity.
 
-    Parameters
-    ----------
-    key : str
-        Of `catopt.quantities.QUANTITIES`.
-    value : float or None
-        In SI.
-    name : str
-        Key of what it is in the group ``columns``; the quantity's own name when left out.
-    symbol : str, optional
-        In place of the quantity's.
-    said : str
-        What it is, in place of a key.
-    only : For
-        For whom it is.
+    `key` is one of `catopt.quantities.QUANTITIES`, the value is in SI, `name` a key of the group
+    ``columns``, or `said` says what it is; left out, they are the quantity's own name and symbol.
     """
     known = said or (Message(f"columns.{name}") if name else quantity_name(key))
     return Fact(known, value, named(key, symbol), only=only)

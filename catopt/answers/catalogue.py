@@ -52,12 +52,7 @@ _PLAIN = {
 def catalogue_answer(found: Found, *, in_full: bool = False) -> Answer:
     """Lay out families and components, every figure with its source.
 
-    Parameters
-    ----------
-    found : Found
-        What a question gave.
-    in_full : bool
-        Whether one component was asked for with all that is known of it.
+    `in_full`: one component was asked for with all that is known of it.
     """
     title: str = Message("captions.catalogue")
     seen: Iterable[Block]

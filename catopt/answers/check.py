@@ -64,13 +64,7 @@ _LOAD_CASES = {
 
 
 def check_answer(report: CheckReport) -> Answer:
-    """Lay out a report of checks.
-
-    Parameters
-    ----------
-    report : CheckReport
-        What came out.
-    """
+    """Lay out a report of checks."""
     tables = checked_body(report) if report.places else checked(report)
     said: list[Block] = [Verdict(verdict_sentence(report), report.passes)]
     if report.results:
@@ -142,12 +136,7 @@ def checks_in_motion(report: CheckReport) -> Iterator[Block]:
 def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) -> tuple[Column, ...]:
     """List checks, a row each: what is wanted, what there is, and by which criterion.
 
-    Parameters
-    ----------
-    results : sequence of CheckResult
-        Of one report or of several.
-    of_a_body : bool
-        Whether they are of a body with several lines, so that state and line head each row.
+    Of a body with several lines, state and line head each row.
     """
     states = [each.load_case for each in results]
     if of_a_body:

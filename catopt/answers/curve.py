@@ -38,13 +38,7 @@ _OVER = {"force": "curve.over_force", "span": "curve.over_span", "offset": "curv
 
 
 def curve_answer(result: CaseCurve) -> Answer:
-    """Lay out a load curve, its marks, and the case that it belongs to.
-
-    Parameters
-    ----------
-    result : CaseCurve
-        What came out.
-    """
+    """Lay out a load curve, its marks, and the case that it belongs to."""
     case, reference = result.case, result.reference
     inputs = Facts("inputs", tuple(given_facts(case)), only="workbook")
     summary = Facts("summary", result_facts(reference), only="workbook")

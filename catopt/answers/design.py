@@ -48,13 +48,7 @@ _MOST = 25
 
 
 def design_answer(result: DesignResult) -> Answer:
-    """Lay out a front, its recommended design and how it was found.
-
-    Parameters
-    ----------
-    result : DesignResult
-        What came out.
-    """
+    """Lay out a front, its recommended design and how it was found."""
     return Answer(
         "design",
         result.case.title or Message("captions.mooring_line"),

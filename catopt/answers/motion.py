@@ -84,14 +84,7 @@ def motion_answer(
 ) -> Answer:
     """Lay out a case in motion.
 
-    Parameters
-    ----------
-    found : DynamicVerification
-        What came out.
-    checks : CheckReport, optional
-        Of its tensions; nothing is said of them when left out.
-    with_series : bool
-        Whether files have every sample, too.
+    Files have every sample `with_series`.
     """
     said = _of_body(found) if found.case.system is not None else _of_load_cases(found)
     judged = () if checks is None else tuple(checks_in_motion(checks))

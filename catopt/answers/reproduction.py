@@ -35,13 +35,7 @@ _BY = {
 
 
 def reproduction_answer(result: Reproduction) -> Answer:
-    """Lay out studies: what went in, each printed number beside ours, and what was found.
-
-    Parameters
-    ----------
-    result : Reproduction
-        What came out.
-    """
+    """Lay out studies: what went in, each printed number beside ours, and what was found."""
     return Answer(
         "reproduction",
         term("Published figures beside catopt's"),

@@ -53,13 +53,7 @@ class _Row(NamedTuple):
 
 
 def size_answer(of: Sizing) -> Answer:
-    """Lay out a sizing.
-
-    Parameters
-    ----------
-    of : Sizing
-        Of a buoy or a tanker.
-    """
+    """Lay out a sizing."""
     return Answer(
         "size",
         of.case.title,

@@ -55,14 +55,7 @@ _PROFILE_POINTS, _SHOWN_EVERY = 101, 5
 def solution_answer(case: Case, solution: Solution, *, with_profile: bool = False) -> Answer:
     """Lay out a case and its solution.
 
-    Parameters
-    ----------
-    case : Case
-        What was given.
-    solution : Solution
-        What came out.
-    with_profile : bool
-        Whether people see the shape, too.
+    People see the shape, too, `with_profile`.
     """
     inputs = Facts("inputs", tuple(given_facts(case)), Message("captions.given"))
     results: list[Block] = [_summary(solution), segments_table(solution)]

@@ -60,15 +60,7 @@ _LOADS = {
 
 
 def system_answer(report: SystemReport, checks: CheckReport) -> Answer:
-    """Lay out a moored body.
-
-    Parameters
-    ----------
-    report : SystemReport
-        What came out.
-    checks : CheckReport
-        Of the same body.
-    """
+    """Lay out a moored body."""
     opening = (Text(_solved(report)), _body(report))
     return Answer(
         "system",

@@ -90,13 +90,7 @@ def is_uniform(solution: Solution) -> bool:
 
 
 def steps_of(solution: Solution) -> tuple[Step, ...]:
-    """Follow a solution, in closed form or by the swarm, through the equations.
-
-    Parameters
-    ----------
-    solution : Solution
-        Of one line.
-    """
+    """Follow a solution, in closed form or by the swarm, through the equations."""
     if not is_uniform(solution):
         steps = _sums(solution, pieces_of(solution))
     else:

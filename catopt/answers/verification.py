@@ -51,13 +51,7 @@ _Named = tuple[str, "StaticComparison"]
 
 
 def verification_answer(found: Verification) -> Answer:
-    """Lay out a case by both models.
-
-    Parameters
-    ----------
-    found : Verification
-        What came out.
-    """
+    """Lay out a case by both models."""
     several = len(found.parts) > 1
     is_named = several or bool(found.case.load_cases)
     said: list[Block] = []
@@ -78,13 +72,7 @@ def verification_answer(found: Verification) -> Answer:
 
 
 def front_answer(front: FrontVerification) -> Answer:
-    """Lay out a front by both models.
-
-    Parameters
-    ----------
-    front : FrontVerification
-        What came out.
-    """
+    """Lay out a front by both models."""
     parts = [
         (Message("truss.design_in_case", number=each.design.number, name=part.name), part)
         for each in front.designs

@@ -78,16 +78,8 @@ class Output:
     ) -> None:
         """Print a table and an empty line on standard output.
 
-        Parameters
-        ----------
-        columns : sequence of str
-            Headings, with units; all empty for a table without a heading row.
-        rows : sequence of sequence of str
-            Cells.
-        title : str
-            Above the table.
-        numbers : sequence of int
-            Columns set flush right and never folded.
+        Columns of `numbers` are set flush right and never folded; a table whose `columns` are empty
+        has no heading row.
         """
         from rich import box
         from rich.table import Table
@@ -129,15 +121,7 @@ class Output:
 
         While nobody says how many steps there are, it shows that and how long something runs.
 
-        Parameters
-        ----------
-        what : str
-            What is counted.
-
-        Yields
-        ------
-        callable or None
-            To be called with steps done and wanted; None when nobody watches.
+        Yields what is to be called with steps done and wanted; None when nobody watches.
         """
         if not sys.stderr.isatty():
             yield None

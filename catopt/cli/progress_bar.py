@@ -39,12 +39,7 @@ class _Left(ProgressColumn):
 def progress_bar(console: Console, clock: Callable[[], float] = monotonic) -> Progress:
     """Make a bar that goes away when it is done.
 
-    Parameters
-    ----------
-    console : Console
-        Where it is drawn.
-    clock : callable
-        Gives the time in s.
+    `clock` gives the time in s.
     """
     return Progress(
         TextColumn("{task.description}", markup=False),

@@ -60,20 +60,8 @@ def give(
 ) -> None:
     """Write the files, then print the document or the view.
 
-    Parameters
-    ----------
-    output : Output
-        Where to.
-    of : Sizing
-        What came out.
-    language : {"en", "vi"}
-        Of view and workbook.
-    as_json : bool
-        Whether to print the document.
-    out, save : Path or None
-        Directory for all files, and place of the case file.
-    given : Given, optional
-        What was asked for, which the calculation note has among the files.
+    `out` is a directory for all files, `save` the place of the case file; `given`, what was asked
+    for, is for the calculation note.
     """
     from catopt.answers.size import size_answer
 

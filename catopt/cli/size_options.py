@@ -40,12 +40,7 @@ def by_option(name: str, index: int | None = None) -> str:
 def help_of(each: Input, taken: str | None = None) -> str:
     """Say what an option takes, and what is taken when it is left out.
 
-    Parameters
-    ----------
-    each : Input
-        That it is of.
-    taken : str, optional
-        What is taken, where that is not what a sizing takes.
+    `taken` is what is taken where that is not what a sizing takes.
     """
     flags = {name: as_option(name) for name in _NAMED}
     left_out = Message(each.left_out, **flags) if each.left_out else each.default
@@ -62,14 +57,7 @@ def with_inputs(
 ) -> Callable[[Command], Command]:
     """Give a command the options of inputs in place of its ``**inputs``.
 
-    Parameters
-    ----------
-    moored : {"buoy", "tanker"}
-        What they are of.
-    names : collection of str
-        Of the inputs; empty: all of them.
-    taken : mapping of str to str
-        What is taken of some that are left out, in place of what a sizing takes.
+    Of all inputs where no `names` are given; `taken` is as of `help_of`, by input.
     """
 
     def decorate(command: Command) -> Command:
@@ -102,12 +90,7 @@ def _parameter(each: Input, words: str) -> inspect.Parameter:
 def typed(moored: Moored, options: Mapping[str, Any]) -> dict[str, object]:
     """Take what was typed, by input.
 
-    Parameters
-    ----------
-    moored : {"buoy", "tanker"}
-        Of which.
-    options : mapping of str to object
-        Texts, lists of them or flags; None, empty or False: left out.
+    Options that are None, empty or False are left out.
     """
     from catopt.sizing.kinds import from_text
 

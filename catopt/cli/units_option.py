@@ -37,13 +37,7 @@ _OPTION = Annotated[
 
 
 def in_units(command: Command) -> Command:
-    """Give a command ``--units`` behind its ``--lang``; its answer is then shown in them.
-
-    Parameters
-    ----------
-    command : callable
-        With a parameter ``lang``.
-    """
+    """Give a command ``--units`` behind its ``--lang``; its answer is then shown in them."""
 
     @wraps(command)
     def in_wanted_units(*args: Any, units: ForceUnits | None = None, **options: Any) -> None:

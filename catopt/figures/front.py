@@ -41,12 +41,8 @@ def objective_name(key: str) -> str:
 def front(document: Document, chosen: int | None = None) -> Chart:
     """Draw the designs of a front.
 
-    Parameters
-    ----------
-    document : mapping
-        What ``catopt design --json`` prints (catopt.design/1).
-    chosen : int, optional
-        Number of a design that is pointed out, beside the one that is recommended.
+    `document` is what ``catopt design --json`` prints; `chosen` is the number of a design that is
+    pointed out beside the one that is recommended.
     """
     keys: list[str] = document["objectives"]
     points: list[Document] = document["front"]

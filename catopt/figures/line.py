@@ -235,14 +235,7 @@ def _points(profile: Profile) -> Iterator[Point]:
 def tension_along(solution: Solution, allowed: Sequence[float | None], basis: str = "") -> Chart:
     """Draw the tension over the arc length beside what each segment may carry.
 
-    Parameters
-    ----------
-    solution : Solution
-        The line.
-    allowed : sequence of float or None
-        Of each segment, N.
-    basis : str
-        What they are called.
+    `allowed` is of each segment, N; `basis` is what these are called.
     """
     profile = solution.profile(_POINTS)
     largest = max(profile.tension)

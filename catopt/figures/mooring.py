@@ -314,14 +314,7 @@ def watch_round(
 ) -> Chart:
     """Draw the largest tension over the direction of the force.
 
-    Parameters
-    ----------
-    solution : SystemSolution
-        Under the load of the case.
-    circle : WatchCircle
-        The same force from all sides.
-    allowed : float or None
-        Tension that the weakest line is allowed at its fairlead, N.
+    `allowed` is the tension that the weakest line may have at its fairlead, N.
     """
     values = [each.largest_tension for each in circle.responses]
     largest = max(values)
@@ -372,14 +365,7 @@ def restoring(
 ) -> Chart:
     """Draw the force that holds the body over its offset along directions.
 
-    Parameters
-    ----------
-    curves : sequence of RestoringCurve
-        One a direction.
-    solution : SystemSolution
-        Under the load of the case.
-    most : float
-        Multiple of the case's force up to which points are drawn.
+    A curve a direction, up to `most` times the case's force.
     """
     force = math.hypot(*solution.system.force)
     limit = most * force if force > 0.0 else math.inf
@@ -442,17 +428,7 @@ def _restoring_said(curve: RestoringCurve, index: int) -> str:
 def spread(angles: Sequence[float], room: float) -> list[float]:
     """Move directions apart until numbers on a circle do not cover each other.
 
-    Parameters
-    ----------
-    angles : sequence of float
-        rad.
-    room : float
-        That each wants, rad.
-
-    Returns
-    -------
-    list of float
-        In the order of `angles`, each as near its own as the others let it.
+    All in rad; each stays in its place in the row, as near its own as the others let it.
     """
     if not angles:
         return []

@@ -84,12 +84,7 @@ def around_the_largest(run: DynamicRun, most: int = _MOST) -> list[int]:
 def history(part: DynamicPart, at_rest: float) -> Chart:
     """Draw the fairlead tension of the governing run around its largest value.
 
-    Parameters
-    ----------
-    part : DynamicPart
-        One load case.
-    at_rest : float
-        Tension at the fairlead at rest, N.
+    `at_rest` is the tension at the fairlead at rest, N.
     """
     run = part.governing
     chosen = around_the_largest(run)
@@ -192,14 +187,7 @@ def envelope_chart(
 ) -> Chart:
     """Draw the largest and the smallest tension along the line.
 
-    Parameters
-    ----------
-    part : DynamicPart
-        One load case.
-    at_rest : Solution, optional
-        The line at rest, to be drawn beside them.
-    allowed : sequence of float or None
-        What its segments may carry, N.
+    `allowed` is what its segments may carry, N; the line at rest is drawn beside where it is given.
     """
     arc, high, low = envelope(part)
     largest = max(high)
@@ -301,12 +289,7 @@ def exceedance(part: DynamicPart) -> Chart | None:
 def on_slope(part: DynamicPart, depth: float, slope: float) -> Chart:
     """Draw a line at rest on a bed that slopes, to scale.
 
-    Parameters
-    ----------
-    part : DynamicPart
-        One load case.
-    depth, slope : float
-        Of the water at the anchor, m, and of the bed, rad.
+    `depth` is of the water at the anchor, m; `slope` of the bed, rad.
     """
     places = part.runs[0].history.at_rest
     x, z = places[:, 0].tolist(), places[:, 2].tolist()

@@ -27,13 +27,7 @@ _MESHES = ("third", "first", "second")
 
 
 def comparison(pair: LinePair) -> tuple[Chart, Chart, Chart, Chart]:
-    """Draw shape and tension by both models, and the differences of both for each mesh.
-
-    Parameters
-    ----------
-    pair : LinePair
-        A line by both models.
-    """
+    """Draw shape and tension by both models, and the differences of both for each mesh."""
     gaps = pair.gaps()
     return (
         _shapes(pair),

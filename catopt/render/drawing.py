@@ -32,21 +32,7 @@ def draw(
 ) -> int:
     """Write what a drawing shows as cells, and draw them on another sheet; areas are left out.
 
-    Parameters
-    ----------
-    chart : Chart
-        What is drawn.
-    sheet, cells : Sheet
-        Where the chart goes, and its cells.
-    row, column : int
-        Of the chart's upper left corner.
-    language : {"en", "vi"}
-        Of its words.
-
-    Returns
-    -------
-    int
-        The first row below the chart.
+    Its upper left corner is at `row` and `column` of `sheet`; returns the first row below it.
     """
     curves = list(_curves(chart))
     top = cells.row

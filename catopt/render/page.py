@@ -80,17 +80,8 @@ def page(answer: Answer, language: Language = "en") -> bytes:
 
     The same answer gives the same bytes: nothing of the place or the hour goes in.
 
-    Parameters
-    ----------
-    answer : Answer
-        What it shows; of its sections those with a name.
-    language : {"en", "vi"}
-        Of its words.
-
-    Returns
-    -------
-    bytes
-        HTML in UTF-8, complete: it refers to no other file and to no network.
+    Sections without a name are left out. The page is complete HTML in UTF-8: it refers to no other
+    file and to no network.
     """
     answer, script = as_wanted(answer), _file("script.js")
     sections = [

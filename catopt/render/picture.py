@@ -90,16 +90,7 @@ def picture(
 ) -> Figure:
     """Draw charts in a figure as wide as a page, each with its legend and its notes.
 
-    Parameters
-    ----------
-    charts : Chart or sequence of Chart
-        Row by row.
-    heading : str
-        Above all of them, such as the title of a case.
-    language : {"en", "vi"}
-        Of the words.
-    columns : int
-        Charts in a row.
+    `columns` charts stand in a row; `heading` is above all of them, such as the title of a case.
     """
     drawn = as_wanted([charts] if isinstance(charts, Chart) else list(charts))
     rows = [drawn[k : k + columns] for k in range(0, len(drawn), columns)]

@@ -101,13 +101,6 @@ def svg(chart: Chart, language: Language = "en") -> Figure:
 
     Nothing is measured by guess that a reader's font could upset: room for words is that of the
     widest font.
-
-    Parameters
-    ----------
-    chart : Chart
-        What is to be drawn.
-    language : {"en", "vi"}
-        Of its words.
     """
     frame, values = _frame(chart)
     shapes = [

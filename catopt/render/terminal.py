@@ -61,17 +61,7 @@ class Printer(Protocol):
 
 
 def show(output: Printer, answer: Answer, language: Language = "en") -> None:
-    """Print an answer for a reader.
-
-    Parameters
-    ----------
-    output : Printer
-        Where to.
-    answer : Answer
-        What is shown.
-    language : {"en", "vi"}
-        Of its words.
-    """
+    """Print an answer for a reader."""
     answer = as_wanted(answer)
     output.text(say(answer.title, language), bold=True)
     in_text = True

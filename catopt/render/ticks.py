@@ -69,12 +69,7 @@ def _power(value: float) -> str:
 def ticks(low: float, high: float, most: int = 6) -> list[float]:
     """List round values in a range, at most so many: multiples of 1, 2 or 5 times a power of ten.
 
-    Parameters
-    ----------
-    low, high : float
-        The range.
-    most : int
-        At least 2.
+    `most` is at least 2.
     """
     if not high > low:
         return [low]

@@ -14,19 +14,7 @@ __all__ = ["cell", "shown"]
 def shown(
     value: Value, quantity: Quantity | None, language: Language, *, unit: bool = False
 ) -> str:
-    """Write a value in the field's unit; a dash where it is not known.
-
-    Parameters
-    ----------
-    value : Value
-        In SI, a count or words.
-    quantity : Quantity or None
-        What a number is.
-    language : {"en", "vi"}
-        Of words.
-    unit : bool
-        Whether the unit stands behind it.
-    """
+    """Write a value in the field's unit; a dash where it is not known."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return "-"
     if isinstance(value, str):

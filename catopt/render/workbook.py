@@ -43,20 +43,7 @@ _STEPS = (40.0, 12.0, 56.0, 18.0, 9.0, 18.0, 40.0)
 
 
 def workbook(answer: Answer, language: Language = "en") -> bytes:
-    """Lay out all tables of an answer, every digit kept.
-
-    Parameters
-    ----------
-    answer : Answer
-        What is laid out.
-    language : {"en", "vi"}
-        Of headings and words.
-
-    Returns
-    -------
-    bytes
-        An .xlsx file.
-    """
+    """Lay out all tables of an answer, every digit kept."""
     answer = as_wanted(answer)
     book = Book(say(answer.title, language), language)
     charts = sum(isinstance(block, Figure) for block in answer.blocks)
