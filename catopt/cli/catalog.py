@@ -109,9 +109,10 @@ def show(
     volume-equivalent, and the one that each coefficient is referred to.
     """
     from catopt.catalogue.document import Answer
+    from catopt.cli.values import in_si
     from catopt.units import Dimension
 
-    values = _values(
+    values = in_si(
         {
             "--diameter": (diameter, Dimension.LENGTH),
             "--water-density": (water_density, Dimension.DENSITY),
@@ -188,9 +189,10 @@ def search(
     status is 3 and the message names the strongest there is.
     """
     from catopt.catalogue.document import Answer
+    from catopt.cli.values import in_si
     from catopt.units import Dimension
 
-    values = _values(
+    values = in_si(
         {
             "--mbl": (mbl, Dimension.FORCE),
             "--proof-load": (proof_load, Dimension.FORCE),
@@ -221,12 +223,6 @@ _LIMITS = {
     "--max-diameter": "diameter_at_most",
 }
 """Options of a search by what they are called in Python."""
-
-
-def _values(given: Any) -> dict[str, float]:
-    from catopt.cli.values import in_si
-
-    return in_si(given)
 
 
 def _catalogue(families: Path | None) -> Catalogue:

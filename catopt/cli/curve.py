@@ -75,7 +75,7 @@ def curve(
     """
     from catopt.answers.curve import curve_answer
     from catopt.casefile import read_case
-    from catopt.cli.known_codes import with_known_codes
+    from catopt.cli.state import with_known_codes
     from catopt.render.terminal import show
 
     output: Output = context.obj

@@ -97,8 +97,7 @@ def export(
     standard error.
     """
     from catopt.casefile.design_directory import read_case_or_design
-    from catopt.cli.known_codes import with_known_codes
-    from catopt.cli.state import in_state
+    from catopt.cli.state import in_state, with_known_codes
 
     output: Output = context.obj
     EA = _settings(to, stiffness, elements, true_depth=true_depth)

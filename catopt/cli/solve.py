@@ -85,8 +85,7 @@ def solve(
     """
     from catopt.answers.solution import solution_answer
     from catopt.casefile.design_directory import read_case_or_design
-    from catopt.cli.known_codes import with_known_codes
-    from catopt.cli.state import in_state
+    from catopt.cli.state import in_state, with_known_codes
     from catopt.render.terminal import show
 
     output: Output = context.obj

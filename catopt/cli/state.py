@@ -1,4 +1,4 @@
-"""The state of a case that ``--load-case`` asks for."""
+"""The case that a command computes: with codes that are known, in the state that it asks for."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from catopt.model import Case
 
-__all__ = ["in_state"]
+
+def with_known_codes(case: Case) -> Case:
+    """Return a case whose codes all are known and allowed, also where none is judged by."""
+    if case.checks.codes:
+        from catopt.checks.profiles import profiles_of
+
+        profiles_of(case.checks)
+    return case
 
 
 def in_state(case: Case, name: str | None) -> Case:
-    """Return a case under one of its load cases.
-
-    Parameters
-    ----------
-    case : Case
-        Returned as it is where no name is given.
-    name : str or None
-        Of the load case.
+    """Return a case under the load case that ``--load-case`` names; as it is without a name.
 
     Raises
     ------

@@ -8,21 +8,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from catopt.units import Dimension
 
-__all__ = ["in_si"]
-
 
 def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]:
-    """Read options, each a bare number in SI or a number with a unit.
-
-    Parameters
-    ----------
-    given : mapping of str to (str or None, Dimension)
-        By the option's name: its text, None when it was left out, and what is wanted.
-
-    Returns
-    -------
-    dict of str to float
-        In SI, those that were given.
+    """Read options, by their names, in SI: each a bare number or one with a unit, or left out.
 
     Raises
     ------

@@ -264,7 +264,7 @@ def stop_if_not_converged(output: Output, found: DynamicVerification, lang: Repo
 def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
     """Read the case; what a line in motion lacks is told before anything is solved."""
     from catopt.casefile.design_directory import read_case_or_design
-    from catopt.cli.known_codes import with_known_codes
+    from catopt.cli.state import with_known_codes
 
     case = with_known_codes(read_case_or_design(path, design))
     if with_motion:
