@@ -84,7 +84,8 @@ def motion_answer(
 ) -> Answer:
     """Lay out a case in motion.
 
-    Files have every sample `with_series`.
+    `checks` are of its tensions; nothing is said of them when left out. Files have every sample
+    `with_series`.
     """
     said = _of_body(found) if found.case.system is not None else _of_load_cases(found)
     judged = () if checks is None else tuple(checks_in_motion(checks))
