@@ -89,14 +89,18 @@ class Quantity:
         return si / self.factor
 
     def in_files(self, si: float) -> float:
-        """Convert a value in SI to the field unit, to the 15 digits that a double surely holds.
+        """Convert a value in SI to the field unit, without the last digit's noise of doing so.
 
         Examples
         --------
         >>> QUANTITIES["angle"].in_files(1.0471975511965976)  # 60 deg, not 59.99999999999999
         60.0
         """
-        return float(f"{self.to_field(si):.15g}") if self.factor != 1.0 else si
+        if self.factor == 1.0:
+            return si
+        field = self.to_field(si)
+        short = float(f"{field:.12g}")
+        return short if abs(short - field) <= 2.0 * math.ulp(field) else field
 
     def to_si(self, field: float) -> float:
         """Convert a value (or an array) in the field unit to SI."""

@@ -162,7 +162,7 @@ def in_files(answer: Answer) -> Iterator[float]:
                         yield float(value)
         elif isinstance(block, Trail):
             known = (step for step in block.steps if step.value is not None)
-            yield from (step.quantity.to_field(step.value) for step in known)  # type: ignore[arg-type]
+            yield from (step.quantity.in_files(step.value) for step in known)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -68,8 +68,8 @@ def test_candidates_are_in_the_units_of_the_field() -> None:
     assert mass is not None
     assert anchor is not None
     assert anchor.mass is not None
-    assert best["Mass in air (t)"] == mass / 1e3
-    assert best["Anchor, mass in air (t)"] == anchor.mass / 1e3
+    assert best["Mass in air (t)"] == pytest.approx(mass / 1e3, rel=1e-15)
+    assert best["Anchor, mass in air (t)"] == pytest.approx(anchor.mass / 1e3, rel=1e-15)
     assert best["Largest span S (m)"] == of.point.objectives["offset_m"]
 
 
@@ -136,8 +136,6 @@ def test_what_does_not_go_with_the_pull_is_looked_at_under_the_larger_one() -> N
 
 
 def test_what_a_sizing_does_not_judge_is_said() -> None:
-    """Several lines are sized whole, and a ship without a ballast draught loaded."""
+    """A ship without a ballast draught is sized loaded."""
     of = around()
-    assert any("when one is lost is not judged" in each for each in of.warnings)
     assert any("with its ballast draught both" in each for each in of.assumptions)
-    assert not any("when one is lost" in each for each in by_force().warnings)
