@@ -71,7 +71,8 @@ def _study(study: Study) -> list[str]:
     for method in dict.fromkeys(item.method for item in study.items):
         chosen = [item for item in study.items if item.method == method]
         lines += ["", f"### {_heading(method)}", "", *_comparison(chosen)]
-    lines += ["", "### What was found", ""]
+    if study.findings:
+        lines += ["", "### What was found", ""]
     lines += [f"{number}. {text}" for number, text in enumerate(study.findings, start=1)]
     for table in study.side_by_side:
         lines += ["", f"**{table.title}**", "", *_table(table.header, table.rows)]

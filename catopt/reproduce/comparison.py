@@ -10,7 +10,8 @@ from catopt.reproduce.published import Published
 from catopt.reproduce.verdict import Judgement, by_digits, not_reproducible
 from catopt.words import term
 
-_UNITS = {unit: unit for unit in ("m", "kN", "tf", "rad", "s")} | {"percent": "%"}
+_KNOWN = ("m", "N", "kN", "MN", "tf", "rad", "deg", "s", "kN/m", "MN/rad", "MN*m/rad")
+_UNITS = {unit: unit for unit in _KNOWN} | {"percent": "%"}
 _PURE_NUMBER = "-"
 
 

@@ -11,6 +11,7 @@ from catopt.reproduce import (
     fso_rang_dong_dynamic,
     fso_rang_dong_loads,
     load_sharing,
+    reference_moorings,
     ship_200m,
     tanker_20m,
     tanker_20m_loads,
@@ -30,6 +31,10 @@ _STUDIES: dict[str, Callable[[Progress | None], Study]] = {
     fso_rang_dong.NAME: lambda _progress: fso_rang_dong.study(),
     fso_rang_dong_loads.NAME: lambda _progress: fso_rang_dong_loads.study(),
     fso_rang_dong_dynamic.NAME: lambda _progress: fso_rang_dong_dynamic.study(),
+    **{
+        name: lambda _progress, name=name: reference_moorings.study(name)  # type: ignore[misc]
+        for name in reference_moorings.NAMES
+    },
 }
 
 

@@ -26,6 +26,11 @@ NAMES = (
     "fso_rang_dong",
     "fso_rang_dong_loads",
     "fso_rang_dong_dynamic",
+    "oc3",
+    "oc4",
+    "volturnus",
+    "steep_chain",
+    "hanging_cable",
 )
 WITHOUT_SWARM = NAMES[1:]
 STUDIES = [
@@ -95,6 +100,11 @@ def test_every_number_of_the_source_is_judged_once(name: str) -> None:
             "fso_rang_dong",
             "Of 28 printed numbers 25 reproduce, 3 differ and 0 cannot be reproduced.",
         ),
+        ("oc3", "Of 12 printed numbers 7 reproduce, 5 differ and 0 cannot be reproduced."),
+        ("oc4", "Of 11 printed numbers 4 reproduce, 7 differ and 0 cannot be reproduced."),
+        ("volturnus", "Of 2 printed numbers 1 reproduce, 1 differ and 0 cannot be reproduced."),
+        ("steep_chain", "Of 5 printed numbers 5 reproduce, 0 differ and 0 cannot be reproduced."),
+        ("hanging_cable", "Of 8 printed numbers 4 reproduce, 4 differ and 0 cannot be reproduced."),
         pytest.param(
             "fso_rang_dong_dynamic",
             "Of 30 printed numbers 0 reproduce, 0 differ and 30 cannot be reproduced.",
@@ -129,3 +139,18 @@ def test_the_documentation_counts_right() -> None:
     ]
     rows = row.findall(page.read_text(encoding="utf-8"))
     assert [(name, int(all_), int(good)) for name, all_, good in rows] == counted
+
+
+def test_what_explains_the_reports_of_turbines_is_computed() -> None:
+    """Derivatives and differences part in the third order of the step; 613 has 631's digits."""
+    (oc3,) = reproduce("oc3").studies
+    said = " ".join(oc3.findings)
+    assert "over 0.03 rad give -2.820 and 311.1 MN m/rad in roll, over 1 m of surge -2.816" in said
+    left = next(item for item in oc3.items if item.quantity == "anchor_horizontal_force_N")
+    # 736939.290 - 0.001 x 698.0945 x 134.785
+    assert "736845.197 N" in left.note
+    (oc4,) = reproduce("oc4").studies
+    assert any("3 x 631 kN by equilibrium" in item.note for item in oc4.items)
+    (volturnus,) = reproduce("volturnus").studies
+    # 2435.5597 kN at 9.80665 m/s2, by MoorPy; at 9.81 the whole line is 0.034 % heavier
+    assert "2409.0, 2436.4, 2445.7 kN" in " ".join(volturnus.findings)
