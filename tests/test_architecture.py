@@ -56,7 +56,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "loads": BASE | {"model", "waves", "catalogue"},
     "checks": SOLVING | {"catalogue", "mooring"},
     "design": SOLVING | {"catalogue", "mooring", "checks"},
-    "verify": SOLVING | {"mooring", "fem", "waves"},
+    "verify": SOLVING | {"mooring", "checks", "fem", "waves"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "_version"},

@@ -9,6 +9,7 @@ from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.components import SIZES, FromCatalogue, catalogue_choice
+from catopt.casefile.fatigue_consistency import share_of_year
 from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, Values
 from catopt.casefile.schema import (
     BodyTable,
@@ -17,6 +18,7 @@ from catopt.casefile.schema import (
     ChecksTable,
     CurrentTable,
     DesignTable,
+    FatigueTable,
     LineTable,
     MotionTable,
     SegmentChoiceTable,
@@ -35,6 +37,8 @@ from catopt.model import (
     CurrentProfile,
     Design,
     Dynamics,
+    Fatigue,
+    FatigueSeaState,
     Find,
     Line,
     Load,
@@ -43,6 +47,7 @@ from catopt.model import (
     PointLoad,
     Segment,
     SegmentChoice,
+    SegmentCurve,
     Service,
     SinkerChoice,
     Site,
@@ -101,6 +106,7 @@ def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
         ),
         body=_body(table.body, folder) if table.body else None,
         dynamics=Dynamics(**table.dynamics.given()) if table.dynamics else None,
+        fatigue=_fatigue(table.fatigue, folder) if table.fatigue else None,
     )
 
 
@@ -129,6 +135,20 @@ def _body(table: BodyTable, folder: str) -> Body:
     given = table.given()
     given["wave_force"] = tuple(given.get("wave_force", ()))
     return Body(**_found_from(folder, given, ("force_file",)))
+
+
+def _fatigue(table: FatigueTable, folder: str) -> Fatigue:
+    given = table.given()
+    given["curves"] = tuple(SegmentCurve(**curve.given()) for curve in table.curves or ())
+    states = [state.given() for state in table.sea_states or ()]
+    given["sea_states"] = tuple(
+        FatigueSeaState(
+            **{key: state[key] for key in state if key not in ("share", "time_per_year")},
+            share=share_of_year(state) or 0.0,
+        )
+        for state in states
+    )
+    return Fatigue(**_found_from(folder, given, ("sea_states_file",)))
 
 
 def _found_from(folder: str, given: dict[str, Any], files: Sequence[str]) -> dict[str, Any]:

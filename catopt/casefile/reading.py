@@ -12,6 +12,7 @@ from catopt.casefile.components import from_catalogue
 from catopt.casefile.consistency import consistency_findings
 from catopt.casefile.design_consistency import design_findings
 from catopt.casefile.dynamics_consistency import dynamics_findings
+from catopt.casefile.fatigue_consistency import fatigue_findings
 from catopt.casefile.location import Finding, in_order_of
 from catopt.casefile.schema import CaseTable
 from catopt.casefile.structure import structure_findings
@@ -76,6 +77,7 @@ def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
     findings += consistency_findings(document, catalogue.segments)
     findings += design_findings(document)
     findings += dynamics_findings(document)
+    findings += fatigue_findings(document)
     if table is None or findings:
         from catopt.casefile.sizing_file import not_a_case
 

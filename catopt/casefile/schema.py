@@ -22,6 +22,7 @@ from catopt.model.current_profile import CURRENT_PROFILES
 from catopt.model.design import OBJECTIVES, SEARCH_METHODS
 from catopt.model.drag_method import DRAG_METHODS
 from catopt.model.dynamics import BROKEN_ENDS, INITIAL_FRICTION, TIME_SCHEMES
+from catopt.model.fatigue import CURVE_NAMES, FATIGUE_CODES
 from catopt.model.find import FIND_QUANTITIES
 from catopt.model.line import HIGHEST_COV
 from catopt.model.load_case import LOAD_CASE_KINDS, LOAD_CASE_STATES
@@ -523,6 +524,45 @@ class DynamicsTable(Table):
     duration_of_interest: Storm | None = None
 
 
+class FatigueSeaStateTable(Table):
+    """Waves that last a part of the year."""
+
+    symbols = _OneTrainTable.symbols
+
+    height: Length
+    period: Time
+    share: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)] | None = None
+    time_per_year: (
+        Annotated[float, Measured(Dimension.TIME, above=0.0, example='"2190 h"')] | None
+    ) = None
+    direction: Angle | None = None
+
+
+class FatigueCurveTable(Table):
+    """Curve of a segment, in place of the code's."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"a_D": "log_a_D"}
+
+    segment: Annotated[int, Whole("segment", example=1)] | None = None
+    name: Annotated[str, OneOf(CURVE_NAMES)] | None = None
+    log_a_D: Annotated[float, Measured(Dimension.NUMBER, above=0.0, example="10.78")] | None = None
+    m: Exponent | None = None
+    K: Annotated[float, Measured(Dimension.NUMBER, above=0.0, example="316")] | None = None
+    M: Exponent | None = None
+
+
+class FatigueTable(Table):
+    """What the damage of a line in motion is found from."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"DFF": "design_factor"}
+
+    code: Annotated[str, OneOf(FATIGUE_CODES)] | None = None
+    design_factor: Factor | None = None
+    curves: Annotated[list[FatigueCurveTable], SOME_TABLES] | None = None
+    sea_states: Annotated[list[FatigueSeaStateTable], SOME_TABLES] | None = None
+    sea_states_file: Annotated[str, Text(filled=True, example='"sea-states.csv"')] | None = None
+
+
 class CaseTable(Table):
     """A whole case file."""
 
@@ -555,6 +595,7 @@ class CaseTable(Table):
     anchor_motion: AnchorMotionTable | None = None
     body: BodyTable | None = None
     dynamics: DynamicsTable | None = None
+    fatigue: FatigueTable | None = None
     pso: PsoTable | None = None
 
 

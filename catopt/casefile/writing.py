@@ -20,6 +20,9 @@ from catopt.casefile.schema import (
     CurrentTable,
     DesignTable,
     DynamicsTable,
+    FatigueCurveTable,
+    FatigueSeaStateTable,
+    FatigueTable,
     FindTable,
     LineTable,
     LoadCaseTable,
@@ -124,6 +127,10 @@ def _blocks(case: Case) -> Blocks:
     yield from _tables("[anchor_motion]", AnchorMotionTable, case.anchor_motion)
     yield from _tables("[body]", BodyTable, case.body)
     yield from _tables("[dynamics]", DynamicsTable, case.dynamics)
+    if case.fatigue is not None:
+        yield from _tables("[fatigue]", FatigueTable, case.fatigue)
+        yield from _tables("[[fatigue.sea_states]]", FatigueSeaStateTable, *case.fatigue.sea_states)
+        yield from _tables("[[fatigue.curves]]", FatigueCurveTable, *case.fatigue.curves)
     yield from _tables("[pso]", PsoTable, case.swarm)
 
 

@@ -14,6 +14,7 @@ from catopt.cli.compile import compile_all
 from catopt.cli.curve import curve
 from catopt.cli.design import design
 from catopt.cli.export import export
+from catopt.cli.fatigue import fatigue
 from catopt.cli.loads import loads
 from catopt.cli.new import new
 from catopt.cli.output import Output
@@ -65,7 +66,9 @@ def catopt(
     output.tell_when_compiling()
 
 
-for _command in (solve, curve, design, check, verify, system, report, export, reproduce, new):
+for _command in (
+    solve, curve, design, check, verify, fatigue, system, report, export, reproduce, new,
+):  # fmt: skip
     app.command()(_command if _command in (export, new, reproduce) else in_units(_command))
 app.command("compile")(compile_all)
 app.add_typer(catalog)

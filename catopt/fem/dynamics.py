@@ -299,6 +299,7 @@ def _run(
         since=since,
         nodes=stepping.nodes,
         energy=stepping.energy,
+        tensions=stepping.tensions,
         breaks=breaks,
         progress=progress,
     )
@@ -348,6 +349,7 @@ def _history(
         nodes=record.place,
         at_rest=record.rest,
         energy=record.energy,
+        tension=record.tension,
         first_bar=simulation.lines.start,
         arc=np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
         max_tension=np.where(seen, record.highest, np.nan),

@@ -40,8 +40,10 @@ class History:
     energy : ndarray, shape (samples or 0, 4)
         When asked for: kinetic with added mass, and of strain, weight and bed over the state at
         rest, J.
+    tension : ndarray, shape (samples or 0, bars)
+        When asked for, of every bar, N.
     first_bar : ndarray of int, shape (lines + 1,)
-        First bar of each line in the next four.
+        First bar of each line in the one before and the next four.
     arc : ndarray, shape (bars,)
         Unstretched arc length of the bars' middles from their anchor, m.
     max_tension, min_tension : ndarray, shape (bars,)
@@ -77,6 +79,7 @@ class History:
     nodes: Array
     at_rest: Array
     energy: Array
+    tension: Array
     first_bar: npt.NDArray[np.int64]
     arc: Array
     max_tension: Array
@@ -106,6 +109,7 @@ class History:
         return replace(
             self,
             first_bar=np.array([0, bars.stop - bars.start]),
+            tension=self.tension[:, bars],
             at_rest=self.at_rest[bars.start + line : bars.stop + line + 1],
             **{key: getattr(self, key)[:, only] for key in by_line},
             **{key: getattr(self, key)[bars] for key in by_bar},

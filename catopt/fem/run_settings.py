@@ -37,8 +37,8 @@ class TimeStepping:
         When a step is closed.
     nodes : tuple of int
         Nodes, counted over all lines, whose places are kept.
-    energy : bool
-        Whether energies are kept.
+    energy, tensions : bool
+        Whether energies are kept, and the tension of every bar.
     """
 
     duration: float
@@ -50,6 +50,7 @@ class TimeStepping:
     controls: StepControls = field(default_factory=StepControls)
     nodes: tuple[int, ...] = ()
     energy: bool = False
+    tensions: bool = False
 
     def __post_init__(self) -> None:
         found = Findings("TimeStepping")

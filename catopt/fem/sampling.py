@@ -58,7 +58,7 @@ class Rules(NamedTuple):
 
 
 class Record(NamedTuple):
-    """What is kept of a run; the first axis of the first seven counts samples.
+    """What is kept of a run; the first axis of the first eight counts samples.
 
     Attributes
     ----------
@@ -76,6 +76,8 @@ class Record(NamedTuple):
         m.
     energy : array, shape (samples or 0, 4)
         Kinetic, of strain, of weight, of the bed, J.
+    tension : array, shape (samples or 0, bars)
+        N.
     chosen : array of int, shape (chosen nodes,)
         Which.
     highest, lowest : array, shape (bars,)
@@ -97,6 +99,7 @@ class Record(NamedTuple):
     grounded: Array
     place: Array
     energy: Array
+    tension: Array
     chosen: npt.NDArray[np.int64]
     highest: Array
     lowest: Array
@@ -166,8 +169,16 @@ def take_sample(
     for c in range(record.chosen.shape[0]):
         for i in range(3):
             record.place[sample, c, i] = at.x[record.chosen[c], i]
+    keep_tensions(sample, at, record)
     if record.energy.shape[0] > 0:
         fill_energy(lines, at, room, record.rest, record.energy[sample])
+
+
+def keep_tensions(sample: int, at: Moving, record: Record) -> None:
+    """Write the tension of every bar, N, where they are asked for."""
+    if record.tension.shape[0] > 0:
+        for e in range(record.tension.shape[1]):
+            record.tension[sample, e] = at.tension[e]
 
 
 def fill_end_forces(lines: MovingLines, at: Moving, a: Any, room: Room, to: Any) -> None:

@@ -288,6 +288,7 @@ class Simulation:
         since: float = 0.0,
         nodes: Sequence[int] = (),
         energy: bool = False,
+        tensions: bool = False,
         breaks: Break | None = None,
         progress: Callable[[float], None] | None = None,
     ) -> tuple[Record, bool]:
@@ -307,8 +308,8 @@ class Simulation:
             Time from which envelopes are taken, s.
         nodes : sequence of int
             Whose places are kept.
-        energy : bool
-            Whether energies are.
+        energy, tensions : bool
+            Whether energies are, and the tension of every bar.
         breaks : Break, optional
             Where a line parts, and after which sample.
         progress : callable, optional
@@ -339,7 +340,7 @@ class Simulation:
             tolerance=float(max(ways.tolerance, self.rounding)),
             since=float(since),
         )
-        record = self._empty_record(samples + 1, nodes, energy)
+        record = self._empty_record(samples + 1, nodes, energy, tensions)
         self._first_sample(rules, record)
         flow = (self.sea or _STILL).flow
         has_sea = self.sea is not None
@@ -440,7 +441,9 @@ class Simulation:
         room.ends_before[:] = record.end_force[0]
         room.wet_before[:] = room.water.wet
 
-    def _empty_record(self, samples: int, nodes: Sequence[int], energy: bool) -> Record:
+    def _empty_record(
+        self, samples: int, nodes: Sequence[int], energy: bool, tensions: bool
+    ) -> Record:
         lines, bars = self.lines.start.size - 1, self.lines.length.size
         return Record(
             time=np.zeros(samples),
@@ -450,6 +453,7 @@ class Simulation:
             grounded=np.zeros((samples, lines)),
             place=np.zeros((samples, len(nodes), 3)),
             energy=np.zeros((samples if energy else 0, 4)),
+            tension=np.zeros((samples if tensions else 0, bars)),
             chosen=np.array(list(nodes), dtype=np.int64),
             highest=np.full(bars, -np.inf),
             lowest=np.full(bars, np.inf),
@@ -506,11 +510,10 @@ def _moving(lines: MovingLines, x: Array) -> Moving:
 
 def _cut(record: Record, last: int) -> Record:
     """Leave out the samples that were not taken."""
-    kept = {
-        name: getattr(record, name)[: last + 1]
-        for name in ("time", "end_force", "end_tension", "fairlead", "grounded", "place", "energy")
-    }
-    return record._replace(**kept)
+    names = (
+        "time", "end_force", "end_tension", "fairlead", "grounded", "place", "energy", "tension",
+    )  # fmt: skip
+    return record._replace(**{name: getattr(record, name)[: last + 1] for name in names})
 
 
 def _not_closed(

@@ -9,6 +9,7 @@ from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import ClumpWeightChoice, Design, SegmentChoice, SinkerChoice
 from catopt.model.dynamics import Dynamics
+from catopt.model.fatigue import Fatigue, FatigueSeaState, SegmentCurve
 from catopt.model.find import Find
 from catopt.model.line import Line, PointLoad, Segment
 from catopt.model.load import Load
@@ -30,6 +31,8 @@ __all__ = [
     "CurrentProfile",
     "Design",
     "Dynamics",
+    "Fatigue",
+    "FatigueSeaState",
     "Find",
     "Leg",
     "Line",
@@ -39,6 +42,7 @@ __all__ = [
     "PointLoad",
     "Segment",
     "SegmentChoice",
+    "SegmentCurve",
     "Service",
     "SinkerChoice",
     "Site",

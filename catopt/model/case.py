@@ -14,6 +14,7 @@ from catopt.model.checks import NEEDS_SEVERAL_LINES, Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import Design
 from catopt.model.dynamics import Dynamics, dynamics_misfits
+from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.find import Find, misfits
 from catopt.model.line import Line
 from catopt.model.load import Load
@@ -134,6 +135,8 @@ class Case:
         That the lines moor, where it moves under forces instead of being led.
     dynamics : Dynamics or None
         How the line is run in time; needed by the five before it.
+    fatigue : Fatigue or None
+        What its damage in a year is found from.
     """
 
     site: Site
@@ -159,6 +162,7 @@ class Case:
     anchor_motion: Motion | None = None
     body: Body | None = None
     dynamics: Dynamics | None = None
+    fatigue: Fatigue | None = None
 
     def __post_init__(self) -> None:
         found = Findings("Case")
@@ -201,6 +205,13 @@ class Case:
             {} if self.service is None else vars(self.service),
             [vars(segment) for segment in self.line.segments],
         )
+        if self.fatigue is not None:
+            found.problems += sections_misfits(
+                [k for k in ("dynamics", "waves", "service") if getattr(self, k) is not None],
+                {"spectrum": True} if self.waves and self.waves.spectrum else {},
+                [curve.segment for curve in self.fatigue.curves],
+                len(self.line.segments),
+            )
         self._check_load_cases(found)
         found.raise_if_any()
 

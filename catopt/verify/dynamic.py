@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from catopt.checks.fatigue import count_cycles
 from catopt.errors import InputError, NotConvergedError, Problem
 from catopt.fem.history import STOPPED
 from catopt.interrupt import waiting_interrupt
@@ -37,6 +38,9 @@ _WORTH = 4e6
 _LONG = 60.0
 """Seconds from which what a load case takes is announced."""
 
+LEAST_RANGE = 1e-9
+"""Range of a tension that is none, N."""
+
 _LEFT_OUT = 0.01
 """Part of the waves' energy beyond a table of RAOs from which it is remarked on."""
 
@@ -47,6 +51,7 @@ def verify_dynamic(
     load_case: str | None = None,
     proof: Proof = "step",
     workers: int | None = None,
+    counts_cycles: bool = False,
     progress: Progress | None = None,
     announce: Callable[[str], None] = lambda _: None,
 ) -> DynamicVerification:
@@ -68,6 +73,8 @@ def verify_dynamic(
     workers : int, optional
         Processes that run the seeds of a load case side by side, at most; all cores when left out,
         where that is worth it. The digits do not hang on it.
+    counts_cycles : bool
+        Whether the cycles of every bar's tension are counted by rainflow.
     progress : callable, optional
         Told how far it is and how far it goes.
     announce : callable, optional
@@ -90,7 +97,10 @@ def verify_dynamic(
     if workers is not None and workers < 1:
         raise InputError([Problem("workers", f"{workers}", "1 or more processes")], "options")
     check_for_motion(case)
-    states = [(name, read_drive(state)) for name, state in load_states(case, load_case)]
+    states = [
+        (name, replace(read_drive(state), counts_cycles=counts_cycles))
+        for name, state in load_states(case, load_case)
+    ]
     parts: list[DynamicPart] = []
     is_whole = True
     with waiting_interrupt() as ask:
@@ -267,7 +277,7 @@ def _again(lines: LinesAtRest, number: int, way: Way, progress: Progress) -> lis
         return [Again(way, step, elements, {}, error.message)] * len(lines.legs)
     if not runs[0].history.is_complete:
         raise KeyboardInterrupt
-    return [Again(way, step, elements, run.maxima) for run in runs]
+    return [Again(way, step, elements, run.maxima, cycles=run.cycles) for run in runs]
 
 
 def _run(
@@ -309,8 +319,29 @@ def _run(
             still = quasi_static(leg, of_line, site.seabed_friction)
         if drive.dynamics.broken_line == k + 1:
             still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
-        runs.append(DynamicRun(of_line, still, number, track=track))
+        run = DynamicRun(of_line, still, number, track=track)
+        if stepping.tensions:
+            said += _coarse(run)
+            run = _counted(run)
+        runs.append(run)
     return runs, said
+
+
+def _counted(run: DynamicRun) -> DynamicRun:
+    """Put the cycles of each bar's tension in the place of its series."""
+    history, at = run.history, run.counted
+    time = float(np.ptp(history.time[at]))
+    cycles = tuple(count_cycles(series, time) for series in history.tension[at].T)
+    return replace(run, history=replace(history, tension=history.tension[:0]), cycles=cycles)
+
+
+def _coarse(run: DynamicRun) -> list[str]:
+    """Say how much of the range of a tension lies between samples, where that is worth it."""
+    history = run.history
+    whole = history.max_tension - history.min_tension
+    lost = whole - np.ptp(history.tension[run.counted], axis=0)
+    part = float(np.nanmax(lost) / max(np.nanmax(whole), LEAST_RANGE))
+    return [Message("fatigue.coarse", part=part)] if part > _LEFT_OUT else []
 
 
 def _as_in_file(problem: Problem) -> Problem:

@@ -12,6 +12,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from catopt.checks.fatigue import Cycles
 from catopt.fem.extremes import GumbelFit, TailFit, weibull_tail
 from catopt.fem.extremes import gumbel as gumbel_of
 from catopt.fem.history import History
@@ -103,6 +104,8 @@ class DynamicRun:
     again : tuple of Again
         The same run again, at half the step and then with twice the bars, too; empty when it was
         run once.
+    cycles : tuple of Cycles
+        Of each bar's tension, from the anchor; empty unless they were asked for.
     track : ndarray or None
         Place of the origin of the body that the line moors with others, shape (samples, 3), m.
     """
@@ -112,6 +115,7 @@ class DynamicRun:
     number: int = 0
     again: tuple[Again, ...] = ()
     track: Array | None = None
+    cycles: tuple[Cycles, ...] = ()
 
     def is_complete(self, proof: Proof) -> bool:
         """Whether neither it nor its proof was stopped."""

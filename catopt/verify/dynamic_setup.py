@@ -84,6 +84,8 @@ class Drive:
         On a body, beside its mean.
     anchor_record : Sampled or None
         Of the motion of a line's lower end.
+    counts_cycles : bool
+        Whether the cycles of every bar's tension are counted.
     """
 
     case: Case
@@ -95,6 +97,7 @@ class Drive:
     drift: Sampled | None = None
     force: Sampled | None = None
     anchor_record: Sampled | None = None
+    counts_cycles: bool = False
 
     @property
     def dynamics(self) -> Dynamics:
@@ -222,6 +225,7 @@ class Drive:
             output_interval=every * step,
             scheme=self.scheme,
             controls=replace(controls, surprise=controls.surprise / finer**2),
+            tensions=self.counts_cycles,
         )
 
     @property

@@ -9,7 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Final, Literal
+from typing import TYPE_CHECKING, Final, Literal
+
+if TYPE_CHECKING:
+    from catopt.checks.fatigue import Cycles
 
 LIMIT: Final = 0.05
 """Change of a maximum, or part of the work lost, above which a run has not converged."""
@@ -35,7 +38,8 @@ class Again:
     """One run again.
 
     `way`: at half the step, or at half the step with twice the bars; `step`: s; `maxima`: as
-    `DynamicRun.maxima`; empty where it did not converge itself; `failure`: why it did not.
+    `DynamicRun.maxima`; empty where it did not converge itself; `failure`: why it did not;
+    `cycles`: of each bar's tension, empty unless they were asked for.
     """
 
     way: Way
@@ -43,6 +47,7 @@ class Again:
     elements: int
     maxima: Mapping[str, float]
     failure: str = ""
+    cycles: tuple[Cycles, ...] = ()
 
 
 @dataclass(frozen=True)

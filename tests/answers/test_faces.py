@@ -19,6 +19,7 @@ from catopt.answers.catalogue import catalogue_answer
 from catopt.answers.check import check_answer
 from catopt.answers.curve import curve_answer
 from catopt.answers.design import design_answer
+from catopt.answers.fatigue import fatigue_answer
 from catopt.answers.loads import loads_answer
 from catopt.answers.motion import motion_answer
 from catopt.answers.reproduction import reproduction_answer
@@ -39,6 +40,7 @@ from catopt.render.workbook import workbook
 from catopt.reproduce import reproduce
 from catopt.verify.case import verify_case
 from catopt.verify.dynamic import verify_dynamic
+from catopt.verify.fatigue import verify_fatigue
 from catopt.verify.front import Design, verify_front
 from catopt.words import LANGUAGES, Language, Message
 from tests.cli.conftest import CHAIN_IN_MOTION
@@ -174,6 +176,12 @@ def _motion() -> Answer:
     return motion_answer(verify_dynamic(case, proof="none"), with_series=True)
 
 
+def _fatigue() -> Answer:
+    return fatigue_answer(
+        verify_fatigue(read_case(CASES / "fatigue-chain-20m" / "case.toml"), proof="none")
+    )
+
+
 def _body_in_motion() -> Answer:
     return motion_answer(verify_dynamic(parse_case(MOVING + ON_THREE)), with_series=True)
 
@@ -185,7 +193,7 @@ KINDS: dict[str, Callable[[], Answer]] = {
     "list": _list, "design": _design, "reproduction": _reproduction, "size": _size,
     "size by force": _size_by_force, "verification": _verification,
     "verified body": _verified_body, "verified front": _front, "motion": _motion,
-    "body in motion": _body_in_motion,
+    "body in motion": _body_in_motion, "fatigue": _fatigue,
 }  # fmt: skip
 
 
@@ -308,7 +316,7 @@ OWN = {
     "Confidence", "Confidence of MBL", "Confidence of the sizes", "Sources of the sizes",
     "Quantity", "Study", "Recalled, read in no document", "Also published: --variant",
     "Reference point (SI units)",
-    "Chain", "On", "Governing load case",
+    "Chain", "On", "Governing load case", "Design factor by",
 }  # fmt: skip
 """Columns that may hold the user's own words, keys of documents, or what is cited."""
 

@@ -311,7 +311,7 @@ def test_a_key_with_odd_characters_is_quoted_in_its_path() -> None:
         ("[load]", "water_level", "move it to [[load_cases]]"),
         ("[[line.segments]]", "nominal_diameter", "did you mean diameter?"),
         ("[[line.segments]]", "load", "did you mean proof_load?"),
-        ("[load]", "segment", "move it to [find]"),
+        ("[load]", "segment", "move it to [find] or [[fatigue.curves]]"),
         (
             "[site]",
             "wind",

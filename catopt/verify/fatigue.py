@@ -1,0 +1,394 @@
+"""Fatigue of the lines of a case: a run in time for each of its sea states, and their damage."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from catopt.checks.fatigue import (
+    FatigueStrength,
+    design_factor,
+    fatigue_strengths,
+    need_rainflow,
+)
+from catopt.checks.result import CheckSource
+from catopt.constants import YEAR
+from catopt.errors import InputError, Problem
+from catopt.model import Case, FatigueSeaState, Segment
+from catopt.model.fatigue import share_misfits
+from catopt.ties import largest
+from catopt.units import UNITS, Dimension
+from catopt.verify.case import load_states
+from catopt.verify.dynamic import Progress, verify_dynamic
+from catopt.verify.dynamic_lines import lines_at_rest
+from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict
+from catopt.verify.dynamic_setup import check_for_motion, read_drive
+from catopt.verify.effort import effort_of
+from catopt.verify.motion_file import read_columns
+from catopt.verify.proof import LIMIT, Proof
+from catopt.words import Message
+
+__all__ = ["FatigueReport", "SegmentFatigue", "StateDamage", "sea_states", "verify_fatigue"]
+
+_LONG = 60.0
+"""Seconds from which what all takes is announced."""
+
+_WHOLE = 1e-6
+"""By which the shares may miss the whole year before that is said."""
+
+
+class StateDamage(NamedTuple):
+    """What a sea state does to a segment.
+
+    Attributes
+    ----------
+    damage : float
+        In a year, with its share of it.
+    mean : float
+        Tension, N.
+    cycles : float
+        In a year, with its share of it.
+    at_half_step : float or None
+        The damage by the runs at half the step; None where there are none.
+    """
+
+    damage: float
+    mean: float
+    cycles: float
+    at_half_step: float | None
+
+
+@dataclass(frozen=True)
+class SegmentFatigue:
+    """Fatigue of a segment, at its bar of the largest damage.
+
+    Attributes
+    ----------
+    line : int or None
+        Of a body with several lines, which one, from 1.
+    number : int
+        Of the segment, from 1 at the anchor.
+    segment : Segment
+        As new.
+    strength : FatigueStrength
+        Its curve and reference.
+    states : tuple of StateDamage
+        One a sea state.
+    arc, along : float
+        Where that bar is: from the anchor, m, and as a part of the segment.
+    factor : float
+        On the damage.
+    factor_source : CheckSource
+        Of the factor.
+    life : float
+        That is wanted, s.
+    """
+
+    line: int | None
+    number: int
+    segment: Segment
+    strength: FatigueStrength
+    states: tuple[StateDamage, ...]
+    arc: float
+    along: float
+    factor: float
+    factor_source: CheckSource
+    life: float
+
+    @property
+    def damage(self) -> float:
+        """Damage in a year."""
+        return sum(each.damage for each in self.states)
+
+    @property
+    def change(self) -> float | None:
+        """By how much ranges would have to change to give the damage at half the step."""
+        finer = [each.at_half_step for each in self.states if each.at_half_step is not None]
+        if len(finer) < len(self.states) or self.damage == 0.0:
+            return None
+        ranges: float = (sum(finer) / self.damage) ** (1.0 / self.strength.curve.slope)
+        return abs(ranges - 1.0)
+
+    @property
+    def years(self) -> float | None:
+        """Until the damage is 1, without the factor; None where there is none."""
+        return 1.0 / self.damage if self.damage > 0.0 else None
+
+    @property
+    def utilisation(self) -> float:
+        """Damage in the life times the factor."""
+        return self.damage * self.life / YEAR * self.factor
+
+    @property
+    def worst(self) -> int:
+        """Which sea state does most, from 0."""
+        return largest(range(len(self.states)), lambda k: self.states[k].damage)
+
+
+@dataclass(frozen=True)
+class FatigueReport:
+    """Fatigue of the lines of a case.
+
+    Attributes
+    ----------
+    case : Case
+        What was run.
+    states : tuple of FatigueSeaState
+        In the order of the runs.
+    runs : tuple of DynamicVerification
+        One a sea state.
+    """
+
+    case: Case
+    states: tuple[FatigueSeaState, ...]
+    runs: tuple[DynamicVerification, ...]
+
+    @cached_property
+    def segments(self) -> tuple[SegmentFatigue, ...]:
+        """Every segment of every line."""
+        strengths = fatigue_strengths(self.case)
+        return tuple(
+            self._segment(part, index, strength)
+            for part in range(len(self.runs[0].parts))
+            for index, strength in enumerate(strengths)
+        )
+
+    def _segment(self, line: int, index: int, strength: FatigueStrength) -> SegmentFatigue:
+        segments = self.case.line.segments
+        first = sum(each.length for each in segments[:index])
+        parts = [run.parts[line] for run in self.runs]
+        arcs = parts[0].envelope.arc
+        bars = np.flatnonzero((arcs > first) & (arcs < first + segments[index].length)).tolist()
+        by_bar = {bar: self._states(parts, bar, strength) for bar in bars}
+        bar = largest(bars, lambda bar: sum(each.damage for each in by_bar[bar]))
+        factor, source = design_factor(self.case, strength.curve)
+        assert self.case.service is not None
+        return SegmentFatigue(
+            line=parts[0].line,
+            number=index + 1,
+            segment=segments[index],
+            strength=strength,
+            states=by_bar[bar],
+            arc=float(arcs[bar]),
+            along=float(arcs[bar] - first) / segments[index].length,
+            factor=factor,
+            factor_source=source,
+            life=self.case.service.life,
+        )
+
+    def _states(
+        self, parts: Sequence[DynamicPart], bar: int, strength: FatigueStrength
+    ) -> tuple[StateDamage, ...]:
+        found = []
+        for state, part in zip(self.states, parts, strict=True):
+            cycles = [run.cycles[bar] for run in part.runs]
+            again = [
+                a.cycles[bar] for r in part.runs for a in r.again if a.way == "step" and a.cycles
+            ]
+            finer = state.share * strength.damage(again) if len(again) == len(cycles) else None
+            time = sum(each.time for each in cycles)
+            count = sum(float(each.counts.sum()) for each in cycles)
+            found.append(
+                StateDamage(
+                    state.share * strength.damage(cycles),
+                    sum(each.mean * each.time for each in cycles) / time,
+                    state.share * count * YEAR / time,
+                    finer,
+                )
+            )
+        return tuple(found)
+
+    @property
+    def governing(self) -> SegmentFatigue:
+        """The segment that is used furthest."""
+        return largest(self.segments, lambda each: each.utilisation)
+
+    @property
+    def passes(self) -> bool:
+        """Whether every segment lasts, with its factor."""
+        return all(each.utilisation <= 1.0 for each in self.segments)
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the runs have converged, in their maxima and in the ranges behind the damage."""
+        of_runs = {run.verdict for run in self.runs}
+        if any(each.change is not None and each.change > LIMIT for each in self.segments):
+            return "not converged"
+        for verdict in ("not converged", "not proven"):
+            if verdict in of_runs:
+                return verdict
+        return "converged"
+
+    @property
+    def share(self) -> float:
+        """Part of the year that the sea states make up."""
+        return sum(state.share for state in self.states)
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What to know before the figures are used."""
+        said: list[str] = []
+        if self.share < 1.0 - _WHOLE:
+            said.append(Message("fatigue.rest_of_year", part=1.0 - self.share))
+        if any(each.factor_source.confidence == "R" for each in self.segments):
+            said.append(Message("fatigue.recalled"))
+        motion = self.case.motion
+        if motion is not None and not motion.rao_file:
+            said.append(Message("fatigue.same_motion"))
+        said.append(Message("fatigue.as_new"))
+        said += [each for run in self.runs for part in run.parts for each in part.remarks]
+        return tuple(dict.fromkeys(said))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt fatigue --json`` prints (schema catopt.fatigue/1)."""
+        from catopt.verify.fatigue_document import fatigue_document
+
+        return fatigue_document(self)
+
+
+def verify_fatigue(
+    case: Case,
+    *,
+    load_case: str | None = None,
+    proof: Proof = "step",
+    workers: int | None = None,
+    progress: Progress | None = None,
+    announce: Callable[[str], None] = lambda _: None,
+) -> FatigueReport:
+    """Run the lines of a case in each of its sea states, and find the damage of their segments.
+
+    Cycles of the tension of every bar are counted by rainflow after the ramp; a segment's damage
+    is that of its bar that is damaged most. Its curve and its reference are those at half the loss
+    of diameter; the line that is run is new.
+
+    Parameters
+    ----------
+    case : Case
+        With `fatigue`, `dynamics`, `waves` and `service`.
+    load_case : str, optional
+        Name of the load case under which the line lies; needed where there are several.
+    proof, workers, progress
+        As for `verify_dynamic`.
+    announce : callable, optional
+        Told beforehand, in words, what all sea states take, where that is minutes.
+
+    Returns
+    -------
+    FatigueReport
+        Damage and life by segment.
+
+    Raises
+    ------
+    InputError
+        For what a case lacks, or what is wrong in its files.
+    NoEquilibriumError, NotConvergedError
+        As for `verify_dynamic`.
+    """
+    if case.fatigue is None:
+        raise InputError([Problem("fatigue", "", "[fatigue] is missing; the sea states are there")])
+    need_rainflow()
+    check_for_motion(case)
+    if case.dynamics is not None and case.dynamics.broken_line is not None:
+        allowed = "leave it out: a year is run with every line"
+        raise InputError([Problem("dynamics.broken_line", "", allowed)])
+    for strength in fatigue_strengths(case):
+        design_factor(case, strength.curve)
+    loads = load_states(case, load_case)
+    if len(loads) > 1:
+        names = ", ".join(name for name, _ in loads)
+        allowed = f"one of {names} is wanted: a year is run under one load"
+        raise InputError([Problem("--load-case", "", allowed)], "options")
+    states = sea_states(case)
+    seas = [_in_sea(case, state) for state in states]
+    seconds = sum(_seconds(sea, load_case, proof) for sea in seas)
+    if seconds > _LONG:
+        announce(Message("fatigue.takes", count=len(states), minutes=seconds / 60.0))
+    runs = []
+    for done, sea in enumerate(seas):
+        runs.append(
+            verify_dynamic(
+                sea,
+                load_case=load_case,
+                proof=proof,
+                workers=workers,
+                counts_cycles=True,
+                progress=_share(progress, done, len(seas)),
+            )
+        )
+        if not runs[-1].is_complete:
+            raise KeyboardInterrupt
+    return FatigueReport(case, states, tuple(runs))
+
+
+def _in_sea(case: Case, state: FatigueSeaState) -> Case:
+    """Put a sea state in the place of the waves; all are run with as many bars."""
+    assert case.waves is not None
+    assert case.dynamics is not None
+    waves = replace(case.waves, height=state.height, period=state.period)
+    if state.direction is not None:
+        waves = replace(waves, direction=state.direction)
+    dynamics = replace(case.dynamics, elements=case.dynamics.bars)
+    return replace(case, waves=waves, dynamics=dynamics)
+
+
+def _seconds(case: Case, load_case: str | None, proof: Proof) -> float:
+    ((_, state),) = load_states(case, load_case)
+    drive = read_drive(state)
+    effort = effort_of(lines_at_rest(drive), proof)
+    effort.check(drive.dynamics.duration)
+    return effort.seconds
+
+
+def _share(progress: Progress | None, done: int, total: int) -> Progress | None:
+    if progress is None:
+        return None
+    return lambda at, end: progress(done * end + at, total * end)
+
+
+_UNITS = {
+    "height": UNITS[Dimension.LENGTH],
+    "period": UNITS[Dimension.TIME],
+    "time": UNITS[Dimension.TIME],
+    "direction": UNITS[Dimension.ANGLE],
+}
+
+
+def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
+    """Take the sea states of a case, or read them from its file.
+
+    Raises
+    ------
+    InputError
+        With all that is wrong in the file.
+    """
+    fatigue = case.fatigue
+    assert fatigue is not None
+    path = fatigue.sea_states_file
+    if not path:
+        return fatigue.sea_states
+    some = ("share", "time")
+    columns = read_columns(
+        path,
+        needed=("height", "period"),
+        known=("height", "period", *some, "direction"),
+        some_of=some,
+        units=_UNITS,
+    )
+    if set(some) <= set(columns):
+        raise InputError([Problem("headings", "share and time", "one of them is wanted")], path)
+    shares = columns["share"] if "share" in columns else columns["time"] / YEAR
+    states, problems = [], share_misfits(shares.tolist())
+    for row, share in enumerate(shares.tolist()):
+        at = {key: float(columns[key][row]) for key in ("height", "period", "direction")
+              if key in columns}  # fmt: skip
+        try:
+            states.append(FatigueSeaState(share=share, **at))
+        except InputError as error:
+            problems += [replace(p, key=f"row {row + 1}, {p.key}") for p in error.problems]
+    if problems:
+        raise InputError(problems, path)
+    return tuple(states)
