@@ -54,17 +54,18 @@ def test_the_same_sizing_gives_the_same_page() -> None:
 
 def test_the_recommendation_is_a_sentence() -> None:
     page = known_size_page("size-buoy")
-    said = page.sections["size_identity"].replace("\N{NO-BREAK SPACE}", " ")
+    said = page.sections["summary"].replace("\N{NO-BREAK SPACE}", " ")
     assert (
         "One line of chain open-link 4D Q2 38 mm, 54.5 m long (1.98 shots), held by a concrete "
         "sinker of 20 t. Swing radius at low water 53.6 m." in said
     )
     assert "Governing: sliding of the sinker in load case storm, high water" in said
-    assert "54 m for 54.5 m, fails by the uplift angle at the anchor" in said
-    tanker = known_size_page("size-tanker").sections["size_identity"]
+    steps = known_size_page("size-buoy").sections["size_identity"]
+    assert "54 m for 54.5 m, fails by the uplift angle at the anchor" in steps
+    tanker = known_size_page("size-tanker").sections["summary"]
     assert "a Stevpris Mk5 drag anchor of 1" in tanker
-    assert "6 lines, evenly spaced" in known_size_page("six").sections["size_identity"]
-    hawser = known_size_page("hawser").sections["size_identity"].replace("\N{NO-BREAK SPACE}", " ")
+    assert "6 lines, evenly spaced" in known_size_page("six").sections["summary"]
+    hawser = known_size_page("hawser").sections["summary"].replace("\N{NO-BREAK SPACE}", " ")
     assert "with a clump weight of 10 t at" in hawser
 
 
