@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from catopt.model import Case, Segment
     from catopt.notes.sheet import Sheet
 
-__all__ = ["basis_section", "sheet_sections"]
+__all__ = ["basis_section", "described", "sheet_sections"]
 
 
 def basis_section(
@@ -216,7 +216,7 @@ def _items(sheet: Sheet, held: str) -> Iterator[_Item]:
         yield _Item(
             sheet.lines,
             Cited(code),
-            _described(sheet.case, segment),
+            described(sheet.case, segment),
             segment.nominal_diameter,
             segment.length,
             mass,
@@ -231,8 +231,16 @@ def _items(sheet: Sheet, held: str) -> Iterator[_Item]:
         yield _Item(sheet.lines, held, what, mass=anchor.mass)
 
 
-def _described(case: Case, segment: Segment) -> str:
-    """Say in words what a segment is made of; a user's own name where it is of no family."""
+def described(case: Case, segment: Segment) -> str:
+    """Say in words what a segment is made of, as its family of the catalogue is called.
+
+    Parameters
+    ----------
+    case : Case
+        With its choice of families.
+    segment : Segment
+        Of its line.
+    """
     if not segment.component:
         return Message("note_sheet.no_component")
     from catopt.catalogue.choice import chosen

@@ -33,7 +33,7 @@ from catopt.answers.note import (
 from catopt.answers.note_first import FirstPage, Number, opening
 from catopt.answers.note_hold import hold_blocks, what_holds
 from catopt.answers.note_line import drawn, of_the_front, of_the_line
-from catopt.answers.note_sheet import basis_section, sheet_sections
+from catopt.answers.note_sheet import basis_section, described, sheet_sections
 from catopt.answers.note_system import near_blocks, plan_blocks
 from catopt.answers.size import (
     alternatives_table,
@@ -55,6 +55,9 @@ if TYPE_CHECKING:
     from catopt.sizing.posed import LoadsAt
 
 __all__ = ["size_note_answer"]
+
+_DIGITS = 5
+"""Of the numbers of loads: more than any of them is known to."""
 
 _FORCE = replace(QUANTITIES["horizontal_force"], symbol="")
 
@@ -161,6 +164,8 @@ def _recommendation(note: SizeNote) -> Message:
     """Say what is recommended in a sentence."""
     of = note.sizing
     line, pattern = of.point.line, of.pattern
+    first = line.segments[0]
+    code = Cited(first.name or first.component)
     weights = Several(
         (
             Message("note_size.identity_weight", mass=f"{load.mass / 1e3:g}", place=load.position)
@@ -170,7 +175,9 @@ def _recommendation(note: SizeNote) -> Message:
         "",
     )
     values = {
-        "chain": line.segments[0].name or line.segments[0].component,
+        "chain": Message(
+            "note_size.identity_chain", code=code, described=described(of.case, first)
+        ),
         "length": f"{line.length:g}",
         "shots": f"{of.shots:.2f}",
         "weights": weights,
@@ -312,7 +319,7 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
             Column(
                 Message("columns.value"),
                 tuple(number.value for _, number in rows),
-                units=tuple(exact(number.unit) for _, number in rows),
+                units=tuple(replace(exact(number.unit), digits=_DIGITS) for _, number in rows),
             ),
             texts("meaning", (number.meaning for _, number in rows)),
         ),
@@ -334,7 +341,15 @@ def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
 def _step(of: LoadComponent, force: float) -> Step:
     numbers = {number.symbol: number.value for number in of.numbers} | {"g": STANDARD_GRAVITY}
     name = Several((of.name, of.note), "; ") if of.note else of.name
-    return Step(name, force, _FORCE, formula=of.factors, numbers=numbers, source=of.source.text)
+    return Step(
+        name,
+        force,
+        _FORCE,
+        formula=of.factors,
+        numbers=numbers,
+        digits=_DIGITS,
+        source=of.source.text,
+    )
 
 
 # ------------------------------------------------------------------ the choice

@@ -12,14 +12,14 @@ from catopt.casefile import write_case
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.design.document import design_document
 from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
-from catopt.loads.source import CALMAR, OWN, LoadSource
+from catopt.loads.source import CALMAR, LoadSource
 from catopt.mooring.solve import solve_system
 from catopt.notes.directory import Asked
 from catopt.notes.line import Chosen, Note, note_of
 from catopt.notes.origin import Origin, SourceFile, origin_of
 from catopt.notes.sheet import Sheet, sheet_of
 from catopt.sizing.schema import schema_of
-from catopt.words import Cited, term
+from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckSource
@@ -159,7 +159,7 @@ def _density_source(of: SinkerSize) -> str:
         return term("this note")
     if of.material == "steel":
         return Cited(LoadSource(CALMAR, "7.2", "A").text)
-    return Cited(LoadSource(OWN, "recalled", "R").text)
+    return Message("note_size.own_recalled")
 
 
 def _fitted(line: Note) -> Note:
