@@ -154,7 +154,7 @@ def _limit_states(sheet: Sheet) -> Table:
             column(
                 "columns.source",
                 (
-                    each.source.text if each.source.confidence else Message("note_sheet.by_user")
+                    each.source.text if each.source.document else Message("note_sheet.by_user")
                     for each in rows
                 ),
             ),
@@ -303,7 +303,7 @@ def _damaged(sheet: Sheet) -> Iterator[Block]:
     elif not sheet.judges_line_out:
         yield Text(Message("note_sheet.damaged_not_judged"))
     else:
-        states = [each for each in sheet.report.results if each.place.missing is not None]
+        states = [each for each in sheet.report.results if each.place.state != "intact"]
         worst = max(states, key=lambda each: each.excess)
         key = "damaged_passes" if all(each.passes for each in states) else "damaged_fails"
         values = {"check": worst.name, "state": worst.where, "source": worst.source.text}

@@ -45,7 +45,7 @@ from catopt.answers.size import (
 )
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.quantities import GREEK, QUANTITIES, Quantity
-from catopt.words import Cited, Measure, Message, Several, term
+from catopt.words import Cited, Measure, Message, Several, Told, say, term
 
 if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
@@ -145,7 +145,7 @@ def _levels(note: SizeNote) -> tuple[float, ...]:
 def _hardest(note: SizeNote) -> tuple[float, str]:
     """Return the largest horizontal force on a line, N, and its load case."""
     return max(
-        ((each.horizontal_force, at) for at, each in note.sizing.point.checks.solutions),
+        ((each.horizontal_force, at) for at, each in note.sizing.intact),
         key=lambda found: found[0],
     )
 
@@ -165,7 +165,7 @@ def _recommendation(note: SizeNote) -> Message:
     of = note.sizing
     line, pattern = of.point.line, of.pattern
     first = line.segments[0]
-    code = Cited(first.name or first.component)
+    code = first.name or first.component
     weights = Several(
         (
             Message("note_size.identity_weight", mass=f"{load.mass / 1e3:g}", place=load.position)
@@ -175,9 +175,7 @@ def _recommendation(note: SizeNote) -> Message:
         "",
     )
     values = {
-        "chain": Message(
-            "note_size.identity_chain", code=code, described=described(of.case, first)
-        ),
+        "chain": Told({"en": code, "vi": f"{code} ({say(described(of.case, first), 'vi')})"}),
         "length": f"{line.length:g}",
         "shots": f"{of.shots:.2f}",
         "weights": weights,

@@ -96,7 +96,8 @@ class Sheet:
         """Every line with all there, in every load case."""
         if self.system is not None:
             return tuple(each.solution for each in self.system.lines)
-        return tuple(solution for _, solution in self.report.solutions)
+        out = {each.name for each in self.report.load_cases if each.state != "intact"}
+        return tuple(solution for name, solution in self.report.solutions if name not in out)
 
     @property
     def break_factor(self) -> float | None:
@@ -116,7 +117,7 @@ class Sheet:
     @property
     def judges_line_out(self) -> bool:
         """Whether a state with one line out was checked."""
-        return any(each.place.missing is not None for each in self.report.results)
+        return any(each.place.state != "intact" for each in self.report.results)
 
 
 def sheet_of(
