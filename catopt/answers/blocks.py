@@ -361,6 +361,8 @@ class Step:
         The same as somebody else has it.
     equation, source : str
         Number of its equation, and where a figure is from.
+    digits : int
+        With how many the numbers are written.
     """
 
     name: str
@@ -373,6 +375,7 @@ class Step:
     stated: float | None = None
     equation: str = ""
     source: str = ""
+    digits: int = 9
 
 
 @dataclass(frozen=True)

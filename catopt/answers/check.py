@@ -20,7 +20,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.words import Measure, Message, Several
+from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport, CheckResult, CheckSource
@@ -163,7 +163,7 @@ def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) ->
             passes=tuple(each.passes for each in results),
         ),
         texts("by", [_by(each.source) for each in results], only="people"),
-        texts("code", [each.source.code for each in results], only="files"),
+        texts("code", [term(each.source.code) for each in results], only="files"),
         texts("source", [each.source.text for each in results], only="files"),
         texts("note", [each.note for each in results], only="files"),
     )

@@ -214,7 +214,7 @@ def _provenance(part: _Part) -> Table:
                 tuple(each.value for each in every),
                 units=tuple(each.quantity for each in every),
             ),
-            column("columns.formula", (Cited(each.formula) for each in every)),
+            column("columns.formula", (each.formula for each in every)),
             column("columns.confidence", (each.confidence for each in every)),
             column("columns.source", (each.source for each in every)),
         ),

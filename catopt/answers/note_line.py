@@ -16,13 +16,10 @@ from catopt.answers.blocks import (
     Section,
     Table,
     Text,
-    Verdict,
 )
 from catopt.answers.check import (
     checked,
-    governing_sentence,
     load_case_table,
-    verdict_sentence,
 )
 from catopt.answers.curve import marks_table, points_table
 from catopt.answers.design import shown_designs
@@ -32,10 +29,10 @@ from catopt.answers.note import (
     file_section,
     inputs_section,
     note_section,
-    title_block,
-    warnings_section,
 )
+from catopt.answers.note_first import FirstPage, Number, about, opening
 from catopt.answers.note_motion import motion_section
+from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.note_swarm import swarm_section
 from catopt.answers.solution import (
     found_facts,
@@ -58,7 +55,7 @@ if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.notes.line import Chosen, Note
 
-__all__ = ["line_note_answer", "of_the_front", "of_the_line"]
+__all__ = ["drawn", "line_note_answer", "of_the_front", "of_the_line"]
 
 _ROWS = 15
 """Points of the curve that people see, about."""
@@ -76,9 +73,11 @@ def line_note_answer(note: Note) -> Answer:
         "note",
         note.title or Message("note.untitled"),
         (
-            _identity(note),
-            *warnings_section(note.warnings),
-            *of_the_line(note, "line", "results", "checks", "load_cases", "tension", "curve"),
+            *opening(_first(note), note.sheet, _facts(note), note.origin, note.warnings),
+            basis_section(note.sheet),
+            *of_the_line(note, "results", "checks", "load_cases"),
+            *sheet_sections(note.sheet),
+            *of_the_line(note, "tension", "curve"),
             *_front(note.chosen),
             components_section(note.case, note.solution.line),
             inputs_section(note.origin, None if note.chosen is None else note.chosen.number),
@@ -111,23 +110,41 @@ def of_the_line(note: Note, *names: str) -> Iterator[Section]:
                 yield note_section(name, blocks, f"note.{name}_heading")
 
 
-def _identity(note: Note) -> Section:
+def _first(note: Note) -> FirstPage:
+    solution = note.solution
+    said = Message(
+        "note_first.line",
+        length=about("length", solution.line.length),
+        span=about("span", solution.span),
+        tension=about("tension", solution.fairlead.tension),
+    )
+    return FirstPage(
+        said,
+        drawn(note),
+        Number(
+            Message("quantities.horizontal_force"),
+            "horizontal_force",
+            max(each.horizontal_force for each in note.sheet.intact),
+        ),
+        Number(Message("quantities.span"), "span", max(each.span for each in note.sheet.intact)),
+        max(part.max_tension for each in note.sheet.intact for part in each.segments),
+        in_motion=note.motion is not None,
+    )
+
+
+def _facts(note: Note) -> tuple[tuple[str, str], ...]:
     load_case = note.load_case if note.case.load is not None else ""
-    rows = (
+    return (
         ("note.identity_source", note.case.source),
         ("note.identity_load_case", load_case),
         ("note.identity_design", "" if note.chosen is None else str(note.chosen.number)),
         ("note.identity_regime", how_it_hangs(note.solution)),
         ("note.identity_method", method_name(note.solution.method)),
     )
-    verdict = Verdict(verdict_sentence(note.checks), note.checks.passes)
-    said = (verdict,) if note.checks.results else ()
-    return note_section(
-        "identity", [title_block(rows, note.origin), *said], "note.identity_heading"
-    )
 
 
-def _line(note: Note) -> Iterator[Block]:
+def drawn(note: Note) -> Iterator[Block]:
+    """Draw the line to scale, with its dimensions."""
     yield Text(Message("note.line_scale"))
     yield Figure(line_in_water(note.solution, note.case.site.water_depth))
 
@@ -149,8 +166,6 @@ def _checks(note: Note) -> Iterator[Block]:
     if not report.results:
         return
     governing = report.governing
-    if governing is not None:
-        yield Verdict(governing_sentence(report), report.passes)
     marked = next((k for k, each in enumerate(report.results) if each is governing), None)
     checks, criteria = checked(report)
     yield replace(checks, marked=marked)
@@ -200,7 +215,6 @@ def _for_all(table: Table) -> Table:
 
 
 _BUILD: Mapping[str, Callable[[Note], Iterator[Block]]] = {
-    "line": _line,
     "results": _results,
     "checks": _checks,
     "load_cases": _load_cases,

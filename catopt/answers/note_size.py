@@ -18,24 +18,23 @@ from catopt.answers.blocks import (
     Text,
     Trail,
     Value,
-    Verdict,
     exact,
     measured,
     texts,
 )
-from catopt.answers.check import QUANTITY_OF, governing_sentence, verdict_sentence
+from catopt.answers.check import QUANTITY_OF
 from catopt.answers.note import (
     column,
     components_section,
     file_section,
     inputs_table,
     note_section,
-    title_block,
-    warnings_section,
 )
+from catopt.answers.note_first import FirstPage, Number, opening
 from catopt.answers.note_hold import hold_blocks, what_holds
-from catopt.answers.note_line import of_the_front, of_the_line
-from catopt.answers.note_system import plan_blocks
+from catopt.answers.note_line import drawn, of_the_front, of_the_line
+from catopt.answers.note_sheet import basis_section, described, sheet_sections
+from catopt.answers.note_system import near_blocks, plan_blocks
 from catopt.answers.size import (
     alternatives_table,
     candidates_table,
@@ -44,9 +43,9 @@ from catopt.answers.size import (
     steady_sentence,
     without_line_table,
 )
-from catopt.constants import STANDARD_GRAVITY
+from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.quantities import GREEK, QUANTITIES, Quantity
-from catopt.words import Cited, Measure, Message, Several, term
+from catopt.words import Cited, Measure, Message, Several, Told, say, term
 
 if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
@@ -56,6 +55,9 @@ if TYPE_CHECKING:
     from catopt.sizing.posed import LoadsAt
 
 __all__ = ["size_note_answer"]
+
+_DIGITS = 5
+"""Of the numbers of loads: more than any of them is known to."""
 
 _FORCE = replace(QUANTITIES["horizontal_force"], symbol="")
 
@@ -73,12 +75,14 @@ def size_note_answer(note: SizeNote) -> Answer:
         "note",
         note.title or Message("note.untitled"),
         (
+            *opening(_first(note), note.sheet, _facts(note), note.origin, note.warnings),
+            basis_section(note.sheet, *_combined(note), _levels(note)),
             _section("identity", _identity(note)),
-            *warnings_section(note.warnings),
             _section("loads", _loads(note)),
             _section("candidates", _candidates(note)),
             *_if_any("front", _front(note)),
-            *of_the_line(line, "line", "checks", "load_cases"),
+            *of_the_line(line, "checks", "load_cases"),
+            *sheet_sections(note.sheet, what_holds(note)),
             *_if_any("hold", hold_blocks(note)),
             _section("swing", _swing(note)),
             *_if_any("pattern", _pattern(note)),
@@ -106,26 +110,62 @@ def _if_any(name: str, blocks: Iterable[Block]) -> Iterator[Section]:
 # ------------------------------------------------------------------ what is recommended
 
 
+def _first(note: SizeNote) -> FirstPage:
+    of = note.sizing
+    return FirstPage(
+        _recommendation(note),
+        drawn(note.line),
+        Number(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
+        Number(Message("note_size.identity_radius"), "length", of.swing.total),
+        of.largest_tension,
+        also=(steady_sentence(of),),
+    )
+
+
+def _facts(note: SizeNote) -> tuple[tuple[str, str], ...]:
+    return (("note.identity_source", note.line.case.source),)
+
+
+def _combined(note: SizeNote) -> tuple[str, str]:
+    """Say how the loads are combined, and how often they return, where that is known."""
+    has_parts = any(each.parts for each in note.sizing.settled.posed.loads)
+    years = {each.of.name: each.value for each in note.sizing.inputs}.get("return_period")
+    combined = Message("note_sheet.combined_at_once") if has_parts else ""
+    if years is None:
+        return combined, ""
+    return combined, Message("note_sheet.return_period_is", years=years / YEAR)
+
+
+def _levels(note: SizeNote) -> tuple[float, ...]:
+    """Water levels above that of the depth, m; those of load cases go with the draught, too."""
+    still = note.sheet.case.site.water_depth
+    return tuple(each.depth - still for each in note.sizing.settled.posed.loads)
+
+
+def _hardest(note: SizeNote) -> tuple[float, str]:
+    """Return the largest horizontal force on a line, N, and its load case."""
+    return max(
+        ((each.horizontal_force, at) for at, each in note.sizing.intact),
+        key=lambda found: found[0],
+    )
+
+
 def _identity(note: SizeNote) -> Iterator[Block]:
-    checks = note.line.checks
-    yield Verdict(_recommendation(note), checks.passes)
-    yield Text(verdict_sentence(checks))
-    yield Text(steady_sentence(note.sizing))
-    governs = [governing_sentence(checks)]
+    governs = []
     for each in note.sizing.limits:
         values = {"change": each.change, "check": each.words}
         governs.append(Message("note_size.identity_step", **values))
     caption = Message("note_size.identity_governs")
-    yield Points(tuple(each for each in governs if each), caption)
+    yield Points(tuple(governs), caption)
     yield _found(note)
-    rows = [("note.identity_source", note.line.case.source)]
-    yield title_block(rows, note.origin)
 
 
 def _recommendation(note: SizeNote) -> Message:
     """Say what is recommended in a sentence."""
     of = note.sizing
     line, pattern = of.point.line, of.pattern
+    first = line.segments[0]
+    code = first.name or first.component
     weights = Several(
         (
             Message("note_size.identity_weight", mass=f"{load.mass / 1e3:g}", place=load.position)
@@ -135,7 +175,7 @@ def _recommendation(note: SizeNote) -> Message:
         "",
     )
     values = {
-        "chain": line.segments[0].name or line.segments[0].component,
+        "chain": Told({"en": code, "vi": f"{code} ({say(described(of.case, first), 'vi')})"}),
         "length": f"{line.length:g}",
         "shots": f"{of.shots:.2f}",
         "weights": weights,
@@ -178,10 +218,7 @@ def _found_rows(note: SizeNote) -> Iterator[tuple[str, Quantity, float | None, s
     yield radius, length, of.swing.total, of.swing.load_case
     if of.excursion is not None:
         yield Message("quantities.excursion"), length, of.excursion, ""
-    H, at = max(
-        ((each.horizontal_force, at) for at, each in of.point.checks.solutions),
-        key=lambda found: found[0],
-    )
+    H, at = _hardest(note)
     yield Message("note_size.identity_force"), force, H, at
     yield Message("columns.fairlead_tension"), force, solution.fairlead.tension, name
     yield Message("columns.largest_tension"), force, of.largest_tension, ""
@@ -280,7 +317,7 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
             Column(
                 Message("columns.value"),
                 tuple(number.value for _, number in rows),
-                units=tuple(exact(number.unit) for _, number in rows),
+                units=tuple(replace(exact(number.unit), digits=_DIGITS) for _, number in rows),
             ),
             texts("meaning", (number.meaning for _, number in rows)),
         ),
@@ -302,7 +339,15 @@ def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
 def _step(of: LoadComponent, force: float) -> Step:
     numbers = {number.symbol: number.value for number in of.numbers} | {"g": STANDARD_GRAVITY}
     name = Several((of.name, of.note), "; ") if of.note else of.name
-    return Step(name, force, _FORCE, formula=of.factors, numbers=numbers, source=of.source.text)
+    return Step(
+        name,
+        force,
+        _FORCE,
+        formula=of.factors,
+        numbers=numbers,
+        digits=_DIGITS,
+        source=of.source.text,
+    )
 
 
 # ------------------------------------------------------------------ the choice
@@ -412,7 +457,7 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
     )
     yield from _rule(of)
     yield without_line_table(note.sizing)
-    yield from plan_blocks(around)
+    yield from (*plan_blocks(around), *near_blocks(around))
     yield _lines(around, of.hardest.load_case)
     force = f"{around.residual.force:.1e} N"
     yield Text(Message("note_size.pattern_residual", force=force), is_small=True)

@@ -23,17 +23,17 @@ from catopt.answers.blocks import (
     exact,
     measured,
 )
-from catopt.answers.check import checked_body, governing_sentence, verdict_sentence
+from catopt.answers.check import checked_body
 from catopt.answers.note import (
     column,
     components_section,
     file_section,
     inputs_section,
     note_section,
-    title_block,
-    warnings_section,
 )
+from catopt.answers.note_first import FirstPage, Number, about, opening
 from catopt.answers.note_motion import body_motion_section
+from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.solution import method_name, profile_table
 from catopt.answers.system import (
     circle_table,
@@ -55,7 +55,7 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import SystemNote
 
-__all__ = ["plan_blocks", "steps_of", "system_note_answer"]
+__all__ = ["near_blocks", "plan_blocks", "steps_of", "system_note_answer"]
 
 _Build = Callable[["SystemNote"], Iterator[Block]]
 
@@ -82,14 +82,15 @@ def system_note_answer(note: SystemNote) -> Answer:
         "note",
         note.title or Message("note_system.untitled_system"),
         (
+            *opening(_first(note), note.sheet, _about(note), note.origin, note.warnings),
+            basis_section(note.sheet),
             _section(note, "identity", _identity),
-            *warnings_section(note.warnings),
-            _section(note, "plan", _plan),
             _section(note, "elevation", _elevation),
             _section(note, "results", _results),
             _section(note, "lines", _lines),
             *_if_any(note, "checks", _checks),
             *_if_any(note, "line_out", _line_out),
+            *sheet_sections(note.sheet),
             *_if_any(note, "watch_circle", _watch_circle),
             *_if_any(note, "restoring", _restoring),
             components_section(note.case, note.case.line),
@@ -117,11 +118,32 @@ def _if_any(note: SystemNote, name: str, build: _Build) -> Iterator[Section]:
 # ------------------------------------------------------------------ what decides
 
 
-def _identity(note: SystemNote) -> Iterator[Block]:
+def _first(note: SystemNote) -> FirstPage:
+    solution = note.solution
+    force, offset = math.hypot(*solution.system.force), math.hypot(*solution.offset)
+    said = Message(
+        "note_first.body",
+        lines=len(solution.lines),
+        force=about("horizontal_force", force),
+        offset=about("offset", offset),
+        line=solution.most_loaded + 1,
+        tension=about("tension", note.loaded.tension),
+    )
+    return FirstPage(
+        said,
+        plan_blocks(solution),
+        Number(Message("note_system.identity_force"), "horizontal_force", force),
+        Number(Message("quantities.offset"), "offset", offset),
+        max(part.max_tension for each in note.sheet.intact for part in each.segments),
+        in_motion=note.motion is not None,
+    )
+
+
+def _about(note: SystemNote) -> tuple[tuple[str, str], ...]:
     system = note.solution.system
     moment = Message("sizing.measure", value=Measure("moment", system.moment))
     freedom = "note_system.identity_turns" if system.turns else "note_system.identity_held"
-    rows = (
+    return (
         ("note.identity_source", note.case.source),
         ("note_system.identity_lines", f"{len(system.legs)}"),
         ("note_system.identity_freedom", Message(freedom)),
@@ -129,12 +151,13 @@ def _identity(note: SystemNote) -> Iterator[Block]:
         ("note_system.identity_moment", moment if system.turns else ""),
         ("note.identity_method", method_name("closed-form")),
     )
-    yield title_block(rows, note.origin)
-    if note.checks.results:
-        yield Verdict(verdict_sentence(note.checks), note.checks.passes)
+
+
+def _identity(note: SystemNote) -> Iterator[Block]:
     yield _intact(note)
     yield Verdict(_offset(note), None)
     yield from _one_out(note)
+    yield from near_blocks(note.solution)
 
 
 def _force(note: SystemNote) -> Message:
@@ -199,14 +222,14 @@ def _one_out(note: SystemNote) -> Iterator[Verdict]:
 # ------------------------------------------------------------------ the body at rest
 
 
-def _plan(note: SystemNote) -> Iterator[Block]:
-    return plan_blocks(note.solution)
-
-
 def plan_blocks(solution: SystemSolution) -> Iterator[Block]:
-    """Draw the plan, and the surroundings of the body larger where the offset is small on it."""
+    """Draw the plan."""
     yield Text(Message("note_system.plan_about"))
     yield Figure(plan(solution))
+
+
+def near_blocks(solution: SystemSolution) -> Iterator[Block]:
+    """Draw the surroundings of the body larger, where the offset is small on the plan."""
     around = near(solution)
     if around is not None:
         yield Text(Message("note_system.plan_near"))
@@ -295,7 +318,6 @@ def _checks(note: SystemNote) -> Iterator[Block]:
     """Tabulate the checks as ``catopt check`` has them; nothing where the case asks for none."""
     if note.checks.results:
         yield Text(Message("note_system.checks_about"))
-        yield Verdict(governing_sentence(note.checks), note.checks.passes)
         yield from checked_body(note.checks)
         yield Text(Message("note.checks_legend"), is_small=True)
 

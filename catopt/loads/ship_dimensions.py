@@ -113,6 +113,6 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
 
 
 def _between(low: _Row, high: _Row, part: float) -> ShipDimensions:
-    return ShipDimensions(
-        *(a * (b / a) ** part for a, b in zip(low, high, strict=True))  # a power law
-    )
+    """Interpolate by a power law, and round as the table is: lengths to 1 m, the rest to 0.1 m."""
+    length, *others = (a * (b / a) ** part for a, b in zip(low, high, strict=True))
+    return ShipDimensions(float(round(length)), *(round(each, 1) for each in others))

@@ -18,6 +18,7 @@ from catopt.notes.capacity import allowed_tensions
 from catopt.notes.directory import Asked, asked_in, case_path
 from catopt.notes.motion import InMotion, in_motion, motion_files, motion_warnings
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
+from catopt.notes.sheet import Sheet, sheet_of
 from catopt.words import is_said
 
 if TYPE_CHECKING:
@@ -70,6 +71,8 @@ class Note:
         None where it cannot be computed; `warnings` then says why.
     origin : Origin
         The files that it rests on.
+    sheet : Sheet
+        What is stated beside the answer.
     chosen : Chosen or None
         When the line is a design of a front.
     warnings : tuple of str
@@ -91,6 +94,7 @@ class Note:
     checks: CheckReport
     curve: CaseCurve | None
     origin: Origin
+    sheet: Sheet
     chosen: Chosen | None = None
     warnings: tuple[str, ...] = ()
     verification: Verification | None = None
@@ -220,6 +224,7 @@ def note_of(
         checks=checks,
         curve=curve,
         origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), date),
+        sheet=sheet_of(case, solution.line, checks),
         chosen=chosen,
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,

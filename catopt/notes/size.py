@@ -12,13 +12,14 @@ from catopt.casefile import write_case
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.design.document import design_document
 from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
-from catopt.loads.source import CALMAR, OWN, LoadSource
+from catopt.loads.source import CALMAR, LoadSource
 from catopt.mooring.solve import solve_system
 from catopt.notes.directory import Asked
 from catopt.notes.line import Chosen, Note, note_of
 from catopt.notes.origin import Origin, SourceFile, origin_of
+from catopt.notes.sheet import Sheet, sheet_of
 from catopt.sizing.schema import schema_of
-from catopt.words import Cited, term
+from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckSource
@@ -57,6 +58,8 @@ class SizeNote:
         Of the recommended line.
     origin : Origin
         The sizing file, where there is one.
+    sheet : Sheet
+        What is stated beside the answer.
     options : tuple of (str, str)
         What was typed.
     warnings : tuple of str
@@ -68,6 +71,7 @@ class SizeNote:
     sizing: Sizing
     line: Note
     origin: Origin
+    sheet: Sheet
     options: tuple[tuple[str, str], ...] = ()
     warnings: tuple[str, ...] = ()
     around: SystemSolution | None = None
@@ -136,13 +140,16 @@ def size_note(
         if given.file is None
         else origin_of((given.file,), date, schema_of(sizing.kind))
     )
+    around = None if sizing.pattern is None else solve_system(sizing.pattern.system)
+    fitted, point = _fitted(line), sizing.point
     return SizeNote(
         sizing,
-        _fitted(line),
+        fitted,
         origin,
+        sheet_of(sizing.case, point.line, fitted.checks, around, point.anchor),
         given.options,
         tuple(_warnings(sizing, line)),
-        None if sizing.pattern is None else solve_system(sizing.pattern.system),
+        around,
     )
 
 
@@ -152,7 +159,7 @@ def _density_source(of: SinkerSize) -> str:
         return term("this note")
     if of.material == "steel":
         return Cited(LoadSource(CALMAR, "7.2", "A").text)
-    return Cited(LoadSource(OWN, "recalled", "R").text)
+    return Message("note_size.own_recalled")
 
 
 def _fitted(line: Note) -> Note:

@@ -18,6 +18,7 @@ from catopt.notes.directory import Asked
 from catopt.notes.motion import Progress, motion_files
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
 from catopt.notes.rounding import heading_of
+from catopt.notes.sheet import Sheet, sheet_of
 from catopt.quantities import QUANTITIES
 from catopt.ties import first_largest
 from catopt.verify.motion_words import doubts, stopped_sentence
@@ -54,6 +55,8 @@ class SystemNote:
         Of every line and of the body, intact and with every line out.
     origin : Origin
         The files that it rests on.
+    sheet : Sheet
+        What is stated beside the answer.
     warnings : tuple of str
         What an engineer should know before using the note, each once.
     verification : Verification or None
@@ -68,6 +71,7 @@ class SystemNote:
     report: SystemReport
     checks: CheckReport
     origin: Origin
+    sheet: Sheet
     warnings: tuple[str, ...] = ()
     verification: Verification | None = None
     verification_failure: str = ""
@@ -232,6 +236,7 @@ def system_note(
         report=report,
         checks=checks,
         origin=origin_of((*files, *(motion_files(case) if found else ())), date),
+        sheet=sheet_of(case, case.line, checks, report.solution),
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
         verification_failure=failure,

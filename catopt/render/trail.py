@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from catopt.answers.blocks import Step, exact
 from catopt.quantities import GREEK
@@ -28,8 +29,10 @@ class _Symbol(str):
 class _Number(float):
     """A number as it is put in."""
 
+    digits = 9
+
     def __format__(self, spec: str) -> str:
-        shown = _digits(0.0 + self)
+        shown = _digits(0.0 + self, self.digits)
         if (spec == "()" or spec in _POWERS) and (self < 0.0 or "e" in shown):
             shown = f"({shown})"
         return shown + ("°" if spec == "°" else _POWERS.get(spec, ""))
@@ -52,17 +55,19 @@ def in_symbols(step: Step) -> str:
 def in_numbers(step: Step) -> str:
     """Put the numbers in: ``"4000 / 245"``; empty where there are none."""
     if step.terms:
-        return _sum([" · ".join(map(_digits, each)) for each in step.terms])
+        return _sum([" · ".join(_digits(each, step.digits) for each in of) for of in step.terms])
     is_product = not isinstance(step.formula, str)
     made = _Factor if is_product else _Number
     numbers = {symbol: made(value) for symbol, value in step.numbers.items()}
+    for each in numbers.values():
+        each.digits = step.digits
     formula = _TIMES.join(step.formula) if is_product else str(step.formula)
     return formula.format(**numbers) if numbers else ""
 
 
-def _digits(value: float) -> str:
-    """Write a number with nine digits, enough to be put in again."""
-    return exact("").format(value).replace("-", "−")
+def _digits(value: float, digits: int) -> str:
+    """Write a number with so many digits; with nine it can be put in again."""
+    return replace(exact(""), digits=digits).format(value).replace("-", "−")
 
 
 def _sum(terms: Sequence[str]) -> str:

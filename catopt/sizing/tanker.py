@@ -244,7 +244,7 @@ _LITTLE = {"loaded": "sizing.little_water_loaded", "ballast": "sizing.little_wat
 
 
 def _states(request: TankerRequest) -> Iterator[_State]:
-    """Put each condition at high and at low water."""
+    """Put each condition at high and at low water; once where these are the same."""
     levels = request.environment.levels
     crest = request.environment.crest if request.buoy is not None else 0.0
     first = _fairlead(request, request.ships[0])
@@ -253,7 +253,8 @@ def _states(request: TankerRequest) -> Iterator[_State]:
         high, low = map(Message, _LOAD_CASES[each.condition])
         yield _State(high, each, levels.high, higher + crest)
         fall = levels.high - levels.low
-        yield _State(low, each, levels.low, higher - fall)
+        if fall or crest:
+            yield _State(low, each, levels.low, higher - fall)
 
 
 def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
@@ -364,16 +365,14 @@ def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> 
     """Add up how far the stern swings round the anchor, or round the middle of the pattern."""
     if around is not None:
         states = [state for state in around.states if state.load_case.endswith("low water")]
-        widest = largest(states, lambda state: state.offset)
+        widest = largest(states or around.states, lambda state: state.offset)
         first = (Message("sizing.offset_of_body"), widest.offset)
         name = widest.load_case
     else:
-        spans = [
-            (name, solution.span)
-            for name, solution in settled.point.checks.solutions
-            if name.endswith("low water")
-        ]
-        name, span = largest(spans, lambda each: each[1])
+        every = settled.point.checks.solutions
+        low = [each for each in every if each[0].endswith("low water")]
+        name, solution = largest(low or every, lambda each: each[1].span)
+        span = solution.span
         first = (Message("sizing.line_at_low_water"), span)
     parts = [first]
     if request.hawser > 0.0:

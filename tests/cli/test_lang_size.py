@@ -87,7 +87,7 @@ def test_the_document_is_the_same_in_both_languages(run: Run) -> None:
 def test_the_words_of_a_sizing(run: Run) -> None:
     shown = " ".join(run(*SIZED["defaults"], "--lang", "vi").out.split())
     for part in (
-        "pillar 1.8 m ở độ sâu nước 12 m",
+        "Neo pillar 1.8 m ở độ sâu nước 12 m",
         "chain open-link 4D Q2 20 mm, 87 m = 3.16 đường lỉn",
         "Rùa neo rùa neo bê tông 15 t (cần 14 t)",
         "xích: 86 m thay cho 87 m: không đạt về góc nghiêng dây neo tại đáy (bão, mực nước cao).",

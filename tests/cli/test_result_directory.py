@@ -89,7 +89,7 @@ def test_each_command_leaves_a_directory_that_can_be_reported_on(run: Run, comma
 @pytest.mark.slow
 def test_a_body_and_a_line_that_is_sought_can_be_reported_on(run: Run) -> None:
     assert run("system", FSO, "--out", "body").status == 0
-    assert "system_plan" in report(run, "body")["sections"]
+    assert "system_elevation" in report(run, "body")["sections"]
     assert run("solve", FOUND, "--out", "found").status == 0
     page = read_page(Path(report(run, "found")["path"]).read_bytes())
     solved = json.loads(run("solve", FOUND, "--json").out)

@@ -124,7 +124,7 @@ def test_texts_of_the_user_stay_texts(tmp_path: Path) -> None:
     source = (CASES / "buoy-9.5m" / "case.toml").read_text("utf-8")
     path.write_text(re.sub(r'source = ".*"', 'source = "=1+1"', source), "utf-8")
     book = openpyxl.load_workbook(BytesIO(workbook_of(read_note(path, verify=False))))
-    (cell,) = (c for row in book.worksheets[0].iter_rows() for c in row if c.value == "=1+1")
+    (cell,) = (c for row in book.worksheets[1].iter_rows() for c in row if c.value == "=1+1")
     assert cell.data_type == "s"
 
 

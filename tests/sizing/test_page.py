@@ -195,7 +195,7 @@ def test_the_worn_proof_load_is_on_the_safe_side_of_the_hand_s(sized_buoy: Sizin
 
 def test_the_tanker_s_line() -> None:
     sized = size_tanker(tanker_request())
-    solution = dict(sized.point.checks.solutions)["loaded, low water"]
+    solution = dict(sized.point.checks.solutions)["loaded, high water"]
     segment = sized.point.line.segments[0]
     assert sized.drag_anchor is not None
     computed = {

@@ -1,0 +1,310 @@
+"""What every note states beside its answer: basis, parts, anchor, wear, damage, fatigue."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from catopt.answers.blocks import Block, Column, Fact, Facts, Section, Table, Text, measured
+from catopt.answers.check import kind_name
+from catopt.answers.note import column, note_section
+from catopt.constants import YEAR
+from catopt.quantities import QUANTITIES
+from catopt.words import Cited, Measure, Message, Several, term
+
+if TYPE_CHECKING:
+    from catopt.checks.criterion import Criterion
+    from catopt.model import Case, Segment
+    from catopt.notes.sheet import Sheet
+
+__all__ = ["basis_section", "described", "sheet_sections"]
+
+
+def basis_section(
+    sheet: Sheet,
+    combined: str = "",
+    return_period: str = "",
+    levels: Sequence[float] | None = None,
+) -> Section:
+    """State what the mooring is judged by, and under what.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        What is stated of the mooring.
+    combined : str
+        How wind, current and waves are combined, a message; as the user gave the force when empty.
+    return_period : str
+        Of them, a message; not stated when empty.
+    levels : sequence of float, optional
+        Water levels, m; those of the load cases when left out.
+    """
+    case, site = sheet.case, sheet.case.site
+    if levels is None:
+        levels = [each.water_level for each in sheet.report.load_cases]
+    rows = (
+        ("analysis", Message("note_sheet.quasi_static")),
+        ("return_period", return_period or Message("note_sheet.not_stated")),
+        ("combination", combined or Message("note_sheet.combined_by_user")),
+        (
+            "datum",
+            Message("note_sheet.datum_is", depth=Measure("water_depth", site.water_depth)),
+        ),
+        ("tide", _tide(levels)),
+        ("fairlead", Message("sizing.measure", value=Measure("height", case.fairlead_height))),
+        ("friction", Message("sizing.about", value=site.seabed_friction)),
+        ("density", Message("sizing.measure", value=Measure("density", site.water_density))),
+        ("life", _life(case)),
+        ("pretension", _pretension(sheet)),
+    )
+    facts = tuple(Fact(Message(f"note_sheet.{key}"), said) for key, said in rows)
+    blocks: list[Block] = [Facts("basis", facts, only="not csv")]
+    if sheet.criteria.all:
+        blocks.append(_limit_states(sheet))
+    return note_section("basis", blocks, "note_sheet.basis_heading")
+
+
+def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
+    """State parts, tolerance of the anchor's place, wear, damage and fatigue.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        What is stated of the mooring.
+    held : str
+        What holds a line, a message, where more is known of it than the case has.
+    """
+    for name, blocks in (
+        ("bill", _bill(sheet, held)),
+        ("anchor_place", _anchor_place(sheet)),
+        ("wear", _wear(sheet)),
+        ("damaged", _damaged(sheet)),
+        ("fatigue", [Text(Message("note_sheet.fatigue_not_asked"))]),
+    ):
+        yield note_section(name, blocks, f"note_sheet.{name}_heading")
+
+
+# ------------------------------------------------------------------ design basis
+
+
+def _tide(levels: Sequence[float]) -> Message:
+    if not any(levels):
+        return Message("note_sheet.no_tide")
+    low, high = (Measure("height", level) for level in (min(levels), max(levels)))
+    return Message("note_sheet.tide_is", low=low, high=high)
+
+
+def _life(case: Case) -> Message:
+    service = case.service
+    if service is None:
+        return Message("note_sheet.not_stated")
+    years = service.life / YEAR
+    if service.wear_table is not None:
+        return Message("note_sheet.life_by_table", years=years, table=Cited(service.wear_table))
+    return Message("note_sheet.life_is", years=years, rate=service.wear_rate * YEAR * 1e3)
+
+
+def _pretension(sheet: Sheet) -> Message:
+    if sheet.pretension is None:
+        return Message("note_sheet.no_pretension")
+    key = "of_body" if sheet.system is not None else "of_line"
+    tension = Measure("tension", sheet.pretension)
+    return Message(f"note_sheet.pretension_{key}", tension=tension)
+
+
+def _limit_states(sheet: Sheet) -> Table:
+    """Tabulate criteria by limit state: state of the mooring and kind of load case."""
+    kinds = {each.kind for each in sheet.report.load_cases} or {"extreme"}
+    states = (
+        *(kind for kind in ("extreme", "reference") if kind in kinds),
+        *_damaged_state(sheet),
+    )
+    rows = {
+        each: [name for name in states if _is_in(name, each)]
+        for each in sheet.criteria.all
+        if any(_is_in(name, each) for name in states)
+    }
+    unit = {
+        "uplift_angle": "angle",
+        "uplift_force": "vertical_force",
+        "grounded_length": "grounded_length",
+        "span": "span",
+        "buoyancy": "vertical_force",
+    }
+    return Table(
+        "limit_states",
+        (
+            column(
+                "note_sheet.limit_state",
+                (
+                    Several((Message(f"note_sheet.{name}") for name in names), "; ")
+                    for names in rows.values()
+                ),
+            ),
+            column("columns.check", (kind_name(each.check) for each in rows)),
+            Column(
+                Message("note_sheet.factor_or_limit"),
+                tuple(each.value for each in rows),
+                units=tuple(QUANTITIES[unit.get(each.check, "safety_factor")] for each in rows),
+            ),
+            column(
+                "note_sheet.on",
+                (Message(f"note_sheet.on_{each.of}") if each.of else "" for each in rows),
+            ),
+            column(
+                "columns.source",
+                (
+                    each.source.text if each.source.document else Message("note_sheet.by_user")
+                    for each in rows
+                ),
+            ),
+        ),
+        Message("note_sheet.limit_states"),
+        only="not csv",
+    )
+
+
+def _damaged_state(sheet: Sheet) -> tuple[str, ...]:
+    return ("one_line_out",) if sheet.judges_line_out else ()
+
+
+def _is_in(name: str, criterion: Criterion) -> bool:
+    """Whether a criterion is for a limit state: a kind of load case, or one line out."""
+    if name == "one_line_out":
+        return name in criterion.states
+    return "intact" in criterion.states and name in criterion.kinds
+
+
+# ------------------------------------------------------------------ bill of materials
+
+
+class _Item(NamedTuple):
+    number: int
+    code: str
+    what: str
+    diameter: float | None = None
+    length: float | None = None
+    mass: float | None = None
+
+
+def _bill(sheet: Sheet, held: str) -> Iterator[Block]:
+    items = list(_items(sheet, held))
+    masses = [each.mass for each in items]
+    together = [None if each.mass is None else each.number * each.mass for each in items]
+    yield Table(
+        "bill",
+        (
+            column("columns.no", range(1, len(items) + 1)),
+            column("note_sheet.item", (each.what for each in items)),
+            column("note_sheet.code", (each.code for each in items)),
+            measured("nominal_diameter", (each.diameter for each in items)),
+            measured("length", (each.length for each in items)),
+            column("note_sheet.count", (each.number for each in items)),
+            measured("mass", masses, "mass_in_air", symbol=""),
+            column("note_sheet.mass_together", together, QUANTITIES["mass"]),
+        ),
+        only="not csv",
+    )
+    joints = len(sheet.line.segments) + 1
+    yield Text(Message("note_sheet.fittings", each=joints, every=joints * sheet.lines))
+
+
+def _items(sheet: Sheet, held: str) -> Iterator[_Item]:
+    for segment in sheet.line.segments:
+        mass = None if segment.mass is None else segment.mass * segment.length
+        code = segment.name or segment.component
+        yield _Item(
+            sheet.lines,
+            Cited(code),
+            described(sheet.case, segment),
+            segment.nominal_diameter,
+            segment.length,
+            mass,
+        )
+    for load in sheet.line.point_loads:
+        key = "clump" if load.submerged_weight > 0.0 else "float"
+        where = Message(f"note_sheet.{key}_at", place=load.position)
+        yield _Item(sheet.lines, "", where, mass=load.mass)
+    anchor = sheet.anchor
+    if anchor is not None:
+        what = term({"drag": "Drag anchor", "sinker": "Sinker"}[anchor.kind])
+        yield _Item(sheet.lines, held, what, mass=anchor.mass)
+
+
+def described(case: Case, segment: Segment) -> str:
+    """Say in words what a segment is made of, as its family of the catalogue is called.
+
+    Parameters
+    ----------
+    case : Case
+        With its choice of families.
+    segment : Segment
+        Of its line.
+    """
+    if not segment.component:
+        return Message("note_sheet.no_component")
+    from catopt.catalogue.choice import chosen
+
+    families = chosen(case.catalogue, case.site.water_density).families
+    family, grade = families.family(segment.component), families.parse_name(segment.component).grade
+    return Several((family.title, Cited(grade)), " ") if grade else family.title
+
+
+# ------------------------------------------------------------------ the anchor's place
+
+
+def _anchor_place(sheet: Sheet) -> Iterator[Block]:
+    if not sheet.moved:
+        yield Text(Message("note_sheet.anchor_free"))
+        return
+    about = "of_body" if sheet.system is not None else "of_line"
+    yield Text(Message(f"note_sheet.anchor_{about}"))
+    planned = max(each.fairlead.tension for each in sheet.intact)
+    change = [None if each.tension is None else each.tension - planned for each in sheet.moved]
+    columns = [
+        column("note_sheet.farther", (each.way for each in sheet.moved), QUANTITIES["span"]),
+        measured("tension", (each.tension for each in sheet.moved), "largest_tension"),
+        column("note_sheet.change", change, QUANTITIES["tension"]),
+    ]
+    if sheet.system is not None:
+        columns.append(measured("offset", (each.offset for each in sheet.moved)))
+    yield Table("anchor_place", tuple(columns), only="not csv")
+    for each in sheet.moved:
+        if each.refusal:
+            yield Text(each.refusal)
+
+
+# ------------------------------------------------------------------ wear, damage
+
+
+def _wear(sheet: Sheet) -> Iterator[Block]:
+    if not sheet.least:
+        yield Text(Message("note_sheet.wear_unknown"))
+        return
+    yield Text(Message("note_sheet.wear_about"))
+    found, d = sheet.least, QUANTITIES["nominal_diameter"]
+    room = [None if each.least is None else each.diameter - each.least for each in found]
+    yield Table(
+        "wear",
+        (
+            column("columns.segment", (each.segment for each in found)),
+            column("note_sheet.wear_new", (each.diameter for each in found), d),
+            column("note_sheet.wear_end", (each.end_diameter for each in found), d),
+            column("note_sheet.wear_least", (each.least for each in found), d),
+            column("note_sheet.wear_room", room, d),
+        ),
+        only="not csv",
+    )
+
+
+def _damaged(sheet: Sheet) -> Iterator[Block]:
+    if sheet.lines == 1:
+        yield Text(Message("note_sheet.damaged_one"))
+    elif not sheet.judges_line_out:
+        yield Text(Message("note_sheet.damaged_not_judged"))
+    else:
+        states = [each for each in sheet.report.results if each.place.state != "intact"]
+        worst = max(states, key=lambda each: each.excess)
+        key = "damaged_passes" if all(each.passes for each in states) else "damaged_fails"
+        values = {"check": worst.name, "state": worst.where, "source": worst.source.text}
+        yield Text(Message(f"note_sheet.{key}", **values))

@@ -1,0 +1,203 @@
+"""What every note states of a mooring beside its answer, whatever kind of note it is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from catopt.catenary.case import solve_case
+from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.least_diameter import LeastDiameter, least_diameters
+from catopt.errors import CatoptError
+from catopt.model import Anchor, Leg, Load, System
+from catopt.mooring.solve import solve_system
+
+if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
+    from catopt.checks.result import CheckReport
+    from catopt.model import Case, Line
+    from catopt.mooring.solution import SystemSolution
+
+__all__ = ["PART", "AnchorMoved", "Sheet", "sheet_of"]
+
+PART = 0.01
+"""By how much of its distance from the fairlead an anchor is put elsewhere."""
+
+
+@dataclass(frozen=True)
+class AnchorMoved:
+    """What comes of an anchor that lies elsewhere.
+
+    Attributes
+    ----------
+    way : float
+        By how much farther from the fairlead, m.
+    tension : float or None
+        Largest at a fairlead, N; None where there is no equilibrium.
+    offset : float or None
+        Of a body from the place under no load that was planned, m.
+    refusal : str
+        Why there is none.
+    """
+
+    way: float
+    tension: float | None = None
+    offset: float | None = None
+    refusal: str = ""
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What is stated.
+
+    Attributes
+    ----------
+    case : Case
+        As given, with all its load cases.
+    line : Line
+        Of the note; of a body one of its lines.
+    report : CheckReport
+        Of it.
+    criteria : Criteria
+        That it was checked by.
+    anchor : Anchor or None
+        What holds the line.
+    system : SystemSolution or None
+        The body under its load.
+    pretension : float or None
+        Largest tension at a fairlead of the body under no load, of a line in its reference load
+        case, N; None where there is neither.
+    moved : tuple of AnchorMoved
+        The most loaded line's anchor elsewhere, or that of a line whose span is given; empty
+        where the force on the line is given, which does not change by that.
+    least : tuple of LeastDiameter
+        How far the segments may wear.
+    """
+
+    case: Case
+    line: Line
+    report: CheckReport
+    criteria: Criteria
+    anchor: Anchor | None = None
+    system: SystemSolution | None = None
+    pretension: float | None = None
+    moved: tuple[AnchorMoved, ...] = ()
+    least: tuple[LeastDiameter, ...] = ()
+
+    @property
+    def lines(self) -> int:
+        """How many there are."""
+        return 1 if self.system is None else len(self.system.lines)
+
+    @property
+    def intact(self) -> tuple[Solution, ...]:
+        """Every line with all there, in every load case."""
+        if self.system is not None:
+            return tuple(each.solution for each in self.system.lines)
+        out = {each.name for each in self.report.load_cases if each.state != "intact"}
+        return tuple(solution for name, solution in self.report.solutions if name not in out)
+
+    @property
+    def break_factor(self) -> float | None:
+        """Least MBL over tension of any segment, new and intact; None where one is not known."""
+        found = [
+            math.inf
+            if each.max_tension == 0.0
+            else None
+            if part.MBL is None
+            else part.MBL / each.max_tension
+            for solution in self.intact
+            for part, each in zip(solution.line.segments, solution.segments, strict=True)
+        ]
+        known = [each for each in found if each is not None]
+        return min(known) if known and len(known) == len(found) else None
+
+    @property
+    def judges_line_out(self) -> bool:
+        """Whether a state with one line out was checked."""
+        return any(each.place.state != "intact" for each in self.report.results)
+
+
+def sheet_of(
+    case: Case,
+    line: Line,
+    report: CheckReport,
+    system: SystemSolution | None = None,
+    anchor: Anchor | None = None,
+) -> Sheet:
+    """Work out what is stated of a line, or of a body on several.
+
+    Parameters
+    ----------
+    case : Case
+        With all its load cases.
+    line : Line
+        Of the note.
+    report : CheckReport
+        Of it.
+    system : SystemSolution, optional
+        The body under its load.
+    anchor : Anchor, optional
+        In the place of the case's own.
+    """
+    anchor = anchor or case.anchor
+    criteria = criteria_of(replace(case, anchor=anchor))
+    return Sheet(
+        case=case,
+        line=line,
+        report=report,
+        criteria=criteria,
+        anchor=anchor,
+        system=system,
+        pretension=_pretension(report, system),
+        moved=tuple(_of_a_line(case, report) if system is None else _of_a_body(system)),
+        least=least_diameters(report, criteria, line),
+    )
+
+
+def _pretension(report: CheckReport, system: SystemSolution | None) -> float | None:
+    if system is not None:
+        unloaded = solve_system(replace(system.system, force=(0.0, 0.0), moment=0.0))
+        return max(each.tension for each in unloaded.lines)
+    everyday = {each.name for each in report.load_cases if each.kind == "reference"}
+    found = [each.fairlead.tension for name, each in report.solutions if name in everyday]
+    return max(found, default=None)
+
+
+def _of_a_line(case: Case, report: CheckReport) -> Iterator[AnchorMoved]:
+    """Change the span where that is held; a given force or tension stays what it is."""
+    if case.load is None or case.load.span is None:
+        return
+    (_, solution), *_ = report.solutions
+    for way in _ways(solution.span):
+        held = replace(case, load=Load(span=solution.span + way))
+        try:
+            yield AnchorMoved(way, solve_case(held).fairlead.tension)
+        except CatoptError as error:
+            yield AnchorMoved(way, refusal=error.message)
+
+
+def _of_a_body(solution: SystemSolution) -> Iterator[AnchorMoved]:
+    system, k = solution.system, solution.most_loaded
+    leg = system.legs[k]
+    for way in _ways(solution.lines[k].solution.span):
+        moved = replace(leg, anchor_radius=leg.anchor_radius + way)
+        try:
+            found = solve_system(_with(system, k, moved))
+        except CatoptError as error:
+            yield AnchorMoved(way, refusal=error.message)
+            continue
+        start, place = solution.neutral, found.position
+        offset = math.hypot(place.x - start.x, place.y - start.y)
+        yield AnchorMoved(way, max(each.tension for each in found.lines), offset)
+
+
+def _ways(span: float) -> tuple[float, float]:
+    return -PART * span, PART * span
+
+
+def _with(system: System, index: int, leg: Leg) -> System:
+    legs = tuple(leg if k == index else each for k, each in enumerate(system.legs))
+    return replace(system, legs=legs)

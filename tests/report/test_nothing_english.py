@@ -1,0 +1,100 @@
+"""A tanker's note and workbook in Vietnamese have nothing English in them but what is cited."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Iterator
+from functools import cache
+
+import openpyxl
+import pytest
+
+import catopt
+from catopt.answers.note_size import size_note_answer
+from catopt.answers.size import size_answer
+from catopt.notes.size import Given, size_note
+from catopt.render.page import page
+from catopt.render.units import in_units
+from catopt.render.workbook import workbook
+from catopt.sizing import Sizing
+from catopt.words import LANGUAGES, Language, Message, say
+
+from .page_reader import read_page
+
+CITED = re.compile(
+    r"^(UFC|Blendermann|DTOcean|IALA|NREL|BEMRosetta|Davies, Baca|Pilotfits|Vryhof|C\. Kunte|"
+    r"D\. Djokic|[A-Z]{2,}(, [A-Z]{2,})*: )"
+)
+"""A document, or the place in one behind the keys of documents."""
+NAMES = re.compile(
+    r"UFC-4-159-03|UFC-Blendermann|chain studless R3( \d+ mm)?(, [\d.]+ m)?|Stevpris Mk5|"
+    r"catopt( size tanker)?|catopt \d.*|MPCOST|--\w+|PIANC 2002"
+)
+"""Codes, names of components and of commands; those in text stand beside Vietnamese words."""
+FORMULA = re.compile(r"[=·^]|\b(cos|sqrt|atan|asinh)\b|USD/m|\bdeg\b|\brad\b|^rho\b")
+"""Formulas, numbers with their symbols, and units."""
+WORD = re.compile(r"[A-Za-z]{3,}")
+
+
+@cache
+def sized() -> Sizing:
+    return catopt.size_tanker(dwt="50000 t", depth="20 m")
+
+
+def runs_of_the_page(language: Language) -> Iterator[str]:
+    answer = in_units(size_note_answer(size_note(sized(), Given(), verify=False)), "tf")
+    read = read_page(page(answer, language))
+    for element in read.elements:
+        if element.tag in {"h1", "h2", "h3", "p", "li", "figcaption", "text", "caption"}:
+            yield element.text.strip()
+    for table in read.tables:
+        yield from table.headings
+        yield from (cell.text for row in table.rows for cell in row)
+
+
+def runs_of_the_workbook(language: Language) -> Iterator[str]:
+    made = workbook(in_units(size_answer(sized()), "tf"), language)
+    book = openpyxl.load_workbook(io.BytesIO(made), data_only=True)
+    for sheet in book:
+        yield sheet.title
+        cells = (cell.value for row in sheet.iter_rows() for cell in row)
+        yield from (value for value in cells if isinstance(value, str))
+
+
+def is_allowed(run: str) -> bool:
+    return bool(
+        CITED.match(run)
+        or NAMES.fullmatch(run)
+        or FORMULA.search(run)
+        or not WORD.search(run)
+        or re.fullmatch(r"[A-Z]{2,}", run)
+    )
+
+
+@pytest.mark.parametrize("runs", [runs_of_the_page, runs_of_the_workbook])
+def test_what_is_the_same_in_both_languages_is_a_name_or_cited(runs: object) -> None:
+    assert callable(runs)
+    english, vietnamese = (set(runs(language)) for language in LANGUAGES)
+    assert len(vietnamese) > 100
+    left = sorted(each for each in english & vietnamese if not is_allowed(each))
+    assert left == []
+
+
+def test_an_english_word_is_noticed() -> None:
+    assert not is_allowed("Design basis")
+    assert not is_allowed("studless chain")
+    assert is_allowed("UFC 4-159-03 Design: Moorings (3 October 2005), Table 3-7, page 26 [A]")
+
+
+def test_a_deadweight_has_no_english_grouping() -> None:
+    """A comma groups thousands in English and marks decimals in Vietnamese."""
+    assert isinstance(sized().case.title, Message)
+    assert say(sized().case.title, "vi") == "Neo tàu dầu 50000 DWT ở độ sâu nước 20 m"
+    assert "50,000" not in " ".join(runs_of_the_page("vi"))
+
+
+def test_the_ratio_is_called_as_the_field_calls_it() -> None:
+    said = " ".join(runs_of_the_page("vi"))
+    assert "Tỷ số lực kéo đứt / lực căng lớn nhất" in said
+    assert "xích không ngáng" in said.casefold()
