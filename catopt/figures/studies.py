@@ -34,6 +34,7 @@ def lines_to_scale(lines: Sequence[tuple[str, Solution]], depth: float, title: s
     for (name, solution), role in zip(lines, cycle(_LINES), strict=False):
         profile = solution.profile(401)
         series.append(Series(role, profile.x, profile.z, name))
+        marks.append(Mark("anchor", 0.0, profile.z[0]))
         marks.append(Mark("fairlead", solution.span, solution.fairlead_height))
         marks += [Mark("clump", load.x, load.z) for load in solution.point_loads]
     return Chart(
@@ -42,7 +43,7 @@ def lines_to_scale(lines: Sequence[tuple[str, Solution]], depth: float, title: s
         axis("x", (-30.0 * unit, right + 30.0 * unit), within=(0.0, right)),
         axis("z", (-24.0 * unit, top + 30.0 * unit), within=(0.0, top)),
         series=tuple(series),
-        marks=(Mark("anchor", 0.0, 0.0), *marks),
+        marks=tuple(dict.fromkeys(marks)),
         levels=tuple(surface_and_bed(depth)),
         areas=water(depth, math.inf),
         to_scale=1.0,

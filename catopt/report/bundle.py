@@ -100,7 +100,7 @@ def _drawn(study: Study) -> dict[str, bytes]:
     files: dict[str, bytes] = {}
     if study.drawn:
         lines = [(each.name, each.solution) for each in study.drawn]
-        depth = max(solution.fairlead_height for _, solution in lines)
+        depth = max(each.depth or each.solution.fairlead_height for each in study.drawn)
         charts = studies.lines_to_scale(lines, depth)
         files |= pictures(f"{study.name}_lines", charts, study.title)
     if study.moorings:

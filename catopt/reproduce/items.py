@@ -152,10 +152,14 @@ class Mooring:
 
 @dataclass(frozen=True)
 class Drawn:
-    """A line of a study that is drawn: what it is called, and how it hangs."""
+    """A line of a study that is drawn: what it is called, how it hangs, and the water's depth (m).
+
+    Without a depth the fairlead is at the surface.
+    """
 
     name: str
     solution: Solution
+    depth: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -73,7 +73,7 @@ def study(name: str) -> Study:
         inputs=_inputs(source),
         items=items,
         findings=_findings(source),
-        drawn=(Drawn(source.title, line),),
+        drawn=(Drawn(source.title, line, source.inputs.get("water_depth_m", 0.0)),),
     )
 
 
