@@ -75,7 +75,12 @@ _TURNING = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u20
 
 
 def read_text(
-    path: FilePath, source: str, *, kind: str = "case file", most: int = MOST_BYTES
+    path: FilePath,
+    source: str,
+    *,
+    kind: str = "case file",
+    most: int = MOST_BYTES,
+    broken: bool = False,
 ) -> str:
     """Read a text file.
 
@@ -89,6 +94,8 @@ def read_text(
         What it is, for messages.
     most : int
         Bytes that it may have.
+    broken : bool
+        Whether bytes that are no UTF-8 are passed over, as U+FFFD.
 
     Raises
     ------
@@ -97,6 +104,8 @@ def read_text(
         UTF-8.
     """
     data = _read_bytes(path, source, kind, most)
+    if broken:
+        return data.decode("utf-8-sig", "replace")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -20,7 +20,7 @@ BASE = {
     "compiled", "interrupt", "ties",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
-READING = {"catalogue", "casefile"}
+READING = {"catalogue", "casefile", "decks"}
 DESIGNING = {"checks", "design"}
 ALL_BUT_CLI = (
     SOLVING
@@ -48,7 +48,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "schemas": {"errors", "documents"},
     "model": BASE,
     "catalogue": BASE | {"model"},
-    "casefile": BASE | {"model", "catalogue", "schemas"},
+    "decks": SOLVING,
+    "casefile": BASE | {"model", "catalogue", "schemas", "decks"},
     "catenary": BASE | {"model"},
     "mooring": SOLVING,
     "waves": BASE | {"model"},

@@ -27,7 +27,8 @@ def read_case(path: str | os.PathLike[str]) -> Case:
     Parameters
     ----------
     path : str or path
-        The file, TOML in UTF-8.
+        The file, TOML in UTF-8; or an input file of MoorDyn or MAP++ (`catopt.decks`), which ends
+        in anything but ``.toml``.
 
     Returns
     -------
@@ -40,6 +41,15 @@ def read_case(path: str | os.PathLike[str]) -> Case:
         When the file cannot be read, or with every problem of what it says.
     """
     source = os.fspath(path)
+    if Path(path).suffix.lower() != ".toml":
+        from catopt.decks.reading import is_deck, read_deck
+        from catopt.decks.told import tell
+
+        deck = read_text(Path(path), source, broken=True)
+        if is_deck(deck):
+            found = read_deck(deck, source)
+            tell(found.remarks)
+            return found.case
     return parse_case(read_text(Path(path), source), source, folder=str(Path(path).parent))
 
 

@@ -15,6 +15,7 @@ from catopt.cli.curve import curve
 from catopt.cli.design import design
 from catopt.cli.export import export
 from catopt.cli.fatigue import fatigue
+from catopt.cli.import_deck import import_deck
 from catopt.cli.loads import loads
 from catopt.cli.new import new
 from catopt.cli.output import Output
@@ -64,12 +65,14 @@ def catopt(
     output = context.ensure_object(Output)
     output.debug = debug
     output.tell_when_compiling()
+    output.tell_of_decks()
 
 
 for _command in (
     solve, curve, design, check, verify, fatigue, system, report, export, reproduce, new,
 ):  # fmt: skip
     app.command()(_command if _command in (export, new, reproduce) else in_units(_command))
+app.command("import")(import_deck)
 app.command("compile")(compile_all)
 app.add_typer(catalog)
 app.add_typer(loads)

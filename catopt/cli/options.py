@@ -59,7 +59,8 @@ CaseArgument = Annotated[
     Path,
     typer.Argument(
         metavar="CASE",
-        help="Case file (TOML); with --design a directory that catopt design --out wrote.",
+        help="Case file (TOML), or an input file of MoorDyn or MAP++; with --design a directory "
+        "that catopt design --out wrote.",
     ),
 ]
 

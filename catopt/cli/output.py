@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TextIO
 
 from catopt.compiled import when_cache_is_damaged, when_compiling
+from catopt.decks.told import when_read
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -114,6 +115,10 @@ class Output:
         if sys.stderr.isatty():
             when_compiling(lambda: self.note(COMPILING))
         when_cache_is_damaged(lambda folder: self.note(DAMAGED.format(folder)))
+
+    def tell_of_decks(self) -> None:
+        """Say what has to be known of an input file of another program that is taken as a case."""
+        when_read(lambda remarks: self.note("\n".join(f"note: {remark}" for remark in remarks)))
 
     @contextmanager
     def progress(self, what: str) -> Iterator[Progress | None]:

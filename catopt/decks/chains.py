@@ -1,0 +1,153 @@
+"""Which pieces follow each other: from a held point over free points to the next held one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from catopt.decks.deck import Deck, Notes, Piece, Point
+
+__all__ = ["Chain", "chains_of"]
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A mooring line of a deck, from its anchor to its fairlead.
+
+    Attributes
+    ----------
+    points : sequence of Point
+        One more than pieces.
+    pieces : sequence of Piece
+        In order from the anchor.
+    """
+
+    points: Sequence[Point]
+    pieces: Sequence[Piece]
+
+    @property
+    def anchor(self) -> Point:
+        """The lower end, or the fixed one."""
+        return self.points[0]
+
+    @property
+    def fairlead(self) -> Point:
+        """The other end."""
+        return self.points[-1]
+
+
+def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
+    """Follow the pieces of a deck; what is no chain is noted.
+
+    Parameters
+    ----------
+    deck : Deck
+        What was read.
+    notes : Notes
+        Takes problems and remarks.
+    only : int, optional
+        The one line that is wanted, counted from 1.
+
+    Raises
+    ------
+    InputError
+        With everything that is no line between two ends.
+    """
+    meeting = _meeting(deck, notes)
+    notes.raise_if_any()
+    _check_points(deck, meeting, notes)
+    notes.raise_if_any()
+    left = list(deck.pieces)
+    found = []
+    while left:
+        start = next((p for p in left if _held(deck, p) is not None), None)
+        if start is None:
+            notes.refuse(left[0].row, "lines that run in a circle", "nothing holds them")
+            break
+        found.append(_oriented(_follow(deck, start, left)))
+    if only is not None and not 1 <= only <= len(found):
+        notes.refuse(0, f"--line {only}", f"the deck has the lines 1 to {len(found)}")
+    elif only is not None:
+        if len(found) > 1:
+            notes.say("only", number=only, count=len(found))
+        found = [found[only - 1]]
+    if len(found) > 1:
+        _check_ends(found, notes)
+    notes.raise_if_any()
+    return found
+
+
+def _check_points(deck: Deck, meeting: Mapping[str, Sequence[Piece]], notes: Notes) -> None:
+    """Refuse a free point that does not lie between two lines."""
+    for name, pieces in meeting.items():
+        point = deck.points[name]
+        if not pieces:
+            notes.say("unattached", line=point.row, name=name)
+        elif point.end == "free" and len(pieces) == 1:
+            notes.refuse(point.row, f"point {name}", "one line ends here and nothing holds it")
+        elif point.end == "free" and len(pieces) > 2:
+            allowed = (
+                "lines that meet at a free point have no case yet; hold it where it comes to rest "
+                "(Coupled or Fixed) and take the lines apart"
+            )
+            notes.refuse(point.row, f"point {name} joins {len(pieces)} lines", allowed)
+        elif point.end != "free" and (point.mass or point.volume):
+            notes.say("held_mass", line=point.row, name=name)
+
+
+def _meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
+    found: dict[str, list[Piece]] = {name: [] for name in deck.points}
+    for piece in deck.pieces:
+        if piece.type not in deck.types:
+            known = ", ".join(deck.types)
+            notes.refuse(piece.row, f"line type {piece.type}", f"there is none; known: {known}")
+        for end in piece.ends:
+            if end in found:
+                found[end].append(piece)
+            elif end:
+                notes.refuse(piece.row, f"point {end}", "there is no such point")
+        if piece.ends[0] == piece.ends[1]:
+            notes.refuse(piece.row, f"point {piece.ends[0]} twice", "two points are wanted")
+    return found
+
+
+def _held(deck: Deck, piece: Piece) -> str | None:
+    return next((end for end in piece.ends if deck.points[end].end != "free"), None)
+
+
+def _follow(deck: Deck, piece: Piece, left: list[Piece]) -> Chain:
+    """Take the pieces of one chain out of those that are left."""
+    name = _held(deck, piece)
+    assert name is not None
+    points, pieces = [deck.points[name]], []
+    while True:
+        left.remove(piece)
+        pieces.append(piece)
+        name = piece.ends[1] if piece.ends[0] == name else piece.ends[0]
+        points.append(deck.points[name])
+        if deck.points[name].end != "free":
+            return Chain(points, pieces)
+        piece = next(each for each in left if name in each.ends)
+
+
+def _oriented(chain: Chain) -> Chain:
+    """Begin at the anchor: the fixed end, or of two alike the lower one."""
+    ends = chain.anchor, chain.fairlead
+    turn = ends[0].end == "coupled" and ends[1].end == "fixed"
+    if ends[0].end == ends[1].end:
+        turn = ends[1].z < ends[0].z
+    if not turn:
+        return chain
+    return replace(chain, points=chain.points[::-1], pieces=chain.pieces[::-1])
+
+
+def _check_ends(chains: Sequence[Chain], notes: Notes) -> None:
+    """Of several lines, each runs from the bed to the body."""
+    for chain in chains:
+        if chain.anchor.end == chain.fairlead.end:
+            allowed = (
+                "of several lines each runs from a Fixed to a Coupled point; take this one alone: "
+                "catopt import FILE --line N"
+            )
+            found = f"from {chain.anchor.name} to {chain.fairlead.name}, both {chain.anchor.end}"
+            notes.refuse(chain.pieces[0].row, found, allowed)

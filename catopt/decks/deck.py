@@ -1,0 +1,169 @@
+"""What a deck says, whichever program it is for; numbers in SI, heights from the still water."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Literal, TypeVar
+
+from catopt.errors import InputError, Problem
+from catopt.words.message import Message
+
+__all__ = ["Deck", "End", "LineType", "Notes", "Piece", "Point", "Row"]
+
+T = TypeVar("T")
+End = Literal["fixed", "coupled", "free"]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of data: its number in the file, counted from 1, and its words."""
+
+    number: int
+    words: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class LineType:
+    """What a line is made of.
+
+    Attributes
+    ----------
+    row : int
+        Line of the file.
+    diameter : float
+        Volume-equivalent, m.
+    mass : float
+        In air, kg/m.
+    EA : float
+        N.
+    friction : float or None
+        Of the line on the bed, where the deck has it by line type.
+    drag : (float, float, float, float) or None
+        Cd across on d, Cd along on pi d, Ca across and along on the displaced water.
+    """
+
+    row: int
+    diameter: float
+    mass: float
+    EA: float
+    friction: float | None = None
+    drag: tuple[float, float, float, float] | None = None
+
+
+@dataclass(frozen=True)
+class Point:
+    """Where lines end or meet; M (kg), V (m3) and Cd A (m2) of what hangs there."""
+
+    row: int
+    name: str
+    end: End
+    x: float
+    y: float
+    z: float
+    mass: float = 0.0
+    volume: float = 0.0
+    drag_area: float = 0.0
+    added_mass: float = 0.0
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A uniform line between two points."""
+
+    row: int
+    type: str
+    ends: tuple[str, str]
+    length: float
+
+
+@dataclass(frozen=True)
+class Deck:
+    """A deck whose every number was read."""
+
+    gravity: float
+    density: float
+    depth: float
+    types: Mapping[str, LineType]
+    points: Mapping[str, Point]
+    pieces: Sequence[Piece]
+    friction: float | None = None
+
+
+@dataclass
+class Notes:
+    """What is wrong with a deck and what is to be said of it, gathered while it is read."""
+
+    source: str = ""
+    problems: list[Problem] = field(default_factory=list)
+    remarks: list[Message] = field(default_factory=list)
+
+    def refuse(self, row: int, found: str, allowed: str) -> None:
+        """Note what is wrong in a line of the file; 0: in the whole of it."""
+        self.problems.append(Problem(f"line {row}" if row else "file", found, allowed))
+
+    def say(self, key: str, /, **values: object) -> None:
+        """Note a remark, once."""
+        remark = Message(f"decks.{key}", **values)
+        if remark not in self.remarks:
+            self.remarks.append(remark)
+
+    def raise_if_any(self) -> None:
+        """Raise InputError with every problem, in the order of the file."""
+        if self.problems:
+
+            def place(problem: Problem) -> int:
+                word = problem.key.removeprefix("line ")
+                return int(word) if word.isdigit() else 0
+
+            found = sorted(dict.fromkeys(self.problems), key=place)
+            raise InputError(found, self.source)
+
+    def by_name(self, entries: Mapping[Row, T]) -> dict[str, T]:
+        """Key the entries of a section by their first word, which stands once."""
+        found: dict[str, T] = {}
+        for row, entry in entries.items():
+            if row.words[0] in found:
+                self.refuse(row.number, row.words[0], "another line of this section has this name")
+            found[row.words[0]] = entry
+        return found
+
+    def number(
+        self,
+        row: Row,
+        column: int,
+        name: str,
+        *,
+        above: float = -math.inf,
+        at_least: float = -math.inf,
+    ) -> float:
+        """Read a number by its column; NaN where it is none, which is noted."""
+        if column >= len(row.words):
+            self.refuse(row.number, "", f"{name} is missing in column {column + 1}")
+            return math.nan
+        return self.value(row.number, row.words[column], name, above=above, at_least=at_least)
+
+    def value(
+        self,
+        row: int,
+        word: str,
+        name: str,
+        *,
+        above: float = -math.inf,
+        at_least: float = -math.inf,
+    ) -> float:
+        """Read a number, with Fortran's D for an exponent too."""
+        try:
+            found = float(word.lower().replace("d", "e"))
+        except ValueError:
+            found = math.nan
+        if not math.isfinite(found) or found <= above or found < at_least:
+            limit = "a number is wanted"
+            if above > -math.inf:
+                limit = f"a number above {above:g} is wanted"
+            elif at_least > -math.inf:
+                limit = f"a number of {at_least:g} or more is wanted"
+            self.refuse(row, f"{name} {word}", limit)
+            return math.nan
+        return found

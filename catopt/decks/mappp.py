@@ -1,0 +1,179 @@
+"""Reads MAP++'s input: four sections of three heading lines each, columns by position."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from catopt.decks.deck import Deck, End, LineType, Notes, Piece, Point, Row
+
+__all__ = ["parse_mappp"]
+
+_SECTIONS = ("types", "points", "lines", "options")
+_HEADINGS = 2
+"""Lines below the one with dashes that are not read."""
+
+_OUTPUTS = """
+gx_pos gy_pos gz_pos gx_a_pos gy_a_pos gz_a_pos gx_force gy_force gz_force h_fair v_fair h_anch
+v_anch h_anchor v_anchor tension_fair tension_anch x_force y_force z_force fair_tension
+anch_tension line_tension x_excursion z_excursion horizontal_excursion vertical_excursion
+lay_length azimuth altitude altitude_anch altitude_anchor plot diagnostic contact
+"""
+_REFUSED = {
+    "omit_contact": "every line of a case lies on the bed where it reaches it; take the flag out",
+    "linear_spring": "a line of a case hangs by its weight; take the flag out",
+    "damage_time": "lines do not fail in a case; take the flag out",
+}
+_ENDS: Mapping[str, End] = {"fix": "fixed", "vessel": "coupled", "connect": "free"}
+_GIVEN = {
+    "gravity": "--gravity 9.80665",
+    "density": '--density "1025 kg/m^3"',
+    "depth": '--depth "200 m"',
+}
+
+
+def parse_mappp(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
+    """Read a deck; what is wrong with it is noted.
+
+    Parameters
+    ----------
+    text : str
+        Of the file.
+    notes : Notes
+        Takes problems and remarks.
+    given : mapping of str to float
+        ``gravity``, ``density`` and ``depth``, SI: MAP++ has none of them in its file.
+    """
+    missing = [option for key, option in _GIVEN.items() if key not in given]
+    if missing:
+        allowed = (
+            "a MAP++ file has no gravity, water density and depth; give them: catopt import FILE "
+            f"{' '.join(missing)} --out case.toml"
+        )
+        notes.refuse(0, "", allowed)
+    sections = _sections(text, notes)
+    depth = given.get("depth", math.nan)
+    types = notes.by_name({row: _type(row, notes) for row in sections["types"]})
+    points = notes.by_name({row: _point(row, depth, notes) for row in sections["points"]})
+    pieces = [piece for row in sections["lines"] for piece in _piece(row, notes)]
+    for number, angle in _repeats(sections["options"], notes):
+        notes.say("repeat", line=number, angle=angle)
+        turned = _turned(points, pieces, angle)
+        points, pieces = points | turned[0], pieces + turned[1]
+    return Deck(
+        given.get("gravity", math.nan), given.get("density", math.nan), depth, types, points, pieces
+    )
+
+
+def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
+    found: dict[str, list[Row]] = {name: [] for name in _SECTIONS}
+    number_of_section, skip = -1, 0
+    for number, line in enumerate(text.splitlines(), start=1):
+        if line.startswith("-"):
+            number_of_section, skip = number_of_section + 1, _HEADINGS
+            continue
+        if number_of_section < 0 or number_of_section >= len(_SECTIONS):
+            if line.strip():
+                allowed = "four sections are wanted, and no line before them"
+                notes.refuse(number, line.strip()[:40], allowed)
+            continue
+        if skip:
+            skip -= 1
+            continue
+        name = _SECTIONS[number_of_section]
+        words = tuple(line.split("!")[0].split())
+        if not words:
+            continue
+        if name == "options" and line[0] in " \t":
+            notes.say("commented", line=number, text=" ".join(words)[:40])
+            continue
+        found[name].append(Row(number, words))
+    for name in ("types", "points", "lines"):
+        if not found[name]:
+            notes.refuse(0, "", f"the section with {name} is missing or empty")
+    return found
+
+
+def _type(row: Row, notes: Notes) -> LineType:
+    names = "Diam", "MassDenInAir", "EA"
+    diameter, mass, EA = (notes.number(row, k + 1, names[k], above=0.0) for k in range(3))
+    friction = notes.number(row, 4, "CB", at_least=0.0)
+    if len(row.words) > 5:
+        notes.say("unused_by_map", line=row.number, values=" ".join(row.words[5:9]))
+    return LineType(row.number, diameter, mass, EA, friction)
+
+
+def _point(row: Row, depth: float, notes: Notes) -> Point:
+    kind = row.words[1].lower() if len(row.words) > 1 else ""
+    if kind not in _ENDS:
+        notes.refuse(row.number, " ".join(row.words[:2]), "fix, connect or vessel is wanted")
+    end = _ENDS.get(kind, "free")
+    x, y, z = (_coordinate(row, column, depth, end, notes) for column in (2, 3, 4))
+    if end == "free" and any(
+        not word.startswith("#") and notes.value(row.number, word, "F") != 0.0
+        for word in row.words[7:10]
+    ):
+        allowed = "a constant force on a node has no case; give mass and volume instead"
+        notes.refuse(row.number, " ".join(row.words[7:10]), allowed)
+    mass, volume = (notes.number(row, 5 + k, "MB"[k], at_least=0.0) for k in (0, 1))
+    return Point(row.number, row.words[0], end, x, y, z, mass, volume)
+
+
+def _coordinate(row: Row, column: int, depth: float, end: End, notes: Notes) -> float:
+    word = row.words[column] if column < len(row.words) else ""
+    if word.lower() == "depth" and column == 4 and end == "fixed":
+        return -depth
+    if word.startswith("#"):
+        if end != "free":
+            notes.refuse(row.number, word, "only a connect node is to be found; give a number")
+        word = word[1:] or "0"  # where a node that is to be found begins does not matter
+    return notes.value(row.number, word or "nothing", "XYZ"[column - 2])
+
+
+def _piece(row: Row, notes: Notes) -> Iterator[Piece]:
+    if len(row.words) < 5:
+        notes.refuse(row.number, " ".join(row.words), "number, type, length and two nodes wanted")
+        return
+    for flag in row.words[5:]:
+        if flag.lower() in _REFUSED:
+            notes.refuse(row.number, flag, _REFUSED[flag.lower()])
+        elif flag.lower() in _OUTPUTS.split():
+            notes.say("flag", line=row.number)
+        else:
+            notes.refuse(row.number, flag, "no flag that is known; take it out if it is an output")
+    length = notes.number(row, 2, "UnstrLen", above=0.0)
+    yield Piece(row.number, row.words[1], (row.words[3], row.words[4]), length)
+
+
+def _repeats(rows: list[Row], notes: Notes) -> list[tuple[int, float]]:
+    found: list[tuple[int, float]] = []
+    run: list[str] = []
+    for row in rows:
+        if row.words[0].lower() == "repeat":
+            found += [(row.number, notes.value(row.number, w, "repeat")) for w in row.words[1:]]
+        else:
+            run.append(f"{row.words[0]} ({row.number})")
+    if run:
+        notes.say("run", keys=", ".join(run))
+    return found
+
+
+def _turned(
+    points: Mapping[str, Point], pieces: list[Piece], angle: float
+) -> tuple[dict[str, Point], list[Piece]]:
+    """Copy the first arrangement, turned clockwise as MAP++ does it."""
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    own = {name: point for name, point in points.items() if "@" not in name}
+    tag = f"@{angle:g}"
+    copies = {
+        name + tag: replace(
+            point, name=name + tag, x=c * point.x + s * point.y, y=c * point.y - s * point.x
+        )
+        for name, point in own.items()
+    }
+    return copies, [
+        replace(piece, ends=(piece.ends[0] + tag, piece.ends[1] + tag))
+        for piece in pieces
+        if "@" not in piece.ends[0]
+    ]

@@ -1,0 +1,123 @@
+"""Which file is a deck, and the way from its text to a case."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import asdict, dataclass
+from pathlib import PurePath
+
+from catopt.model import Case
+from catopt.words.message import Message
+
+__all__ = ["Asked", "Imported", "is_deck", "read_deck"]
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What the user says beside the deck.
+
+    Attributes
+    ----------
+    gravity, density, depth : float or None
+        m/s2, kg/m3 and m, where the deck has none.
+    line : int or None
+        Only this line, counted from 1 as they come in the deck.
+    """
+
+    gravity: float | None = None
+    density: float | None = None
+    depth: float | None = None
+    line: int | None = None
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A deck as a case, and what has to be known of it.
+
+    Attributes
+    ----------
+    case : Case
+        One line between its ends, or equal lines around a body.
+    remarks : tuple of Message
+        What decides a number, and what of the deck the case has not, with its line.
+    """
+
+    case: Case
+    remarks: tuple[Message, ...]
+
+
+def is_deck(text: str) -> bool:
+    """Whether a text is a deck of MoorDyn or MAP++: it has a section of line types.
+
+    Examples
+    --------
+    >>> from catopt.decks.reading import is_deck
+    >>> is_deck("--- LINE TYPES ---"), is_deck("[site]")
+    (True, False)
+    """
+    return re.search(r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", text) is not None
+
+
+def is_mappp(text: str) -> bool:
+    """Whether a deck is one of MAP++, which knows no segments of lines."""
+    return re.search(r"(?mi)^-.*SOLVER OPTIONS", text) is not None and not re.search(
+        r"(?i)numsegs", text
+    )
+
+
+def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
+    """Read a deck.
+
+    Parameters
+    ----------
+    text : str
+        Of the file.
+    source : str
+        Its name.
+    asked : Asked, optional
+        What the deck lacks; of several lines, which one.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong, or that no case can say, by the line of the file.
+
+    Examples
+    --------
+    >>> from catopt.decks.reading import read_deck
+    >>> deck = '''one line
+    ... --- LINE TYPES ---
+    ... Name Diam MassDen EA BA EI Cd Ca CdAx CaAx
+    ... (-) (m) (kg/m) (N) (-) (N-m2) (-) (-) (-) (-)
+    ... chain 0.1 100 4e8 -1 0 1.2 1 0 0
+    ... --- POINTS ---
+    ... ID Attachment X Y Z Mass Volume CdA Ca
+    ... (#) (-) (m) (m) (m) (kg) (m3) (m2) (-)
+    ... 1 Fixed 0 0 -50 0 0 0 0
+    ... 2 Coupled 150 0 0 0 0 0 0
+    ... --- LINES ---
+    ... ID LineType AttachA AttachB UnstrLen NumSegs Outputs
+    ... (#) (name) (#) (#) (m) (-) (-)
+    ... 1 chain 1 2 170 20 -
+    ... --- OPTIONS ---
+    ... 50 WtrDpth
+    ... --- END ---'''
+    >>> found = read_deck(deck, "one.txt")
+    >>> found.case.load.span, found.case.line.length
+    (150.0, 170.0)
+    """
+    from catopt.decks.chains import chains_of
+    from catopt.decks.deck import Notes
+    from catopt.decks.mappp import parse_mappp
+    from catopt.decks.moordyn import parse_moordyn
+    from catopt.decks.to_case import case_of
+
+    given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
+    line = given.pop("line", None)
+    notes = Notes(source)
+    parse = parse_mappp if is_mappp(text) else parse_moordyn
+    deck = parse(text, notes, given)
+    notes.raise_if_any()
+    chains = chains_of(deck, notes, line)
+    case = case_of(deck, chains, notes, PurePath(source).stem)
+    return Imported(case, tuple(notes.remarks))

@@ -1,0 +1,263 @@
+"""From the lines of a deck to a case.
+
+The weight in water of a line is w = (m - pi/4 d^2 rho) g with its volume-equivalent diameter d,
+that of a point W = (M - rho V) g.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from statistics import fmean
+
+from catopt.decks.chains import Chain
+from catopt.decks.deck import Deck, LineType, Notes
+from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
+
+__all__ = ["case_of"]
+
+ROUNDING = 5e-5
+"""Of a line's length, by which ends may lie off equal lines around a body: 4 cm of 800 m."""
+
+BALANCED = 1e-3
+"""Of the largest horizontal force: what is left over of lines that balance each other."""
+
+
+def case_of(deck: Deck, chains: Sequence[Chain], notes: Notes, title: str) -> Case:
+    """Make the case: of one line between its ends, of several lines around a body.
+
+    Raises
+    ------
+    InputError
+        With everything that a case cannot say, by the lines of the file.
+    """
+    friction = _friction(deck, chains, notes)
+    _check_depth(deck, chains, notes)
+    notes.raise_if_any()
+    for name in dict.fromkeys(piece.type for chain in chains for piece in chain.pieces):
+        _say_type(deck, name, notes)
+    if any(chain.fairlead.z > 0.0 for chain in chains):
+        notes.say("above_water")
+    lines = [_line(deck, chain) for chain in chains]
+    source = f"{notes.source}; g = {deck.gravity:g} m/s^2, water {deck.density:g} kg/m^3"
+    site = Site(deck.depth, friction, deck.density)
+    make = _one_line if len(chains) == 1 else _body
+    return replace(make(deck, chains, lines, site, notes), title=title, source=source)
+
+
+def _friction(deck: Deck, chains: Sequence[Chain], notes: Notes) -> float:
+    """Take the friction of the bed: one for all, which MAP++ has by line type."""
+    if deck.friction is not None:
+        return deck.friction
+    used = {piece.type for chain in chains for piece in chain.pieces}
+    found = {deck.types[name].friction or 0.0 for name in used}
+    if len(found) > 1:
+        row = min(deck.types[name].row for name in used)
+        allowed = "a case has one friction of the bed; give these line types the same CB"
+        notes.refuse(row, f"CB {', '.join(f'{each:g}' for each in sorted(found))}", allowed)
+    notes.say("friction", friction=max(found))
+    return max(found)
+
+
+def _check_depth(deck: Deck, chains: Sequence[Chain], notes: Notes) -> None:
+    for chain in chains:
+        for point in (chain.anchor, chain.fairlead):
+            if point.z < -deck.depth * (1.0 + 1e-9):
+                allowed = f"it is below the bed at {-deck.depth:g} m; give WtrDpth or Z anew"
+                notes.refuse(point.row, f"Z {point.z:g} m", allowed)
+
+
+def _say_type(deck: Deck, name: str, notes: Notes) -> None:
+    kind = deck.types[name]
+    notes.say(
+        "weight",
+        line=kind.row,
+        name=name,
+        weight=_weight(deck, kind),
+        mass=kind.mass,
+        diameter=kind.diameter,
+        density=deck.density,
+        gravity=deck.gravity,
+    )
+    if kind.drag is not None:
+        notes.say("drag", line=kind.row, name=name, normal=kind.drag[0], axial=kind.drag[1])
+
+
+def _weight(deck: Deck, kind: LineType) -> float:
+    volume = 0.25 * math.pi * kind.diameter**2
+    return (kind.mass - volume * deck.density) * deck.gravity
+
+
+def _line(deck: Deck, chain: Chain) -> Line:
+    """Put the pieces together; those of one type that follow each other are one segment."""
+    lengths: list[tuple[str, list[float]]] = []
+    for piece in chain.pieces:
+        if not lengths or lengths[-1][0] != piece.type:
+            lengths.append((piece.type, []))
+        lengths[-1][1].append(piece.length)
+    segments = [_segment(deck, name, math.fsum(each)) for name, each in lengths]
+    loads = []
+    for number, point in enumerate(chain.points[1:-1], start=1):
+        if point.mass or point.volume or point.drag_area:
+            loads.append(
+                PointLoad(
+                    math.fsum(piece.length for piece in chain.pieces[:number]),
+                    (point.mass - deck.density * point.volume) * deck.gravity,
+                    mass=point.mass,
+                    name=f"point {point.name}",
+                    drag_area=point.drag_area or None,
+                    drag_coefficient=1.0 if point.drag_area else None,
+                    added_mass_coefficient=point.added_mass if point.volume else 0.0,
+                )
+            )
+    return Line(segments, loads)
+
+
+def _segment(deck: Deck, name: str, length: float) -> Segment:
+    kind = deck.types[name]
+    segment = Segment(length, _weight(deck, kind), EA=kind.EA, mass=kind.mass, name=name)
+    if kind.drag is None:
+        return segment
+    across, along, added, added_along = kind.drag
+    return replace(
+        segment,
+        drag_diameter=kind.diameter,
+        drag_normal=across,
+        drag_axial=math.pi * along,
+        added_mass_normal=added,
+        added_mass_axial=added_along,
+    )
+
+
+def _height(deck: Deck, z: float) -> float:
+    height = z + deck.depth
+    return 0.0 if abs(height) <= 1e-9 * deck.depth else height
+
+
+def _span(chain: Chain, notes: Notes) -> float:
+    """Return the horizontal distance of the ends, m; a case needs some, and to be led upwards."""
+    anchor, fairlead = chain.anchor, chain.fairlead
+    span = math.hypot(fairlead.x - anchor.x, fairlead.y - anchor.y)
+    if span == 0.0:
+        allowed = "a line that hangs plumb has no case: its span has to be above 0"
+        notes.refuse(fairlead.row, f"point {fairlead.name} above {anchor.name}", allowed)
+    if fairlead.z < anchor.z:
+        allowed = "a fairlead below its anchor has no case"
+        notes.refuse(fairlead.row, f"Z {fairlead.z:g} m", allowed)
+    return span
+
+
+def _one_line(
+    deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], site: Site, notes: Notes
+) -> Case:
+    anchor, fairlead = chains[0].anchor, chains[0].fairlead
+    span = _span(chains[0], notes)
+    notes.raise_if_any()
+    if anchor.end == fairlead.end:
+        notes.say("ends_alike", anchor=anchor.name, fairlead=fairlead.name)
+    notes.say("one_line", span=span)
+    heights = _height(deck, fairlead.z), _height(deck, anchor.z)
+    return Case(site, lines[0], Load(span=span), heights[0], heights[1])
+
+
+def _body(
+    deck: Deck, chains: Sequence[Chain], lines: Sequence[Line], site: Site, notes: Notes
+) -> Case:
+    """Put equal lines around a body, which stands where the deck holds its fairleads."""
+    for chain in chains:
+        _span(chain, notes)
+    notes.raise_if_any()
+    ends = [(complex(c.anchor.x, c.anchor.y), complex(c.fairlead.x, c.fairlead.y)) for c in chains]
+    radius = fmean(abs(anchor) for anchor, _ in ends)
+    azimuths = [cmath.phase(anchor) for anchor, _ in ends]
+    ahead = [cmath.rect(1.0, azimuth) for azimuth in azimuths]
+    place, arm = _fitted(ahead, [fairlead for _, fairlead in ends])
+    heights = [
+        fmean(_height(deck, point.z) for point in points)
+        for points in ([c.fairlead for c in chains], [c.anchor for c in chains])
+    ]
+    moved = max(
+        *(abs(abs(anchor) - radius) for anchor, _ in ends),
+        *(abs(place + arm * e - end) for e, (_, end) in zip(ahead, ends, strict=True)),
+        *(abs(_height(deck, c.fairlead.z) - heights[0]) for c in chains),
+        *(abs(_height(deck, c.anchor.z) - heights[1]) for c in chains),
+    )
+    most = ROUNDING * lines[0].length
+    if any(_bare(line) != _bare(lines[0]) for line in lines) or moved > most:
+        allowed = (
+            "a case has equal lines around a body, their anchors at one radius from x = y = 0 and "
+            f"one height, to {most:.3g} m; take one line: catopt import FILE --line N"
+        )
+        found = f"{len(lines)} lines, ends up to {moved:.3g} m off" if moved > most else (
+            f"{len(lines)} lines that are made up differently"
+        )  # fmt: skip
+        notes.refuse(chains[0].pieces[0].row, found, allowed)
+        notes.raise_if_any()
+    if moved > 1e-6:
+        notes.say("moved", distance=moved)
+    small = 3.0 * moved + 1e-6
+    place = 0j if abs(place) <= small else place
+    if abs(arm) <= small:
+        arm = 0j
+    elif abs(arm.imag) <= small:
+        arm = complex(abs(arm), 0.0)
+    system = System.around(
+        lines[0],
+        azimuths=azimuths,
+        anchor_radius=radius,
+        fairlead_height=heights[0],
+        fairlead_radius=abs(arm),
+        anchor_height=heights[1],
+        seabed_friction=site.seabed_friction,
+    )
+    force, moment = _holding(system, place, arm, notes)
+    if force != (0.0, 0.0) or moment:
+        system = replace(system, force=force, moment=moment)
+    return Case(site, lines[0], None, heights[0], heights[1], system=system)
+
+
+def _bare(line: Line) -> tuple[object, ...]:
+    """Return what a line is made of, without the names of its points."""
+    return (line.segments, tuple(replace(load, name="") for load in line.point_loads))
+
+
+def _fitted(ahead: Sequence[complex], fairleads: Sequence[complex]) -> tuple[complex, complex]:
+    """Find place p and arm q of a body by least squares: each fairlead at p + q e of its line."""
+    middle, centre = sum(ahead) / len(ahead), sum(fairleads) / len(ahead)
+    spread = sum(abs(e - middle) ** 2 for e in ahead)
+    if spread < 1e-12:
+        return centre, 0j
+    arm = sum(
+        (end - centre) * (e - middle).conjugate() for e, end in zip(ahead, fairleads, strict=True)
+    )
+    return centre - arm / spread * middle, arm / spread
+
+
+def _holding(
+    system: System, place: complex, arm: complex, notes: Notes
+) -> tuple[tuple[float, float], float]:
+    """Find what holds the body where the deck has it: against the pull of its lines."""
+    from catopt.catenary.solve import solve
+
+    pull, moment, largest = 0j, 0.0, 0.0
+    for leg in system.legs:
+        lever = arm * cmath.rect(1.0, leg.azimuth)
+        to_anchor = complex(*leg.anchor) - place - lever
+        H = solve(
+            leg.line,
+            height=leg.fairlead_height,
+            anchor_height=leg.anchor_height,
+            seabed_friction=system.seabed_friction,
+            span=abs(to_anchor),
+        ).horizontal_force
+        own = H * to_anchor / abs(to_anchor)
+        pull += own
+        moment += (lever.conjugate() * own).imag
+        largest = max(largest, H)
+    if max(abs(pull), abs(moment) / (abs(arm) or 1.0)) <= BALANCED * largest and not place:
+        notes.say("balanced", lines=len(system.legs), left=abs(pull) / 1e3)
+        return (0.0, 0.0), 0.0
+    notes.say("held", x=place.real, y=place.imag, force=abs(pull) / 1e3, moment=-moment / 1e3)
+    return (-pull.real, -pull.imag), -moment if arm else 0.0

@@ -1,0 +1,99 @@
+"""Decks written for these tests; figures of OC3 and OC4 from their reports and MAP++'s output."""
+
+from __future__ import annotations
+
+__all__ = ["MAP", "MOORDYN", "TWO_SEGMENTS", "V1"]
+
+MOORDYN = """OC3's mooring, own deck
+--- LINE TYPES ---
+Name Diam MassDen EA BA/-zeta EI Cd Ca CdAx CaAx
+(-) (m) (kg/m) (N) (N-s/-) (N-m2) (-) (-) (-) (-)
+main 0.09 77.7066 384.243e6 -0.8 0 1.6 1.0 0.1 0.0
+--- POINTS ---
+ID Attachment X Y Z Mass Volume CdA Ca
+(#) (-) (m) (m) (m) (kg) (m3) (m2) (-)
+1 Fixed 853.87 0 -320 0 0 0 0
+2 Fixed -426.935 739.473112 -320 0 0 0 0
+3 Fixed -426.935 -739.473112 -320 0 0 0 0
+4 Coupled 5.2 0 -70 0 0 0 0
+5 Coupled -2.6 4.503332 -70 0 0 0 0
+6 Coupled -2.6 -4.503332 -70 0 0 0 0
+--- LINES ---
+ID LineType AttachA AttachB UnstrLen NumSegs Outputs
+(#) (name) (#) (#) (m) (-) (-)
+1 main 1 4 902.2 20 -
+2 main 5 2 902.2 20 -
+3 main 3 6 902.2 20 -
+--- OPTIONS ---
+9.80665 g
+1025 rho
+320 WtrDpth
+0.001 FrictionCoefficient
+0.001 dtM
+--- END ---
+"""
+
+V1 = """OC3's line, version 1
+--- LINE TYPES ---
+1 NTypes number of line types
+LineType Diam MassDenInAir EA cIntDamp Can Cat Cdn Cdt
+(-) (m) (kg/m) (N) (Pa-s) (-) (-) (-) (-)
+main 0.09 77.7066 384.243e6 -0.8 1.0 0.3 1.6 0.1
+--- CONNECTION PROPERTIES ---
+2 NConnects number of connections
+Node Type X Y Z M V FX FY FZ CdA CA
+(-) (-) (m) (m) (m) (kg) (m3) (kN) (kN) (kN) (m2) (-)
+1 Fixed 853.87 0 -320 0 0 0 0 0 0 0
+2 Vessel 5.2 0 -70 0 0 0 0 0 0 0
+--- LINE PROPERTIES ---
+1 NLines number of lines
+Line LineType UnstrLen NumSegs NodeAnch NodeFair Flags
+(-) (-) (m) (-) (-) (-) (-)
+1 main 902.2 20 1 2 -
+--- SOLVER OPTIONS ---
+320 WtrDpth
+--- need this line ---
+"""
+
+TWO_SEGMENTS = """chain, clump weight and rope, written from the fairlead down
+--- LINE TYPES ---
+Name Diam MassDen EA BA/-zeta EI Cd Ca CdAx CaAx
+(-) (m) (kg/m) (N) (N-s/-) (N-m2) (-) (-) (-) (-)
+rope 0.15 25 30e6 -0.8 120000 1.2 1 0.1 0
+chain 0.2 200 2e9 -1 0 1.3 1 0.2 0.5
+--- POINTS ---
+ID Attachment X Y Z Mass Volume CdA Ca
+(#) (-) (m) (m) (m) (kg) (m3) (m2) (-)
+1 Fixed 0 0 -300 0 0 0 0
+2 Free 500 0 -250 5000 0.64 1.5 0.5
+3 Coupled 800 0 0 0 0 0 0
+--- LINES ---
+ID LineType AttachA AttachB UnstrLen NumSegs Outputs
+(#) (name) (#) (#) (m) (-) (-)
+1 rope 3 2 380 20 -
+2 chain 2 1 500 20 -
+--- OPTIONS ---
+9.81 g
+1025 rho
+300 WtrDpth
+--- END ---
+"""
+
+MAP = """---- LINE DICTIONARY ----
+LineType Diam MassDenInAir EA CB CIntDamp Ca Cdn Cdt
+(-) (m) (kg/m) (N) (-) (Pa-s) (-) (-) (-)
+main {types}
+---- NODE PROPERTIES ----
+Node Type X Y Z M B FX FY FZ
+(-) (-) (m) (m) (m) (kg) (m3) (N) (N) (N)
+1 fix {anchor} depth 0 0 # # #
+2 vessel {fairlead} 0 0 # # #
+---- LINE PROPERTIES ----
+Line LineType UnstrLen NodeAnch NodeFair Flags
+(-) (-) (m) (-) (-) (-)
+1 main {length} 1 2 tension_fair
+---- SOLVER OPTIONS ----
+Option
+(-)
+outer_tol 1e-5
+"""
