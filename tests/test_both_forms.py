@@ -133,8 +133,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     series: {"_fill_values"},
     bars: {"bar_loads", "newton_step", "take_step"},
     motion: {
-        "assemble_moving", "begin_works", "drag_feet", "fill_energy", "fill_series", "fill_water",
-        "march", "own_kinetic_energy", "solve_moving", "take_sample",
+        "assemble_moving", "fill_water", "march", "solve_moving",
     },
 }  # fmt: skip
 """What is run, and which functions that calls; to compile them all takes two minutes."""

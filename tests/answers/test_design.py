@@ -37,7 +37,7 @@ def tables(name: str) -> dict[str, pd.DataFrame]:
     return tables_of(design_answer(result_of(name)))
 
 
-@pytest.fixture(params=["design-buoy-9.5m", "design-leg-56m"])
+@pytest.fixture(params=["design-buoy-9.5m", pytest.param("design-leg-56m", marks=pytest.mark.slow)])
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
@@ -55,6 +55,7 @@ def test_the_front_has_a_row_a_design(name: str) -> None:
         assert row["Governing check (load case)"] == point.governing.in_case
 
 
+@pytest.mark.slow
 def test_a_line_in_words() -> None:
     result = result_of("design-leg-56m")
     point = result.front[result.recommended]

@@ -202,7 +202,13 @@ def made(kind: str) -> Answer:
     return KINDS[kind]()
 
 
-@pytest.fixture(params=KINDS)
+IN_MOTION = ("motion", "body in motion", "fatigue")
+"""They run the truss model, which is compiled for it."""
+
+
+@pytest.fixture(
+    params=[pytest.param(k, marks=pytest.mark.slow) if k in IN_MOTION else k for k in KINDS]
+)
 def answer(request: pytest.FixtureRequest) -> Answer:
     return made(request.param)
 

@@ -70,7 +70,13 @@ def made(kind: str) -> Answer:
     return answer_of(KINDS[kind]())
 
 
-@pytest.fixture(params=KINDS)
+IN_MOTION = ("harmonic", "random")
+"""They run the truss model, which is compiled for it."""
+
+
+@pytest.fixture(
+    params=[pytest.param(k, marks=pytest.mark.slow) if k in IN_MOTION else k for k in KINDS]
+)
 def kind(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 

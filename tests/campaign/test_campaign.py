@@ -28,6 +28,7 @@ from tests.campaign.shrinking import shrunk
 from tests.campaign.tally import Tally
 
 
+@pytest.mark.slow
 def test_no_line_fails() -> None:
     tally = run(300, seed=1)
     assert tally.failures == 0, tally.table()

@@ -24,6 +24,7 @@ Keys = dict[str, list[str]]
 
 TAKEN_IN: dict[tuple[str, str], Keys] = {
     ("kind", "reference"): {"load_cases": ["name", "horizontal_force"]},
+    ("state", "one_line_out"): {"load_cases": ["name", "horizontal_force"]},
     ("kind", "drag"): {"anchor": ["holding_capacity"]},
     ("quantity", "clump_weight"): {
         "find": ["anchor_angle"],

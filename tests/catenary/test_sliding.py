@@ -31,6 +31,7 @@ def test_at_a_jump_the_line_is_held(case: tuple[int, int]) -> None:
     assert (outcome.verdict, outcome.reason) == (ANSWERED, "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", [(2, 87154), (7, 32341), (2, 182098)])
 def test_every_span_across_a_jump_has_its_line(case: tuple[int, int]) -> None:
     """What lies on the bed changes as steadily as the span, across both ends of the jump, too."""
@@ -51,6 +52,7 @@ def test_every_span_across_a_jump_has_its_line(case: tuple[int, int]) -> None:
         assert check(solved(replace(trial, value=span)), "span", span).is_right
 
 
+@pytest.mark.slow
 def test_rounding_of_a_light_piece_takes_no_equilibrium_away() -> None:
     """Fairlead on the bed, H of 1e-7 N beside weights of 1e-2 N: some forces had no answer."""
     (outcome,) = evaluate([draw(7, 1847)])

@@ -99,6 +99,7 @@ def test_a_saved_case_gives_the_same_answer_to_every_command(run: Run, tmp_path:
     assert solved["fairlead"]["tension_N"] == sized["load_cases"][0]["tension_N"]
 
 
+@pytest.mark.slow
 def test_a_saved_pattern_goes_to_catopt_system(run: Run, tmp_path: Path) -> None:
     assert run(*AROUND, "--out", str(tmp_path)).status == 0
     sized = json.loads((tmp_path / "size.json").read_text("utf-8"))

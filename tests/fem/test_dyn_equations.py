@@ -145,6 +145,7 @@ def test_drag_and_inertia_by_the_formula() -> None:
         assert total == pytest.approx(expected, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_tangential_coefficient_goes_with_the_diameter() -> None:
     """A bar drawn along itself: 0.5 rho D C_t u^2 L, D and not pi D."""
     line = Line([Segment(10.0, 0.0, EA=1e9, mass=1.0)])

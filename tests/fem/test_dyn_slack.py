@@ -57,6 +57,7 @@ def test_the_step_follows_a_snap() -> None:
     assert coarse.line_max_tension() == pytest.approx(fine.line_max_tension(), rel=0.02)
 
 
+@pytest.mark.slow
 def test_a_fixed_step_misses_the_snap() -> None:
     """Without damping a step by the period alone is off by tens of per cent, or a factor."""
     fixed = snapping(0.1, StepControls(max_refinements=0, max_ringing=math.inf), 0.0)
@@ -116,6 +117,7 @@ def test_schemes_agree_where_the_step_follows() -> None:
     assert one.max_end_force == pytest.approx(other.max_end_force, rel=0.005)
 
 
+@pytest.mark.slow
 def test_the_ringing_test_does_not_judge_the_step() -> None:
     """Ever shorter steps are not refused, with damping or without."""
     for ratio in (0.0, 1.0):

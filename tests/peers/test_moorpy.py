@@ -61,6 +61,7 @@ def test_inputs_of_its_own_tests(case: tuple[float, ...]) -> None:
     assert ours.grounded_length == pytest.approx(info["LBot"], abs=1e-5 * ours.line.length)
 
 
+@pytest.mark.slow
 def test_the_near_taut_entry_of_its_tests_is_wrong() -> None:
     """231.85 m by 248.37 m, 339.77 m of line, strain 1.9e-7: its tests expect 9,214 N.
 

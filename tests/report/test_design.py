@@ -20,7 +20,7 @@ def result_of(name: str) -> DesignResult:
     return catopt.design_case(catopt.read_case(CASES / name / "case.toml"))
 
 
-@pytest.fixture(params=["design-buoy-9.5m", "design-leg-56m"])
+@pytest.fixture(params=["design-buoy-9.5m", pytest.param("design-leg-56m", marks=pytest.mark.slow)])
 def result(request: pytest.FixtureRequest) -> DesignResult:
     return result_of(str(request.param))
 

@@ -224,6 +224,7 @@ def points(key: str, page: ReadPage) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 def test_of_several_load_cases_the_one_that_is_used_most_is_shown() -> None:
     found, page = moved("random"), further_page("random")
     used = [found.used(0), found.used(1)]
@@ -462,6 +463,7 @@ def test_what_must_be_known_of_it() -> None:
     assert "two" not in harmonic
 
 
+@pytest.mark.slow
 def test_a_safety_factor_that_nobody_gave_is_not_said_to_be_the_case_files(tmp_path: Path) -> None:
     path = further_case(tmp_path, "random")
     text = path.read_text("utf-8").replace("[checks]\nsafety_factor = 2.0\n", "")
@@ -472,6 +474,7 @@ def test_a_safety_factor_that_nobody_gave_is_not_said_to_be_the_case_files(tmp_p
     assert "safety factor of the case file" not in told
 
 
+@pytest.mark.slow
 def test_one_draw_of_the_sea_is_told_to_be_one(tmp_path: Path) -> None:
     path = further_case(tmp_path, "random")
     path.write_text(path.read_text("utf-8").replace("runs = 2", "runs = 1"), encoding="utf-8")

@@ -74,7 +74,7 @@ def test_a_figure_of_a_study_is_to_scale_and_shows_every_line_from_anchor_to_fai
     assert chart.to_scale == 1.0
 
 
-@pytest.mark.parametrize("name", WITHOUT_SWARM)
+@pytest.mark.parametrize("name", STUDIES)
 def test_every_number_of_the_source_is_judged_once(name: str) -> None:
     printed = [
         (method, quantity)

@@ -198,6 +198,7 @@ def deep() -> Environment:
     return Environment(WaterLevels(20.0, 22.0), Wind(20.0), SurfaceCurrent(1.2), sea)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lines", [3, 4, 6, 8])
 def test_a_line_of_several_is_sized_for_no_less_than_its_equilibrium(lines: int) -> None:
     sized = size_tanker(TankerRequest((LOADED,), deep(), lines=lines))
@@ -254,6 +255,7 @@ def test_the_parts_of_a_swing_radius() -> None:
     assert len(sized.settled.posed.loads[0].parts) == 2  # the ship's and the buoy's
 
 
+@pytest.mark.slow
 def test_lines_that_pull_the_buoy_under_are_made_lighter_or_refused() -> None:
     body = buoy("mooring buoy 5.0 m")
     request = TankerRequest((LOADED,), deep(), buoy=body, hawser=50.0, lines=6)

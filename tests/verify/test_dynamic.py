@@ -113,6 +113,7 @@ def model_test(period: float) -> DynamicPart:
     return run(parse_case(text))
 
 
+@pytest.mark.slow
 def test_a_model_test_has_its_measured_maximum() -> None:
     """51.4 N were measured at 3.5 s; 3 % is what untuned codes reach (MoorDyn: 52.1 N)."""
     assert model_test(3.5).of("fairlead_tension").maximum == pytest.approx(51.4, rel=0.03)
