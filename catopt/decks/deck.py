@@ -91,6 +91,10 @@ class Deck:
     friction: float | None = None
 
 
+LONGEST = 80
+"""Characters of a deck that a refusal shows."""
+
+
 @dataclass
 class Notes:
     """What is wrong with a deck and what is to be said of it, gathered while it is read."""
@@ -100,7 +104,9 @@ class Notes:
     remarks: list[Message] = field(default_factory=list)
 
     def refuse(self, row: int, found: str, allowed: str) -> None:
-        """Note what is wrong in a line of the file; 0: in the whole of it."""
+        """Note what is wrong in a line of the file; 0: in the whole of it. Long words are cut."""
+        if len(found) > LONGEST:
+            found = f"{found[:LONGEST]}..."
         self.problems.append(Problem(f"line {row}" if row else "file", found, allowed))
 
     def say(self, key: str, /, **values: object) -> None:

@@ -6,6 +6,7 @@ import re
 from dataclasses import asdict, dataclass
 from pathlib import PurePath
 
+from catopt.documents import unfit
 from catopt.model import Case
 from catopt.words.message import Message
 
@@ -115,6 +116,10 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     line = given.pop("line", None)
     notes = Notes(source)
+    for row, said in enumerate(text.split("\n"), start=1):
+        if unfit(said):
+            notes.refuse(row, unfit(said), "take it out of the file")
+    notes.raise_if_any()
     parse = parse_mappp if is_mappp(text) else parse_moordyn
     deck = parse(text, notes, given)
     notes.raise_if_any()

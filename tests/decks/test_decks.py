@@ -284,3 +284,17 @@ def test_which_file_is_a_deck(tmp_path: Path) -> None:
     assert read_case(place).title == "oc3"
     assert is_deck(MOORDYN)
     assert not is_deck((CASES / "buoy-9.5m" / "case.toml").read_text("utf-8"))
+
+
+def test_what_a_terminal_would_obey_is_refused_by_its_line() -> None:
+    text = MOORDYN.replace("902.2", "902.2\u202e", 1).replace("main", "\x1b[31mmain", 1)
+    found = problems(text)
+    assert [each.split(":")[0] for each in found] == ["line 5", "line 18"]
+    assert "take it out of the file" in found[0]
+    assert not set("\x1b\u202e") & set("".join(found))
+
+
+def test_a_long_word_is_shown_cut() -> None:
+    (found,) = problems(MOORDYN.replace("902.2", "9x" * 100_000, 1))
+    assert "..." in found
+    assert len(found) < 200

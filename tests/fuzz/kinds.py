@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 from catopt.casefile import parse_case, template, write_case
+from tests.decks.own import MAP, MOORDYN, TWO_SEGMENTS, V1
 
 __all__ = ["Kind", "kinds"]
 
@@ -27,7 +28,7 @@ class Kind:
     ----------
     name : str
         Of the kind.
-    form : {"toml", "json", "csv"}
+    form : {"toml", "json", "csv", "deck"}
         Its form.
     texts : tuple of str
         Files as they should be.
@@ -52,6 +53,13 @@ class Kind:
     read: Read | None = None
     slow: tuple[str, ...] = ()
 
+
+OC3_BY_MAP = MAP.format(
+    types="0.09 77.7066 384.243e6 0.001 0 0 0 0",
+    anchor="853.87 0",
+    fairlead="5.2 0 -70",
+    length=902.2,
+)
 
 CATALOGUE_CASE = """
 [site]
@@ -248,6 +256,19 @@ def _numbers(path: Path) -> object:
     return read_raos(str(path)) if b"period" in text[:40] else read_motion(str(path), 20.0)
 
 
+def _deck(path: Path) -> object:
+    """Read a deck and solve its case; MAP++'s have no gravity, density and depth of their own."""
+    from catopt.catenary.case import solve_case
+    from catopt.decks.reading import Asked, read_deck
+    from catopt.documents import read_text
+    from catopt.mooring.case import report_system
+
+    text = read_text(path, str(path))
+    of_map = Asked(gravity=9.80665, density=1025.0, depth=320.0) if "DICTIONARY" in text else None
+    case = read_deck(text, str(path), of_map).case
+    return solve_case(case) if case.system is None else report_system(case)
+
+
 def _result(path: Path) -> object:
     """Read what a result directory says, as ``catopt report`` does before it computes anything."""
     from catopt.casefile.design_directory import read_case_or_design
@@ -334,7 +355,7 @@ def kinds() -> tuple[Kind, ...]:
         Kind(
             "dynamics",
             "toml",
-            (MOVING, BODY_IN_MOTION, template("motion")),
+            (MOVING, BODY_IN_MOTION, template("motion"), _case("fatigue-chain-20m/case.toml")),
             "case.toml",
             {"force.csv": FORCE, "rao.csv": RAOS},
             ("export", "case.toml", "--to", "moordyn", "--json"),
@@ -381,6 +402,14 @@ def kinds() -> tuple[Kind, ...]:
             "m.csv",
             {},
             read=_numbers,
+        ),
+        Kind(
+            "deck",
+            "deck",
+            (MOORDYN, V1, TWO_SEGMENTS, OC3_BY_MAP),
+            "deck.txt",
+            {},
+            read=_deck,
         ),
         Kind("solution", "json", (line["solution.json"],), "solution.json", line, read=_result),
         Kind("front", "json", (front["design.json"],), "design.json", front, read=_result),

@@ -49,10 +49,10 @@ def mutated(rng: random.Random, text: str, others: Sequence[str], form: str) -> 
         The file as it should be.
     others : sequence of str
         Files of the same form, of which parts may get in.
-    form : {"toml", "json", "csv"}
+    form : {"toml", "json", "csv", "deck"}
         What it is.
     """
-    ways = {"toml": TOML, "json": JSON, "csv": CSV}[form]
+    ways = {"toml": TOML, "json": JSON, "csv": CSV, "deck": DECK}[form]
     for _ in range(rng.choice((1, 1, 1, 2, 3))):
         text = rng.choice(ways)(rng, text, others)
     data = text.encode("utf-8", "surrogatepass")
@@ -200,22 +200,7 @@ def _cell(rng: random.Random, text: str, _: Sequence[str]) -> str:
     lines = text.split("\n")
     index = rng.randrange(len(lines))
     cells = lines[index].split(",")
-    new = (
-        "",
-        "x",
-        "nan",
-        "inf",
-        "-1",
-        "1e400",
-        "1e300",
-        '"',
-        "=1+1",
-        "0",
-        "1_0",
-        "\u0663",
-        "9" * 200_000,
-    )
-    cells[rng.randrange(len(cells))] = rng.choice(new)
+    cells[rng.randrange(len(cells))] = rng.choice(CELLS)
     lines[index] = ",".join(cells)
     return "\n".join(lines)
 
@@ -231,3 +216,25 @@ LINES: tuple[Mutation, ...] = (
 TOML: tuple[Mutation, ...] = (*LINES, *(_number,) * 5, *(_value,) * 4, _key, _section)
 JSON: tuple[Mutation, ...] = (*LINES, *(_number,) * 2, *(_node,) * 7)
 CSV: tuple[Mutation, ...] = (*LINES, *(_number,) * 2, *(_cell,) * 4)
+
+
+def _word(rng: random.Random, text: str, _: Sequence[str]) -> str:
+    """Put another word into a line of words with blanks between them, or take one away."""
+    lines = text.split("\n")
+    k = rng.randrange(len(lines))
+    words = lines[k].split()
+    if not words:
+        return text
+    at = rng.randrange(len(words))
+    words[at : at + 1] = rng.choice(([], [rng.choice(WORDS)], [words[at], rng.choice(WORDS)]))
+    lines[k] = rng.choice((" ", " ", " ", "\t")).join(words)
+    return "\n".join(lines)
+
+
+WORDS = (
+    *(cell for cell in CELLS if cell), "Free", "Fixed", "Coupled", "Vessel1", "connect", "depth",
+    "#", "#5", "Body1", "R1A", "seabed", "1", "2", "99", "a|b", "omit_contact", "repeat", "---",
+)  # fmt: skip
+"""What the words of a deck may come to be."""
+
+DECK: tuple[Mutation, ...] = (*LINES, *(_number,) * 2, *(_word,) * 5)
