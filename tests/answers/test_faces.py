@@ -202,12 +202,12 @@ def made(kind: str) -> Answer:
     return KINDS[kind]()
 
 
-IN_MOTION = ("motion", "body in motion", "fatigue")
+BY_TRUSS = ("verified body", "motion", "body in motion", "fatigue")
 """They run the truss model, which is compiled for it."""
 
 
 @pytest.fixture(
-    params=[pytest.param(k, marks=pytest.mark.slow) if k in IN_MOTION else k for k in KINDS]
+    params=[pytest.param(k, marks=pytest.mark.slow) if k in BY_TRUSS else k for k in KINDS]
 )
 def answer(request: pytest.FixtureRequest) -> Answer:
     return made(request.param)

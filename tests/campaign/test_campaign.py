@@ -41,6 +41,7 @@ def test_no_line_fails_in_many() -> None:
     assert tally.failures == 0, tally.table()
 
 
+@pytest.mark.slow
 def test_the_number_of_processes_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tests.campaign.run.BLOCK", 7)
     assert run(20, seed=3, workers=2) == run(20, seed=3)

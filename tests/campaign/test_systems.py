@@ -19,6 +19,7 @@ from tests.mooring.test_headings import crossed, on_an_arm
 LOADED = fso((-3e6, 1e6), fairlead_radius=12.0, moment=2e7)
 
 
+@pytest.mark.slow
 def test_a_slice() -> None:
     _is_clean(run(50, seed=2026))
 

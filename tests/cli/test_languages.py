@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -39,7 +40,16 @@ COMMANDS: list[Sequence[object]] = [
 ]
 
 
-@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: " ".join(map(str, command)))
+def first_of_each() -> Iterator[Any]:
+    """Yield them all, with all but the first of each command among the slow ones."""
+    seen = set()
+    for command in COMMANDS:
+        marks = [pytest.mark.slow] if command[0] in seen else []
+        seen.add(command[0])
+        yield pytest.param(command, marks=marks, id=" ".join(map(str, command)))
+
+
+@pytest.mark.parametrize("command", first_of_each())
 def test_languages_differ_in_words_alone(
     run: Run, command: Sequence[object], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -49,6 +49,7 @@ def test_returns_the_front_of_all_that_it_evaluated(
 
 
 @both
+@pytest.mark.slow
 @pytest.mark.parametrize("budget", [1, 39, 40, 41, 333, 1000])
 def test_budget_is_kept_and_no_design_is_evaluated_twice(search: Search, budget: int) -> None:
     space = Recorded(tanker())
@@ -179,6 +180,7 @@ def test_interrupted_search_keeps_its_front(search: Search) -> None:
 
 
 @both
+@pytest.mark.slow
 def test_progress_rises_to_the_budget(search: Search) -> None:
     told: list[tuple[int, int]] = []
     search(buoy(), evaluations=500, population=50, progress=lambda *numbers: told.append(numbers))

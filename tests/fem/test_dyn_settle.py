@@ -55,6 +55,7 @@ def hanging_end(weight: float) -> tuple[float, float]:
     return float(found.y[2, -1]), float(found.y[3, -1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("start", list(STARTS))
 @pytest.mark.parametrize("weight", [245.0, 10.0])
 def test_free_end_in_a_current(weight: float, start: str) -> None:

@@ -68,6 +68,7 @@ def integrated(degrees: float, friction: float, state: State) -> tuple[float, fl
     return on_bed * math.cos(angle) + hanging(s)[0], s, anchor
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("state", ["pulled", "none", "laid"])
 @pytest.mark.parametrize("friction", [0.05, 0.6])
 @pytest.mark.parametrize("degrees", [-12.0, -3.0, 3.0, 10.0])

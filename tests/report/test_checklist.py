@@ -103,6 +103,7 @@ def test_a_shipped_note_has_what_a_checker_looks_for(shipped: ReadPage) -> None:
     check(shipped)
 
 
+@pytest.mark.slow
 def test_every_kind_has_it_in_both_languages(of_a_kind: ReadPage) -> None:
     check(of_a_kind)
 

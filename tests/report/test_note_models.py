@@ -243,6 +243,7 @@ def test_of_several_load_cases_the_one_that_is_used_most_is_shown() -> None:
     assert not further_page("harmonic").all("motion_cases")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BOTH)
 def test_each_segment_is_held_against_what_it_is_allowed(name: str) -> None:
     """MBL over the safety factor of these cases, which have no code."""

@@ -60,6 +60,7 @@ def chain(prefer: str = "balanced", **more: object) -> LineChoice:
     return LineChoice(usual("chain"), usual("code"), prefer=prefer, **more)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["pillar 1.8 m", "pillar 2.4 m", "pillar 3.0 m"])
 @pytest.mark.parametrize("prefer", PREFERENCES)
 def test_the_loads_are_those_of_a_line_no_lighter_than_the_recommended(
@@ -82,6 +83,7 @@ def test_the_loads_are_those_of_a_line_no_lighter_than_the_recommended(
         assert anew.horizontal_force <= solutions[state].horizontal_force * (1.0 + ROUNDING)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("prefer", PREFERENCES)
 def test_what_is_recommended_is_where_it_is_said_to_be_on_the_front(prefer: str) -> None:
     sized = size_buoy(BuoyRequest(buoy("pillar 3.0 m"), place(), chain(prefer)))
@@ -93,6 +95,7 @@ def test_what_is_recommended_is_where_it_is_said_to_be_on_the_front(prefer: str)
     assert sized.point.checks.results == front[index].checks.results
 
 
+@pytest.mark.slow
 def test_a_written_case_gives_the_same_front_and_the_same_checks() -> None:
     sized = size_buoy(BuoyRequest(buoy("pillar 2.4 m"), place(), title="a buoy"))
     case = parse_case(write_case(sized.case))
@@ -117,6 +120,7 @@ def lightest(request: BuoyRequest) -> Sizing:
     return size_buoy(dataclasses.replace(request, line=chain("lightest")))
 
 
+@pytest.mark.slow
 def test_more_weather_never_gives_a_lighter_chain() -> None:
     """At the light end of the front, from a breeze to a storm."""
     for change in ("wind", "current", "hs"):
