@@ -49,7 +49,7 @@ def first_of_each() -> Iterator[Any]:
         yield pytest.param(command, marks=marks, id=" ".join(map(str, command)))
 
 
-@pytest.mark.parametrize("command", first_of_each())
+@pytest.mark.parametrize("command", list(first_of_each()))
 def test_languages_differ_in_words_alone(
     run: Run, command: Sequence[object], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
