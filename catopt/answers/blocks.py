@@ -46,6 +46,7 @@ __all__ = [
     "of_row",
     "texts",
     "where_known",
+    "yes_or_no",
 ]
 
 _Thing = TypeVar("_Thing")
@@ -535,6 +536,11 @@ def of_row(name: str, values: Iterable[Value], *, only: For = "all") -> Column:
     """Make a column of values in the units of a column beside it, as they are."""
     heading = Message("columns.of_row", name=Message(f"columns.{name}"))
     return Column(heading, tuple(values), only=only)
+
+
+def yes_or_no(is_so: bool) -> Message:
+    """Say whether something is so."""
+    return Message("answers.yes" if is_so else "answers.no")
 
 
 def where_known(

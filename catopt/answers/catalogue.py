@@ -17,6 +17,7 @@ from catopt.answers.blocks import (
     measured,
     named,
     texts,
+    yes_or_no,
 )
 from catopt.catalogue.figure import SPECS, weakest
 from catopt.quantities import QUANTITIES, Quantity
@@ -149,7 +150,7 @@ def _figures(families: Sequence[Family]) -> Table:
             texts("quantity", [each.quantity for each in figures]),
             texts("grades", [", ".join(each.grades) for each in figures]),
             texts("variant", [each.variant for each in figures]),
-            texts("default", [_yes(each.default) for each in figures]),
+            texts("default", [yes_or_no(each.default) for each in figures]),
             texts("formula", [each.text for each in figures]),
             *_ranges([each.range for each in figures]),
             texts("confidence", [each.confidence for each in figures]),
@@ -160,10 +161,6 @@ def _figures(families: Sequence[Family]) -> Table:
         ),
         only="files",
     )
-
-
-def _yes(said: bool) -> Message:
-    return Message(f"answers.{'yes' if said else 'no'}")
 
 
 def _families(families: Sequence[Family]) -> Table:

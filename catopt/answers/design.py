@@ -20,6 +20,7 @@ from catopt.answers.blocks import (
     Warnings,
     measured,
     texts,
+    yes_or_no,
 )
 from catopt.answers.check import (
     QUANTITY_OF,
@@ -318,7 +319,7 @@ def _search(result: DesignResult) -> Facts:
     listed: dict[str, Value] = {
         "title": result.case.title,
         "method": result.method,
-        "exact_front": _yes(is_so=result.is_exact),
+        "exact_front": yes_or_no(result.is_exact),
         "designs_in_the_space": result.designs,
         "designs_evaluated": result.evaluations,
         "of_these_feasible": result.feasible,
@@ -329,12 +330,8 @@ def _search(result: DesignResult) -> Facts:
         "hypervolume": result.hypervolume,
         "reference_point": reference,
         "seed": result.seed,
-        "interrupted": _yes(is_so=result.interrupted),
+        "interrupted": yes_or_no(result.interrupted),
         "warnings": Several(result.warnings),
     }
     facts = (Fact(Message(f"columns.{name}"), value) for name, value in listed.items())
     return Facts("search", tuple(facts), only="files")
-
-
-def _yes(*, is_so: bool) -> Message:
-    return Message("answers.yes" if is_so else "answers.no")

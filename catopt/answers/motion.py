@@ -23,6 +23,7 @@ from catopt.answers.blocks import (
     of_row,
     texts,
     where_known,
+    yes_or_no,
 )
 from catopt.answers.check import checks_in_motion
 from catopt.answers.verification import label, remarks
@@ -299,7 +300,7 @@ def _summary(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
         _of(parts),
         texts("runs", [len(part.runs) for part in parts]),
         texts("bars", [part.elements for part in parts]),
-        texts("complete", [_yes(part.is_complete) for part in parts]),
+        texts("complete", [yes_or_no(part.is_complete) for part in parts]),
         _si("tension", (part.max_tension for part in parts), "largest_tension_anywhere", symbol=""),
         _si("tension", (part.quasi_static_max for part in parts), still, symbol=""),
         _pure("dynamic_amplification", (part.amplification for part in parts)),
@@ -320,10 +321,6 @@ def _summary(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
         _pure("numerical_part_of_the_work", (part.numerical_part for part in parts), _PART),
         texts("remarks", [Several(part.remarks) for part in parts]),
     )  # fmt: skip
-
-
-def _yes(is_so: bool) -> Message:
-    return Message("answers.yes" if is_so else "answers.no")
 
 
 def _runs_in_files(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:

@@ -20,6 +20,7 @@ from catopt.answers.blocks import (
     of_row,
     texts,
     where_known,
+    yes_or_no,
 )
 from catopt.quantities import Quantity
 from catopt.verify.truss_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
@@ -312,12 +313,12 @@ def _quantities(parts: Sequence[_Named]) -> Table:
             *(_on_mesh(number, [each.fem[number] for each in found]) for number in meshes),
             of_row("truss_extrapolated", (each.extrapolated for each in found)),
             _orders("observed_order", found),
-            texts("smooth", [_yes(each.is_smooth) for each in found]),
+            texts("smooth", [yes_or_no(each.is_smooth) for each in found]),
             of_row("difference_of_the_finest_mesh", (each.difference_before for each in found)),
             of_row("difference_after_extrapolation", (each.difference for each in found)),
             of_row("scale", (each.scale for each in found)),
             _gaps("difference_over_the_scale", (each.gap for each in found)),
-            texts("agrees", [_yes(each.agrees) for each in found]),
+            texts("agrees", [yes_or_no(each.agrees) for each in found]),
         ),
         only="files",
     )
@@ -333,10 +334,6 @@ def _said_name(quantity: str) -> Message:
     if quantity.startswith("position"):
         return Message(f"truss.{quantity}")
     return term(QUANTITY_OF[quantity].name)
-
-
-def _yes(is_so: bool) -> Message:
-    return Message("answers.yes" if is_so else "answers.no")
 
 
 def _meshes(parts: Sequence[_Named]) -> Table:

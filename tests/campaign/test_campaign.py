@@ -154,6 +154,7 @@ def test_a_failing_line_is_made_simple() -> None:
     assert len(f"{small.line.segments[0].length:g}".replace(".", "").strip("0")) == 1
 
 
+@pytest.mark.slow
 def test_the_simplest_failing_line_is_a_case_file(tmp_path: Path) -> None:
     tally = Tally()
     trials = [replace(draw(1, index), known="horizontal_force", value=1e6) for index in (5, 40)]

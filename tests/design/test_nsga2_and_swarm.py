@@ -63,6 +63,7 @@ def test_budget_is_kept_and_no_design_is_evaluated_twice(search: Search, budget:
 
 
 @both
+@pytest.mark.slow
 def test_same_seed_same_front(search: Search) -> None:
     first, again, other = (
         search(buoy(), evaluations=1500, population=50, seed=seed) for seed in (4, 4, 5)

@@ -20,6 +20,7 @@ def test_single_and_double_steps() -> None:
     assert len(np.unique(double_steps(5), axis=0)) == 40
 
 
+@pytest.mark.slow
 def test_steps_stay_in_the_space_and_are_canonical() -> None:
     space = scrambled((3, 2), 2, 1.0)
     around = reached(space, np.array([[0, 0], [2, 1]]), single_steps(2))

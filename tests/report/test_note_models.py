@@ -308,6 +308,7 @@ def test_slack_is_told_at_the_top() -> None:
     assert said == "in motion: the line goes slack, a bar for 1.50 s of a run in all"
 
 
+@pytest.mark.slow
 def test_what_drives_it_with_its_figures() -> None:
     page = further_page("random")
     drive = {row[0].text: row[1] for row in page.table("motion_drive").rows}
