@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from catopt.checks.excess import ROUNDING
 from catopt.design.evaluation_archive import EvaluationArchive
