@@ -30,6 +30,7 @@ OF_SWARM = {
     "swarm_tension.png",
     "swarm_tension.svg",
 }
+MOORINGS = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable")
 TEXT = {"Title", "Source", "Method", "Regime", "Warnings", "Name", "Best run"}
 COUNTS = {"Segment", "Point load", "Run", "Iteration", "Iterations flown"}
 
@@ -86,7 +87,7 @@ def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> N
     assert run("reproduce", "--out", tmp_path / "out").status == 0
     swarm = {name.replace("swarm", "buoy_9p5m") for name in OF_SWARM}
     page = {f"reproduction.{end}" for end in ("md", "json", "csv", "xlsx")}
-    of_lines = ("buoy_9p5m", "ship_200m", "tanker_20m", "tanker_20m_sinker")
+    of_lines = ["buoy_9p5m", "ship_200m", "tanker_20m", "tanker_20m_sinker", *MOORINGS]
     drawn = [*(f"{name}_lines" for name in of_lines), "fso_rang_dong_plan"]
     views = {f"{v}.{end}" for v in (*drawn, "fso_rang_dong_elevation") for end in ("png", "svg")}
     assert names(tmp_path / "out") == page | swarm | views
