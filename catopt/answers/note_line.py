@@ -55,20 +55,12 @@ if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.notes.line import Chosen, Note
 
-__all__ = ["drawn", "line_note_answer", "of_the_front", "of_the_line"]
-
 _ROWS = 15
 """Points of the curve that people see, about."""
 
 
 def line_note_answer(note: Note) -> Answer:
-    """Lay out the note of one line.
-
-    Parameters
-    ----------
-    note : Note
-        What came out.
-    """
+    """Lay out the note of one line."""
     return Answer(
         "note",
         note.title or Message("note.untitled"),
@@ -90,15 +82,7 @@ def line_note_answer(note: Note) -> Answer:
 
 
 def of_the_line(note: Note, *names: str) -> Iterator[Section]:
-    """Lay sections out that the note of a sizing has, too; those with nothing to show are left out.
-
-    Parameters
-    ----------
-    note : Note
-        Of the line.
-    *names : str
-        Which, in their order.
-    """
+    """Lay sections out that the note of a sizing has, too, but those with nothing to show."""
     for name in names:
         if name == "verification":
             yield from truss_section(note.verification, note.verification_failure)
@@ -235,12 +219,7 @@ def _front(chosen: Chosen | None) -> Iterator[Section]:
 def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Iterator[Block]:
     """Lay out the front of a search with the design that a note is of.
 
-    Parameters
-    ----------
-    chosen : Chosen
-        The design and its front.
-    left_out : str
-        Key of what is said of designs that the table leaves out.
+    `left_out` is the key of what is said of designs that the table leaves out.
     """
     document, designs = chosen.document, chosen.document["front"]
     first = designs[0]

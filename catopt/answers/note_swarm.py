@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import SwarmReport
     from catopt.notes.line import Note
 
-__all__ = ["swarm_section"]
-
 _CONVERGED = 1e-9
 """m: a run that ends with f below it counts as converged."""
 _MOST_RUNS = 30

@@ -55,8 +55,6 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import SystemNote
 
-__all__ = ["near_blocks", "plan_blocks", "steps_of", "system_note_answer"]
-
 _Build = Callable[["SystemNote"], Iterator[Block]]
 
 _CURVE_EVERY = 4
@@ -71,13 +69,7 @@ _M, _N, _NM = (exact(unit) for unit in ("m", "N", "N m"))
 
 
 def system_note_answer(note: SystemNote) -> Answer:
-    """Lay out the note of a moored body.
-
-    Parameters
-    ----------
-    note : SystemNote
-        What came out.
-    """
+    """Lay out the note of a moored body."""
     return Answer(
         "note",
         note.title or Message("note_system.untitled_system"),

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.verify.compared import Compared
     from catopt.verify.result import StaticComparison, Verification
 
-__all__ = ["compared_table", "differences", "largest_table", "truss_closing", "truss_section"]
-
 _PART = replace(QUANTITIES["residual"], si_unit="-", field_unit="-", digits=1)
 """A difference over its scale."""
 

@@ -31,17 +31,6 @@ if TYPE_CHECKING:
     from catopt.verify.front import DesignVerification, FrontVerification
     from catopt.verify.result import StaticComparison, Verification
 
-__all__ = [
-    "GAP",
-    "front_answer",
-    "front_sentence",
-    "label",
-    "remarks",
-    "verdict_sentence",
-    "verification_answer",
-]
-
-
 GAP = Quantity("gap", "Difference", "", "-", "-", 1.0, 1, "scientific", floor=1e-10)
 """Difference over its scale; what is below the truss model's own tolerance is chance, even a 0."""
 _RESIDUAL = replace(GAP, key="residual", floor=0.0)

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.catalogue.document import Answer
     from catopt.cli.output import Output
 
-__all__ = ["catalog"]
-
 catalog = typer.Typer(
     name="catalog",
     rich_markup_mode=None,

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.model import Case
 
-__all__ = ["check"]
-
 FAILED = 3
 """Of --strict: the input is right, but the line does not keep what is asked of it."""
 

@@ -16,9 +16,6 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.model import Case
 
-__all__ = ["curve"]
-
-
 _OPTIONS = {"over": "--over", "start": "--from", "stop": "--to", "points": "--points"}
 """Options by their names in Python."""
 

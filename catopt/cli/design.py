@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.words import Language
 
-__all__ = ["design"]
-
 INTERRUPTED = 130
 """128 + SIGINT; the front so far is printed all the same."""
 

@@ -17,8 +17,6 @@ from catopt.cli.options import (
 if TYPE_CHECKING:
     from catopt.cli.output import Output
 
-__all__ = ["fatigue"]
-
 FAILED = 3
 """Of --strict: the input is right, but the line does not last."""
 

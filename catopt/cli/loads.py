@@ -31,8 +31,6 @@ if TYPE_CHECKING:
     from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
 
-__all__ = ["loads"]
-
 loads = typer.Typer(
     name="loads",
     rich_markup_mode=None,

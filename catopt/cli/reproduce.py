@@ -11,8 +11,6 @@ from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 if TYPE_CHECKING:
     from catopt.cli.output import Output
 
-__all__ = ["reproduce"]
-
 
 def reproduce(
     context: typer.Context,

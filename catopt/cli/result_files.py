@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.model import Case
 
-__all__ = ["refuse_own_case", "write_result"]
-
 
 def write_result(
     output: Output,
@@ -23,20 +21,8 @@ def write_result(
     """Write the files of an answer with its case, and tell how many there are.
 
     With the case ``catopt report DIR`` makes the note of it. A case file that catopt did not write
-    is never replaced, nor is that of a design search, without which its front would be lost.
-
-    Parameters
-    ----------
-    output : Output
-        Told of what was written, and of a case file that stays.
-    directory : Path
-        Made when it is missing.
-    files : mapping of str to bytes
-        File names and what they hold.
-    case : Case
-        As it was computed.
-    front : Path, optional
-        Directory of a design search whose front the answer is of; it goes with the case.
+    is never replaced, nor is that of a design search, without which its front would be lost: the
+    directory `front` of a search goes with the case.
     """
     from catopt.casefile import write_case
     from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
@@ -58,13 +44,7 @@ def write_result(
 
 
 def refuse_own_case(directory: Path) -> None:
-    """Refuse a directory whose case file catopt did not write, where one must be written.
-
-    Raises
-    ------
-    InputError
-        A front needs the case that it is of, in place of that one.
-    """
+    """Raise InputError for a directory whose case file, to be replaced, is the user's own."""
     from catopt.casefile.design_directory import DESIGN_CASE
     from catopt.errors import InputError, Problem
 

@@ -11,21 +11,12 @@ if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.words import Language
 
-__all__ = ["check_places", "give"]
-
 
 def check_places(out: Path | None, save: Path | None) -> None:
     """Make sure, before anything is computed, that files can be written.
 
-    Parameters
-    ----------
-    out, save : Path or None
-        Directory for all files, and place of the case file.
-
-    Raises
-    ------
-    InputError
-        There is a case file already, no such directory, or one with a case of the user's own.
+    Raises InputError for a case file already there, no such directory, or one with a case of the
+    user's own.
     """
     if save is not None:
         _check_save(save)

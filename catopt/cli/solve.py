@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.model import Case
 
-__all__ = ["solve"]
-
 
 class Method(StrEnum):
     """How the line is solved."""

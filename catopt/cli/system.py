@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.units import Dimension
 
-__all__ = ["system"]
-
 
 def system(
     context: typer.Context,

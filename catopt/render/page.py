@@ -40,8 +40,6 @@ from catopt.words import Language, Message, say
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-__all__ = ["page"]
-
 
 class _Value(NamedTuple):
     """A text with the value behind it in SI, and the length of its bar."""

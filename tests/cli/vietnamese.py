@@ -9,8 +9,6 @@ import openpyxl
 
 from catopt.words import Message, is_term, say, term
 
-__all__ = ["in_vietnamese", "numbers", "said_alike"]
-
 
 def in_vietnamese(english: str) -> str:
     """Say what the code says in English; it must be known by its key, or a term."""
