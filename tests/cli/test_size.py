@@ -271,6 +271,18 @@ def test_an_end_of_the_answers_is_told(run: Run, monkeypatch: pytest.MonkeyPatch
     assert "--depth: missing; nobody answered" in ran.err
 
 
+def test_questions_in_vietnamese(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    left = answering(monkeypatch, "raft", "own", "8 kN", "25 kN", "12 m", "", "", "")
+    ran = run("size", "buoy", "--lang", "vi")
+    assert (ran.status, left) == (0, [])
+    assert '"raft" không có trong danh sách' in ran.err
+    assert "Độ sâu nước ở mực nước thấp [12 m]: " in ran.err
+    left = answering(monkeypatch, "", "120 m", "18 m", "7 m", "22 m", "", "", "", "")
+    ran = run("size", "tanker", "--lang", "vi")
+    assert (ran.status, left) == (0, [])
+    assert "Chiều dài toàn bộ của tàu: " in ran.err
+
+
 @pytest.mark.parametrize("command", ["buoy", "tanker"])
 def test_help_and_wrong_input_load_nothing_heavy(command: str) -> None:
     found = loaded("size", command, "--help")

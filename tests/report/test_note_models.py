@@ -34,8 +34,8 @@ from catopt.verify.compared import Compared
 from catopt.verify.result import StaticComparison
 from catopt.verify.truss_words import part_sentence
 from catopt.words import LANGUAGES, Language, Message, say
+from tests.cli.cases import FORCE, LED, PUSHED, SHIP
 from tests.cli.test_json import validate
-from tests.cli.test_lang_verify import FORCE, LED, PUSHED, SHIP
 from tests.verify.cases import TOUCHES_TWICE
 
 from .further_cases import HARMONIC, further_case, further_note, further_page
