@@ -44,10 +44,6 @@ def load_tables(page: ReadPage) -> list[ReadTable]:
     return page.all("size_load")
 
 
-def test_every_element_is_closed(page: ReadPage) -> None:
-    assert page.unclosed == []
-
-
 def test_the_same_sizing_gives_the_same_page() -> None:
     path = CASES / "size-buoy" / "sizing.toml"
 
