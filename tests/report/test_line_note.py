@@ -43,13 +43,6 @@ def designed(tmp_path: Path) -> Note:
     return read_note(design_directory(tmp_path))
 
 
-def test_the_same_case_gives_the_same_bytes(tmp_path: Path, name: str) -> None:
-    path = case_path(tmp_path, name)
-    first, second = (page_of(read_note(path), "vi") for _ in range(2))
-    assert first == second
-    assert str(tmp_path).encode() not in first
-
-
 def test_a_date_stands_only_where_one_is_given() -> None:
     path = CASES / "buoy-9.5m" / "case.toml"
     dated = read_page(page_of(read_note(path, date="21 November 2026")))

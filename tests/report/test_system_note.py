@@ -39,14 +39,6 @@ def page(name: str) -> ReadPage:
     return known_page(name)
 
 
-@pytest.mark.slow
-def test_the_same_case_gives_the_same_bytes(tmp_path: Path, name: str) -> None:
-    path = system_path(tmp_path, name)
-    first, second = (page_of(read_system_note(path, verify=name == "idle"), "vi") for _ in range(2))
-    assert first == second
-    assert str(tmp_path).encode() not in first
-
-
 def test_without_the_truss_model_its_section_is_left_out(tmp_path: Path) -> None:
     note = read_system_note(system_path(tmp_path, TURRET), verify=False, date="21.11.2026")
     page = read_page(page_of(note))
