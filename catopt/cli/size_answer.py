@@ -58,13 +58,12 @@ def give(
 
     answer = size_answer(of)
     if out is not None:
+        from catopt.cli.result_files import write_all
         from catopt.render.files import files_of
         from catopt.report.bundle import size_files
-        from catopt.report.files import write_files
 
         files = files_of(answer, of.to_dict(), language)
-        written = write_files(out, files | size_files(of, language, given))
-        output.note(f"{len(written)} files written to {out}")
+        write_all(output, out, files | size_files(of, language, given))
     if save is not None:
         from catopt.casefile import write_case
         from catopt.report.files import write_files
