@@ -211,6 +211,8 @@ def _cell(column: Column, row: int, language: Language) -> _Cell:
     if passes is not None:
         style = f"{style} {'passes' if passes else 'fails'}"
     si = _si(value)
+    if si is not None and quantity is not None and abs(si) < quantity.floor:
+        si = None  # rounding, which is another on each machine
     return _Cell((_Value(cell(column, row, language), si, si if is_use else None),), style)
 
 
