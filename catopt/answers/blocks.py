@@ -17,38 +17,6 @@ from catopt.words import Language, Message, Told, heading, quantity_name, say, t
 if TYPE_CHECKING:
     import pandas as pd
 
-__all__ = [
-    "Answer",
-    "Block",
-    "Column",
-    "Fact",
-    "Facts",
-    "Figure",
-    "FileText",
-    "For",
-    "Graph",
-    "Points",
-    "Section",
-    "Step",
-    "Table",
-    "Text",
-    "Trail",
-    "Value",
-    "Verdict",
-    "Warnings",
-    "bare",
-    "exact",
-    "fact",
-    "in_si",
-    "keyed",
-    "measured",
-    "named",
-    "of_row",
-    "texts",
-    "where_known",
-    "yes_or_no",
-]
-
 _Thing = TypeVar("_Thing")
 _Known = TypeVar("_Known")
 

@@ -28,8 +28,6 @@ if TYPE_CHECKING:
     from catopt.catalogue.components import Provenance
     from catopt.catalogue.document import Answer as Found
 
-__all__ = ["catalogue_answer"]
-
 _COEFFICIENTS = {
     "drag_normal": ("drag_coefficient_across", "catalogue.drag_diameter"),
     "drag_axial": ("drag_coefficient_along", "catalogue.drag_diameter"),

@@ -25,22 +25,6 @@ from catopt.words import Measure, Message, Several, term
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport, CheckResult, CheckSource
 
-__all__ = [
-    "QUANTITY_OF",
-    "check_answer",
-    "check_columns",
-    "checked",
-    "checked_body",
-    "checks_in_motion",
-    "governing_sentence",
-    "kind_name",
-    "load_case_table",
-    "load_case_words",
-    "tightest_checks",
-    "tightest_table",
-    "verdict_sentence",
-]
-
 QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
     {
         "tension": QUANTITIES["tension"],
@@ -100,13 +84,7 @@ def checked_body(report: CheckReport) -> tuple[Block, ...]:
 
 
 def checks_in_motion(report: CheckReport) -> Iterator[Block]:
-    """Lay out the checks of lines in motion: people see the tightest of a body's, files have all.
-
-    Parameters
-    ----------
-    report : CheckReport
-        As `catopt.notes.motion.checks_in_motion` made it.
-    """
+    """Lay out the checks of lines in motion: people see the tightest of a body's, files all."""
     results = report.results
     of_a_body = any(each.place.line is not None for each in results)
     if results:

@@ -31,8 +31,6 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
 
-__all__ = ["curve_answer", "marks_table", "points_table"]
-
 _ROWS = 20
 _OVER = {"force": "curve.over_force", "span": "curve.over_span", "offset": "curve.over_offset"}
 

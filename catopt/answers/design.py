@@ -37,13 +37,6 @@ if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
     from catopt.model import Line
 
-__all__ = [
-    "clump_weight_words",
-    "design_answer",
-    "segment_words",
-    "shown_designs",
-]
-
 _MOST = 25
 """Designs of a front that people see all of; of a longer one they see some."""
 
@@ -66,12 +59,7 @@ def design_answer(result: DesignResult) -> Answer:
 def shown_designs(count: int, *named: int) -> tuple[int, ...]:
     """Choose the designs of a front that people see: all of few; of many some, evenly.
 
-    Parameters
-    ----------
-    count : int
-        Designs on the front.
-    *named : int
-        Indices that are among them in any case, as the two ends are.
+    Those that are named by their indices are among them in any case, as the two ends are.
 
     Examples
     --------

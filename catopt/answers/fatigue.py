@@ -24,8 +24,6 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.verify.fatigue import FatigueReport, SegmentFatigue
 
-__all__ = ["fatigue_answer", "fatigue_sentence"]
-
 _DAMAGE = Quantity("damage", "Damage", "", "-", "-", 1.0, 3, "significant")
 _YEARS = Quantity("years", "Life", "", "s", "years", YEAR, 4, "significant")
 _PERIOD = Quantity("period", "Period", "", "s", "s", 1.0, 2)
@@ -34,13 +32,7 @@ _AREA = Quantity("area", "Area", "", "m^2", "mm²", 1e-6, 0)
 
 
 def fatigue_answer(report: FatigueReport) -> Answer:
-    """Lay out fatigue by segment and by sea state.
-
-    Parameters
-    ----------
-    report : FatigueReport
-        What came out.
-    """
+    """Lay out fatigue by segment and by sea state."""
     said: tuple[Block, ...] = (
         Verdict(fatigue_sentence(report), report.passes and report.verdict == "converged"),
         *(Text(each) for each in (*_sentences(report), *_convergence(report))),

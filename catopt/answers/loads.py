@@ -24,20 +24,12 @@ if TYPE_CHECKING:
     from catopt.loads.component import LoadComponent, Loads
     from catopt.loads.weathervane import Lying
 
-__all__ = ["forces_table", "loads_answer", "numbers_table"]
-
 
 def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> Answer:
     """Lay out the forces on a buoy or a ship, each with its formula, numbers and source.
 
-    Parameters
-    ----------
-    of : Loads
-        What came out.
-    *others : Loads
-        The same by other methods, which stand in the same tables.
-    lyings : sequence of Lying
-        The cases of which the worst is laid out.
+    `others` are by other methods and stand in the same tables; `lyings` are the cases of which the
+    worst is laid out.
     """
     forces = Message("terms.forces")
     every = (of, *others)

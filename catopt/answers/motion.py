@@ -46,9 +46,6 @@ if TYPE_CHECKING:
         OverRuns,
     )
 
-__all__ = ["motion_answer"]
-
-
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 4)
 _SLACK = replace(_TIME, digits=1)
 _RATIO = Quantity("ratio", "Ratio", "", "-", "-", 1.0, 2)

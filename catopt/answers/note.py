@@ -31,16 +31,6 @@ if TYPE_CHECKING:
     from catopt.notes.inputs import Input
     from catopt.notes.origin import Origin
 
-__all__ = [
-    "column",
-    "components_section",
-    "file_section",
-    "inputs_section",
-    "note_section",
-    "title_block",
-    "warnings_section",
-]
-
 
 def note_section(name: str, blocks: Iterable[Block], heading: str) -> Section:
     """Make a section of a note by the key of its heading."""
@@ -55,12 +45,7 @@ def column(key: str, values: Iterable[Value], quantity: Quantity | None = None) 
 def title_block(facts: Sequence[tuple[str, str]], origin: Origin) -> Facts:
     """Lay out what is calculated, when, from which files and by which version.
 
-    Parameters
-    ----------
-    facts : sequence of (str, str)
-        Key of what it is called, and what is said; one that says nothing is left out.
-    origin : Origin
-        The files.
+    A fact is the key of what it is called, and what is said; one that says nothing is left out.
     """
     files = [Cited(f"{each.name}, SHA-256 {each.sha256}") for each in origin.files]
     every = (

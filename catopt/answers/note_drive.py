@@ -18,16 +18,6 @@ if TYPE_CHECKING:
     from catopt.notes.motion import InMotion
     from catopt.verify.motion_file import Raos
 
-__all__ = [
-    "COUNT",
-    "SECONDS",
-    "drive_blocks",
-    "drive_facts",
-    "fixed",
-    "segment_rows",
-    "significant",
-]
-
 
 def significant(unit: str, digits: int = 6) -> Quantity:
     """Take what is written with some significant digits, in an SI unit."""
@@ -284,13 +274,10 @@ def _model(moved: InMotion) -> Iterator[Fact]:
 
 
 def segment_rows(moved: InMotion) -> list[tuple[Segment, Sequence[float | None]]]:
-    """List for each segment what inertia and drag are made of.
+    """List for each segment, in SI as the run has them, what inertia and drag are made of.
 
-    Returns
-    -------
-    list of (Segment, sequence)
-        Mass per length, EA, drag diameter, its coefficients across and along, volume-equivalent
-        diameter, coefficients of added mass across and along; SI, as the run has them.
+    Mass per length, EA, drag diameter, its coefficients across and along, volume-equivalent
+    diameter, coefficients of added mass across and along.
     """
     properties = moved.drive.properties
     gravity, density = properties.fluid.gravity, properties.fluid.density

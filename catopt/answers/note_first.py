@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.notes.origin import Origin
     from catopt.notes.sheet import Sheet
 
-__all__ = ["FirstPage", "Number", "about", "opening"]
-
 _DIGITS = 4
 """Of a number on the first page: more than what it rests on is known to."""
 
@@ -70,34 +68,14 @@ def opening(
     origin: Origin,
     warnings: tuple[str, ...],
 ) -> Iterator[Section]:
-    """Begin a note: the first page, who answers for it, and what is to be known.
-
-    Parameters
-    ----------
-    of : FirstPage
-        What it shows.
-    sheet : Sheet
-        What is stated of the mooring.
-    facts, origin
-        As of `title_block`.
-    warnings : tuple of str
-        Each once.
-    """
+    """Begin a note: the first page, who answers for it, and what is to be known."""
     yield note_section("summary", _summary(of, sheet), "note_first.heading")
     yield note_section("identity", [_signed(), title_block(facts, origin)], "note.identity_heading")
     yield from warnings_section(warnings)
 
 
 def about(key: str, value: float) -> Measure:
-    """Say a value with the digits that it is known to.
-
-    Parameters
-    ----------
-    key : str
-        Of `catopt.quantities.QUANTITIES`.
-    value : float
-        SI.
-    """
+    """Say a value in SI with the digits that it is known to."""
     return Measure(key, value, digits=_rounded(key, value).digits)
 
 

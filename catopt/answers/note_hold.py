@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.loads.sinker import SinkerSize
     from catopt.notes.size import SizeNote
 
-__all__ = ["hold_blocks", "what_holds"]
-
 _FORCE, _LIFT, _MASS, _NUMBER, _DENSITY = (
     QUANTITIES[key]
     for key in ("horizontal_force", "vertical_force", "mass", "coefficient", "density")

@@ -16,6 +16,7 @@ from catopt.answers.blocks import (
     Section,
     Table,
     Text,
+    Verdict,
 )
 from catopt.answers.check import (
     checked,
@@ -45,30 +46,23 @@ from catopt.answers.solution import (
     segments_table,
 )
 from catopt.answers.trail import equation_trail
-from catopt.answers.truss import truss_section
+from catopt.answers.verification import closing_in_note, compared_in_note
 from catopt.figures.curve import load_curve
 from catopt.figures.front import OBJECTIVES, composition, front
 from catopt.figures.line import line_in_water, tension_along
+from catopt.verify.truss_words import part_sentence
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.notes.line import Chosen, Note
 
-__all__ = ["drawn", "line_note_answer", "of_the_front", "of_the_line"]
-
 _ROWS = 15
 """Points of the curve that people see, about."""
 
 
 def line_note_answer(note: Note) -> Answer:
-    """Lay out the note of one line.
-
-    Parameters
-    ----------
-    note : Note
-        What came out.
-    """
+    """Lay out the note of one line."""
     return Answer(
         "note",
         note.title or Message("note.untitled"),
@@ -90,19 +84,9 @@ def line_note_answer(note: Note) -> Answer:
 
 
 def of_the_line(note: Note, *names: str) -> Iterator[Section]:
-    """Lay sections out that the note of a sizing has, too; those with nothing to show are left out.
-
-    Parameters
-    ----------
-    note : Note
-        Of the line.
-    *names : str
-        Which, in their order.
-    """
+    """Lay sections out that the note of a sizing has, too, but those with nothing to show."""
     for name in names:
-        if name == "verification":
-            yield from truss_section(note.verification, note.verification_failure)
-        elif name == "swarm":
+        if name == "swarm":
             yield from swarm_section(note)
         else:
             blocks = tuple(_BUILD[name](note))
@@ -214,6 +198,20 @@ def _for_all(table: Table) -> Table:
     return replace(table, columns=tuple(columns))
 
 
+def _verification(note: Note) -> Iterator[Block]:
+    """Lay one line out by both models, or say that there is no answer; nothing where left out."""
+    if note.verification_failure:
+        yield Verdict(Message("note.verification_no_answer"), passes=False)
+        yield Text(note.verification_failure)
+    elif note.verification is not None:
+        part = note.verification.static
+        yield Text(Message("note.verification_about"))
+        yield Verdict(part_sentence(part), part.is_settled)
+        yield compared_in_note(part.quantities)
+        yield from closing_in_note(part)
+        yield Text(Message("note.verification_legend"), is_small=True)
+
+
 _BUILD: Mapping[str, Callable[[Note], Iterator[Block]]] = {
     "results": _results,
     "checks": _checks,
@@ -221,6 +219,7 @@ _BUILD: Mapping[str, Callable[[Note], Iterator[Block]]] = {
     "tension": _tension,
     "curve": _curve,
     "equations": lambda note: equation_trail(note.solution),
+    "verification": _verification,
 }
 
 
@@ -235,12 +234,7 @@ def _front(chosen: Chosen | None) -> Iterator[Section]:
 def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Iterator[Block]:
     """Lay out the front of a search with the design that a note is of.
 
-    Parameters
-    ----------
-    chosen : Chosen
-        The design and its front.
-    left_out : str
-        Key of what is said of designs that the table leaves out.
+    `left_out` is the key of what is said of designs that the table leaves out.
     """
     document, designs = chosen.document, chosen.document["front"]
     first = designs[0]

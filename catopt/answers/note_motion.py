@@ -42,8 +42,6 @@ if TYPE_CHECKING:
     from catopt.notes.system import SystemNote
     from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification, OverRuns
 
-__all__ = ["body_motion_section", "motion_section"]
-
 _TENSION = QUANTITIES["tension"]
 _FACTOR = fixed("-", 3)
 _PERCENT = replace(fixed("%", 2), si_unit="-", factor=0.01)

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.model import Case, Segment
     from catopt.notes.sheet import Sheet
 
-__all__ = ["basis_section", "described", "sheet_sections"]
-
 
 def basis_section(
     sheet: Sheet,
@@ -28,16 +26,9 @@ def basis_section(
 ) -> Section:
     """State what the mooring is judged by, and under what.
 
-    Parameters
-    ----------
-    sheet : Sheet
-        What is stated of the mooring.
-    combined : str
-        How wind, current and waves are combined, a message; as the user gave the force when empty.
-    return_period : str
-        Of them, a message; not stated when empty.
-    levels : sequence of float, optional
-        Water levels, m; those of the load cases when left out.
+    `combined`, a message, says how wind, current and waves are combined (as the user gave the force
+    when empty), `return_period` is theirs (not stated when empty); `levels` are water levels in m,
+    of the load cases when left out.
     """
     case, site = sheet.case, sheet.case.site
     if levels is None:
@@ -67,12 +58,7 @@ def basis_section(
 def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
     """State parts, tolerance of the anchor's place, wear, damage and fatigue.
 
-    Parameters
-    ----------
-    sheet : Sheet
-        What is stated of the mooring.
-    held : str
-        What holds a line, a message, where more is known of it than the case has.
+    `held`, a message, says what holds a line where more is known of it than the case has.
     """
     for name, blocks in (
         ("bill", _bill(sheet, held)),
@@ -232,15 +218,7 @@ def _items(sheet: Sheet, held: str) -> Iterator[_Item]:
 
 
 def described(case: Case, segment: Segment) -> str:
-    """Say in words what a segment is made of, as its family of the catalogue is called.
-
-    Parameters
-    ----------
-    case : Case
-        With its choice of families.
-    segment : Segment
-        Of its line.
-    """
+    """Say in words what a segment is made of, as its family of the catalogue is called."""
     if not segment.component:
         return Message("note_sheet.no_component")
     from catopt.catalogue.choice import chosen

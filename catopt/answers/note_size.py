@@ -54,8 +54,6 @@ if TYPE_CHECKING:
     from catopt.sizing.pattern import Pattern
     from catopt.sizing.posed import LoadsAt
 
-__all__ = ["size_note_answer"]
-
 _DIGITS = 5
 """Of the numbers of loads: more than any of them is known to."""
 
@@ -63,13 +61,7 @@ _FORCE = replace(QUANTITIES["horizontal_force"], symbol="")
 
 
 def size_note_answer(note: SizeNote) -> Answer:
-    """Lay out the note of a sizing.
-
-    Parameters
-    ----------
-    note : SizeNote
-        What came out.
-    """
+    """Lay out the note of a sizing."""
     line = note.line
     return Answer(
         "note",

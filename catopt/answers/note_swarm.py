@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import SwarmReport
     from catopt.notes.line import Note
 
-__all__ = ["swarm_section"]
-
 _CONVERGED = 1e-9
 """m: a run that ends with f below it counts as converged."""
 _MOST_RUNS = 30
@@ -79,9 +77,7 @@ def _results(note: Note) -> Table:
     ]
     units = tuple(one.quantity for one, _, _ in pairs if one.quantity is not None)
     found = Column(Message("note.swarm_by_swarm"), tuple(a for _, a, _ in pairs), units=units)
-    exact = Column(
-        Message("note.verification_closed_form"), tuple(b for _, _, b in pairs), units=units
-    )
+    exact = Column(Message("columns.closed_form"), tuple(b for _, _, b in pairs), units=units)
     return Table(
         "swarm_results",
         (

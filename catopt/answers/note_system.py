@@ -43,7 +43,7 @@ from catopt.answers.system import (
     lines_used,
 )
 from catopt.answers.trail import DEGREES, equation_trail
-from catopt.answers.truss import compared_table, largest_table, truss_closing
+from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
 from catopt.figures.line import line_in_water, magnified
 from catopt.figures.mooring import near, plan, restoring, watch_round, watch_track
 from catopt.quantities import QUANTITIES, Quantity
@@ -54,8 +54,6 @@ if TYPE_CHECKING:
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import SystemNote
-
-__all__ = ["near_blocks", "plan_blocks", "steps_of", "system_note_answer"]
 
 _Build = Callable[["SystemNote"], Iterator[Block]]
 
@@ -71,13 +69,7 @@ _M, _N, _NM = (exact(unit) for unit in ("m", "N", "N m"))
 
 
 def system_note_answer(note: SystemNote) -> Answer:
-    """Lay out the note of a moored body.
-
-    Parameters
-    ----------
-    note : SystemNote
-        What came out.
-    """
+    """Lay out the note of a moored body."""
     return Answer(
         "note",
         note.title or Message("note_system.untitled_system"),
@@ -515,8 +507,8 @@ def _verification(note: SystemNote) -> Iterator[Block]:
     named = Message("note_system.verification_line", line=loaded + 1)
     yield Text(Message("note_system.verification_about"))
     yield Verdict(part_sentence(part), part.is_settled)
-    yield compared_table(body, Message("note_system.verification_body"))
-    yield compared_table(line, named)
-    yield largest_table(part, Message("note_system.verification_lines"))
-    yield from truss_closing(part)
+    yield compared_in_note(body, Message("note_system.verification_body"))
+    yield compared_in_note(line, named)
+    yield lines_in_note(part, Message("note_system.verification_lines"))
+    yield from closing_in_note(part)
     yield Text(Message("note_system.verification_legend"), is_small=True)

@@ -24,8 +24,6 @@ from catopt.words import Message, Several, term
 if TYPE_CHECKING:
     from catopt.reproduce import Item, Reproduction, Study
 
-__all__ = ["notes_of", "reproduction_answer"]
-
 _BY = {
     "pso": "reproduction.by_swarm",
     "closed-form": "reproduction.by_closed_form",
@@ -171,15 +169,7 @@ def _flush_right(name: Message, values: tuple[str, ...]) -> Column:
 def notes_of(items: Sequence[Item]) -> Iterator[tuple[str, str]]:
     """Yield every note of a table of printed numbers once for the run of rows that share it.
 
-    Parameters
-    ----------
-    items : sequence of Item
-        The rows of one table.
-
-    Yields
-    ------
-    tuple of str
-        What numbers it is of, and the note.
+    What numbers it is of, and the note.
     """
     for note, run in groupby(items, key=lambda item: item.note):
         if note:

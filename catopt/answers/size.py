@@ -32,16 +32,6 @@ if TYPE_CHECKING:
     from catopt.sizing.candidates import Candidate
     from catopt.sizing.pattern import Pattern
 
-__all__ = [
-    "alternatives_table",
-    "candidates_table",
-    "pattern_table",
-    "read_table",
-    "size_answer",
-    "steady_sentence",
-    "without_line_table",
-]
-
 
 class _Row(NamedTuple):
     """What was found: its name, its value in SI, and how it is said beside it."""

@@ -30,23 +30,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution, SwarmReport
     from catopt.model import Case, Line, Load, SwarmSettings
 
-__all__ = [
-    "found_facts",
-    "given_facts",
-    "given_tables",
-    "how_it_hangs",
-    "method_name",
-    "point_loads_table",
-    "profile_table",
-    "regime_name",
-    "residual_facts",
-    "result_facts",
-    "segments_table",
-    "solution_answer",
-    "swarm_settings",
-    "swarm_tables",
-]
-
 _NO_LENGTH = 1e-9
 """Of the line's length: what lies on the bed then is rounding."""
 _PROFILE_POINTS, _SHOWN_EVERY = 101, 5

@@ -33,16 +33,6 @@ if TYPE_CHECKING:
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.watch_circle import WatchCircle
 
-__all__ = [
-    "circle_table",
-    "curve_table",
-    "held_section",
-    "line_out_table",
-    "lines_table",
-    "lines_used",
-    "system_answer",
-]
-
 _EVERY = 10
 """One direction of the watch circle in so many is shown: 30 degrees."""
 _CURVE_EVERY = 2

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from catopt.catenary.layout import Stretch
     from catopt.catenary.solution import Solution
 
-__all__ = ["DEGREES", "Piece", "equation_trail", "is_uniform", "pieces_of", "steps_of"]
-
 _FLAT = 0.1
 """Below this |y| a piece is so nearly straight that the printed logarithm loses its digits."""
 _M, _N, _KG, _NUMBER = (exact(unit) for unit in ("m", "N", "kg", ""))

@@ -14,6 +14,7 @@ from catopt.answers.blocks import (
     Table,
     Text,
     Verdict,
+    Warnings,
     bare,
     keyed,
     measured,
@@ -30,17 +31,6 @@ if TYPE_CHECKING:
     from catopt.verify.compared import Compared
     from catopt.verify.front import DesignVerification, FrontVerification
     from catopt.verify.result import StaticComparison, Verification
-
-__all__ = [
-    "GAP",
-    "front_answer",
-    "front_sentence",
-    "label",
-    "remarks",
-    "verdict_sentence",
-    "verification_answer",
-]
-
 
 GAP = Quantity("gap", "Difference", "", "-", "-", 1.0, 1, "scientific", floor=1e-10)
 """Difference over its scale; what is below the truss model's own tolerance is chance, even a 0."""
@@ -99,7 +89,8 @@ def front_answer(front: FrontVerification) -> Answer:
 
 def _part(part: StaticComparison, *, is_named: bool) -> Iterator[Block]:
     """Say what came of one load case."""
-    yield _compared(part, _caption(part, is_named=is_named))
+    found = [each for each in part.quantities if each.line is None]
+    yield _compared(found, _caption(part, is_named=is_named))
     if part.kind == "system":
         yield _lines(part)
     yield _meshes_of(part)
@@ -125,9 +116,45 @@ def _caption(part: StaticComparison, *, is_named: bool) -> Message:
     return Message("captions.load_case", name=part.name)
 
 
-def _compared(part: StaticComparison, caption: str) -> Table:
+def compared_in_note(found: Sequence[Compared], caption: str = "") -> Table:
+    """Tabulate quantities by both models in a note, with a verdict on each."""
+    table = _compared(found, caption)
+    names, closed, truss, *others = table.columns
+    units = tuple(QUANTITY_OF[each.quantity] for each in found)
+    named = replace(names, values=tuple(map(_name, units)))
+    measures = (replace(each, units=units) for each in (closed, truss))
+    verdicts = _verdict_column([each.agrees for each in found])
+    columns = (named, *measures, *others, verdicts)
+    return replace(table, name="verification", columns=columns, only="not csv")
+
+
+def lines_in_note(part: StaticComparison, caption: str) -> Table:
+    """Tabulate each line's tensions and worst quantity in a note, with a verdict on each."""
+    numbers = range(len(part.lines))
+    worst = [term(QUANTITY_OF[part.worst_of(k).quantity].name) for k in numbers]
+    agree = [all(e.agrees for e in part.quantities if e.line == k) for k in numbers]
+    table = _lines(part)
+    further = (texts("worst_quantity", worst), _verdict_column(agree))
+    return replace(table, columns=(*table.columns, *further), caption=caption, only="not csv")
+
+
+def closing_in_note(part: StaticComparison) -> Iterator[Block]:
+    """Say what was not extrapolated and what was remarked on, and tabulate the meshes."""
+    rough = rough_sentence(part)
+    if rough:
+        yield Text(rough)
+    yield Warnings(tuple(part.remarks))
+    yield replace(_meshes_of(part), name="meshes", only="not csv")
+
+
+def _verdict_column(agree: Iterable[bool]) -> Column:
+    passes = tuple(agree)
+    words = tuple(term("agrees" if each else "DIFFERS") for each in passes)
+    return Column(Message("columns.verdict"), words, passes=passes)
+
+
+def _compared(found: Sequence[Compared], caption: str) -> Table:
     """Tabulate what is of the line, or of the body, by both models."""
-    found = [each for each in part.quantities if each.line is None]
     units = tuple(bare(QUANTITY_OF[each.quantity]) for each in found)
     closed = tuple(each.closed_form for each in found)
     truss = tuple(each.extrapolated for each in found)
@@ -152,6 +179,11 @@ def label(quantity: Quantity, *, with_symbol: bool = False) -> Message:
     if with_symbol:
         name = Message("words.label", name=name, symbol=quantity.symbol)
     return Message("words.heading", label=name, unit=Unit(quantity))
+
+
+def _name(quantity: Quantity) -> str:
+    name = term(quantity.name)
+    return Message("words.label", name=name, symbol=quantity.symbol) if quantity.symbol else name
 
 
 def _label(each: Compared) -> Message:

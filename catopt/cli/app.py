@@ -27,8 +27,6 @@ from catopt.cli.system import system
 from catopt.cli.units_option import in_units
 from catopt.cli.verify import verify
 
-__all__ = ["app", "command"]
-
 # Without rich markup the help imports no rich, and its text is the same on every terminal.
 app = typer.Typer(
     name="catopt",

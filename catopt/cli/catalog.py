@@ -15,9 +15,6 @@ from catopt.cli.units_option import in_units
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
     from catopt.catalogue.document import Answer
-    from catopt.cli.output import Output
-
-__all__ = ["catalog"]
 
 catalog = typer.Typer(
     name="catalog",
@@ -321,17 +318,7 @@ def _give(
 ) -> None:
     """Write an answer to files, print it as JSON or show it."""
     from catopt.answers.catalogue import catalogue_answer
-    from catopt.render.terminal import show as show_answer
+    from catopt.cli.result_files import Asked
 
-    output: Output = context.obj
-    laid = catalogue_answer(answer, in_full=in_full)
-    if out is not None:
-        from catopt.render.files import files_of
-        from catopt.report.files import write_files
-
-        written = write_files(out, files_of(laid, answer.to_dict(), lang.value))
-        output.note(f"{len(written)} files written to {out}")
-    if as_json:
-        output.json(answer.to_dict())
-    else:
-        show_answer(output, laid, lang.value)
+    asked = Asked(context.obj, lang, as_json, out)
+    asked.give(catalogue_answer(answer, in_full=in_full), answer.to_dict)

@@ -16,10 +16,7 @@ from catopt.cli.options import (
 )
 
 if TYPE_CHECKING:
-    from catopt.cli.output import Output
     from catopt.model import Case
-
-__all__ = ["check"]
 
 FAILED = 3
 """Of --strict: the input is right, but the line does not keep what is asked of it."""
@@ -59,27 +56,14 @@ def check(
     from catopt.answers.check import check_answer, verdict_sentence
     from catopt.casefile.design_directory import read_case_or_design
     from catopt.checks.case import check_case
-    from catopt.render.terminal import show
+    from catopt.cli.result_files import Asked
 
-    output: Output = context.obj
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
+    asked = Asked(context.obj, lang, as_json, out)
     read = _with_codes(read_case_or_design(case, design), code, recalled=recalled)
     report = check_case(read)
-    answer = check_answer(report)
-    if out is not None:
-        from catopt.cli.result_files import write_result
-        from catopt.render.files import files_of
-
-        write_result(output, out, files_of(answer, report.to_dict(), lang.value), read)
-    if as_json:
-        output.json(report.to_dict())
-    else:
-        show(output, answer, lang.value)
+    asked.give(check_answer(report), report.to_dict, read)
     if strict and not report.passes:
-        output.note(f"catopt: {verdict_sentence(report)}")
+        asked.output.note(f"catopt: {verdict_sentence(report)}")
         raise typer.Exit(FAILED)
 
 

@@ -9,8 +9,6 @@ import typer
 if TYPE_CHECKING:
     from catopt.cli.output import Output
 
-__all__ = ["compile_all"]
-
 
 def compile_all(context: typer.Context) -> None:
     """Compile all that catopt compiles, once, and keep it for every later run.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,11 +14,7 @@ from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
-    from catopt.cli.output import Output
     from catopt.model import Case
-
-__all__ = ["curve"]
-
 
 _OPTIONS = {"over": "--over", "start": "--from", "stop": "--to", "points": "--points"}
 """Options by their names in Python."""
@@ -75,29 +72,14 @@ def curve(
     """
     from catopt.answers.curve import curve_answer
     from catopt.casefile import read_case
+    from catopt.cli.result_files import Asked
     from catopt.cli.state import with_known_codes
-    from catopt.render.terminal import show
+    from catopt.report.bundle import curve_pictures
 
-    output: Output = context.obj
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
+    asked = Asked(context.obj, lang, as_json, out)
     read = with_known_codes(read_case(case))
     result = _curve(read, over, start, stop, points)
-    answer = curve_answer(result)
-    if out is not None:
-        from catopt.cli.result_files import write_result
-        from catopt.render.files import files_of
-        from catopt.report.bundle import curve_pictures
-
-        with output.progress("Tables and figures"):
-            files = files_of(answer, result.to_dict(), lang.value) | curve_pictures(result)
-        write_result(output, out, files, read)
-    if as_json:
-        output.json(result.to_dict())
-        return
-    show(output, answer, lang.value)
+    asked.give(curve_answer(result), result.to_dict, read, partial(curve_pictures, result))
 
 
 def _curve(case: Case, over: Over, start: str | None, stop: str | None, points: int) -> CaseCurve:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,13 +12,9 @@ import typer
 from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
-    from catopt.answers.blocks import Answer
     from catopt.cli.output import Output
     from catopt.design.result import DesignResult
     from catopt.model import Case
-    from catopt.words import Language
-
-__all__ = ["design"]
 
 INTERRUPTED = 130
 """128 + SIGINT; the front so far is printed all the same."""
@@ -63,25 +60,15 @@ def design(
     and keeps the front so far (exit status 130).
     """
     from catopt.answers.design import design_answer
-    from catopt.render.terminal import show
+    from catopt.cli.result_files import Asked, refuse_own_case
 
-    output: Output = context.obj
+    asked = Asked(context.obj, lang, as_json, out)
     if out is not None:
-        from catopt.cli.result_files import refuse_own_case
-        from catopt.report.files import check_directory
-
-        check_directory(out)
         refuse_own_case(out)
-    result = _searched(_asked(case, method, evaluations, seed), output)
-    answer = design_answer(result)
-    if out is not None:
-        _write(output, result, answer, lang.value, out)
-    if as_json:
-        output.json(result.to_dict())
-    else:
-        show(output, answer, lang.value)
+    result = _searched(_asked(case, method, evaluations, seed), asked.output)
+    asked.give(design_answer(result), result.to_dict, further=partial(_further, result))
     if result.interrupted:
-        output.note("The front is that of the designs evaluated so far.")
+        asked.output.note("The front is that of the designs evaluated so far.")
         raise typer.Exit(INTERRUPTED)
 
 
@@ -129,17 +116,10 @@ def _searched(case: Case, output: Output) -> DesignResult:
     return result
 
 
-def _write(
-    output: Output, result: DesignResult, answer: Answer, language: Language, out: Path
-) -> None:
-    """Write all files, with the case that ``catopt solve DIR --design K`` needs."""
+def _further(result: DesignResult) -> dict[str, bytes]:
+    """Draw the front, and write the case that ``catopt solve DIR --design K`` needs."""
     from catopt.casefile import write_case
     from catopt.casefile.design_directory import DESIGN_CASE
-    from catopt.render.files import files_of
     from catopt.report.bundle import design_pictures
-    from catopt.report.files import write_files
 
-    with output.progress("Tables and figures"):
-        files = files_of(answer, result.to_dict(), language) | design_pictures(result)
-        written = write_files(out, files | {DESIGN_CASE: write_case(result.case).encode()})
-    output.note(f"{len(written)} files written to {out}")
+    return design_pictures(result) | {DESIGN_CASE: write_case(result.case).encode()}

@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from catopt.export.exported import Exported, Source
     from catopt.model import Case
 
-__all__ = ["export"]
-
 
 class Target(StrEnum):
     """What reads the file."""

@@ -15,9 +15,7 @@ from catopt.cli.options import (
 )
 
 if TYPE_CHECKING:
-    from catopt.cli.output import Output
-
-__all__ = ["fatigue"]
+    pass
 
 FAILED = 3
 """Of --strict: the input is right, but the line does not last."""
@@ -71,16 +69,13 @@ def fatigue(
     """
     from catopt.answers.fatigue import fatigue_answer, fatigue_sentence
     from catopt.casefile import read_case
+    from catopt.cli.result_files import Asked
     from catopt.cli.state import with_known_codes
-    from catopt.render.terminal import show
     from catopt.verify.fatigue import verify_fatigue
     from catopt.words import say
 
-    output: Output = context.obj
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
+    asked = Asked(context.obj, lang, as_json, out)
+    output = asked.output
     read = with_known_codes(read_case(case))
     with output.progress("Sea states") as tell:
         report = verify_fatigue(
@@ -91,16 +86,7 @@ def fatigue(
             progress=tell,
             announce=lambda words: output.note(f"catopt: {say(words, lang.value)}"),
         )
-    answer = fatigue_answer(report)
-    if out is not None:
-        from catopt.cli.result_files import write_result
-        from catopt.render.files import files_of
-
-        write_result(output, out, files_of(answer, report.to_dict(), lang.value), read)
-    if as_json:
-        output.json(report.to_dict())
-    else:
-        show(output, answer, lang.value)
+    asked.give(fatigue_answer(report), report.to_dict, read)
     if report.verdict == "not converged" or (strict and not report.passes):
         output.note(f"catopt: {say(fatigue_sentence(report), lang.value)}")
         raise typer.Exit(STOPPED if report.verdict == "not converged" else FAILED)

@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.decks.reading import Asked
 
-__all__ = ["import_deck"]
-
 
 def import_deck(
     context: typer.Context,

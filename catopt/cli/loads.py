@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -30,8 +31,6 @@ if TYPE_CHECKING:
     from catopt.loads import Loads, Lying, SeaState
     from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
-
-__all__ = ["loads"]
 
 loads = typer.Typer(
     name="loads",
@@ -435,20 +434,9 @@ def _give(
 ) -> None:
     """Write the files, then print the document or the answer."""
     from catopt.answers.loads import loads_answer
+    from catopt.cli.result_files import Asked
     from catopt.loads.document import loads_document
-    from catopt.render.terminal import show
 
-    answer = loads_answer(*results, lyings=lyings)
-    if out is not None:
-        from catopt.render.files import files_of
-        from catopt.report.files import check_directory, write_files
-
-        check_directory(out)
-        written = write_files(
-            out, files_of(answer, loads_document(*results, lyings=lyings), lang.value)
-        )
-        output.note(f"{len(written)} files written to {out}")
-    if as_json:
-        output.json(loads_document(*results, lyings=lyings))
-    else:
-        show(output, answer, lang.value)
+    asked = Asked(output, lang, as_json, out)
+    document = partial(loads_document, *results, lyings=lyings)
+    asked.give(loads_answer(*results, lyings=lyings), document)

@@ -11,8 +11,6 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.errors import InputError
 
-__all__ = ["new"]
-
 
 def new(
     context: typer.Context,

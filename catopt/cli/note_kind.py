@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
     AnyNote = Note | SizeNote | SystemNote
 
-__all__ = ["AnyNote", "Wanted", "answer_of", "is_of_a_body", "line_of", "note_of_file"]
-
 
 @dataclass(frozen=True)
 class Wanted:
@@ -49,16 +47,7 @@ class Wanted:
 
 
 def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -> AnyNote:
-    """Read a file and compute the note of what it is about.
-
-    Parameters
-    ----------
-    path : Path
-        A case file, a file for ``catopt size``, or a directory that ``--out`` wrote.
-    wanted : Wanted
-        What the options say.
-    progress : callable, optional
-        Told how far a line in motion is and how far it goes.
+    """Compute the note of a case file, a file for ``catopt size`` or a directory that --out wrote.
 
     Raises
     ------

@@ -8,17 +8,6 @@ from typing import Annotated
 
 import typer
 
-__all__ = [
-    "CaseArgument",
-    "DesignOption",
-    "JsonOption",
-    "LangOption",
-    "OnceOption",
-    "OutOption",
-    "ReportLanguage",
-    "TablesOutOption",
-]
-
 
 class ReportLanguage(StrEnum):
     """Language of what a person reads."""

@@ -19,8 +19,6 @@ from catopt.decks.told import when_read
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
 
-__all__ = ["BROKEN_PIPE_STATUS", "LEAST_WIDTH", "Output", "Progress"]
-
 Progress = Callable[[int, int], None]
 """Told how many steps are done and how many there are."""
 

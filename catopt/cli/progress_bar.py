@@ -9,8 +9,6 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, ProgressColumn, Task, TextColumn
 from rich.text import Text
 
-__all__ = ["progress_bar"]
-
 _WIDTH = 32
 
 

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from catopt.notes.system import SystemNote
     from catopt.verify.dynamic_result import DynamicVerification
 
-__all__ = ["report"]
-
 PAGE_ENDINGS = (".html", ".htm")
 """What tells a file from a directory in --out."""
 

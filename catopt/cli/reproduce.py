@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -9,9 +10,7 @@ import typer
 from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
-    from catopt.cli.output import Output
-
-__all__ = ["reproduce"]
+    from catopt.reproduce import Reproduction
 
 
 def reproduce(
@@ -29,29 +28,18 @@ def reproduce(
     A number reproduces when catopt's, rounded to the printed decimals, has every printed digit.
     """
     from catopt.answers.reproduction import reproduction_answer
-    from catopt.render.terminal import show
+    from catopt.cli.result_files import Asked
     from catopt.reproduce import reproduce as recompute
 
-    output: Output = context.obj
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
-    with output.progress("Swarm runs") as tell:
+    asked = Asked(context.obj, lang, as_json, out)
+    with asked.output.progress("Swarm runs") as tell:
         result = recompute(name, progress=tell)
-    answer = reproduction_answer(result)
-    if out is not None:
-        from catopt.render.files import files_of
-        from catopt.report.bundle import reproduction_pictures
-        from catopt.report.files import write_files
-        from catopt.reproduce import book
+    asked.give(reproduction_answer(result), result.to_dict, further=partial(_further, result))
 
-        with output.progress("Tables and figures"):
-            files = files_of(answer, result.to_dict(), lang.value)
-            files |= {"reproduction.md": book(result).encode()} | reproduction_pictures(result)
-            written = write_files(out, files)
-        output.note(f"{len(written)} files written to {out}")
-    if as_json:
-        output.json(result.to_dict())
-    else:
-        show(output, answer, lang.value)
+
+def _further(result: Reproduction) -> dict[str, bytes]:
+    """Make the book, and the drawings of the studies."""
+    from catopt.report.bundle import reproduction_pictures
+    from catopt.reproduce import book
+
+    return {"reproduction.md": book(result).encode()} | reproduction_pictures(result)

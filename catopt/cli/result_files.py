@@ -1,16 +1,94 @@
-"""Writing what ``--out`` asks for: the files of an answer, and the case that they are of."""
+"""Giving an answer as it is asked for: printed, as a document, and as files with their case."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
+    from catopt.cli.options import ReportLanguage
     from catopt.cli.output import Output
     from catopt.model import Case
 
-__all__ = ["refuse_own_case", "write_result"]
+
+@dataclass(frozen=True)
+class Asked:
+    """How an answer is asked for; a place that no files can go to is refused at once.
+
+    Attributes
+    ----------
+    output : Output
+        Where it is printed.
+    lang : ReportLanguage
+        ``--lang``.
+    as_json : bool
+        ``--json``.
+    out : Path or None
+        ``--out``.
+    """
+
+    output: Output
+    lang: ReportLanguage
+    as_json: bool
+    out: Path | None
+
+    def __post_init__(self) -> None:
+        if self.out is not None:
+            from catopt.report.files import check_directory
+
+            check_directory(self.out)
+
+    def give(
+        self,
+        answer: Answer,
+        document: Callable[[], dict[str, Any]],
+        case: Case | None = None,
+        further: Callable[[], dict[str, bytes]] | None = None,
+        printed: Callable[[], dict[str, Any]] | None = None,
+    ) -> None:
+        """Write the files, with the case and `further` ones, then print the document or the answer.
+
+        The document is `printed` with less in it where that is given.
+        """
+        if self.out is not None:
+            self._write(self.out, answer, document, case, further)
+        if self.as_json:
+            self.output.json((printed or document)())
+            return
+        from catopt.render.terminal import show
+
+        show(self.output, answer, self.lang.value)
+
+    def _write(
+        self,
+        out: Path,
+        answer: Answer,
+        document: Callable[[], dict[str, Any]],
+        case: Case | None,
+        further: Callable[[], dict[str, bytes]] | None,
+    ) -> None:
+        from catopt.render.files import files_of
+
+        if further is None:
+            files = files_of(answer, document(), self.lang.value)
+        else:
+            with self.output.progress("Tables and figures"):
+                files = files_of(answer, document(), self.lang.value) | further()
+        if case is not None:
+            write_result(self.output, out, files, case)
+        else:
+            write_all(self.output, out, files)
+
+
+def write_all(output: Output, directory: Path, files: Mapping[str, bytes]) -> None:
+    """Write files, and tell how many there are."""
+    from catopt.report.files import write_files
+
+    written = write_files(directory, files)
+    output.note(f"{len(written)} files written to {directory}")
 
 
 def write_result(
@@ -23,20 +101,8 @@ def write_result(
     """Write the files of an answer with its case, and tell how many there are.
 
     With the case ``catopt report DIR`` makes the note of it. A case file that catopt did not write
-    is never replaced, nor is that of a design search, without which its front would be lost.
-
-    Parameters
-    ----------
-    output : Output
-        Told of what was written, and of a case file that stays.
-    directory : Path
-        Made when it is missing.
-    files : mapping of str to bytes
-        File names and what they hold.
-    case : Case
-        As it was computed.
-    front : Path, optional
-        Directory of a design search whose front the answer is of; it goes with the case.
+    is never replaced, nor is that of a design search, without which its front would be lost: the
+    directory `front` of a search goes with the case.
     """
     from catopt.casefile import write_case
     from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
@@ -58,13 +124,7 @@ def write_result(
 
 
 def refuse_own_case(directory: Path) -> None:
-    """Refuse a directory whose case file catopt did not write, where one must be written.
-
-    Raises
-    ------
-    InputError
-        A front needs the case that it is of, in place of that one.
-    """
+    """Raise InputError for a directory whose case file, to be replaced, is the user's own."""
     from catopt.casefile.design_directory import DESIGN_CASE
     from catopt.errors import InputError, Problem
 

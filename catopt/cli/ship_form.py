@@ -15,15 +15,6 @@ if TYPE_CHECKING:
     from catopt.loads.ship_estimate import Condition
     from catopt.sizing.known import Known
 
-__all__ = [
-    "Form",
-    "read_turning",
-    "refuse_needless",
-    "ships_afloat",
-    "turned_round",
-    "what_is_taken",
-]
-
 
 class Form(NamedTuple):
     """What makes a ship of its main dimensions, beside them."""

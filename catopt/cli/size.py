@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
     from catopt.words import Language
 
-__all__ = ["is_file", "size"]
-
 size = typer.Typer(
     name="size",
     rich_markup_mode=None,

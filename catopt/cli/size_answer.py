@@ -11,21 +11,12 @@ if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.words import Language
 
-__all__ = ["check_places", "give"]
-
 
 def check_places(out: Path | None, save: Path | None) -> None:
     """Make sure, before anything is computed, that files can be written.
 
-    Parameters
-    ----------
-    out, save : Path or None
-        Directory for all files, and place of the case file.
-
-    Raises
-    ------
-    InputError
-        There is a case file already, no such directory, or one with a case of the user's own.
+    Raises InputError for a case file already there, no such directory, or one with a case of the
+    user's own.
     """
     if save is not None:
         _check_save(save)
@@ -67,13 +58,12 @@ def give(
 
     answer = size_answer(of)
     if out is not None:
+        from catopt.cli.result_files import write_all
         from catopt.render.files import files_of
         from catopt.report.bundle import size_files
-        from catopt.report.files import write_files
 
         files = files_of(answer, of.to_dict(), language)
-        written = write_files(out, files | size_files(of, language, given))
-        output.note(f"{len(written)} files written to {out}")
+        write_all(output, out, files | size_files(of, language, given))
     if save is not None:
         from catopt.casefile import write_case
         from catopt.report.files import write_files

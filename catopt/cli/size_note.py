@@ -12,26 +12,11 @@ if TYPE_CHECKING:
     from catopt.notes.size import Given, SizeNote
     from catopt.sizing.telling import Spelling
 
-__all__ = ["given_to_size", "note_of_file"]
-
 
 def note_of_file(
     path: Path, moored: Moored, *, date: str = "", verify: bool = True, asked: Asked | None = None
 ) -> SizeNote:
-    """Size what a file describes, and make the note of it.
-
-    Parameters
-    ----------
-    path : Path
-        A file for ``catopt size``.
-    moored : {"buoy", "tanker"}
-        Which of the two kinds of file it is.
-    date : str
-        For the title block.
-    verify : bool
-        Whether the truss model is put beside the closed form.
-    asked : Asked, optional
-        What else is shown of the recommended line.
+    """Size what a file for ``catopt size`` describes, and make the note of it.
 
     Raises
     ------
@@ -47,17 +32,7 @@ def note_of_file(
 
 
 def given_to_size(place: str | None, options: Mapping[str, object], spell: Spelling) -> Given:
-    """Say what a run of ``catopt size`` was asked for.
-
-    Parameters
-    ----------
-    place : str or None
-        Of the file.
-    options : mapping of str to object
-        What was typed, or answered on a terminal, by input: texts, lists of them, or flags.
-    spell : Spelling
-        How they are typed.
-    """
+    """Say what ``catopt size`` was asked for: by its file, and by what was typed or answered."""
     from catopt.notes.origin import read_source
     from catopt.notes.size import Given
 

@@ -15,8 +15,6 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
 
-__all__ = ["as_option", "by_option", "help_of", "typed", "with_inputs"]
-
 Command = TypeVar("Command", bound=Callable[..., None])
 
 _NOTHING: Mapping[str, str] = MappingProxyType({})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.cli.output import Output
     from catopt.model import Case
-
-__all__ = ["solve"]
 
 
 class Method(StrEnum):
@@ -85,14 +84,11 @@ def solve(
     """
     from catopt.answers.solution import solution_answer
     from catopt.casefile.design_directory import read_case_or_design
+    from catopt.cli.result_files import Asked
     from catopt.cli.state import in_state, with_known_codes
-    from catopt.render.terminal import show
+    from catopt.report.bundle import solution_pictures
 
-    output: Output = context.obj
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
+    asked = Asked(context.obj, lang, as_json, out)
     settings: dict[str, Any] = {
         "runs": runs,
         "particles": particles,
@@ -103,22 +99,16 @@ def solve(
     given = {key: value for key, value in settings.items() if value is not None}
     whole = with_known_codes(read_case_or_design(case, design))
     read = _with_settings(in_state(whole, load_case), given, method)
-    solution = _solved(read, method, output)
+    solution = _solved(read, method, asked.output)
     given_case, read = read, _as_solved(read)
     answer = solution_answer(read, solution, with_profile=profile)
-    if out is not None:
-        from catopt.cli.result_files import write_result
-        from catopt.render.files import files_of
-        from catopt.report.bundle import solution_pictures
-
-        with output.progress("Tables and figures"):
-            document = solution.to_dict(profile=True)
-            files = files_of(answer, document, lang.value) | solution_pictures(read, solution)
-        write_result(output, out, files, given_case)
-    if as_json:
-        output.json(solution.to_dict(profile=profile))
-        return
-    show(output, answer, lang.value)
+    asked.give(
+        answer,
+        partial(solution.to_dict, profile=True),
+        given_case,
+        partial(solution_pictures, read, solution),
+        printed=partial(solution.to_dict, profile=profile),
+    )
 
 
 def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:

@@ -20,10 +20,7 @@ def with_known_codes(case: Case) -> Case:
 def in_state(case: Case, name: str | None) -> Case:
     """Return a case under the load case that ``--load-case`` names; as it is without a name.
 
-    Raises
-    ------
-    InputError
-        The case has no such load case, or it seeks something.
+    Raises InputError where the case has no such load case, or seeks something.
     """
     from catopt.errors import InputError, Problem
     from catopt.units import as_written

@@ -9,19 +9,13 @@ from typing import Any, NoReturn, TextIO, cast
 
 from catopt.errors import InputError, Problem
 
-__all__ = ["guard_streams"]
-
 
 def guard_streams() -> None:
     """Put guards in the place of this process's standard output and standard error.
 
     An answer that cannot be written is refused; a message that cannot be is dropped, so that a
-    service without standard error, or with a full disk behind it, gets the same answer.
-
-    Raises
-    ------
-    InputError
-        Standard output is closed.
+    service without standard error, or with a full disk behind it, gets the same answer. Raises
+    InputError where standard output is closed.
     """
     for descriptor in (0, 1, 2):
         try:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
-    from catopt.cli.output import Output
     from catopt.units import Dimension
-
-__all__ = ["system"]
 
 
 def system(
@@ -74,16 +72,13 @@ def system(
     from catopt.casefile import read_case
     from catopt.checks.document import verdict_document
     from catopt.checks.system import check_system
+    from catopt.cli.result_files import Asked
     from catopt.mooring.case import report_system
-    from catopt.render.terminal import show
+    from catopt.report.bundle import system_pictures
     from catopt.units import Dimension
     from catopt.words import Message, say
 
-    output: Output = context.obj
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
+    asked = Asked(context.obj, lang, as_json, out)
     directions = _in_si("--curve", curve or [], Dimension.ANGLE)
     levels = _in_si("--level", level or [], Dimension.LENGTH)
     displacements = [_displacement(text) for text in held or []]
@@ -98,22 +93,13 @@ def system(
         displacements=displacements,
     )
     checks = check_system(read, report)
-    answer = system_answer(report, checks)
-    document = report.to_dict() | {"checks": verdict_document(checks)}
     if watch_circle and report.circle is None:
-        output.note(say(Message("mooring.no_circle"), lang.value))
-    if out is not None:
-        from catopt.cli.result_files import write_result
-        from catopt.render.files import files_of
-        from catopt.report.bundle import system_pictures
+        asked.output.note(say(Message("mooring.no_circle"), lang.value))
 
-        with output.progress("Tables and figures"):
-            files = files_of(answer, document, lang.value) | system_pictures(report)
-        write_result(output, out, files, read)
-    if as_json:
-        output.json(document)
-        return
-    show(output, answer, lang.value)
+    def document() -> dict[str, Any]:
+        return report.to_dict() | {"checks": verdict_document(checks)}
+
+    asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
 
 
 def _in_si(option: str, texts: list[str], dimension: Dimension) -> list[float]:

@@ -10,8 +10,6 @@ from typing import Annotated, Any, TypeVar
 
 import typer
 
-__all__ = ["in_units"]
-
 Command = TypeVar("Command", bound=Callable[..., None])
 
 

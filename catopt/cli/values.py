@@ -12,10 +12,7 @@ if TYPE_CHECKING:
 def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]:
     """Read options, by their names, in SI: each a bare number or one with a unit, or left out.
 
-    Raises
-    ------
-    InputError
-        With every one that is wrong.
+    Raises InputError with every one that is wrong.
     """
     from catopt.errors import InputError, Problem
     from catopt.numerals import bare_number

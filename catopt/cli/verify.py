@@ -33,8 +33,6 @@ if TYPE_CHECKING:
 
     _Found = Verification | FrontVerification
 
-__all__ = ["stop_if_not_converged", "verify"]
-
 DIFFERS = 3
 """Of --strict: the input is right, but the models do not agree."""
 

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from catopt.sizing.telling import Spelling
     from catopt.words import Language
 
-__all__ = ["asked"]
-
 _OWN = "own"
 """Answer of one whose buoy is not in the library."""
 
@@ -30,21 +28,8 @@ def asked(
 ) -> dict[str, object]:
     """Ask on standard error, when what is required was not given and somebody can answer.
 
-    Parameters
-    ----------
-    moored : {"buoy", "tanker"}
-        What is to be moored.
-    typed, given : mapping of str to object
-        Inputs as they were typed, and all that are known, those of a file among them.
-    spell : Spelling
-        How they are typed.
-    language : {"en", "vi"}
-        Of the questions.
-
-    Returns
-    -------
-    dict of str to object
-        What was typed and the answers, defaults among them.
+    `typed` are inputs as they were typed, `given` all that are known, those of a file among them.
+    Returns what was typed with the answers, defaults among them.
     """
     from catopt.sizing.known import is_needless
 

@@ -11,25 +11,6 @@ from typing import NamedTuple
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Message, quantity_name
 
-__all__ = [
-    "IN_TONNES",
-    "Area",
-    "Arrow",
-    "Axis",
-    "Chart",
-    "Dimension",
-    "Entry",
-    "Level",
-    "Mark",
-    "Place",
-    "Point",
-    "Scale",
-    "Series",
-    "axis",
-    "legend",
-    "span_of",
-]
-
 Place = tuple[float, float]
 """x and y, SI."""
 
@@ -214,14 +195,9 @@ def legend(chart: Chart) -> Iterator[Entry]:
 
 
 def span_of(values: Iterable[float], below: float = 0.06, above: float = 0.06) -> Place:
-    """Find ends of an axis that hold values with room around them.
+    """Find ends of an axis that hold values with room around them, as parts of their range.
 
-    Parameters
-    ----------
-    values : iterable of float
-        Those that are not finite do not count.
-    below, above : float
-        Room, over the range of the values.
+    Values that are not finite do not count.
     """
     known = [each for each in values if math.isfinite(each)]
     low, high = min(known, default=0.0), max(known, default=0.0)

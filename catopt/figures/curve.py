@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.curve import Mark as Event
 
-__all__ = ["load_curve"]
-
 _STEEP = 0.35
 """Part of the largest tension above which the curves are in the way of what stands at the top."""
 

@@ -16,8 +16,6 @@ from catopt.words import Measure, Message, Several, term
 if TYPE_CHECKING:
     from catopt.design.result import DesignResult
 
-__all__ = ["OBJECTIVES", "composition", "ends", "front", "front_lines", "objective_name"]
-
 Document = Mapping[str, Any]
 
 OBJECTIVES: Mapping[str, Quantity] = MappingProxyType(

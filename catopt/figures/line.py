@@ -27,20 +27,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.model import PointLoad
 
-__all__ = [
-    "FAR",
-    "capacities",
-    "grounded_ends",
-    "joints",
-    "line_in_water",
-    "magnified",
-    "room_around",
-    "surface_and_bed",
-    "tension_along",
-    "touchdowns",
-    "water",
-]
-
 FAR = 2.5
 """A capacity above this multiple of the largest tension would press the curve to the axis."""
 _POINTS = 161

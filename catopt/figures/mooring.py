@@ -30,17 +30,6 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.mooring.watch_circle import WatchCircle
 
-__all__ = [
-    "beyond",
-    "from_above",
-    "near",
-    "plan",
-    "restoring",
-    "spread",
-    "watch_round",
-    "watch_track",
-]
-
 _ALONG = 21
 """Places of a line that answer to the pointer."""
 _ROOM, _BEYOND = 0.06, 0.05

@@ -19,18 +19,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
 
-__all__ = [
-    "around_the_largest",
-    "envelope",
-    "envelope_chart",
-    "exceedance",
-    "history",
-    "on_slope",
-    "spectrum",
-    "track",
-    "whole_history",
-]
-
 _TIME = Quantity("time", "Time", "t", "s", "s", 1.0, 2)
 _FREQUENCY = Quantity("frequency", "Frequency", "f", "rad/s", "Hz", 2.0 * math.pi, 4)
 _DENSITY = Quantity(
@@ -56,17 +44,8 @@ _TRACK = 2000
 def around_the_largest(run: DynamicRun, most: int = _MOST) -> list[int]:
     """Choose the samples around the largest fairlead tension: a dozen cycles, the peak among them.
 
-    Parameters
-    ----------
-    run : DynamicRun
-        Cycles are those between upward crossings of its mean; without any all samples are taken.
-    most : int
-        Samples, about.
-
-    Returns
-    -------
-    list of int
-        Indices of samples, rising.
+    Cycles are those between upward crossings of its mean; without any all samples are taken. Of too
+    many, about `most` are left. Returns their indices, rising.
     """
     of = run.history
     found = run.statistics("fairlead_tension")

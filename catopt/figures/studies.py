@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.reproduce.items import MooredLine, Mooring
 
-__all__ = ["lines_to_scale", "models_from_above", "models_from_the_side", "models_near"]
-
 _LINES = ("mooring", "second", "first", "third", "fourth")
 _MODELS = (("second", "model-a"), ("first", "model-b"))
 """Role of the lines and of the body of each model."""

@@ -13,8 +13,6 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.catenary.solution import SwarmReport
 
-__all__ = ["fitness", "swarm_tension"]
-
 _CONVERGED = 1e-9
 _MOST_POINTS = 400
 COUNT = Quantity("count", "Number", "", "-", "-", 1.0, 0)

@@ -14,8 +14,6 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.verify.result import LinePair
 
-__all__ = ["comparison"]
-
 _MARKERS = 40
 """How many nodes of a mesh are drawn, so that the line below them stays in sight."""
 _DECADES = 1e-5

@@ -8,8 +8,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
 
-__all__ = ["allowed_tensions"]
-
 
 def allowed_tensions(
     checks: CheckReport,
@@ -18,17 +16,8 @@ def allowed_tensions(
 ) -> list[float | None]:
     """Find the least tension that each segment is allowed, N.
 
-    By the checks of a load case; without any, the MBL over the safety factor; None where neither
-    is known.
-
-    Parameters
-    ----------
-    checks : CheckReport
-        Of the line.
-    solution : Solution
-        Its segments.
-    load_case : str
-        Name of the load case; empty where there is only the load.
+    By the checks of a load case, whose name is empty where there is only the load; without any, the
+    MBL over the safety factor; None where neither is known.
     """
     found: list[float | None] = []
     for index, segment in enumerate(solution.segments, start=1):

@@ -18,8 +18,6 @@ from catopt.errors import InputError, Problem
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.verify.proof import Proof
 
-__all__ = ["Asked", "asked_in", "case_path"]
-
 _SOLUTION, _VERIFICATION = "solution.json", "verify.json"
 _SHOWN = 5
 """Names of files that a refusal lists."""
@@ -55,10 +53,7 @@ class Asked:
 def case_path(path: Path) -> Path:
     """Return the case file of a path: the path itself, or the case file in a directory.
 
-    Raises
-    ------
-    InputError
-        A directory without a case file; the message says what is in it.
+    Raises InputError for a directory without one; the message says what is in it.
     """
     if not path.is_dir():
         return path
@@ -75,11 +70,8 @@ def case_path(path: Path) -> Path:
 def asked_in(path: Path) -> Asked:
     """Read what was asked of the case of a result directory; nothing further of a case file.
 
-    Raises
-    ------
-    InputError
-        A document there cannot be read or is not as its schema has it, or is of another case than
-        the directory's.
+    Raises InputError for a document that cannot be read, is not as its schema has it, or is of
+    another case than the directory's.
     """
     if not path.is_dir():
         return Asked()

@@ -8,17 +8,9 @@ from catopt.notes.line import Note
 from catopt.notes.motion import InMotion
 from catopt.notes.system import SystemNote
 
-__all__ = ["motion_document", "swarm_document"]
-
 
 def swarm_document(note: Note) -> dict[str, Any] | None:
-    """Say what came of the particle swarm, in SI; None where nobody asked for it.
-
-    Parameters
-    ----------
-    note : Note
-        Of one line.
-    """
+    """Say what came of the particle swarm, in SI; None where nobody asked for it."""
     report = None if note.swarm is None else note.swarm.swarm
     if report is None:
         return None
@@ -32,13 +24,7 @@ def swarm_document(note: Note) -> dict[str, Any] | None:
 
 
 def motion_document(note: Note | SystemNote) -> dict[str, Any] | None:
-    """Say what came of the line in motion that governs; None where nobody asked for it.
-
-    Parameters
-    ----------
-    note : Note or SystemNote
-        Of one line, or of a body with several.
-    """
+    """Say what came of the line in motion that governs; None where nobody asked for it."""
     moved = note.motion
     if moved is None:
         return None

@@ -11,8 +11,6 @@ from catopt.casefile.schema import Table, entries
 from catopt.documents import Path, dotted
 from catopt.units import as_written
 
-__all__ = ["Input", "inputs_of", "leaves"]
-
 _MOST = 8
 """Values of an array that are all shown; of a longer one the first two and the last are."""
 _LONGEST = 160
@@ -44,15 +42,7 @@ class Input:
 
 
 def inputs_of(document: dict[str, Any], schema: type[Table]) -> tuple[Input, ...]:
-    """List every value of a file that is no free text.
-
-    Parameters
-    ----------
-    document : dict
-        The file as the TOML reader returns it.
-    schema : type of Table
-        What the file may hold.
-    """
+    """List every value of a file, as the TOML reader returns it, that is no free text."""
     found = leaves(document, schema)
     return tuple(_input(*leaf) for leaf in found if leaf[0] not in _FREE_TEXT)
 
@@ -60,17 +50,7 @@ def inputs_of(document: dict[str, Any], schema: type[Table]) -> tuple[Input, ...
 def leaves(
     document: dict[str, Any], schema: type[Table], path: Path = ()
 ) -> Iterator[tuple[Path, Kind | None, Any]]:
-    """Yield every value of a case file with its path and its kind; arrays of values are whole.
-
-    Parameters
-    ----------
-    document : dict
-        A table as the TOML reader returns it.
-    schema : type of Table
-        What the table may hold.
-    path : tuple
-        Where it stands.
-    """
+    """Yield every value of a case file with its path and its kind; arrays of values are whole."""
     known = entries(schema)
     for key, value in document.items():
         entry = known.get(key)

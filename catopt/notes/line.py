@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from catopt.verify.result import Verification
 from catopt.words import Message
 
-__all__ = ["Chosen", "Note", "note_of", "read_note"]
-
 Progress = Callable[[int, int], None]
 
 MOST_FORCE, LEAST_FORCE = 4.0, 0.01
@@ -178,27 +176,10 @@ def note_of(
     asked: Asked | None = None,
     progress: Progress | None = None,
 ) -> Note:
-    """Compute the note of a case.
+    """Compute the note of a case, which the first of the files says, or which is a design of it.
 
     The line is drawn, and its equations are followed, under the load case of the check that
-    governs; without load cases under its load.
-
-    Parameters
-    ----------
-    case : Case
-        What the first of the files says, or a design of it.
-    files : tuple of SourceFile
-        What the note rests on.
-    date : str
-        For the title block.
-    chosen : Chosen, optional
-        When the line is a design of a front.
-    verify : bool
-        Whether the truss model is put beside the closed form.
-    asked : Asked, optional
-        What else it shows; the closed form alone when left out.
-    progress : callable, optional
-        Told how far the line in motion is and how far it goes.
+    governs; without load cases under its load. The rest is as for `read_note`.
     """
     asked = asked or Asked()
     checks = check_case(case)

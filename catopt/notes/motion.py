@@ -25,15 +25,6 @@ if TYPE_CHECKING:
     from catopt.verify.proof import Proof
 from catopt.words import Measure, Message
 
-__all__ = [
-    "InMotion",
-    "SegmentUse",
-    "checks_in_motion",
-    "in_motion",
-    "motion_files",
-    "motion_warnings",
-]
-
 Progress = Callable[[int, int], None]
 
 
@@ -105,18 +96,7 @@ class InMotion:
 def in_motion(
     case: Case, checks: CheckReport, proof: Proof = "step", progress: Progress | None = None
 ) -> InMotion:
-    """Run the line of a case in time under every load case.
-
-    Parameters
-    ----------
-    case : Case
-        With what a line in motion needs.
-    checks : CheckReport
-        The same at rest.
-    proof : {"none", "step", "bars"}
-        As for `verify_dynamic`.
-    progress : callable, optional
-        Told how far it is and how far it goes.
+    """Run the line of a case, checked at rest, in time under every load case.
 
     Raises
     ------
@@ -146,14 +126,8 @@ def checks_in_motion(
 ) -> CheckReport:
     """Check what came of a case in motion, by `check_motion`.
 
-    The mean tension of a segment is its largest at rest, under the mean loads.
-
-    Parameters
-    ----------
-    found : DynamicVerification
-        All its load cases, or all lines of its body.
-    at_rest : sequence of Solution, optional
-        By its parts; solved here when left out. On a bed that slopes there is none.
+    The mean tension of a segment is its largest at rest, under the mean loads: by the parts of what
+    was found, solved here when left out. On a bed that slopes there is none.
 
     Raises
     ------

@@ -13,8 +13,6 @@ from catopt.casefile.sizing_file import SIZING
 from catopt.documents import MOST_BYTES_OF_DATA, parse_toml, read_text
 from catopt.notes.inputs import Input, inputs_of
 
-__all__ = ["Origin", "SourceFile", "file_name", "origin_of", "read_source"]
-
 
 @dataclass(frozen=True)
 class SourceFile:
@@ -56,13 +54,7 @@ def origin_of(
 
 
 def read_source(path: Path) -> SourceFile:
-    """Read a file that a note rests on.
-
-    Raises
-    ------
-    InputError
-        It cannot be read.
-    """
+    """Read a file that a note rests on; InputError where it cannot be read."""
     text = read_text(path, str(path), most=MOST_BYTES_OF_DATA)
     return SourceFile(_writable(path.name), text, hashlib.sha256(path.read_bytes()).hexdigest())
 
@@ -75,12 +67,7 @@ def _writable(text: str) -> str:
 def file_name(path: Path, design: int | None) -> str:
     """Name the page of a case: that of the file, or of the folder of a file with the usual name.
 
-    Parameters
-    ----------
-    path : Path
-        Case file or result directory.
-    design : int or None
-        Number of the design, if it is one.
+    With the number of the design, if it is one.
     """
     place = path.resolve()
     name = place.name if place.is_dir() else place.stem

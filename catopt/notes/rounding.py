@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["heading_of", "without_rounding"]
-
 _NOTHING = 1e-9
 """In SI: metres, newtons and radians below it are rounding; over a size, a part of it."""
 

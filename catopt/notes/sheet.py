@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from catopt.model import Case, Line
     from catopt.mooring.solution import SystemSolution
 
-__all__ = ["PART", "AnchorMoved", "Sheet", "sheet_of"]
-
 PART = 0.01
 """By how much of its distance from the fairlead an anchor is put elsewhere."""
 
@@ -129,18 +127,8 @@ def sheet_of(
 ) -> Sheet:
     """Work out what is stated of a line, or of a body on several.
 
-    Parameters
-    ----------
-    case : Case
-        With all its load cases.
-    line : Line
-        Of the note.
-    report : CheckReport
-        Of it.
-    system : SystemSolution, optional
-        The body under its load.
-    anchor : Anchor, optional
-        In the place of the case's own.
+    `case` has all its load cases; `line` is that of the note, `system` the body under its load, and
+    `anchor` stands in the place of the case's own.
     """
     anchor = anchor or case.anchor
     criteria = criteria_of(replace(case, anchor=anchor))

@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution
     from catopt.sizing import Sizing
 
-__all__ = ["Given", "SizeNote", "size_note"]
-
 
 @dataclass(frozen=True)
 class Given:
@@ -107,20 +105,10 @@ def size_note(
     verify: bool = True,
     asked: Asked | None = None,
 ) -> SizeNote:
-    """Compute the note of a sizing.
+    """Compute the note of a sizing, by what was asked for.
 
-    Parameters
-    ----------
-    sizing : Sizing
-        Of a buoy or a tanker.
-    given : Given
-        What was asked for.
-    date : str
-        For the title block.
-    verify : bool
-        Whether the truss model is put beside the closed form of the recommended line.
-    asked : Asked, optional
-        What else is shown of that line.
+    `verify` puts the truss model beside the closed form of the recommended line; `asked` is what
+    else is shown of it.
 
     Raises
     ------

@@ -33,8 +33,6 @@ if TYPE_CHECKING:
     from catopt.verify.result import StaticComparison, Verification
 from catopt.words import Message, is_said
 
-__all__ = ["SystemNote", "directions_of", "read_system_note", "system_note"]
-
 _LESS = 0.9
 """Part of the offset under the load to which a restoring curve goes where half as far again is not
 to be had."""
@@ -176,20 +174,10 @@ def read_system_note(
     asked: Asked | None = None,
     progress: Progress | None = None,
 ) -> SystemNote:
-    """Read the case file of a moored body and compute its note.
+    """Read the case file of a moored body, with a table [system], and compute its note.
 
-    Parameters
-    ----------
-    path : Path
-        A case file with a table [system].
-    date : str
-        For the title block.
-    verify : bool
-        Whether the truss model is put beside the closed form.
-    asked : Asked, optional
-        Whether the lines are run in time, and how that is proven; not when left out.
-    progress : callable, optional
-        Told how far the lines in motion are and how far they go.
+    `verify` puts the truss model beside the closed form; `asked` says whether the lines are run in
+    time, and how that is proven; not when left out.
 
     Raises
     ------
@@ -209,17 +197,7 @@ def system_note(
     asked: Asked | None = None,
     progress: Progress | None = None,
 ) -> SystemNote:
-    """Compute the note of a moored body.
-
-    Parameters
-    ----------
-    case : Case
-        What the first of the files says.
-    files : tuple of SourceFile
-        What the note rests on.
-    date, verify, asked, progress
-        As for `read_system_note`.
-    """
+    """Compute the note of a moored body; as `read_system_note`."""
     found = _in_motion(case, asked, progress)
     report, left_out = _report(case)
     checks = check_system(case, report)
@@ -247,15 +225,7 @@ def system_note(
 def directions_of(force: tuple[float, float]) -> tuple[float, float]:
     """Choose the directions of the restoring curves: along a force and across it; x and y without.
 
-    Parameters
-    ----------
-    force : (float, float)
-        On the body, N.
-
-    Returns
-    -------
-    (float, float)
-        rad, counter-clockwise from x.
+    In rad, counter-clockwise from x.
     """
     along = heading_of(*force) if any(force) else 0.0
     quarter = 0.5 * math.pi

@@ -6,8 +6,6 @@ from catopt.answers.blocks import Answer, Facts, Table
 from catopt.render.plain import csv_of
 from catopt.render.units import as_wanted
 
-__all__ = ["csv_files"]
-
 
 def csv_files(answer: Answer) -> dict[str, bytes]:
     """Write every table and list of an answer, by file name."""

@@ -13,8 +13,6 @@ from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
 from catopt.render.ticks import axis_title
 from catopt.words import Language, Message, say
 
-__all__ = ["draw"]
-
 _SIZE = (680, 420)
 """Pixels."""
 

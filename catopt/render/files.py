@@ -8,27 +8,14 @@ from catopt.answers.blocks import Answer
 from catopt.render.plain import document_bytes
 from catopt.words import Language
 
-__all__ = ["files_of"]
-
 
 def files_of(
     answer: Answer, document: dict[str, Any] | None, language: Language = "en"
 ) -> dict[str, bytes]:
-    """Write an answer as files.
+    """Write an answer as files, by file name.
 
-    Parameters
-    ----------
-    answer : Answer
-        What its tables hold.
-    document : dict or None
-        What ``--json`` prints; None where it is part of another answer's.
-    language : {"en", "vi"}
-        Of the workbook; the tables (CSV) stay in English.
-
-    Returns
-    -------
-    dict of str to bytes
-        By file name.
+    `document` is what ``--json`` prints, None where it is part of another answer's. The language is
+    the workbook's; the tables (CSV) stay in English.
     """
     from catopt.render.csv import csv_files
     from catopt.render.workbook import workbook

@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Literal, NamedTuple
 
-__all__ = ["COLOURS", "LOOKS", "Look", "Sign", "stylesheet"]
-
 Sign = Literal["", "circle", "square", "diamond", "triangle", "cross", "tick", "words"]
 
 COLOURS: Mapping[str, tuple[str, str]] = {

@@ -40,8 +40,6 @@ from catopt.words import Language, Message, say
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-__all__ = ["page"]
-
 
 class _Value(NamedTuple):
     """A text with the value behind it in SI, and the length of its bar."""
@@ -213,6 +211,8 @@ def _cell(column: Column, row: int, language: Language) -> _Cell:
     if passes is not None:
         style = f"{style} {'passes' if passes else 'fails'}"
     si = _si(value)
+    if si is not None and quantity is not None and abs(si) < quantity.floor:
+        si = None  # rounding, which is another on each machine
     return _Cell((_Value(cell(column, row, language), si, si if is_use else None),), style)
 
 

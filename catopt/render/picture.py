@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import SubFigure
 
-__all__ = ["DPI", "WIDTH", "image", "picture", "pictures"]
-
 DPI = 200
 WIDTH = 7.2
 """Inches: the text width of an A4 page."""

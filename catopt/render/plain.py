@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     import pandas as pd
 
-__all__ = ["csv_of", "document_bytes"]
-
 
 def document_bytes(document: dict[str, Any]) -> bytes:
     """Write a JSON document as a file has it."""

@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from xlsxwriter.workbook import Workbook
     from xlsxwriter.worksheet import Worksheet
 
-__all__ = ["Book", "Cell", "Chart", "Number", "Series", "Sheet", "Style", "Text", "number_pattern"]
-
 Style = Literal["text", "wrapped", "title", "large", "good", "bad", "grey"]
 
 _COUNT = "General"
@@ -131,12 +129,7 @@ class Chart:
 class Book:
     """A workbook in memory with its formats.
 
-    Parameters
-    ----------
-    title : str
-        In its properties and at the foot of every page.
-    language : {"en", "vi"}
-        Of what a cell says that is no number.
+    Its title stands in its properties and at the foot of every page.
     """
 
     def __init__(self, title: str, language: Language = "en") -> None:
@@ -183,13 +176,7 @@ class Book:
         return self._numbers[key]
 
     def sheet(self, name: str) -> Sheet:
-        """Add a sheet whose first row stays in sight.
-
-        Parameters
-        ----------
-        name : str
-            As it is to stand on its tab, if it is free and short enough.
-        """
+        """Add a sheet whose first row stays in sight; its tab has the name, made short and free."""
         worksheet = self.workbook.add_worksheet(self._free(name))
         worksheet.freeze_panes(1, 0)
         worksheet.set_landscape()
@@ -257,18 +244,8 @@ class Sheet:
     ) -> int:
         """Write rows under headings; return the row of the headings.
 
-        Parameters
-        ----------
-        headings : sequence of str
-            With units.
-        rows : sequence of sequence
-            Texts as they are to stand there, and numbers.
-        title : str
-            Above.
-        column, row : int
-            Of the upper left corner; from the top when only the column is given.
-        widths : sequence of float or None
-            Of the columns, in characters; what is None or left out follows from what they hold.
+        The upper left corner is at `column` and `row`, from the top when only the column is given.
+        `widths` are in characters; what is None or left out follows from what the columns hold.
         """
         top = row if row is not None else 0 if column else self.row
         if title:
@@ -349,15 +326,7 @@ class Sheet:
                 sheet.write_number(row, column, value, look)
 
     def chart(self, chart: Chart, *, row: int, column: int) -> int:
-        """Draw cells of this sheet over others; return the first row below.
-
-        Parameters
-        ----------
-        chart : Chart
-            What it shows; the texts as they are to stand there.
-        row, column : int
-            Of its upper left corner.
-        """
+        """Draw cells of this sheet over others, from a cell down; return the first row below."""
         drawn = self.book.workbook.add_chart({"type": "scatter", "subtype": "straight"})
         for series in chart.series:
             first, last = series.rows

@@ -12,8 +12,6 @@ from catopt.render.looks import LOOKS, Sign
 from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
 from catopt.words import Language, say
 
-__all__ = ["WIDTH", "Figure", "Frame", "Legend", "Point", "Shape", "breadth", "svg"]
-
 WIDTH = 640.0
 """Of every figure, in its own units."""
 _TYPE = 19.0

@@ -23,8 +23,6 @@ from catopt.render.units import as_wanted
 from catopt.render.values import cell, shown
 from catopt.words import Language, Message, Sentence, Several, say
 
-__all__ = ["Printer", "show"]
-
 _WIDTH = 80
 _GAP = 3
 """Columns between two columns of a table."""

@@ -9,8 +9,6 @@ from catopt.figures.chart import Axis, Scale
 from catopt.quantities import Quantity
 from catopt.words import Language, say
 
-__all__ = ["Tick", "axis_title", "scale_ticks", "tick_marks", "tick_words", "ticks"]
-
 Tick = tuple[float, str]
 """A value in SI, and how it is written."""
 

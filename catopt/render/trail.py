@@ -8,8 +8,6 @@ from dataclasses import replace
 from catopt.answers.blocks import Step, exact
 from catopt.quantities import GREEK
 
-__all__ = ["in_numbers", "in_symbols"]
-
 _MOST = 12
 """Terms of a sum that are all written out; of more, its first two and its last are."""
 _POWERS = {"2": "²", "3": "³"}

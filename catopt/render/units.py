@@ -13,8 +13,6 @@ from catopt.words.labels import Term
 if TYPE_CHECKING:
     from catopt.answers.blocks import Column, Fact, Table
 
-__all__ = ["UNITS", "as_wanted", "in_units"]
-
 UNITS: ContextVar[Units] = ContextVar("UNITS", default="")
 """What the reader of this run asks for; empty: each quantity in its own unit."""
 

@@ -8,8 +8,6 @@ from catopt.answers.blocks import Column, Value
 from catopt.quantities import Quantity
 from catopt.words import Language, Message, say
 
-__all__ = ["cell", "shown"]
-
 
 def shown(
     value: Value, quantity: Quantity | None, language: Language, *, unit: bool = False

@@ -30,8 +30,6 @@ from catopt.render.units import as_wanted
 from catopt.render.values import shown
 from catopt.words import Language, Listed, Message, say
 
-__all__ = ["workbook"]
-
 _WIDTHS = (44.0, 24.0)
 """Of a list of facts, in characters."""
 _MOST_ROWS = 100_000

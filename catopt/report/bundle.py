@@ -23,18 +23,6 @@ if TYPE_CHECKING:
     from catopt.verify.result import Verification
     from catopt.words import Language
 
-__all__ = [
-    "curve_pictures",
-    "design_pictures",
-    "motion_pictures",
-    "reproduction_pictures",
-    "size_files",
-    "solution_pictures",
-    "system_pictures",
-    "verification_pictures",
-]
-
-
 SYSTEM_CASE = "system.toml"
 """The whole pattern of several lines, for ``catopt system``."""
 
@@ -208,17 +196,9 @@ def size_files(
 ) -> dict[str, bytes]:
     """Make the files of ``catopt size ... --out DIR`` beside document, tables and workbook.
 
-    The line in the water, the calculation note, and the case that all commands take; of several
-    lines the case of the whole pattern, too.
-
-    Parameters
-    ----------
-    of : Sizing
-        Of a buoy or a tanker.
-    language : {"en", "vi"}
-        Of the note; the rest is the same in both.
-    given : Given, optional
-        What was asked for; no note without it.
+    The line in the water, the calculation note in a language, and the case that all commands take;
+    of several lines the case of the whole pattern, too.
+    No note where nothing says what was asked for.
     """
     from catopt.casefile import write_case
     from catopt.figures.line import line_in_water

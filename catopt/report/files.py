@@ -17,8 +17,6 @@ from catopt.interrupt import signals_wait
 from catopt.render.plain import document_bytes
 from catopt.schemas import CASE_DIGEST
 
-__all__ = ["check_directory", "with_digest", "write_files"]
-
 _TEMPORARY = re.compile(r"\..+\.\d+\.tmp")
 _STALE = 600.0
 """Seconds after which nobody is still writing a temporary file: all are written within a few."""
@@ -27,10 +25,7 @@ _STALE = 600.0
 def check_directory(directory: Path) -> None:
     """Make sure that files can be written to a directory, or that it can be made; nothing is left.
 
-    Raises
-    ------
-    InputError
-        It is a file, or it cannot be made or written to.
+    Raises InputError where it is a file, or cannot be made or written to.
     """
     if directory.exists() and not directory.is_dir():
         raise _refused(directory, "is a file; give a directory")
@@ -56,23 +51,8 @@ def write_files(
     All are first written under temporary names; only then does each take its place, and with it
     that of an older file of the same name. A signal waits until the last one has. Every document of
     catopt among them carries the digest of its case, which goes first, so that a directory in which
-    even a power cut left parts of two answers is recognised.
-
-    Parameters
-    ----------
-    directory : Path
-        Made when it is missing.
-    contents : mapping of str to bytes
-        File names and what they hold.
-    keep : collection of Path
-        Files that were read, in whose place nothing is written.
-    case : bytes, optional
-        The case file that they are of; that among them when left out.
-
-    Returns
-    -------
-    tuple of Path
-        The files, in the order given.
+    even a power cut left parts of two answers is recognised. That is `case`, or the case file among
+    them; `keep` are files that were read, in whose place nothing is written.
 
     Raises
     ------

@@ -9,19 +9,12 @@ from catopt.quantities import QUANTITIES, Quantity
 from catopt.words.message import Message, say
 from catopt.words.texts import Language, group
 
-__all__ = ["Term", "heading", "is_term", "quantity_label", "quantity_name", "term"]
-
 
 class Term(Message):
     """A word that code or data have in English: ``"sand"``, ``"tanker"``.
 
     It is looked up when it is said in another language, to the letter, among the headings, the
     names of quantities and the group ``terms``; what is in none of them stays as it is.
-
-    Parameters
-    ----------
-    english : str
-        The word.
     """
 
     def __new__(cls, english: str) -> Term:
@@ -63,13 +56,7 @@ def _terms() -> Mapping[str, str]:
 
 
 def quantity_name(key: str) -> Message:
-    """Return the name of a quantity as a message: ``Tension``.
-
-    Parameters
-    ----------
-    key : str
-        Of `catopt.quantities.QUANTITIES`.
-    """
+    """Return the name of a quantity, by its key, as a message: ``Tension``."""
     return Message(f"quantities.{key}")
 
 

@@ -6,8 +6,6 @@ from dataclasses import dataclass, replace
 
 from catopt.quantities import QUANTITIES, Quantity, Units
 
-__all__ = ["Measure", "Unit"]
-
 
 @dataclass(frozen=True)
 class Measure:

@@ -8,8 +8,6 @@ from typing import Literal
 
 from catopt.words.texts import LANGUAGES, Language, text
 
-__all__ = ["Cited", "Listed", "Message", "Sentence", "Several", "Told", "is_said", "say"]
-
 
 class Message(str):
     """A sentence by its key and values; as a `str` it is the English one.
@@ -66,15 +64,7 @@ class Message(str):
 
 
 class Several(Message):
-    """Messages one after the other.
-
-    Parameters
-    ----------
-    parts : iterable of str
-        Messages, or a user's own words.
-    separator : str
-        Between them.
-    """
+    """Messages, or a user's own words, one after the other with a separator between them."""
 
     parts: tuple[str, ...]
     separator: str
@@ -99,12 +89,7 @@ class Several(Message):
 class Listed(Message):
     """Parts of a list, the last two with a word between them: ``a, b and c``.
 
-    Parameters
-    ----------
-    parts : iterable of str
-        At least one.
-    last : {"and", "or"}
-        The word; in English it stands between all of them.
+    The word is "and" or "or"; in English it stands between all of them.
     """
 
     parts: tuple[str, ...]
@@ -133,15 +118,7 @@ _WORDS = {"and": "words.and", "or": "words.or"}
 
 
 class Sentence(Message):
-    """Words made a sentence: with a full stop, and a capital where it is wanted.
-
-    Parameters
-    ----------
-    words : str
-        Message, or a user's own words.
-    capital : bool
-        Whether the first letter becomes a capital.
-    """
+    """Words made a sentence: with a full stop, and a capital where it is wanted."""
 
     words: str
     capital: bool
@@ -170,15 +147,7 @@ def _ended(words: str, capital: bool) -> str:
 class Told(Message):
     """A text of a data file, which has it in every language: ``{ en = "...", vi = "..." }``.
 
-    Parameters
-    ----------
-    texts : mapping of language to str
-        As the file has them.
-
-    Raises
-    ------
-    KeyError
-        A language is missing.
+    Raises KeyError where a language is missing.
     """
 
     texts: Mapping[Language, str]
@@ -206,15 +175,7 @@ class Cited(str):
 
 
 def say(said: str, language: Language) -> str:
-    """Say a message in a language; any other text, a user's own words, stays as it is.
-
-    Parameters
-    ----------
-    said : str
-        Message or text.
-    language : {"en", "vi"}
-        Wanted.
-    """
+    """Say a message in a language; any other text, a user's own words, stays as it is."""
     if not isinstance(said, Message):
         return said
     return str(said) if language == "en" else said.said(language)

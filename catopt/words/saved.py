@@ -9,39 +9,17 @@ from catopt.words.labels import Term
 from catopt.words.measure import Measure
 from catopt.words.message import Listed, Message, Sentence, Several, Told
 
-__all__ = ["messages_in", "with_messages"]
-
 
 def messages_in(document: object) -> dict[str, Any]:
-    """List the messages of a document, so that it can be read in another language.
-
-    Parameters
-    ----------
-    document : object
-        Of dictionaries, lists, numbers and texts; some of these messages.
-
-    Returns
-    -------
-    dict
-        By the English text.
-    """
+    """List the messages of a document by their English, so that another language can be read."""
     return {str(message): _saved(message) for message in _walk(document)}
 
 
 def with_messages(document: Any, messages: Mapping[str, Any]) -> Any:
-    """Put messages for the English texts of a document that was read.
+    """Put messages, as `messages_in` lists them, for the English texts of a document that was read.
 
-    Parameters
-    ----------
-    document : object
-        As read; stays as it is.
-    messages : mapping
-        As `messages_in` lists them; a text that is not in it stays plain.
-
-    Raises
-    ------
-    ValueError
-        A message does not say its text: it is of another edition of catopt, or was changed.
+    A text that is not among them stays plain. Raises ValueError where a message does not say its
+    text: it is of another edition of catopt, or was changed.
     """
     if isinstance(document, str):
         return _said_so(document, messages[document]) if document in messages else document

@@ -11,8 +11,6 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any, Literal, get_args
 
-__all__ = ["LANGUAGES", "Language", "group", "groups", "text"]
-
 Language = Literal["en", "vi"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 
@@ -29,13 +27,7 @@ def groups() -> list[str]:
 
 @cache
 def group(name: str) -> Mapping[str, Mapping[Language, Text]]:
-    """Read one file of texts.
-
-    Raises
-    ------
-    FileNotFoundError
-        There is no such group: a fault of the program.
-    """
+    """Read one file of texts; FileNotFoundError, a fault of the program, where there is none."""
     import tomllib
     from importlib.resources import files
 
@@ -46,21 +38,10 @@ def group(name: str) -> Mapping[str, Mapping[Language, Text]]:
 
 
 def text(key: str, language: Language, values: Mapping[str, object]) -> str:
-    """Look up the text of a key, with its holes.
+    """Look up the text of a key ``GROUP.NAME``, with its holes, in a language.
 
-    Parameters
-    ----------
-    key : str
-        ``GROUP.NAME``.
-    language : {"en", "vi"}
-        In which it is wanted.
-    values : mapping
-        What is put in; ``count`` chooses between the texts for one and for many.
-
-    Raises
-    ------
-    KeyError
-        There is no such text: a fault of the program.
+    ``count`` among the values chooses between the texts for one and for many. Raises KeyError, a
+    fault of the program, where there is no such text.
     """
     where, _, name = key.partition(".")
     found = group(where)[name][language]

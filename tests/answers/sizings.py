@@ -23,8 +23,6 @@ from catopt.sizing import (
     size_tanker,
 )
 
-__all__ = ["around", "by_force"]
-
 
 def _place(low: float, high: float) -> Environment:
     return Environment(WaterLevels(low, high), Wind(20.0), SurfaceCurrent(1.2), SeaState(8.0, 2.0))

@@ -6,8 +6,6 @@ import pandas as pd
 
 from catopt.answers.blocks import Answer, Facts, Table
 
-__all__ = ["tables_of"]
-
 
 def tables_of(answer: Answer) -> dict[str, pd.DataFrame]:
     """Return every table and list of an answer."""

@@ -1,20 +1,34 @@
-"""Every face shows what an answer holds, whatever kind it is."""
+"""Every face shows what an answer or a note holds, whatever kind it is, in both languages."""
 
 from __future__ import annotations
 
 import csv
 import io
 import math
-from collections.abc import Callable, Iterator, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import openpyxl
 import pytest
 
 from catopt import catalogue, check_case, read_case
-from catopt.answers.blocks import Answer, Facts, Table, Text, Value, Verdict
+from catopt.answers.blocks import (
+    Answer,
+    Facts,
+    Figure,
+    FileText,
+    Points,
+    Table,
+    Text,
+    Trail,
+    Value,
+    Verdict,
+    Warnings,
+)
 from catopt.answers.catalogue import catalogue_answer
 from catopt.answers.check import check_answer
 from catopt.answers.curve import curve_answer
@@ -36,14 +50,16 @@ from catopt.loads import Headings, SeaState, Ship, SurfaceCurrent, Wind, ship_lo
 from catopt.mooring.case import report_system
 from catopt.render.csv import csv_files
 from catopt.render.terminal import show
+from catopt.render.trail import in_numbers, in_symbols
 from catopt.render.workbook import workbook
 from catopt.reproduce import reproduce
 from catopt.verify.case import verify_case
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.fatigue import verify_fatigue
 from catopt.verify.front import Design, verify_front
-from catopt.words import LANGUAGES, Language, Message
+from catopt.words import LANGUAGES, Cited, Language, Message, say
 from tests.cli.conftest import CHAIN_IN_MOTION
+from tests.report.notes import IN_MOTION, NOTES, answer_named, page_named
 
 from .sizings import around, by_force
 
@@ -186,7 +202,7 @@ def _body_in_motion() -> Answer:
     return motion_answer(verify_dynamic(parse_case(MOVING + ON_THREE)), with_series=True)
 
 
-KINDS: dict[str, Callable[[], Answer]] = {
+ANSWERS: dict[str, Callable[[], Answer]] = {
     "solution": _solution, "check": _check, "checks of a body": _checks_of_a_body,
     "curve": _curve, "system": _system, "loads": _loads,
     "component": _component, "sizes": _sizes, "search": _search,
@@ -199,18 +215,33 @@ KINDS: dict[str, Callable[[], Answer]] = {
 
 @cache
 def made(kind: str) -> Answer:
-    return KINDS[kind]()
+    return answer_named(kind) if kind in NOTES else ANSWERS[kind]()
 
 
-BY_TRUSS = ("verified body", "motion", "body in motion", "fatigue")
+BY_TRUSS = ("verified body", "motion", "body in motion", "fatigue", *IN_MOTION)
 """They run the truss model, which is compiled for it."""
 
 
-@pytest.fixture(
-    params=[pytest.param(k, marks=pytest.mark.slow) if k in BY_TRUSS else k for k in KINDS]
-)
+def each_of(kinds: Iterable[str]) -> list[Any]:
+    """List kinds, with those that take long among the slow tests."""
+    return [pytest.param(k, marks=pytest.mark.slow) if k in BY_TRUSS else k for k in kinds]
+
+
+@pytest.fixture(params=each_of(ANSWERS))
 def answer(request: pytest.FixtureRequest) -> Answer:
+    """Lay out the answer of a command."""
     return made(request.param)
+
+
+@pytest.fixture(params=each_of((*ANSWERS, *NOTES)))
+def of_any_kind(request: pytest.FixtureRequest) -> Answer:
+    """Lay out an answer or a note."""
+    return made(request.param)
+
+
+@pytest.fixture(params=each_of(NOTES))
+def note(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
 
 
 class Paper:
@@ -272,24 +303,6 @@ def test_csv_holds_every_number(answer: Answer) -> None:
                     assert kept in {value or "", f"'{value}"}
 
 
-def test_the_workbook_holds_every_number(answer: Answer) -> None:
-    book = openpyxl.load_workbook(io.BytesIO(workbook(answer)), data_only=True)
-    cells = {
-        float(f"{cell.value:.16g}")
-        for sheet in book
-        for row in sheet.iter_rows()
-        for cell in row
-        if isinstance(cell.value, int | float)
-    }
-    for table in tables(answer):
-        if table.only != "people":
-            for column in table.for_files():
-                for place in range(table.length):
-                    value = column.in_files(place)
-                    if isinstance(value, int | float) and math.isfinite(value):
-                        assert float(f"{value:.16g}") in cells, (table.name, column.heading)
-
-
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_people_see_every_number_that_is_for_them(answer: Answer, language: Language) -> None:
     paper = Paper()
@@ -326,14 +339,156 @@ OWN = {
 }  # fmt: skip
 """Columns that may hold the user's own words, keys of documents, or what is cited."""
 
+USERS = {
+    "Name", "Load case", "File", "Source", "Date", "Seed", "Chain", "Line", "By", "Formula",
+    "Boundary handling", "Code", "Confidence", "Segments from the anchor; clump weights",
+    "Sinker (mass in air)", "Design",
+    "Governing check", "Change", "Verdict", "Symbol", "Mooring lines", "Title",
+    "Fails by",
+}  # fmt: skip
+"""Headings over what users wrote, documents that are cited, or a document read from a file."""
+
 
 def test_all_other_words_are_messages(answer: Answer) -> None:
+    """What is plain text would stay English in Vietnamese."""
     for block in answer.blocks:
         if isinstance(block, Text | Verdict):
             assert isinstance(block.said, Message), block.said
     for table in tables(answer):
         assert isinstance(table.caption, Message) or not table.caption
-        for column in table.columns:
-            assert isinstance(column.name, Message), column.name
-            if str(column.name) not in OWN:
-                assert not [value for value in column.values if users_words(value)], column.name
+        assert plain_words(table, OWN) == []
+
+
+def test_all_other_words_of_notes_are_messages(note: str) -> None:
+    for table in tables(made(note)):
+        if table.name != "pieces":  # the equations that they are by
+            found = plain_words(table, OWN | USERS)
+            assert not [each for each in found if not re.match(r"[\d(<]", each)]
+    for block in made(note).blocks:
+        if isinstance(block, Trail):
+            assert all(isinstance(step.name, Message) for step in block.steps)
+
+
+def plain_words(table: Table, own: set[str]) -> list[str]:
+    """List what stands in columns that are not for the user's own words and is no message."""
+    assert all(isinstance(column.name, Message) for column in table.columns), table.name
+    return [
+        str(value)
+        for column in table.columns
+        if str(column.name) not in own
+        for value in column.values
+        if users_words(value) and not isinstance(value, Cited)
+    ]
+
+
+def plain(text: str) -> str:
+    """Without what browsers fold."""
+    return re.sub(r"\s+", " ", text)
+
+
+def for_people(table: Table) -> Iterator[tuple[Value, bool]]:
+    """Yield every value that people see of a table, and whether it is a number in SI."""
+    shown = range(table.length) if table.shown is None else table.shown
+    rows = [row for _, part in table.parts for row in part] or shown
+    for column in table.columns:
+        if column.only in {"all", "people"}:
+            for row in rows:
+                value = column.values[row]
+                is_number = isinstance(value, int | float) and math.isfinite(value)
+                yield value, is_number
+
+
+def numbers_of(answer: Answer) -> Iterator[float]:
+    """Yield every number that people see, in SI."""
+    for block in answer.blocks:
+        if isinstance(block, Table) and block.only in {"all", "not csv", "people"}:
+            yield from (float(value) for value, is_number in for_people(block) if is_number)  # type: ignore[arg-type]
+        elif isinstance(block, Facts) and block.only in {"all", "not csv", "people"}:
+            for fact in block.facts:
+                if isinstance(fact.value, int | float) and fact.only != "files":
+                    yield float(fact.value)
+        elif isinstance(block, Trail):
+            for step in block.steps:
+                yield from (value for value in (step.value, step.stated) if value is not None)
+
+
+def words_of(answer: Answer, language: Language) -> Iterator[str]:
+    """Yield everything that is said in words."""
+    for section in answer.sections:
+        yield say(section.title, language)
+        for block in section.blocks:
+            if (isinstance(block, Text) and block.only in {"all", "people"}) or isinstance(
+                block, Verdict
+            ):
+                yield say(block.said, language)
+            elif isinstance(block, Warnings | Points):
+                yield from (say(each, language) for each in block.said)
+            elif isinstance(block, Trail):
+                for step in block.steps:
+                    yield from (say(step.name, language), in_symbols(step), in_numbers(step))
+            elif isinstance(block, FileText):
+                yield block.text
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_holds_every_number_and_every_word(note: str, language: Language) -> None:
+    answer, read = made(note), page_named(note, language)
+    cells = [cell for table in read.tables for row in table.rows for cell in row]
+    shown = {cell.value for cell in cells if cell.value is not None}
+    assert list(read.sections) == [section.name for section in answer.sections]
+    for value in numbers_of(answer):
+        assert value in shown
+    said = plain(" ".join(element.text for element in read.elements))
+    for words in words_of(answer, language):
+        assert plain(words) in said
+    figures = [each.attributes.get("data-figure") for each in read.tagged("figure")]
+    wanted = [block.chart.name for block in answer.blocks if isinstance(block, Figure)]
+    assert figures == wanted
+
+
+def in_files(answer: Answer) -> Iterator[float]:
+    """Yield every number that workbooks have, in the unit that they have it in."""
+    for block in answer.blocks:
+        table = block.as_table() if isinstance(block, Facts) else block
+        if isinstance(table, Table) and table.only != "people":
+            for column in table.for_files():
+                for row in range(table.length):
+                    value = column.in_files(row)
+                    if isinstance(value, int | float) and math.isfinite(value):
+                        yield float(value)
+        elif isinstance(block, Trail):
+            known = (step for step in block.steps if step.value is not None)
+            yield from (step.quantity.in_files(step.value) for step in known)  # type: ignore[arg-type]
+
+
+def cells(answer: Answer, language: Language = "en") -> Iterator[Any]:
+    """Yield what the cells of the workbook hold."""
+    book = openpyxl.load_workbook(io.BytesIO(workbook(answer, language)), data_only=True)
+    yield from (cell.value for sheet in book for row in sheet.iter_rows() for cell in row)
+
+
+def test_the_workbook_holds_every_number(of_any_kind: Answer) -> None:
+    there = cells(of_any_kind)
+    numbers = {float(f"{each:.16g}") for each in there if isinstance(each, int | float)}
+    for value in in_files(of_any_kind):
+        assert float(f"{value:.16g}") in numbers
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_workbook_of_a_note_holds_every_word(note: str, language: Language) -> None:
+    answer = made(note)
+    said = plain(" ".join(each for each in cells(answer, language) if isinstance(each, str)))
+    for block in answer.blocks:
+        if isinstance(block, Text | Verdict):
+            assert plain(say(block.said, language)) in said
+        elif isinstance(block, Points | Warnings):
+            assert all(plain(say(each, language)) in said for each in block.said)
+
+
+def test_both_languages_have_the_same_numbers(note: str) -> None:
+    english, vietnamese = (
+        [cell.value for table in page_named(note, language).tables for row in table.rows
+         for cell in row]
+        for language in LANGUAGES
+    )  # fmt: skip
+    assert english == vietnamese

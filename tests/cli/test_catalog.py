@@ -52,14 +52,6 @@ def own(tmp_path: Path) -> Path:
 # ------------------------------------------------------------------ what a reader sees
 
 
-@pytest.mark.parametrize("question", QUESTIONS, ids=" ".join)
-def test_it_fits_80_columns_and_nothing_is_cut_off(run: Run, question: tuple[str, ...]) -> None:
-    ran = run("catalog", *question)
-    assert (ran.status, ran.err) == (0, "")
-    assert "…" not in ran.out
-    assert max(map(len, ran.out.splitlines())) <= 80
-
-
 def test_list_names_every_family_grade_and_range(run: Run) -> None:
     shown = " ".join(run("catalog", "list").out.split())
     for family in catalogue.families():
@@ -275,11 +267,3 @@ def test_nothing_found_is_3_and_names_the_strongest(run: Run) -> None:
         " ".join(ran.err.split())
     )
     assert "22286.0 kN" in ran.err
-
-
-def test_a_file_in_the_way_is_2(run: Run, tmp_path: Path) -> None:
-    path = tmp_path / "file"
-    path.write_text("mine", encoding="utf-8")
-    ran = run("catalog", "list", "--json", "--out", path)
-    assert (ran.status, ran.out) == (2, "")
-    assert "--out: " in ran.err

@@ -152,12 +152,6 @@ def test_the_files(run: Run, case: Path, tmp_path: Path) -> None:
     assert column(book["Load cases"], "Load case") == ["storm", "day"]
 
 
-def test_a_file_in_the_way_is_2(run: Run, case: Path) -> None:
-    ran = run("check", case, "--out", case)
-    assert (ran.status, ran.out) == (2, "")
-    assert "is a file; give a directory" in ran.err
-
-
 # ------------------------------------------------------------------ a body with several lines
 
 

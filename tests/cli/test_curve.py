@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import json
 import math
-import zipfile
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import openpyxl
 import pytest
 
 import catopt
 from catopt.errors import InputError
 
 from .conftest import BUOY, CASES, Run, without_digest
-from .test_json import document_of, validate
-from .test_out import column, names, png_size, rows
+from .test_json import document_of
+from .test_out import names, png_size, rows
 
 TANKER = CASES / "tanker-20m-find-length" / "case.toml"
 FILES = {
@@ -86,15 +84,6 @@ def test_a_line_on_the_bed_has_no_stiffness_in_the_document(run: Run, tmp_path: 
     assert " - " in words(run("curve", path).out)
 
 
-def test_a_stray_document_is_rejected(run: Run) -> None:
-    document = document_of(run, "curve", BUOY)
-    import jsonschema
-
-    for change in ({"span": [1.0]}, {"regime": ["flying"] * 50}, {"over": "time"}):
-        with pytest.raises(jsonschema.ValidationError):
-            validate({**document, **change})
-
-
 # ------------------------------------------------------------------ the range
 
 
@@ -154,20 +143,6 @@ def test_a_range_beyond_the_line_is_3_and_says_by_how_much(run: Run) -> None:
         assert f"below a span of {math.sqrt(20.0**2 - 9.5**2):.6g} m" in ran.err
 
 
-def test_a_case_without_an_answer_is_3(run: Run, too_short: Path) -> None:
-    ran = run("curve", too_short)
-    assert (ran.status, ran.out) == (3, "")
-    assert "1 m too short" in ran.err
-
-
-def test_a_wrong_case_is_2_under_its_own_key(run: Run, tmp_path: Path) -> None:
-    path = tmp_path / "case.toml"
-    path.write_text(BUOY.read_text("utf-8").replace('"20 m"', '"20 kg"'), encoding="utf-8")
-    ran = run("curve", path)
-    assert ran.status == 2
-    assert "line.segments[0].length: found" in ran.err
-
-
 def test_another_function_s_input_error_is_passed_on(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -183,24 +158,6 @@ def test_another_function_s_input_error_is_passed_on(
 
 
 # ------------------------------------------------------------------ the terminal
-
-
-def test_the_answer_in_words(run: Run) -> None:
-    shown = run("curve", TANKER, "--over", "offset").out
-    plain = words(shown)
-    for part in (
-        "Tanker in 20 m, length sought Load curve by closed form, 50 points",
-        "Range: from 1 % to 105 % of 1334.544 kN, the horizontal force with a segment at MBL / 5.",
-        "Found length of segment 1: 47.208 m, for the inclination at the anchor 0 deg.",
-        "Offset 0 is at a span of 41.906 m.",
-        "20 of 50 points",
-        "clump weight 1 begins to lift (sinker)",
-        "grounded -> suspended 0.000 450.000 540.354",
-        "segment 1 reaches MBL / 5 (chain 105 mm)",
-    ):
-        assert part in plain
-    assert max(map(len, shown.splitlines())) <= 80
-    assert "…" not in shown
 
 
 def test_few_points_are_all_shown_and_no_marks_are_said(run: Run) -> None:
@@ -241,40 +198,3 @@ def test_it_writes_its_files(run: Run, tmp_path: Path) -> None:
         assert all(heading in text or heading.endswith(")") for heading in row)
     assert png_size(out / "curve.png")[0] == 1440  # the width of the page
     assert "</svg>" in (out / "curve.svg").read_text("utf-8")
-
-
-def test_the_workbook_holds_the_points_and_a_native_chart(run: Run, tmp_path: Path) -> None:
-    document = json.loads(run("curve", TANKER, "--json", "--out", tmp_path).out)
-    book = openpyxl.load_workbook(tmp_path / "curve.xlsx")
-    assert book.sheetnames == ["Curve", "Marks", "Inputs", "Results"]
-    assert column(book["Curve"], "Span S (m)") == pytest.approx(document["span_m"], rel=1e-15)
-    tensions = [tension / 1e3 for tension in document["fairlead_tension_N"]]
-    assert column(book["Curve"], "Fairlead tension T (kN)") == pytest.approx(tensions, rel=1e-15)
-    assert column(book["Marks"], "What happens")[0].endswith("begins to lift (sinker)")
-    with zipfile.ZipFile(tmp_path / "curve.xlsx") as package:
-        (chart,) = [name for name in package.namelist() if "charts/chart" in name]
-        text = package.read(chart).decode("utf-8")
-    for cells in ("Curve!$A$2:$A$51", "Curve!$C$2:$C$51", "Curve!$D$2:$D$51", "<c:legend>"):
-        assert cells in text
-
-
-def test_the_files_of_solve_in_the_same_directory_stay(run: Run, tmp_path: Path) -> None:
-    assert run("solve", BUOY, "--out", tmp_path).status == 0
-    before = names(tmp_path)
-    assert run("curve", BUOY, "--out", tmp_path).status == 0
-    assert names(tmp_path) == before | FILES
-    assert before & FILES == {"case.toml"}
-
-
-def test_a_file_in_the_way_is_2_before_anything_is_computed(
-    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def never(*_: object, **__: object) -> None:
-        raise AssertionError("computed, although nothing can be written")
-
-    monkeypatch.setattr("catopt.catenary.case_curve.curve_case", never)
-    path = tmp_path / "file"
-    path.write_text("mine", encoding="utf-8")
-    ran = run("curve", BUOY, "--out", path)
-    assert (ran.status, ran.out) == (2, "")
-    assert "--out: " in ran.err

@@ -65,12 +65,55 @@ def test_a_swarm_seeks_nothing(run: Run, sought: Path) -> None:
     assert "find: found length; the swarm method seeks nothing" in ran.err
 
 
-def test_no_equilibrium_is_3_and_says_how_much_is_missing(run: Run, too_short: Path) -> None:
-    for method in ("closed-form", "pso"):
-        ran = run("solve", too_short, "--method", method)
-        assert (ran.status, ran.out) == (3, "")
-        assert "1 m" in ran.err
-        assert "Traceback" not in ran.err
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["solve"], ["solve", "--method", "pso"], ["curve"], ["verify"], ["report"],
+        ["export", "--to", "dxf"],
+    ],
+    ids=" ".join,
+)  # fmt: skip
+def test_no_equilibrium_is_3_says_how_much_is_missing_and_writes_nothing(
+    run: Run, too_short: Path, tmp_path: Path, command: list[str]
+) -> None:
+    ran = run(command[0], too_short, *command[1:], "--out", tmp_path / "out")
+    assert (ran.status, ran.out) == (3, "")
+    assert "1 m" in ran.err
+    assert "Traceback" not in ran.err
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("command", "computes"),
+    [
+        (["solve", BUOY], "catopt.catenary.case.solve_case"),
+        (["check", BUOY], "catopt.checks.case.check_case"),
+        (["curve", BUOY], "catopt.catenary.case_curve.curve_case"),
+        (["verify", BUOY], "catopt.verify.case.verify_case"),
+        (["reproduce"], "catopt.reproduce.reproduce"),
+        (["catalog", "list"], ""),
+    ],
+    ids=lambda each: each[0] if isinstance(each, list) else "",
+)
+def test_a_file_in_the_way_is_2_before_anything_is_computed(
+    run: Run,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    command: list[object],
+    computes: str,
+) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("computed, although nothing can be written")
+
+    if computes:
+        monkeypatch.setattr(computes, never)
+    path = tmp_path / "file"
+    path.write_text("mine", encoding="utf-8")
+    for out in (path, path / "below"):
+        ran = run(*command, "--json", "--out", out)
+        assert (ran.status, ran.out) == (2, "")
+        assert "--out: " in ran.err
+    assert path.read_text("utf-8") == "mine"
 
 
 def test_not_converged_is_4_and_no_result(run: Run) -> None:

@@ -42,18 +42,13 @@ def test_the_document_the_files_and_strict(run: Run, tmp_path: Path) -> None:
     assert (tmp_path / "out" / "fatigue.xlsx").stat().st_size > 0
 
 
-def test_in_vietnamese(run: Run) -> None:
-    ran = run("fatigue", EXAMPLE, "--once", "--lang", "vi")
-    assert "Dây không bền được 20 năm" in ran.out
-    assert "KHÔNG ĐẠT" in ran.out
-
-
 def test_a_case_without_fatigue_says_so(run: Run) -> None:
     ran = run("fatigue", BUOY)
     assert ran.status == 2
     assert "fatigue: [fatigue] is missing" in ran.err
 
 
+@pytest.mark.slow
 def test_a_damage_that_hangs_on_the_step_is_status_4(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:

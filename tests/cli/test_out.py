@@ -31,8 +31,6 @@ OF_SWARM = {
     "swarm_tension.svg",
 }
 MOORINGS = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable")
-TEXT = {"Title", "Source", "Method", "Regime", "Warnings", "Name", "Best run"}
-COUNTS = {"Segment", "Point load", "Run", "Iteration", "Iterations flown"}
 
 
 def names(directory: Path) -> set[str]:
@@ -42,11 +40,6 @@ def names(directory: Path) -> set[str]:
 def rows(path: Path) -> list[dict[str, str]]:
     with path.open(encoding="utf-8", newline="") as stream:
         return list(csv.DictReader(stream))
-
-
-def listed(sheet: Any) -> dict[str, Any]:
-    """Read a sheet's list of quantities: heading and value."""
-    return {row[0]: row[1] for row in sheet.iter_rows(min_row=2, max_col=2, values_only=True)}
 
 
 def column(sheet: Any, heading: str) -> list[Any]:
@@ -76,12 +69,6 @@ def test_the_swarm_adds_its_own(run: Run, tmp_path: Path) -> None:
     assert json.loads(ran.out)["method"] == "pso"
 
 
-def test_point_loads_have_a_table(run: Run, tmp_path: Path, chain_and_wire: Path) -> None:
-    run("solve", chain_and_wire, "--out", tmp_path / "out")
-    (load,) = rows(tmp_path / "out" / "point_loads.csv")
-    assert load["Position from the anchor (m)"] == "800.0"
-
-
 @pytest.mark.slow
 def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> None:
     assert run("reproduce", "--out", tmp_path / "out").status == 0
@@ -102,18 +89,6 @@ def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> N
     assert column(book["Comparison"], "Verdict") == [item["verdict"] for item in items]
 
 
-def test_every_heading_of_a_number_carries_its_unit(
-    run: Run, tmp_path: Path, chain_and_wire: Path
-) -> None:
-    run("solve", BUOY, "--method", "pso", "--out", tmp_path / "a")
-    run("solve", chain_and_wire, "--out", tmp_path / "b")
-    paths = [*(tmp_path / "a").glob("*.csv"), *(tmp_path / "b").glob("*.csv")]
-    assert len(paths) == 7 + 7
-    for path in paths:
-        for heading in rows(path)[0]:
-            assert heading in TEXT | COUNTS or heading.endswith(")"), f"{path.name}: {heading}"
-
-
 def test_csv_holds_the_document_s_numbers_in_the_field_s_units(run: Run, tmp_path: Path) -> None:
     document = json.loads(run("solve", BUOY, "--json", "--profile", "--out", tmp_path).out)
     (summary,) = rows(tmp_path / "summary.csv")
@@ -125,50 +100,6 @@ def test_csv_holds_the_document_s_numbers_in_the_field_s_units(run: Run, tmp_pat
     profile = rows(tmp_path / "profile.csv")
     heights = [float(row["Height above the seabed z (m)"]) for row in profile]
     assert heights == document["profile"]["z_m"]
-
-
-def test_the_workbook_holds_the_document_s_numbers(
-    run: Run, tmp_path: Path, chain_and_wire: Path
-) -> None:
-    document = json.loads(
-        run("solve", chain_and_wire, "--json", "--profile", "--out", tmp_path).out
-    )
-    book = openpyxl.load_workbook(tmp_path / "solution.xlsx")
-    assert book.sheetnames == ["Inputs", "Results", "Line shape"]
-    results = listed(book["Results"])
-    for heading, value, unit in (
-        ("Span S (m)", document["span_m"], 1.0),
-        ("Fairlead tension T (kN)", document["fairlead"]["tension_N"], 1e3),
-        ("Fairlead tension T (tf)", document["fairlead"]["tension_N"], 9806.65),
-        ("Inclination at the fairlead theta1 (rad)", document["fairlead"]["angle_rad"], 1.0),
-        ("Anchor horizontal force (kN)", document["anchor"]["horizontal_force_N"], 1e3),
-        ("Grounded length (m)", document["grounded_length_m"], 1.0),
-        ("Residual of the height (m)", document["residual"]["height_m"], 1.0),
-    ):
-        assert close(results[heading], value / unit), heading
-    shape = book["Line shape"]
-    for heading, key, unit in (
-        ("Arc length s (m)", "s_m", 1.0),
-        ("Distance from the anchor x (m)", "x_m", 1.0),
-        ("Height above the seabed z (m)", "z_m", 1.0),
-        ("Tension T (kN)", "tension_N", 1e3),
-    ):
-        found = column(shape, heading)
-        wanted = document["profile"][key]
-        assert len(found) == len(wanted)
-        assert all(close(a, b / unit) for a, b in zip(found, wanted, strict=True)), heading
-
-
-def test_the_swarm_s_sheet(run: Run, tmp_path: Path) -> None:
-    document = json.loads(run("solve", BUOY, "--method", "pso", "--json", "--out", tmp_path).out)
-    book = openpyxl.load_workbook(tmp_path / "solution.xlsx")
-    assert book.sheetnames == ["Inputs", "Results", "Line shape", "Swarm"]
-    history = column(book["Swarm"], "Best objective f (m)")
-    assert history == sorted(history, reverse=True), "the best so far never gets worse"
-    assert close(history[-1], document["pso"]["objective"])
-    values = [row[1] for row in book["Swarm"].iter_rows(max_col=2, values_only=True)]
-    place = values.index("Objective f (m)")
-    assert values[place + 1] == document["pso"]["objective"]
 
 
 def png_size(path: Path) -> tuple[int, int]:
@@ -196,28 +127,3 @@ def test_other_files_stay_and_files_of_the_same_name_are_replaced(run: Run, tmp_
     assert names(tmp_path) == PLAIN | {"notes.txt"}
     assert (tmp_path / "notes.txt").read_text("utf-8") == "mine"
     assert "Span S (m)" in (tmp_path / "summary.csv").read_text("utf-8")
-
-
-@pytest.mark.parametrize("command", [["solve", BUOY], ["reproduce"]], ids=["solve", "reproduce"])
-def test_a_file_in_the_way_is_2_before_anything_is_computed(
-    run: Run, tmp_path: Path, command: list[object], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def never(*_: object, **__: object) -> None:
-        raise AssertionError("computed, although nothing can be written")
-
-    monkeypatch.setattr("catopt.catenary.case.solve_case", never)
-    monkeypatch.setattr("catopt.reproduce.reproduce", never)
-    path = tmp_path / "file"
-    path.write_text("mine", encoding="utf-8")
-    for out in (path, path / "below"):
-        ran = run(*command, "--json", "--out", out)
-        assert (ran.status, ran.out) == (2, "")
-        assert "--out: " in ran.err
-    assert path.read_text("utf-8") == "mine"
-
-
-def test_nothing_is_written_when_there_is_no_answer(
-    run: Run, tmp_path: Path, too_short: Path
-) -> None:
-    assert run("solve", too_short, "--out", tmp_path / "out").status == 3
-    assert not (tmp_path / "out").exists()

@@ -123,19 +123,6 @@ def test_a_truss_without_an_answer_is_told_and_the_note_written(
     assert any("not verified" in warning for warning in document["warnings"])
 
 
-def test_the_same_case_gives_the_same_page(run: Run) -> None:
-    for name in ("a.html", "b.html"):
-        run("report", BUOY, "--out", name)
-    assert Path("a.html").read_bytes() == Path("b.html").read_bytes()
-
-
-def test_a_page_is_replaced_whole(run: Run) -> None:
-    Path("note.html").write_text("an older one that is longer " * 100_000)
-    run("report", BUOY, "--out", "note.html")
-    assert Path("note.html").read_text("utf-8").endswith("</html>\n")
-    assert [path.name for path in Path().iterdir()] == ["note.html"]
-
-
 def test_a_design_is_named_or_recommended(run: Run, tmp_path: Path) -> None:
     directory = design_directory(tmp_path)
     document = json.loads(run("report", directory, "--json").out)

@@ -42,7 +42,7 @@ def document(run: Run, *arguments: str) -> dict[str, Any]:
 
 @pytest.mark.parametrize(
     "arguments",
-    [BUOY, OWN, SHIP, pytest.param(AROUND, marks=pytest.mark.slow), SINKER],
+    [BUOY, *(pytest.param(each, marks=pytest.mark.slow) for each in (OWN, SHIP, AROUND, SINKER))],
     ids=["buoy", "own", "ship", "around", "sinker"],
 )
 def test_the_document_is_that_of_its_schema_and_the_view_fits(
@@ -269,6 +269,18 @@ def test_an_end_of_the_answers_is_told(run: Run, monkeypatch: pytest.MonkeyPatch
     ran = run("size", "buoy")
     assert (ran.status, ran.out) == (2, "")
     assert "--depth: missing; nobody answered" in ran.err
+
+
+def test_questions_in_vietnamese(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    left = answering(monkeypatch, "raft", "own", "8 kN", "25 kN", "12 m", "", "", "")
+    ran = run("size", "buoy", "--lang", "vi")
+    assert (ran.status, left) == (0, [])
+    assert '"raft" không có trong danh sách' in ran.err
+    assert "Độ sâu nước ở mực nước thấp [12 m]: " in ran.err
+    left = answering(monkeypatch, "", "120 m", "18 m", "7 m", "22 m", "", "", "", "")
+    ran = run("size", "tanker", "--lang", "vi")
+    assert (ran.status, left) == (0, [])
+    assert "Chiều dài toàn bộ của tàu: " in ran.err
 
 
 @pytest.mark.parametrize("command", ["buoy", "tanker"])

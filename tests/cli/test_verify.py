@@ -18,7 +18,7 @@ from catopt.errors import NotConvergedError
 from catopt.model import Case
 
 from .conftest import BUOY, CASES, Ran, Run, without_digest
-from .test_cold_start import FSO, HEAVY, loaded
+from .test_cold_start import loaded
 
 DESIGN = CASES / "design-buoy-9.5m" / "case.toml"
 
@@ -99,13 +99,6 @@ def test_every_load_case(run: Run) -> None:
     assert [part["load_case"] for part in document(ran)["load_cases"]] == ["everyday"]
 
 
-def test_a_system(run: Run) -> None:
-    ran = run("verify", FSO, "--elements", 60)
-    assert ran.status == 0
-    assert "-21.738" in ran.out
-    assert fits(ran.out)
-
-
 def test_a_line_that_touches_twice(run: Run, twice: Path) -> None:
     ran = run("verify", twice, "--strict")
     assert (ran.status, ran.err) == (0, "")
@@ -162,11 +155,6 @@ def test_wrong_input_is_2(run: Run, arguments: list[object], said: str) -> None:
     ran = run("verify", *arguments)
     assert (ran.status, ran.out) == (2, "")
     assert said in ran.err
-
-
-def test_no_equilibrium_is_3(run: Run, too_short: Path) -> None:
-    ran = run("verify", too_short)
-    assert (ran.status, ran.out) == (3, "")
 
 
 # ------------------------------------------------------------------ fronts
@@ -253,10 +241,6 @@ def test_out_of_a_front(run: Run, front: Path, tmp_path: Path) -> None:
 
 
 # ------------------------------------------------------------------ cold start
-
-
-def test_help_loads_nothing_heavy() -> None:
-    assert loaded("verify", "--help") & (HEAVY | {"rich"}) == set()
 
 
 def test_the_truss_model_is_loaded_by_verify_alone() -> None:

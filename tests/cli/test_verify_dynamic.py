@@ -258,6 +258,7 @@ def test_workers_that_make_no_sense_are_refused(
     assert said in ran.err
 
 
+@pytest.mark.slow
 def test_extremes_are_in_every_form_with_their_duration_and_interval(
     run: Run, tmp_path: Path
 ) -> None:

@@ -1,4 +1,4 @@
-"""What is said in Vietnamese, and what the workbooks of both languages have in common."""
+"""What the answers and workbooks of both languages have in common."""
 
 from __future__ import annotations
 
@@ -6,18 +6,6 @@ import re
 from io import BytesIO
 
 import openpyxl
-
-from catopt.words import Message, is_term, say, term
-
-__all__ = ["in_vietnamese", "numbers", "said_alike"]
-
-
-def in_vietnamese(english: str) -> str:
-    """Say what the code says in English; it must be known by its key, or a term."""
-    if isinstance(english, Message):
-        return say(english, "vi")
-    assert is_term(english)
-    return say(term(english), "vi")
 
 
 def numbers(workbook: bytes) -> list[tuple[int, str, object, str]]:

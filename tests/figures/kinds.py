@@ -18,8 +18,6 @@ from catopt.mooring.watch_circle import WatchCircle
 from tests.report.conftest import report_with
 from tests.report.system_page_cases import TURRET, known_note
 
-__all__ = ["KINDS", "LONG", "leg", "made", "short"]
-
 LONG = (
     "Phao $dấu hiệu$ luồng số 1, độ sâu 9,5 m: a title that somebody made far longer than any "
     "page is wide, so that it folds twice and is then cut off at its end, which is here"

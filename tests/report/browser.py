@@ -14,17 +14,6 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, Literal
 
-__all__ = [
-    "BEYOND",
-    "CHROMIUM",
-    "CLASHES",
-    "FONTS",
-    "OFF_PAPER",
-    "Tab",
-    "assert_nothing_sticks_out",
-    "chromium",
-]
-
 FONTS = ("DejaVu Sans", "Liberation Sans", "Noto Sans")
 """What a page may be read in: a wide font, a narrow one, a tall one (packages in .ci/run)."""
 

@@ -15,16 +15,6 @@ from catopt.words import Language
 from .page_reader import ReadPage, read_page
 from .rendered import page_of, workbook_of
 
-__all__ = [
-    "HARMONIC",
-    "RANDOM",
-    "SWARM",
-    "further_case",
-    "further_note",
-    "further_page",
-    "same_words",
-]
-
 SWARM = """
 title = "Chain by the swarm"
 [site]

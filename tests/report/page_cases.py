@@ -13,17 +13,6 @@ from catopt.words import Language
 from .page_reader import ReadPage, read_page
 from .rendered import page_of
 
-__all__ = [
-    "CASES",
-    "EVERY",
-    "FILES",
-    "TEXTS",
-    "case_path",
-    "design_directory",
-    "known_note",
-    "known_page",
-]
-
 CASES = Path(__file__).parents[2] / "cases"
 FILES = ("buoy-9.5m", "buoy-9.5m-slack", "ship-200m-sinker", "tanker-20m", "tanker-20m-sinker")
 """Case files that come with catopt."""

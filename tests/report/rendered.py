@@ -12,8 +12,6 @@ from catopt.words import Language
 if TYPE_CHECKING:
     from catopt.cli.note_kind import AnyNote
 
-__all__ = ["page_of", "workbook_of"]
-
 
 def page_of(note: AnyNote, language: Language = "en") -> bytes:
     """Render the page of a note."""

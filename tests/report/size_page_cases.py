@@ -15,8 +15,6 @@ from .page_cases import CASES
 from .page_reader import ReadPage, read_page
 from .rendered import page_of
 
-__all__ = ["EVERY", "FILES", "TEXTS", "known_size_note", "known_size_page", "sizing_path"]
-
 FILES: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}
 """Sizing files that come with catopt."""
 

@@ -13,8 +13,6 @@ from .page_cases import CASES
 from .page_reader import ReadPage, read_page
 from .rendered import page_of
 
-__all__ = ["EVERY", "TEXTS", "TURRET", "known_note", "known_page", "system_path"]
-
 TURRET = "fso-rang-dong"
 """The case file that comes with catopt: nine lines in three bundles, force along one of them."""
 

@@ -3,27 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import pytest
 
-from catopt.cli.note_kind import answer_of
-from catopt.render.page import page
-from catopt.words import Language
-from tests.reports import NOTES
+from catopt.words import LANGUAGES, Language
+from tests.reports import NOTES as SHIPPED_NOTES
 
-from .further_cases import further_note
-from .page_cases import known_note
+from .notes import NOTES, page_named
 from .page_reader import ReadPage, read_page
-from .size_page_cases import known_size_note
-from .system_page_cases import known_note as known_system_note
 
-if TYPE_CHECKING:
-    from catopt.cli.note_kind import AnyNote
-
-SHIPPED = sorted(NOTES.glob("*.html"))
+SHIPPED = sorted(SHIPPED_NOTES.glob("*.html"))
 
 
 @pytest.fixture(params=SHIPPED, ids=lambda path: path.stem)
@@ -32,21 +22,11 @@ def shipped(request: pytest.FixtureRequest) -> ReadPage:
     return read_page(path.read_bytes())
 
 
-IN_BOTH: dict[str, Callable[[], AnyNote]] = {
-    "line": lambda: known_note("leg"),
-    "load cases": lambda: known_note("states"),
-    "motion": lambda: further_note("harmonic"),
-    "body": lambda: known_system_note("pulled"),
-    "buoy": lambda: known_size_note("size-buoy"),
-    "tanker": lambda: known_size_note("size-tanker"),
-    "several lines": lambda: known_size_note("six"),
-}
-
-
-@pytest.fixture(params=[(kind, language) for kind in IN_BOTH for language in ("en", "vi")])
+@pytest.fixture(
+    params=[(name, language) for name in (*NOTES, "size-tanker") for language in LANGUAGES]
+)
 def of_a_kind(request: pytest.FixtureRequest) -> ReadPage:
-    kind, language = request.param
-    return read_page(page(answer_of(IN_BOTH[kind]()), language))
+    return page_named(*request.param)
 
 
 SIGNED: dict[Language, list[str]] = {

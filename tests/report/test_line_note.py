@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import base64
 import hashlib
-import math
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,13 +15,11 @@ from catopt.notes.directory import Asked
 from catopt.notes.inputs import inputs_of
 from catopt.notes.line import Note, note_of, read_note
 from catopt.notes.origin import SourceFile, file_name
-from catopt.quantities import QUANTITIES
-from catopt.units import UNITS
 
 from .conftest import buoy_case, report_with
 from .further_cases import further_note
 from .page_cases import CASES, EVERY, TEXTS, case_path, design_directory, known_note, known_page
-from .page_reader import ReadCell, ReadPage, read_page
+from .page_reader import ReadPage, read_page
 from .rendered import page_of
 
 
@@ -48,38 +43,6 @@ def designed(tmp_path: Path) -> Note:
     return read_note(design_directory(tmp_path))
 
 
-def test_the_page_is_well_formed_and_refers_to_nothing(note: Note) -> None:
-    source = page_of(note)
-    page = read_page(source)
-    assert page.unclosed == []
-    assert not {element.tag for element in page.elements} & {"link", "img", "iframe", "object"}
-    for element in page.elements:
-        assert not {"src", "href", "srcset", "style", "onclick"} & set(element.attributes), element
-        assert "://" not in " ".join(element.attributes.values()), element
-    for element in (*page.tagged("style"), *page.tagged("script")):
-        assert not re.search(r"url\(|@import|https?:|fetch|XMLHttp|import\(", element.text)
-
-
-def test_only_the_pages_own_script_may_run(note: Note) -> None:
-    page = read_page(page_of(note))
-    (policy,) = (
-        element.attributes["content"]
-        for element in page.tagged("meta")
-        if element.attributes.get("http-equiv") == "Content-Security-Policy"
-    )
-    (script,) = (each for each in page.tagged("script") if "type" not in each.attributes)
-    digest = base64.b64encode(hashlib.sha256(script.text.encode()).digest()).decode()
-    assert f"script-src 'sha256-{digest}'" in policy
-    assert "default-src 'none'" in policy
-
-
-def test_the_same_case_gives_the_same_bytes(tmp_path: Path, name: str) -> None:
-    path = case_path(tmp_path, name)
-    first, second = (page_of(read_note(path), "vi") for _ in range(2))
-    assert first == second
-    assert str(tmp_path).encode() not in first
-
-
 def test_a_date_stands_only_where_one_is_given() -> None:
     path = CASES / "buoy-9.5m" / "case.toml"
     dated = read_page(page_of(read_note(path, date="21 November 2026")))
@@ -96,75 +59,11 @@ def test_a_line_that_is_just_level_at_its_anchor_is_not_said_to_lie_on_the_bed()
     assert hangs == "the whole line hangs, just level at its anchor"
 
 
-HOSTILE = [
-    "<script>alert(1)</script>",
-    '"><img src=x onerror=alert(1)>',
-    "</title></style></script><b>",
-    "$math$ {{ 7*7 }} {% raw %}",
-    'it\'s "quoted" & <b>bold</b> &amp;',
-    "phao luồng Hải Phòng – số 1",
-]
-
-
-@pytest.mark.parametrize("text", HOSTILE)
-def test_what_the_user_writes_is_text_and_nothing_else(text: str) -> None:
-    case = buoy_case(title=text, source=text)
-    line = replace(case.line.segments[0], name=text)
-    case = replace(case, line=type(case.line)([line]))
-    source = SourceFile(text, f"title = '''{text}'''", "0" * 64)
-    page = read_page(page_of(note_of(case, (source,), date=text)))
-    usual = read_page(page_of(note_of(buoy_case(), (replace(source, name="", text=""),))))
-    assert page.unclosed == []
-    assert {each.tag for each in page.elements} == {each.tag for each in usual.elements}
-    (heading,) = page.tagged("h1")
-    assert heading.text == text
-    assert page.table("identity").row("Source")[1].text == text
-    assert page.table("segments_given").rows[0][1].text == text
-    assert page.tagged("pre")[0].text == source.text
-
-
 def test_sections_are_there_only_where_there_is_something_to_show(designed: Note) -> None:
     shown = set(known_page("buoy-9.5m-slack").sections)
     assert not {"checks", "load_cases", "front", "warnings"} & shown
     every = read_page(page_of(designed)).sections
     assert {"checks", "load_cases", "front", "warnings"} | shown == set(every)
-
-
-FIELD = {
-    **{unit: factor for table in UNITS.values() for unit, factor in table.items()},
-    **{each.field_unit: each.factor for each in QUANTITIES.values()},
-    "°": math.pi / 180.0, "": 1.0, "kg/m^3": 1.0,
-}  # fmt: skip
-
-
-NUMBER = re.compile(
-    r"(?P<number>-?\d+(?:\.(?P<decimals>\d+))?(?:e(?P<power>[+-]?\d+))?) ?(?P<unit>\S*)"
-)
-
-
-def shown_in_si(cell: ReadCell, heading: str) -> tuple[float, float]:
-    """Return what a cell shows first, in SI, and half a unit of its last digit."""
-    match = NUMBER.match(cell.text.replace("−", "-"))
-    assert match is not None, cell
-    in_heading = re.search(r"\(([^()]*)\)$", heading)
-    unit = match["unit"] or (in_heading[1] if in_heading else "")
-    factor = FIELD[unit]
-    power = 10.0 ** int(match["power"] or 0)
-    half = 0.5 * 10.0 ** -len(match["decimals"] or "") * power * factor
-    return float(match["number"]) * factor, half
-
-
-def test_every_number_is_the_rounding_of_the_value_behind_it(page: ReadPage) -> None:
-    """Within half of its last digit, and 1e-9 of itself, to which SI values are written."""
-    count = 0
-    for table in page.tables:
-        for row in table.rows:
-            for cell, heading in zip(row, table.headings or [""] * len(row), strict=True):
-                if cell.value is not None:
-                    shown, half = shown_in_si(cell, heading)
-                    assert abs(shown - cell.value) <= half * (1 + 1e-9) + 1e-9 * abs(cell.value)
-                    count += 1
-    assert count > 50
 
 
 def test_utilisation_bars_are_as_long_as_the_utilisation(note: Note, page: ReadPage) -> None:

@@ -23,11 +23,11 @@ from .browser import (
     Tab,
     assert_nothing_sticks_out,
 )
+from .notes import note_named
 from .page_cases import known_note
 from .rendered import page_of
 from .system_page_cases import TURRET
 from .system_page_cases import known_note as known_system_note
-from .test_note_workbook import note_named
 
 pytestmark = [
     pytest.mark.slow,
@@ -35,7 +35,7 @@ pytestmark = [
 ]
 
 NAMES: dict[str, Language] = {
-    "leg": "vi", "slack": "en", "design": "en", "swarm": "en", "harmonic": "vi", "arms": "vi",
+    "leg": "vi", "slack": "en", "designed": "en", "swarm": "en", "harmonic": "vi", "arms": "vi",
     "idle": "en", "six": "en", "given": "vi",
 }  # fmt: skip
 """Notes with the language of their page."""

@@ -8,11 +8,9 @@ from typing import Any
 
 import pytest
 
-from catopt.cli.size_note import note_of_file
 from catopt.notes.size import Given, SizeNote, size_note
 from catopt.words import Message, say, term
 
-from .page_cases import CASES
 from .page_reader import ReadPage, ReadTable, read_page
 from .rendered import page_of
 from .size_page_cases import EVERY, known_size_note, known_size_page
@@ -42,16 +40,6 @@ def page(name: str) -> ReadPage:
 
 def load_tables(page: ReadPage) -> list[ReadTable]:
     return page.all("size_load")
-
-
-def test_every_element_is_closed(page: ReadPage) -> None:
-    assert page.unclosed == []
-
-
-def test_the_same_sizing_gives_the_same_page() -> None:
-    path = CASES / "size-buoy" / "sizing.toml"
-
-    assert page_of(note_of_file(path, "buoy")) == page_of(known_size_note("size-buoy"))
 
 
 def test_the_recommendation_is_a_sentence() -> None:

@@ -4,23 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from io import BytesIO
-from pathlib import Path
 
-import openpyxl
 import pytest
 
 from catopt.answers.blocks import Table
 from catopt.answers.reproduction import notes_of, reproduction_answer
 from catopt.cli.output import Output
 from catopt.render.terminal import show
-from catopt.render.workbook import workbook
 from catopt.reproduce import Item, Reproduction, fso_rang_dong_dynamic, names, reproduce
 from catopt.reproduce.fso_rang_dong_dynamic import Maxima
 from catopt.words import Language, say
-
-from .conftest import Run
-from .vietnamese import numbers
 
 PROPER = {
     "catopt", "MOORING_2017", "OrcaFlex", "MOORING_2017, Pierson-Moskowitz",
@@ -80,16 +73,6 @@ def test_it_fits_the_terminal(everything: Reproduction, capsys: pytest.CaptureFi
         assert max(map(len, shown.splitlines())) <= 80
 
 
-def test_the_sheets_of_the_workbook(everything: Reproduction) -> None:
-    answer = reproduction_answer(everything)
-    said, english = workbook(answer, "vi"), workbook(answer)
-    assert numbers(said) == numbers(english) != []
-    assert openpyxl.load_workbook(BytesIO(said)).sheetnames == [
-        "So sánh", "Số liệu đầu vào", "Nhận xét", "tanker_20m_loads", "fso_rang_dong",
-        "fso_rang_dong_loads", "fso_rang_dong_dynamic",
-    ]  # fmt: skip
-
-
 def test_what_is_found_is_in_vietnamese_with_its_numbers(
     everything: Reproduction, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -146,19 +129,3 @@ def test_reasons_that_differ_are_all_printed(
     for item in everything.items:
         if item.note:
             assert f"{item.note}." in shown
-
-
-# ------------------------------------------------------------------ the command
-
-
-def test_the_command(run: Run, tmp_path: Path) -> None:
-    for language in ("en", "vi"):
-        out = tmp_path / language
-        ran = run("reproduce", "load_sharing", "--lang", language, "--out", out)
-        assert ran.status == 0, ran.err
-    assert "Công bố cho quy tắc N/4" in ran.out
-    for place in sorted((tmp_path / "en").iterdir()):
-        same = place.read_bytes() == (tmp_path / "vi" / place.name).read_bytes()
-        assert same == (place.suffix != ".xlsx")
-    english = run("reproduce", "load_sharing", "--json").out
-    assert run("reproduce", "load_sharing", "--json", "--lang", "vi").out == english
