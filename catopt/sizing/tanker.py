@@ -17,7 +17,7 @@ from catopt.sizing.alternatives import alternatives
 from catopt.sizing.anchorage import DragGround
 from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.candidates import candidates
-from catopt.sizing.components import catalogue_of, first_line
+from catopt.sizing.components import catalogue_of, first_line, longest_useful
 from catopt.sizing.limits import limits
 from catopt.sizing.line_choice import Prefer
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
@@ -105,7 +105,9 @@ def sized_tanker(request: TankerRequest) -> Sizing:
             ),
         ),
         alternatives=alternatives(
-            request.line.prefer, lambda prefer: _by(request, prefer, settled)
+            request.line.prefer,
+            lambda prefer: _by(request, prefer, settled),
+            priced=request.is_priced,
         ),
         limits=limits(settled),
         swing=_swing(request, settled, around),
@@ -123,7 +125,7 @@ def sized_tanker(request: TankerRequest) -> Sizing:
 
 def _by(request: TankerRequest, prefer: Prefer, own: Settled) -> tuple[Settled, float]:
     """Settle the line of another preference, with its swing radius."""
-    request = replace(request, line=replace(request.line, prefer=prefer))
+    request = replace(request, line=request.line.by(prefer))
     settled = _settled(request, own.needed)
     around = _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
     return settled, _swing(request, settled, around).total
@@ -166,7 +168,7 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
         line=first_line(line, env.water_density, 3.0 * height),
         load=None,
         fairlead_height=base,
-        checks=line.checks,
+        checks=line.checks_beyond(request.beyond_the_line),
         title=request.title or _title(request),
         source=request.source or "catopt size tanker",
         load_cases=tuple(cases),
@@ -220,7 +222,7 @@ def _settled_within(
     return settle(
         lambda assumed: pose_tanker(request, assumed, allowed),
         needed,
-        request.line.prefer,
+        request.line,
         start,
     )
 
@@ -311,6 +313,7 @@ def _line_forces(
 
 
 def _design(request: TankerRequest, height: float) -> Design:
+    line = request.line
     weights: tuple[ClumpWeightChoice, ...] = ()
     if request.clump_masses:
         places = tuple(float(round(share * height) or 1) for share in _CLUMP_PLACES)
@@ -324,9 +327,11 @@ def _design(request: TankerRequest, height: float) -> Design:
         )
     sinker = None
     if not isinstance(request.ground, DragGround):
-        sinker = request.ground.choice(coded=request.line.has_factor("sliding"), heavy=True)
+        sinker = request.ground.choice(coded=line.has_factor("sliding"), heavy=True)
+    longest = longest_useful(line, request.environment.water_density, height)
     return Design(
-        segments=(request.line.segment(height),),
+        segments=(line.segment(height, longest),),
+        objectives=line.objectives,
         clump_weights=weights,
         sinker=sinker,
     )

@@ -10,6 +10,7 @@ from catopt.loads.ship import Ship
 from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
+from catopt.sizing.components import unpriced_components
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
@@ -111,7 +112,6 @@ class TankerRequest:
         default_factory=lambda: LineChoice(
             usual("chain", "tanker"),
             usual("code", "tanker"),
-            diameter_min=usual("diameter_min", "tanker"),
             diameter_max=usual("diameter_max", "tanker"),
             length_step=usual("length_step", "tanker"),
         )
@@ -147,6 +147,7 @@ class TankerRequest:
         if self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the ship")
         self._check_methods(found)
+        self._check_swing(found)
         low = self.environment.levels.low
         for each in self.ships:
             if each.ship.draught >= low:
@@ -173,6 +174,30 @@ class TankerRequest:
         elif is_tcn and self.environment.sea.hmax > 0.0:
             allowed = f"missing; {TCN} wants its chi in waves, or 0 to leave the waves out"
             found.add("wave_coefficient", "", allowed)
+
+    def _check_swing(self, found: Findings) -> None:
+        """Note a bound on the swing radius that no line keeps, or that nothing evaluates."""
+        most, rest = self.line.max_swing, self.beyond_the_line
+        if self.lines > 1:
+            allowed = "leave it out: it is of one line, and several hold the ship in its place"
+            if most is not None:
+                found.add("max_swing", f"{most:g} m", allowed)
+            if self.line.swing_price:
+                found.add("swing_price", f"{self.line.swing_price:g} USD/m", allowed)
+        elif most is not None and most <= rest:
+            allowed = f"ship and hawser alone are {rest:g} m long: more is wanted, or several lines"
+            found.add("max_swing", f"{most:g} m", allowed)
+
+    @property
+    def is_priced(self) -> bool:
+        """Whether a price is known of everything that the line may have."""
+        density = self.environment.water_density
+        return not self.clump_masses and not unpriced_components(self.line, density)
+
+    @property
+    def beyond_the_line(self) -> float:
+        """Part of the swing radius that is hawser and ship, m."""
+        return self.hawser + self.longest
 
     @property
     def longest(self) -> float:
