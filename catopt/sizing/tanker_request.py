@@ -19,6 +19,7 @@ from catopt.sizing.read_input import ReadInput
 __all__ = [
     "MooredShip",
     "TankerRequest",
+    "check_deadweight",
 ]
 
 
@@ -54,16 +55,36 @@ class MooredShip:
     def __post_init__(self) -> None:
         found = Findings("MooredShip")
         found.number("fairlead", self.fairlead, "m", at_least=0.0, at_most=100.0)
-        if self.deadweight is not None:
-            found.number("deadweight", self.deadweight, "kg", above=0.0)
-            displaced = self.ship.displacement * 1025.0
-            of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
-            own = f"{self.deadweight / 1e3:.6g} t"
-            if not found.problems and self.deadweight >= displaced:
-                found.add("deadweight", own, f"not below {of_it}")
-            elif not found.problems and self.deadweight < _LEAST_CARGO * displaced:
-                found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
         found.raise_if_any()
+        if self.deadweight is not None:
+            check_deadweight(self.deadweight, self.ship)
+
+
+def check_deadweight(deadweight: float, ship: Ship) -> None:
+    """Hold a deadweight against the displacement, from both sides.
+
+    Parameters
+    ----------
+    deadweight : float
+        kg.
+    ship : Ship
+        Loaded.
+
+    Raises
+    ------
+    InputError
+        When it cannot be that of the ship.
+    """
+    found = Findings("MooredShip")
+    found.number("deadweight", deadweight, "kg", above=0.0)
+    displaced = ship.displacement * 1025.0
+    of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
+    own = f"{deadweight / 1e3:.6g} t"
+    if not found.problems and deadweight >= displaced:
+        found.add("deadweight", own, f"not below {of_it}")
+    elif not found.problems and deadweight < _LEAST_CARGO * displaced:
+        found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
+    found.raise_if_any()
 
 
 @dataclass(frozen=True)

@@ -48,8 +48,8 @@ BASE: dict[Moored, dict[str, object]] = {
         "buoy": "mooring buoy 5.0 m",
     },
 }
-SEVERAL = {"low_water": "20 m", "max_swing": None, "swing_price": None}
-ONE_LINE = {"low_water": "20 m", "prefer": "cheapest"}
+SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
+ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest"}
 ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight"))
 FULL: dict[str, tuple[Moored, dict[str, object]]] = {
     "a buoy of the library": ("buoy", {"hs": "1.5 m", "swing_price": None}),
