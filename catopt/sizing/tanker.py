@@ -46,11 +46,12 @@ _LITTLE_WATER: Final = 0.1
 
 
 class _State(NamedTuple):
-    """A condition of the ship at a water level: where the fairlead is, and the loads."""
+    """A condition of the ship at a water level, and how much higher its fairlead is there."""
 
     name: str
     moored: MooredShip
     depth: float
+    level: float
     rise: float
 
 
@@ -149,16 +150,18 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
     base = env.levels.high + _fairlead(request, request.ships[0])
     loads = tuple(_loads_at(request, each, assumed) for each in states)
     forces = _line_forces(request, loads, assumed)
-    height = base + max(state.rise for state in states)
+    height = base + max(state.level + state.rise for state in states)
     drag = request.ground.sized(max(forces)) if isinstance(request.ground, DragGround) else None
     cases = [
-        LoadCase(state.name, force, state.rise)
+        LoadCase(state.name, force, state.level, fairlead_rise=state.rise)
         for state, force in zip(states, forces[: len(states)], strict=True)
     ]
     if request.lines > 1:
         for state, force in zip(states, forces[len(states) :], strict=True):
             name = Message("sizing.one_line_out", load_case=state.name)
-            cases.append(LoadCase(name, force, state.rise, state="one_line_out"))
+            cases.append(
+                LoadCase(name, force, state.level, state="one_line_out", fairlead_rise=state.rise)
+            )
     else:
         cases.append(
             LoadCase(Message("sizing.everyday"), EVERYDAY_SHARE * max(forces), 0.0, "reference")
@@ -253,10 +256,10 @@ def _states(request: TankerRequest) -> Iterator[_State]:
     for each in request.ships:
         higher = _fairlead(request, each) - first
         high, low = map(Message, _LOAD_CASES[each.condition])
-        yield _State(high, each, levels.high, higher + crest)
+        yield _State(high, each, levels.high, crest, higher)
         fall = levels.high - levels.low
         if fall or crest:
-            yield _State(low, each, levels.low, higher - fall)
+            yield _State(low, each, levels.low, -fall, higher)
 
 
 def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
@@ -347,7 +350,7 @@ def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Patter
     case = posed.case
     extreme = [each for each in case.load_cases if each.state == "intact"]
     states = [
-        BodyState(each.load_case, each.horizontal_force, case.fairlead_height + state.water_level)
+        BodyState(each.load_case, each.horizontal_force, case.under(state).fairlead_height)
         for each, state in zip(posed.loads, extreme, strict=True)
     ]
     return pattern(
