@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 from catopt.figures.chart import Chart
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.words import Language, Message, Told, heading, quantity_name, say, term
+from catopt.words import Language, Message, Several, Told, heading, quantity_name, say, term
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -230,10 +230,33 @@ class Text:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an answer comes to; neither good nor bad where that is None."""
+    """What an answer comes to: good, bad, neither where that is None, or good with a reserve.
+
+    Attributes
+    ----------
+    said : str
+        In words.
+    passes : bool or None
+        Whether it is good.
+    reserve : str
+        What is not good beside it, which is then said with it; empty where nothing is.
+    """
 
     said: str
     passes: bool | None
+    reserve: str = ""
+
+    @property
+    def words(self) -> str:
+        """All that is said."""
+        return Several((self.said, self.reserve), " ") if self.reserve else self.said
+
+    @property
+    def kind(self) -> Literal["", "passes", "reserve", "fails"]:
+        """How it looks."""
+        if self.passes is None:
+            return ""
+        return "fails" if not self.passes else "reserve" if self.reserve else "passes"
 
 
 @dataclass(frozen=True)

@@ -60,6 +60,7 @@ def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[Section]:
         "headings",
         (
             texts("condition", (term(each.afloat.condition) for each in lyings)),
+            *_depths(lyings),
             angles("wind_from", (each.wind for each in directions)),
             angles("current_from", (each.current for each in directions)),
             angles("waves_from", (each.waves for each in directions)),
@@ -78,6 +79,13 @@ def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[Section]:
         heading=math.degrees(lyings[worst].heading),
     )
     yield Section(Message("terms.headings"), (table, Text(said, only="people")))
+
+
+def _depths(lyings: Sequence[Lying]) -> Iterator[Column]:
+    """Tabulate the depths of the water where there are several."""
+    depths = [each.depth for each in lyings]
+    if len(set(depths)) > 1:
+        yield measured("water_depth", depths, symbol="")
 
 
 def forces_table(*by: Loads) -> Table:

@@ -49,6 +49,8 @@ class FirstPage:
         What the answer leaves out, beside what every answer does.
     in_motion : bool
         Whether the lines were run in time, too.
+    reserve : str
+        What fails beside checks that pass; empty where nothing does.
     """
 
     said: str
@@ -59,6 +61,7 @@ class FirstPage:
     also: tuple[str, ...] = ()
     not_covered: tuple[str, ...] = ()
     in_motion: bool = False
+    reserve: str = ""
 
 
 def opening(
@@ -93,7 +96,7 @@ def _summary(of: FirstPage, sheet: Sheet) -> Iterator[Block]:
     yield from (Text(each) for each in of.also)
     governing = governing_sentence(report)
     said = (verdict_sentence(report), governing) if governing else (verdict_sentence(report),)
-    yield Verdict(Several(said, " "), report.passes if report.results else None)
+    yield Verdict(Several(said, " "), report.passes if report.results else None, of.reserve)
     tension = Number(Message("columns.largest_tension"), "tension", of.tension)
     yield _four(of.force, tension, of.reach, _reserve(sheet))
     yield from of.drawing

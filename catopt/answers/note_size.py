@@ -111,7 +111,21 @@ def _first(note: SizeNote) -> FirstPage:
         Number(Message("note_size.identity_radius"), "length", of.swing.total),
         of.largest_tension,
         also=(steady_sentence(of),),
+        reserve=_fails_in_motion(note),
     )
+
+
+def _fails_in_motion(note: SizeNote) -> str:
+    """Name the checks that fail with the allowance for motion; empty where none does."""
+    of = note.sizing
+    kinds = [kind for kind, used in of.in_motion.items() if used > 1.0]
+    names = [
+        *(Message(f"checks.{kind}_in_motion") for kind in kinds),
+        *(each.name for each in of.fails_in_motion),
+    ]
+    if not names:
+        return ""
+    return Message("sizing.fails_beyond", factor=of.dynamic_factor, names=Several(names))
 
 
 def _facts(note: SizeNote) -> tuple[tuple[str, str], ...]:

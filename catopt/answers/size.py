@@ -147,6 +147,8 @@ def _line(of: Sizing) -> Iterator[_Row]:
     yield _Row(term("Length in shots"), line.length, shots)
     if line.mass is not None:
         yield _measured("Mass of the line in air", "mass", line.mass)
+    if of.cost is not None:
+        yield _measured("Price of the line, material", "cost", of.cost)
     for load in line.point_loads:
         tonnes = None if load.mass is None else load.mass / 1e3
         words = Message("sizing.clump", mass=tonnes, position=load.position)
@@ -259,6 +261,7 @@ def alternatives_table(of: Sizing) -> Table:
             texts("chain", where_known(lines, lambda line: line.segments[0].name)),
             measured("length", where_known(lines, lambda line: line.length)),
             measured("mass", where_known(lines, lambda line: line.mass), "mass_in_air", symbol=""),
+            *(() if of.cost is None else (measured("cost", [each.cost for each in every]),)),
             texts(
                 "verdict",
                 (each.reason if each.settled is None else of.trade(each) for each in every),

@@ -250,7 +250,6 @@ def _load_cases(document: dict[str, Any]) -> Iterator[Finding]:
     height = number(LineTable, "fairlead_height", line)
     given = "fairlead_height" in line or misspelt(LineTable, ["fairlead_height"], line)
     unclear = depth is None or (given and height is None)
-    lowest = min(depth or 0.0, height if height is not None else depth or 0.0)
     names: list[str] = []
     for path, state in tables(document, "load_cases"):
         name = text(LoadCaseTable, "name", state)
@@ -258,6 +257,8 @@ def _load_cases(document: dict[str, Any]) -> Iterator[Finding]:
             yield Finding((*path, "name"), as_written(name), "another load case has this name")
         names += [name] if name is not None else []
         level = number(LoadCaseTable, "water_level", state)
+        rise = number(LoadCaseTable, "fairlead_rise", state) or 0.0
+        lowest = min(depth or 0.0, (depth or 0.0 if height is None else height) + rise)
         if level is not None and not unclear and not level > -lowest:
             allowed = f"must leave the fairlead above the seabed: above {-lowest:g} m"
             yield Finding((*path, "water_level"), as_written(state["water_level"]), allowed)

@@ -210,6 +210,7 @@ class LoadCaseTable(Table):
     name: Annotated[str, Text(filled=True, example='"storm"')]
     horizontal_force: Strength
     water_level: Place | None = None
+    fairlead_rise: Place | None = None
     kind: Annotated[str, OneOf(LOAD_CASE_KINDS)] | None = None
     state: Annotated[str, OneOf(LOAD_CASE_STATES)] | None = None
 

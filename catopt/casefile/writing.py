@@ -193,11 +193,11 @@ def _tables(opening: str, schema: type[Table], *parts: object) -> Blocks:
             yield [opening, *_lines(schema, _given(part))]
 
 
-_UNSAID: Final[Mapping[type, tuple[str, object]]] = {
-    Site: ("seabed_slope", 0.0),
-    PointLoad: ("added_mass_coefficient", 0.0),
-    LoadCase: ("state", "intact"),
-    Service: ("wear_rate", 0.0),
+_UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
+    Site: {"seabed_slope": 0.0},
+    PointLoad: {"added_mass_coefficient": 0.0},
+    LoadCase: {"state": "intact", "fairlead_rise": 0.0},
+    Service: {"wear_rate": 0.0},
 }
 """Keys that go unsaid at their default."""
 
@@ -221,8 +221,8 @@ def _given(part: object) -> dict[str, Any]:
         case Dynamics(broken_line=None):
             unsaid = ("broken_end",)
         case Site() | PointLoad() | LoadCase() | Service():
-            key, default = _UNSAID[type(part)]
-            unsaid = (key,) if given.get(key) == default else ()
+            defaults = _UNSAID[type(part)].items()
+            unsaid = tuple(key for key, default in defaults if given.get(key) == default)
     return {key: value for key, value in given.items() if key not in unsaid}
 
 

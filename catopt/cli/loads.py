@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from enum import StrEnum
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from catopt.loads import Loads, Lying, SeaState
     from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
+    from catopt.words import Message
 
 loads = typer.Typer(
     name="loads",
@@ -52,8 +53,8 @@ _TAKEN = {
 }
 """What the loads take when it is left out, in place of what a sizing takes."""
 
-_WEATHER = ("depth", "wind", "current", "hs", "hmax", "period", "water_density")
-_BUOY = (*_WEATHER, "low_water", "growth", "buoys")
+_WEATHER = ("depth", "low_water", "wind", "current", "hs", "hmax", "period", "water_density")
+_BUOY = (*_WEATHER, "growth", "buoys")
 _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
     *("frontal_area", "lateral_area"),
@@ -115,13 +116,15 @@ def buoy(
 ) -> None:
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference.
 
-    Wind, current and waves come from one side. catopt's buoys are generic ones of its own geometry;
+    Wind, current and waves come from one side; with --low-water both levels are computed, and the
+    largest force is shown. catopt's buoys are generic ones of its own geometry;
     a name that it lacks is answered with those it has. What a file leaves out is 0, and what is
     given as an option goes before it.
     """
     from catopt.cli.values import in_si
-    from catopt.loads import SurfaceCurrent, WaterLevels, Wind, buoy_loads
+    from catopt.loads import SurfaceCurrent, WaterLevels, Wind
     from catopt.sizing.requests import shape_of
+    from catopt.ties import largest
     from catopt.units import Dimension
 
     place = name if is_file(name) else None
@@ -129,9 +132,13 @@ def buoy(
     with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
         make = of.telling.make
         of.want("buoy", "depth")
+        for each in ("force", "reserve_buoyancy"):
+            if each in of.given:
+                of.telling.add(each, f"{of[each]:g} N", "leave it out: these loads are computed")
+        of.telling.raise_if_any()
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
-        result = make(
-            lambda own, *parts: buoy_loads(
+        every = make(
+            lambda own, *parts: _at_each_level(
                 *parts,
                 chain_diameter=own["--chain"],
                 pull=own["--pull"],
@@ -147,7 +154,10 @@ def buoy(
             make(WaterLevels, of["low_water"] or of["depth"], of["depth"]),
         )
         of.telling.raise_if_any()
-    assert result is not None
+    assert every is not None
+    result = largest(every, lambda each: each.horizontal_force)
+    said = (*_of_levels(every, of), *_no_part(of, {*_BUOY, "buoy"}))
+    result = replace(result, assumptions=(*said, *result.assumptions))
     _give(context.obj, result, lang=lang, as_json=as_json, out=out)
 
 
@@ -265,11 +275,11 @@ def ship(
     The one named, or of several the largest, comes first.
 
     Without angles the ship is taken for weathervaning, head to everything. With a ballast draught
-    both conditions are computed, and the worst is shown. What a file leaves out of wind, current
-    and waves is 0, and what is given as an option goes before it.
+    both conditions are computed, with --low-water at both depths, and the worst is shown. What a
+    file leaves out of wind, current and waves is 0, and what is given as an option goes before it.
     """
     from catopt.cli.values import in_si
-    from catopt.loads import METHODS, Headings, SurfaceCurrent, Wind, every_lying
+    from catopt.loads import METHODS, Headings, SurfaceCurrent, WaterLevels, Wind, every_lying
     from catopt.sizing.read_input import estimated_dimensions
     from catopt.sizing.requests import TAKEN_FOR, of_the_wind, wind_of_30_s
     from catopt.ties import largest
@@ -322,13 +332,21 @@ def ship(
             make(Wind, wind_of_30_s(of)),
             make(SurfaceCurrent, of["current"]),
             make(_sea, of),
-            of["depth"],
         )
         lyings = make(
-            lambda *known: every_lying(
-                ships, *known, methods=of["load_method"] or METHODS[:1], turning=turning, **how
+            lambda wind, current, sea, levels, turned: every_lying(
+                ships,
+                wind,
+                current,
+                sea,
+                tuple(dict.fromkeys((levels.high, levels.low))),
+                turned,
+                methods=of["load_method"] or METHODS[:1],
+                turning=turning,
+                **how,
             ),
             *weather,
+            make(WaterLevels, of["low_water"] or of["depth"], of["depth"]),
             make(turned_round, directions, own),
         )
         of.telling.raise_if_any()
@@ -336,7 +354,9 @@ def ship(
         worst = largest(lyings, lambda each: each.loads.horizontal_force)
         others = make(lambda: _others(worst, weather, how, is_balanced=weathervane))
         of.telling.raise_if_any()
-    said = (*what_is_taken(form, worst, turning), *estimated, *of_the_wind(of))
+    by_hs = drift is Drift.SEA_STATE and of["hs"] is not None
+    no_part = _no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set()))
+    said = (*what_is_taken(form, worst, turning), *estimated, *of_the_wind(of), *no_part)
     warned = estimated_dimensions(of.read)
     told = [
         replace(
@@ -368,6 +388,7 @@ _OF_SHIPS = {
     "mooring_point": "mooring_point",
     "wind_centre": "wind_centre",
     "lateral_centre": "wind_centre",
+    "MooredShip.deadweight": "dwt",
     "scan": "scan",
 }
 """Options that a sizing does not have, by what they are called in Python."""
@@ -394,6 +415,40 @@ def _known(
         yield file.known(given, spell, defaults=_TAKEN, called=called)
 
 
+def _at_each_level(
+    body: Any, wind: Any, current: Any, sea: Any, levels: Any, **how: Any
+) -> tuple[Loads, ...]:
+    """Compute the loads on a buoy at high water, and at low water where that is another."""
+    from catopt.loads import WaterLevels, buoy_loads
+
+    every = (levels,) if levels.low == levels.high else (levels, WaterLevels.steady(levels.low))
+    return tuple(buoy_loads(body, wind, current, sea, each, **how) for each in every)
+
+
+def _of_levels(every: Sequence[Loads], of: Known) -> Iterator[Message]:
+    """Say what the force is at each level, where there are two."""
+    from catopt.words import Measure, Message
+
+    if len(every) > 1:
+        high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
+        depths = {"deep": of["depth"], "shallow": of["low_water"]}
+        yield Message("loads.at_both_levels", high=high, low=low, **depths)
+
+
+def _no_part(of: Known, counted: Collection[str]) -> Iterator[Message]:
+    """Say what was given, mostly by a sizing's file, that is no part of the loads."""
+    from catopt.sizing.inputs import inputs_of
+    from catopt.words import Cited, Message
+
+    names = [
+        of.telling.spell(name) if name in (*_BUOY, *_SHIP) else each.key
+        for name, each in inputs_of(of.moored).items()
+        if name in of.given - set(counted)
+    ]
+    if names:
+        yield Message("loads.no_part", names=Cited(", ".join(names)))
+
+
 def _sea(of: Known) -> SeaState:
     """Make the waves; none when no height is given."""
     from catopt.errors import InputError, Problem
@@ -416,6 +471,7 @@ def _others(
     every = every_method(
         ship.ship,
         *weather,
+        worst.depth,
         wind_on=ship.wind_on,
         headings=worst.headings,
         is_balanced=is_balanced,

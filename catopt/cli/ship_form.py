@@ -32,6 +32,7 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
     from catopt.loads import Afloat, Ship
     from catopt.loads.ship_estimate import BLOCK, estimates
     from catopt.sizing.requests import TAKEN_FOR, ship_at
+    from catopt.sizing.tanker_request import check_deadweight
 
     wind_on, _ = TAKEN_FOR[of["ship"] or "tanker"]
     ships = []
@@ -66,6 +67,9 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
         body = of.telling.make(make_ship)
         of.telling.raise_if_any()
         assert body is not None
+        if condition == "loaded" and of["dwt"] is not None:
+            of.telling.make(check_deadweight, of["dwt"], body)
+            of.telling.raise_if_any()
         ships.append(Afloat(condition, body, form.kind or wind_on.format(condition)))
     is_given = of["frontal_area"] is not None and of["lateral_area"] is not None
     return ships, () if is_given else estimates()[1:]

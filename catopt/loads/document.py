@@ -51,6 +51,7 @@ def _lying(of: Lying) -> dict[str, Any]:
         "current_from_rad": of.directions.current,
         "waves_from_rad": of.directions.waves,
         "heading_rad": of.heading,
+        "depth_m": of.depth,
         "horizontal_force_N": of.loads.horizontal_force,
         "method": of.loads.method,
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import product
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple
 
@@ -113,12 +114,15 @@ class Lying:
         Of the bow, from the same line, rad.
     loads : Loads
         At that heading.
+    depth : float
+        Of the water, m.
     """
 
     afloat: Afloat
     directions: Headings
     heading: float
     loads: Loads
+    depth: float
 
     @property
     def headings(self) -> Headings:
@@ -251,7 +255,7 @@ def every_lying(
     wind: Wind,
     current: SurfaceCurrent,
     sea: SeaState,
-    depth: float,
+    depths: Sequence[float],
     directions: Sequence[Headings],
     *,
     methods: Sequence[str],
@@ -259,14 +263,16 @@ def every_lying(
     wave_coefficient: float | None = None,
     **how: Any,
 ) -> tuple[Lying, ...]:
-    """Find how a ship lies in each condition under each set of directions.
+    """Find how a ship lies in each condition and depth under each set of directions.
 
     Parameters
     ----------
     ships : sequence of Afloat
         Loaded, in ballast.
-    wind, current, sea, depth
+    wind, current, sea
         As of `catopt.loads.ship_loads`.
+    depths : sequence of float
+        Of the water, m: at high and at low water.
     directions : sequence of Headings
         Each is one case.
     methods : sequence of str
@@ -277,27 +283,23 @@ def every_lying(
     wave_coefficient, **how
         As of `catopt.loads.ship_loads`.
     """
-    weather = (wind, current, sea, depth)
     found = []
-    for each in ships:
-        for case in directions:
-            stay = (
-                (0.0,)
-                if turning is None
-                else equilibrium_headings(
-                    each.ship, *weather, case, turning, wind_on=each.wind_on, **how
-                )
+    for each, depth, case in product(ships, depths, directions):
+        on = (each.ship, wind, current, sea, depth)
+        stay = (
+            (0.0,)
+            if turning is None
+            else equilibrium_headings(*on, case, turning, wind_on=each.wind_on, **how)
+        )
+        for heading in stay:
+            loads = governing_loads(
+                methods,
+                *on,
+                wind_on=each.wind_on,
+                headings=case.seen_at(heading),
+                is_balanced=turning is not None,
+                wave_coefficient=wave_coefficient,
+                **how,
             )
-            for heading in stay:
-                loads = governing_loads(
-                    methods,
-                    each.ship,
-                    *weather,
-                    wind_on=each.wind_on,
-                    headings=case.seen_at(heading),
-                    is_balanced=turning is not None,
-                    wave_coefficient=wave_coefficient,
-                    **how,
-                )
-                found.append(Lying(each, case, heading, loads))
+            found.append(Lying(each, case, heading, loads, depth))
     return tuple(found)

@@ -233,10 +233,10 @@ class Case:
 
     def _check_load_cases(self, found: Findings) -> None:
         names = [state.name for state in self.load_cases]
-        lowest = min(self.site.water_depth, self.fairlead_height)
         for index, state in enumerate(self.load_cases):
             if state.name in names[:index]:
                 found.add(f"load_cases[{index}].name", state.name, "another has this name")
+            lowest = min(self.site.water_depth, self.fairlead_height + state.fairlead_rise)
             if not state.water_level > -lowest:
                 found.add(
                     f"load_cases[{index}].water_level",
@@ -254,12 +254,12 @@ class Case:
         }
 
     def under(self, state: LoadCase) -> Case:
-        """Return the case in one of its states, with the fairlead at its water level."""
+        """Return the case in one of its states, with water and fairlead at its levels."""
         depth = self.site.water_depth + state.water_level
         return replace(
             self,
             site=replace(self.site, water_depth=depth),
-            fairlead_height=self.fairlead_height + state.water_level,
+            fairlead_height=self.fairlead_height + state.water_level + state.fairlead_rise,
             load=Load(horizontal_force=state.horizontal_force),
             load_cases=(),
             find=None,

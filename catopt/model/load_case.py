@@ -32,6 +32,8 @@ class LoadCase:
     state : {"intact", "one_line_out"}
         Of the mooring that the line is one of: with all its lines, or at rest anew without one.
         Codes have factors for each.
+    fairlead_rise : float
+        Of the fairlead above its place on the case's body, m: a ship at another draught.
     """
 
     name: str
@@ -39,6 +41,7 @@ class LoadCase:
     water_level: float = 0.0
     kind: LoadCaseKind = "extreme"
     state: LoadCaseState = "intact"
+    fairlead_rise: float = 0.0
 
     def __post_init__(self) -> None:
         found = Findings("LoadCase")
@@ -46,6 +49,7 @@ class LoadCase:
             found.add("name", repr(self.name), "a name is wanted")
         found.number("horizontal_force", self.horizontal_force, "N", above=0.0)
         found.number("water_level", self.water_level, "m")
+        found.number("fairlead_rise", self.fairlead_rise, "m")
         found.word("kind", self.kind, LOAD_CASE_KINDS)
         found.word("state", self.state, LOAD_CASE_STATES)
         found.raise_if_any()

@@ -157,8 +157,7 @@ _SEEN = {"all", "people", "not csv"}
 
 def _words(block: Block, language: Language) -> Iterator[dict[str, Any]]:
     if isinstance(block, Verdict):
-        style = {None: "verdict", True: "verdict passes", False: "verdict fails"}[block.passes]
-        yield _paragraph("", block.said, style, language)
+        yield _paragraph("", block.words, f"verdict {block.kind}".rstrip(), language)
     elif isinstance(block, Text) and block.only in _SEEN and block.said:
         yield _paragraph(block.caption, block.said, "small" if block.is_small else "", language)
     elif isinstance(block, Points | Warnings) and block.said:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from xlsxwriter.workbook import Workbook
     from xlsxwriter.worksheet import Worksheet
 
-Style = Literal["text", "wrapped", "title", "large", "good", "bad", "grey"]
+Style = Literal["text", "wrapped", "title", "large", "good", "amber", "bad", "grey"]
 
 _COUNT = "General"
 _WIDEST = 60
@@ -148,6 +148,14 @@ class Book:
             "large": self._format(bold=True, font_size=16),
             "good": self._format(
                 valign="top", indent=1, font_color="#006100", bold=True, text_wrap=True
+            ),
+            "amber": self._format(
+                valign="top",
+                indent=1,
+                font_color="#7F6000",
+                bg_color="#FFEB9C",
+                bold=True,
+                text_wrap=True,
             ),
             "bad": self._format(
                 valign="top",

@@ -94,7 +94,7 @@ def _show(output: Printer, block: Block, language: Language) -> None:
     elif isinstance(block, Text):
         _text(output, block, language)
     elif isinstance(block, Verdict):
-        output.text(say(block.said, language), bold=True)
+        output.text(say(block.words, language), bold=True)
     elif isinstance(block, Points):
         _points(output, block, language)
     elif isinstance(block, Warnings):

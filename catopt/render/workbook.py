@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Literal
+from typing import Final, Literal
 
 from catopt.answers.blocks import (
     Answer,
@@ -186,6 +186,15 @@ def _graph(
     return sheet.chart(chart, row=row, column=max(sheet.widths) + 2)
 
 
+_VERDICTS: Final[Mapping[str, Style]] = {
+    "": "grey",
+    "passes": "good",
+    "reserve": "amber",
+    "fails": "bad",
+}
+"""Style of a verdict by its kind."""
+
+
 def _said(sheet: Sheet, section: Section, language: Language) -> None:
     """Write what is said in words below the tables."""
     if any(map(_words_of, section.blocks)):
@@ -193,7 +202,7 @@ def _said(sheet: Sheet, section: Section, language: Language) -> None:
     for block in section.blocks:
         style: Style = "wrapped"
         if isinstance(block, Verdict):
-            style = "grey" if block.passes is None else "good" if block.passes else "bad"
+            style = _VERDICTS[block.kind]
         for each in _words_of(block):
             sheet.across(say(each, language), style)
 
@@ -205,7 +214,7 @@ def _tell(sheet: Sheet, said: str, language: Language) -> None:
 
 def _words_of(block: Block) -> tuple[str, ...]:
     if isinstance(block, Verdict):
-        return (block.said,)
+        return (block.words,)
     if isinstance(block, Points):
         return (block.caption, *block.said) if block.caption and block.said else block.said
     if not isinstance(block, Text | Warnings) or block.only == "people":

@@ -141,9 +141,13 @@ def _side_by_side(source: Published) -> SideBySide:
 
 def fso_lyings(source: Published, degrees: float) -> tuple[Lying, ...]:
     """Find how the ship lies on its external turret when the current comes from another side."""
+    wind, current, sea, depth = _weather(source)
     return every_lying(
         [Afloat(each, fso(source, each), f"tanker {each}") for each in CONDITIONS],
-        *_weather(source),
+        wind,
+        current,
+        sea,
+        [depth],
         [Headings(current=math.radians(degrees))],
         methods=METHODS[:1],
         turning=Turning(YAW_TYPES["series-60"]),

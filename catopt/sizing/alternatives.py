@@ -21,7 +21,7 @@ class Alternative:
 
     Attributes
     ----------
-    prefer : {"lightest", "balanced", "least-swing"}
+    prefer : {"cheapest", "lightest", "balanced", "least-swing"}
         Which one it is of its front.
     settled : Settled or None
         The line and its loads; None where none passes under those.
@@ -41,20 +41,28 @@ class Alternative:
         """Of the line in air, kg; 0 without a line."""
         return self.settled.point.objectives["mass_kg"] if self.settled else 0.0
 
+    @property
+    def cost(self) -> float | None:
+        """Of the line's material, USD; None without a line, or where a price is not known."""
+        return self.settled.point.objectives.get("cost_USD") if self.settled else None
+
 
 def alternatives(
-    own: Prefer, sized: Callable[[Prefer], tuple[Settled, float]]
+    own: Prefer, sized: Callable[[Prefer], tuple[Settled, float]], *, priced: bool
 ) -> tuple[Alternative, ...]:
     """Settle the lines of the other preferences.
 
     Parameters
     ----------
-    own : {"lightest", "balanced", "least-swing"}
+    own : {"cheapest", "lightest", "balanced", "least-swing"}
         Of the recommended line.
     sized : callable
         Settles a line by a preference, and gives its swing radius, m.
+    priced : bool
+        Whether every price is known, so that one is the cheapest.
     """
-    return tuple(_alternative(each, sized) for each in PREFERENCES if each != own)
+    others = (each for each in PREFERENCES if each != own)
+    return tuple(_alternative(each, sized) for each in others if priced or each != "cheapest")
 
 
 def _alternative(prefer: Prefer, sized: Callable[[Prefer], tuple[Settled, float]]) -> Alternative:

@@ -15,7 +15,7 @@ from catopt.sizing.alternatives import alternatives
 from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.candidates import candidates
-from catopt.sizing.components import catalogue_of, first_line, sold
+from catopt.sizing.components import catalogue_of, first_line, sold, unpriced_components
 from catopt.sizing.limits import limits
 from catopt.sizing.line_choice import Prefer
 from catopt.sizing.posed import LoadsAt, Posed
@@ -72,7 +72,11 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
                 replace(settled.needed, diameter=diameter),
             ),
         ),
-        alternatives=alternatives(request.line.prefer, lambda prefer: _by(request, prefer)),
+        alternatives=alternatives(
+            request.line.prefer,
+            lambda prefer: _by(request, prefer),
+            priced=not unpriced_components(request.line, request.environment.water_density),
+        ),
         limits=limits(settled),
         swing=_swing(settled),
         dynamic_factor=request.line.dynamic_factor,
@@ -87,7 +91,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
 
 def _by(request: BuoyRequest, prefer: Prefer) -> tuple[Settled, float]:
     """Settle the line of another preference, with its swing radius."""
-    settled = _settled(replace(request, line=replace(request.line, prefer=prefer)))
+    settled = _settled(replace(request, line=request.line.by(prefer)))
     return settled, _swing(settled).total
 
 
@@ -104,7 +108,7 @@ def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:
         pull = min(rounded_up(point_pull(point)), request.reserve_buoyancy)
         return Assumed(point_diameter(point), pull)
 
-    return settle(lambda assumed: pose_buoy(request, assumed), needed, request.line.prefer, start)
+    return settle(lambda assumed: pose_buoy(request, assumed), needed, request.line, start)
 
 
 def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
@@ -135,7 +139,7 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
         line=first_line(line, env.water_density, 2.0 * height),
         load=None,
         fairlead_height=levels.high - keel,
-        checks=line.checks,
+        checks=line.checks_beyond(0.0),
         title=request.title or _title(request.buoy.name, levels),
         source=request.source or "catopt size buoy",
         load_cases=tuple(
@@ -147,6 +151,7 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
         catalogue=catalogue_of(line),
         design=Design(
             segments=(line.segment(height),),
+            objectives=line.objectives,
             sinker=request.ground.choice(coded=line.has_factor("sliding")),
         ),
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cache
+from typing import Final
 
 from catopt.catalogue.choice import chosen
 from catopt.catalogue.figure import within
@@ -12,7 +13,10 @@ from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Line, Segment
 from catopt.sizing.line_choice import LineChoice
 
-__all__ = ["catalogue_of", "first_line", "sold"]
+__all__ = ["catalogue_of", "first_line", "longest_useful", "sold", "unpriced_components"]
+
+_ON_THE_BED: Final = 30.0
+"""m."""
 
 
 def catalogue_of(choice: LineChoice) -> CatalogueChoice:
@@ -46,6 +50,45 @@ def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
         allowed = f"no size of it is sold from {least:g} to {most:g} mm"
         raise InputError([Problem("components", names, allowed)], "LineChoice")
     return tuple(each.segment(1.0) for each in within_bounds)
+
+
+def unpriced_components(choice: LineChoice, water_density: float) -> tuple[str, ...]:
+    """List the components of which the price of a size that may be taken is not known.
+
+    Parameters
+    ----------
+    choice : LineChoice
+        Components and bounds.
+    water_density : float
+        kg/m3.
+    """
+    every = sold(choice, water_density)
+    return tuple(dict.fromkeys(each.component for each in every if each.price is None))
+
+
+def longest_useful(choice: LineChoice, water_density: float, height: float) -> float:
+    """Return the length beyond which more line only lies on the bed, m.
+
+    At its breaking load a line of weight w hangs over s = sqrt(2 h MBL/w - h^2) of its length, as a
+    catenary that leaves the bed horizontally. Of what is sold the longest counts; some 30 m may
+    have to lie on the bed (UFC asks for a shot).
+
+    Parameters
+    ----------
+    choice : LineChoice
+        Components and bounds.
+    water_density : float
+        kg/m3.
+    height : float
+        That the line spans, m.
+    """
+    ratios = (
+        each.MBL / each.submerged_weight
+        for each in sold(choice, water_density)
+        if each.MBL is not None and each.submerged_weight > 0.0
+    )
+    square = 2.0 * height * max(ratios, default=0.0) - height * height
+    return math.sqrt(max(square, 0.0)) + _ON_THE_BED
 
 
 def first_line(choice: LineChoice, water_density: float, length: float) -> Line:

@@ -46,6 +46,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
             "length_m": of.point.line.length,
             "shots": of.shots,
             "mass_kg": of.point.line.mass,
+            "cost_USD": of.cost,
             "MBL_N": segment.MBL,
             "proof_load_N": segment.proof_load,
         },
@@ -205,7 +206,8 @@ def _candidate(of: Candidate) -> dict[str, Any]:
 def _alternative(of: Alternative, sizing: Sizing) -> dict[str, Any]:
     document: dict[str, Any] = {"prefer": of.prefer, "feasible": of.settled is not None}
     if of.settled is None:
-        keys = ("component", "nominal_diameter_m", "length_m", "mass_kg", "swing_radius_m", "trade")
+        keys = ("component", "nominal_diameter_m", "length_m", "mass_kg", "cost_USD",
+                "swing_radius_m", "trade")  # fmt: skip
         return document | dict.fromkeys(keys) | {"reason": of.reason}
     line = of.settled.point.line
     return document | {
@@ -213,6 +215,7 @@ def _alternative(of: Alternative, sizing: Sizing) -> dict[str, Any]:
         "nominal_diameter_m": line.segments[0].nominal_diameter,
         "length_m": line.length,
         "mass_kg": of.mass,
+        "cost_USD": of.cost,
         "swing_radius_m": of.swing,
         "trade": sizing.trade(of),
         "reason": "",

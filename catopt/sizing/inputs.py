@@ -245,8 +245,8 @@ INPUTS: Final = (
         "growth", "environment.marine_growth", "LENGTH", "50 mm", "0 mm", of=_BUOY, at_least=0.0,
         most="0.5 m", called=("marine_growth",), not_with=("force",), why=_IN_IT,
     ),
-    # Open-link buoy chain of IALA, whose figures were all read in CALMAR's own table (A). The sizes
-    # of a ship's chain are catopt's own bounds; its step is half a shot.
+    # Open-link buoy chain of IALA, whose figures were all read in CALMAR's own table (A). The
+    # largest size of a ship's chain is catopt's own bound; its step is half a shot.
     Input(
         "chain", "line.components", "NAME", ("chain studless R3", "chain studless R4"),
         "chain open-link 4D Q2", several=True, called=("components", "component"),
@@ -254,7 +254,7 @@ INPUTS: Final = (
     ),
     Input(
         "diameter_min", "line.diameter_min", "LENGTH", "20 mm", above=0.0,
-        left_out="left_out.every_size", tanker=(("default", "50 mm"), ("left_out", "")),
+        left_out="left_out.every_size",
     ),
     Input(
         "diameter_max", "line.diameter_max", "LENGTH", "44 mm", above=0.0,
@@ -265,9 +265,11 @@ INPUTS: Final = (
         left_out="left_out.length_step", tanker=(("default", "13.75 m"), ("left_out", "")),
     ),
     Input(
-        "prefer", "line.prefer", "WHICH", "balanced", "lightest",
-        words=("lightest", "balanced", "least-swing"),
+        "prefer", "line.prefer", "WHICH", "balanced", left_out="left_out.prefer",
+        words=("cheapest", "lightest", "balanced", "least-swing"),
     ),
+    Input("max_swing", "line.max_swing", "LENGTH", "450 m", above=0.0),
+    Input("swing_price", "line.swing_price", "NUMBER", 50, at_least=0.0),
     Input(
         "clump_weight", "line.clump_weights", "MASS", ("5 t", "10 t"), of=_TANKER, above=0.0,
         several=True, called=("clump_masses",),

@@ -16,14 +16,14 @@ from catopt.words import Message
 
 __all__ = ["PREFERENCES", "LineChoice", "Prefer"]
 
-Prefer = Literal["lightest", "balanced", "least-swing"]
+Prefer = Literal["cheapest", "lightest", "balanced", "least-swing"]
 PREFERENCES: tuple[Prefer, ...] = get_args(Prefer)
 
 _STEPS: Final = (0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 _STEPS_A_HEIGHT: Final = 25.0
 """A step of length is at least this part of the height that the line spans."""
 _LONGEST: Final = 12.0
-"""Times the height: longer lines are not looked at."""
+"""Times the height: longer lines are not looked at, but where they are asked for."""
 _LONGEST_LIFE: Final = 100.0
 """Years."""
 _FASTEST_WEAR: Final = 10e-3
@@ -46,8 +46,13 @@ class LineChoice:
         Only these, m; empty: every size that is sold within the bounds.
     length_step : float or None
         Step of the length, m; None: a round one near a 25th of the height that the line spans.
-    prefer : {"lightest", "balanced", "least-swing"}
-        Which design of the front is recommended: one of its ends, or its knee.
+    prefer : {"cheapest", "lightest", "balanced", "least-swing"}
+        Which design of the front is recommended: one of its ends, or its knee. The cheapest is that
+        of a front in the price of the line and swing, the others of one in mass and swing.
+    max_swing : float or None
+        Largest swing radius that the place allows, m: designs beyond it do not pass.
+    swing_price : float
+        What a metre of swing radius costs, USD/m, beside the price of the line: of the cheapest.
     life, wear_rate : float
         Service life, s, and loss of nominal diameter, m/s.
     dynamic_factor : float
@@ -64,6 +69,8 @@ class LineChoice:
     diameters: tuple[float, ...] = ()
     length_step: float | None = None
     prefer: Prefer = "lightest"
+    max_swing: float | None = None
+    swing_price: float = 0.0
     life: float = field(default_factory=lambda: usual("life"))
     wear_rate: float = field(default_factory=lambda: usual("wear"))
     dynamic_factor: float = field(default_factory=lambda: usual("dynamic_factor"))
@@ -73,14 +80,17 @@ class LineChoice:
         found = Findings("LineChoice")
         if not self.components:
             found.add("components", "none", "one family with its grade is wanted, or several")
-        for key in ("diameter_min", "diameter_max", "length_step"):
-            if getattr(self, key) is not None:
-                found.number(key, getattr(self, key), "m", above=0.0)
+        found.numbers(self, "m", "diameter_min", "diameter_max", "length_step", above=0.0)
+        found.numbers(self, "m", "max_swing", above=0.0)
+        found.number("swing_price", self.swing_price, "USD/m", at_least=0.0)
         least, most = self.diameter_min, self.diameter_max
         if not found.problems and least is not None and most is not None and most < least:
             found.add("diameter_max", f"{most * 1e3:g} mm", f"below diameter_min, {least * 1e3:g}")
         if self.prefer not in PREFERENCES:
             found.add("prefer", repr(self.prefer), "one of " + ", ".join(PREFERENCES))
+        if self.swing_price and self.prefer != "cheapest":
+            allowed = 'leave it out: prefer = "cheapest" alone weighs it, and wants known prices'
+            found.add("swing_price", f"{self.swing_price:g} USD/m", allowed)
         found.number("life", self.life, "s", at_least=0.0)
         if self.life > _LONGEST_LIFE * YEAR:
             years = f"{self.life / YEAR:g} years"
@@ -102,6 +112,23 @@ class LineChoice:
         """The checks of the case."""
         return Checks(codes=(self.code,), allow_recalled=self.allow_recalled)
 
+    def checks_beyond(self, rest: float) -> Checks:
+        """Return the checks with the bound on the swing radius as one on the span.
+
+        Parameters
+        ----------
+        rest : float
+            What of the swing radius is not of the line, m.
+        """
+        if self.max_swing is None:
+            return self.checks
+        return replace(self.checks, max_span=self.max_swing - rest)
+
+    @property
+    def objectives(self) -> tuple[str, str]:
+        """What the front is of."""
+        return ("cost" if self.prefer == "cheapest" else "mass", "offset")
+
     @property
     def service(self) -> Service | None:
         """Life and wear of the case; None for a line that stays as new."""
@@ -114,28 +141,33 @@ class LineChoice:
         criteria = (each for profile in profiles_of(self.checks) for each in profile.criteria)
         return any(each.check == check for each in criteria)
 
+    def by(self, prefer: Prefer) -> LineChoice:
+        """Recommend by another preference, which weighs no price of the swing."""
+        return replace(self, prefer=prefer, swing_price=0.0)
+
     def only(self, component: str, diameter: float) -> LineChoice:
         """Leave one size of one component (m) to choose from, and of its lines the lightest."""
         return replace(
-            self,
+            self.by("lightest"),
             components=(component,),
             diameters=(diameter,),
             diameter_min=None,
             diameter_max=None,
-            prefer="lightest",
         )
 
-    def segment(self, height: float) -> SegmentChoice:
+    def segment(self, height: float, longest: float = 0.0) -> SegmentChoice:
         """Make the design's segment.
 
         Parameters
         ----------
         height : float
             Largest that the line spans, m.
+        longest : float
+            Length to look at, m, where that is more than 12 heights.
         """
         step = self.length_step or round_step(height)
         first = math.floor(height / step) + 1
-        last = max(math.ceil(_LONGEST * height / step), first)
+        last = max(math.ceil(max(_LONGEST * height, longest) / step), first)
         return SegmentChoice(
             name=Message("sizing.chain_part"),
             lengths=tuple(round(step * k, 9) for k in range(first, last + 1)),

@@ -16,7 +16,7 @@ from catopt.loads.ship_estimate import MOULDED, Condition, estimated_tanker, est
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
-from catopt.sizing.components import sold
+from catopt.sizing.components import sold, unpriced_components
 from catopt.sizing.environment import Environment, usual_period
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
@@ -107,12 +107,11 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     ships = _ships(of)
     place = _environment(of, wind=wind_of_30_s(of))
     shape = None if of["buoy"] is None else shape_of(of)
-    line = _line(of, *_sizes(of))
+    line = _line(of, of["diameter_min"], _largest_size(of))
     ground = _ground(of)
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
-        sizes = {"least": of["diameter_min"] * 1e3, "most": of["diameter_max"] * 1e3}
-        words = (*words, Message("sizing.sizes_from_to", **sizes))
+        words = (*words, Message("sizing.sizes_up_to", most=of["diameter_max"] * 1e3))
     maker = partial(
         TankerRequest,
         buoy=shape,
@@ -297,13 +296,10 @@ def _ship(of: Known, condition: Condition) -> MooredShip:
 # ------------------------------------------------------------------ line, and what holds it
 
 
-def _sizes(of: Known) -> tuple[float, float]:
-    """Bound a ship's sizes of chain: what is given moves the other bound out of its way."""
-    least, most = of["diameter_min"], of["diameter_max"]
-    return (
-        least if "diameter_min" in of.given else min(least, most),
-        most if "diameter_max" in of.given else max(least, most),
-    )
+def _largest_size(of: Known) -> float:
+    """Bound a ship's sizes of chain; a smallest one that is given moves the usual bound."""
+    most = float(of["diameter_max"])
+    return most if "diameter_max" in of.given else max(of["diameter_min"] or 0.0, most)
 
 
 def _line(of: Known, least: float | None, most: float | None) -> LineChoice | None:
@@ -312,7 +308,7 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
         "diameter_min": least,
         "diameter_max": most,
         "length_step": of["length_step"],
-        "prefer": of["prefer"],
+        "max_swing": of["max_swing"],
         "life": of["life"],
         "wear_rate": of["wear"],
         "dynamic_factor": of["dynamic_factor"],
@@ -323,8 +319,27 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
     usual_code = usual("code", of.moored)
     usual_line = make(lambda: LineChoice(of["chain"], usual_code, **choice))
     is_known = make(lambda each: bool(sold(each, of["water_density"])), usual_line)
+    choice |= _preference(of, usual_line if is_known else None)
     line = make(lambda: LineChoice(of["chain"], of["code"], **choice))
     return line if is_known else None
+
+
+def _preference(of: Known, line: LineChoice | None) -> dict[str, Any]:
+    """Say which design is recommended: unless one asks, the cheapest where every price is known."""
+    prefer, swing_price = of["prefer"], of["swing_price"] or 0.0
+    if line is None:
+        return {"prefer": prefer or "lightest"}
+    unpriced = list(unpriced_components(line, of["water_density"]))
+    if of["clump_weight"]:
+        unpriced.append("clump weights")
+    if unpriced:
+        allowed = f"no price is known of {', '.join(unpriced)}"
+        if prefer == "cheapest":
+            of.telling.add("prefer", '"cheapest"', f"{allowed}: take lightest")
+        if swing_price:
+            of.telling.add("swing_price", f"{swing_price:g}", f"{allowed}: leave it out")
+        return {"prefer": "lightest" if prefer in (None, "cheapest") else prefer}
+    return {"prefer": prefer or "cheapest", "swing_price": swing_price}
 
 
 _AS_CLAY: Final = MappingProxyType({"mud": "soft clay", "soft mud": "soft clay"})

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Final, Literal
 
+from catopt.catalogue.choice import chosen
 from catopt.catenary.solution import Solution
 from catopt.checks.case import check_line
 from catopt.checks.result import CheckResult
@@ -24,7 +25,7 @@ from catopt.sizing.read_input import ReadInput, estimated_dimensions
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
-from catopt.words import Message, Sentence
+from catopt.words import Cited, Measure, Message, Sentence, Several
 
 __all__ = ["SHOT", "Sizing", "SwingRadius"]
 
@@ -130,14 +131,36 @@ class Sizing:
     @property
     def why(self) -> str:
         """Why this design of the front is recommended."""
-        settled = self.settled
-        if settled.index == settled.result.recommended:
-            return settled.result.recommendation
-        if settled.index == 0 and self._is_smallest:
-            size = 1e3 * point_diameter(self.point)
-            return Message("sizing.smallest_looked_at", size=size)
-        ends = {0: "sizing.lightest", len(settled.result.front) - 1: "sizing.least_swing"}
-        return Message(ends.get(settled.index, "sizing.near_knee"))
+        prefer, result = self.settled.choice.prefer, self.settled.result
+        if prefer == "least-swing":
+            return Message("sizing.least_swing")
+        if prefer == "balanced":
+            at_knee = self.settled.index == result.recommended
+            return result.recommendation if at_knee else Message("sizing.near_knee")
+        said = self._why_cheapest if prefer == "cheapest" else Message("sizing.lightest")
+        if not self._is_smallest:
+            return said
+        size = 1e3 * point_diameter(self.point)
+        return Several((said, Message("sizing.smallest_looked_at", size=size)), " ")
+
+    @property
+    def _why_cheapest(self) -> Message:
+        segment, case = self.point.line.segments[0], self.case
+        catalogue = chosen(case.catalogue, case.site.water_density)
+        origin = catalogue.component(segment.component, point_diameter(self.point)).provenance[
+            "price"
+        ]
+        source = Cited(f"{'; '.join(each.title for each in origin.sources)} [{origin.confidence}]")
+        values = {"cost": Measure("cost", self.cost or 0.0), "source": source}
+        price = self.settled.choice.swing_price
+        if price:
+            return Message("sizing.cheapest_with_swing", price=price, **values)
+        return Message("sizing.cheapest", **values)
+
+    @property
+    def cost(self) -> float | None:
+        """Of the line's material, USD; None where a price is not known."""
+        return self.point.objectives.get("cost_USD")
 
     @property
     def _is_smallest(self) -> bool:

@@ -21,22 +21,16 @@ from catopt.design.search import design_case
 from catopt.errors import NotConvergedError
 from catopt.model import Case
 from catopt.sizing.assumed import Assumed
-from catopt.sizing.line_choice import Prefer
+from catopt.sizing.line_choice import LineChoice
 from catopt.sizing.posed import Posed
-from catopt.words import Message
+from catopt.words import Message, Several
 
 __all__ = ["MOST_ROUNDS", "Settled", "point_diameter", "point_pull", "settle"]
 
 MOST_ROUNDS: Final = 40
 
-_ADVICE: Final = {
-    "buoyancy": "a larger buoy, a lighter chain of a higher grade, or less weather",
-    "tension": "a higher grade, a larger size (diameter_max), less wear or another code",
-    "uplift_angle": "a longer line: a larger size (diameter_max) or a clump weight shortens it",
-    "sliding": "better ground, a heavier material, or a drag anchor",
-    "grounded_length": "a larger size (diameter_max) or a longer line",
-}
-"""What helps against each check that no design passes."""
+_ADVICE: Final = ("buoyancy", "tension", "uplift_angle", "sliding", "grounded_length", "span")
+"""Checks against which something helps when no design passes them."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +47,8 @@ class Settled:
         What the loads were computed for, and what the recommended line comes to: never more.
     rounds : int
         Searches that it took.
+    choice : LineChoice
+        What the line might be, and which design of the front was wanted.
     """
 
     posed: Posed
@@ -60,6 +56,7 @@ class Settled:
     assumed: Assumed
     needed: Assumed
     rounds: int
+    choice: LineChoice
 
     @cached_property
     def result(self) -> DesignResult:
@@ -80,7 +77,7 @@ class Settled:
 def settle(
     pose: Callable[[Assumed], Posed],
     needed: Callable[[Posed, DesignPoint], Assumed],
-    prefer: Prefer,
+    choice: LineChoice,
     start: Assumed | None = None,
 ) -> Settled:
     """Search until the loads were computed for no less than the line that comes out.
@@ -96,7 +93,7 @@ def settle(
         Makes the case out of what is assumed.
     needed : callable
         Says what a design comes to.
-    prefer : {"lightest", "balanced", "least-swing"}
+    choice : LineChoice
         Which design of a front is recommended.
     start : Assumed, optional
         Where to begin; the nearer to what comes out, the fewer rounds.
@@ -112,9 +109,9 @@ def settle(
     """
     assumed = start or Assumed()
     for rounds in range(1, MOST_ROUNDS + 1):
-        found = _search(pose, needed, assumed, prefer, rounds)
+        found = _search(pose, needed, assumed, choice, rounds)
         if assumed.covers(found.needed):
-            return _nearer(found, pose, needed, prefer)
+            return _nearer(found, pose, needed, choice)
         assumed = assumed.raised_to(found.needed)
     raise NotConvergedError(Message("sizing.not_settled", rounds=MOST_ROUNDS))
 
@@ -129,24 +126,26 @@ def point_pull(point: DesignPoint) -> float:
     return max(solution.fairlead.vertical_force for _, solution in point.checks.solutions)
 
 
-def _preferred(objectives: Floats, prefer: Prefer) -> int:
-    """Pick a design of a front that rises in mass: its knee, its first or its last."""
-    if prefer == "balanced":
+def _preferred(objectives: Floats, choice: LineChoice) -> int:
+    """Pick a design of a front that rises in mass or cost: its knee, its first or its last."""
+    if choice.prefer == "balanced":
         return knee(objectives).index
-    return 0 if prefer == "lightest" else len(objectives) - 1
+    if choice.prefer == "cheapest":
+        return int(np.argmin(objectives[:, 0] + choice.swing_price * objectives[:, 1]))
+    return 0 if choice.prefer == "lightest" else len(objectives) - 1
 
 
 def _nearer(
     found: Settled,
     pose: Callable[[Assumed], Posed],
     needed: Callable[[Posed, DesignPoint], Assumed],
-    prefer: Prefer,
+    choice: LineChoice,
 ) -> Settled:
     """Try the loads of just the line that was found, where those assumed were larger."""
     if found.needed.covers(found.assumed):
         return found
     try:
-        exact = _search(pose, needed, found.needed, prefer, found.rounds + 1)
+        exact = _search(pose, needed, found.needed, choice, found.rounds + 1)
     except NoFeasibleDesignError:
         return found
     return exact if exact.assumed.covers(exact.needed) else found
@@ -156,18 +155,18 @@ def _search(
     pose: Callable[[Assumed], Posed],
     needed: Callable[[Posed, DesignPoint], Assumed],
     assumed: Assumed,
-    prefer: Prefer,
+    choice: LineChoice,
     rounds: int,
 ) -> Settled:
     posed = pose(assumed)
     try:
-        point = _best(posed.case, prefer)
+        point = _best(posed.case, choice)
     except NoFeasibleDesignError as error:
         raise _advised(error) from error
-    return Settled(posed, point, assumed, needed(posed, point), rounds)
+    return Settled(posed, point, assumed, needed(posed, point), rounds, choice)
 
 
-def _best(case: Case, prefer: Prefer) -> DesignPoint:
+def _best(case: Case, choice: LineChoice) -> DesignPoint:
     """Search one case for its recommended design alone: what `design_case` says without the rest.
 
     Only the last case's whole front is shown; to check and explain that of every round costs more
@@ -179,20 +178,23 @@ def _best(case: Case, prefer: Prefer) -> DesignPoint:
         front = design_case(case).front
         keys = [OBJECTIVE_KEYS[name] for name in problem.names]
         objectives = np.array([[point.objectives[key] for key in keys] for point in front])
-        return front[_preferred(objectives, prefer)]
+        return front[_preferred(objectives, choice)]
     outcome = enumerate_designs(problem, workers=os.cpu_count() or 1)
     if outcome.interrupted:
         raise KeyboardInterrupt
     if not len(outcome.genes):
         raise no_feasible_design(problem, outcome)
-    best = _preferred(outcome.objectives, prefer)
+    best = _preferred(outcome.objectives, choice)
     return design_point(problem, tuple(outcome.genes[best].tolist()))
 
 
 def _advised(error: NoFeasibleDesignError) -> NoFeasibleDesignError:
     """Add what would help against the checks that fail."""
     kinds = [each.kind for each in error.near_miss.failing] if error.near_miss else []
-    advice = [_ADVICE[kind] for kind in dict.fromkeys(kinds) if kind in _ADVICE]
+    advice = [Message(f"sizing.helps_{kind}") for kind in dict.fromkeys(kinds) if kind in _ADVICE]
     if not advice:
         return error
-    return NoFeasibleDesignError(f"{error}\nWhat may help: {'; '.join(advice)}.", error.near_miss)
+    helps = Message("sizing.may_help", advice=Several(advice))
+    said = error.message
+    parts = said.parts if isinstance(said, Several) else (said,)
+    return NoFeasibleDesignError(Several((*parts, helps), "\n"), error.near_miss)

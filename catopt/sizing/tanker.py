@@ -17,7 +17,7 @@ from catopt.sizing.alternatives import alternatives
 from catopt.sizing.anchorage import DragGround
 from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.candidates import candidates
-from catopt.sizing.components import catalogue_of, first_line
+from catopt.sizing.components import catalogue_of, first_line, longest_useful
 from catopt.sizing.limits import limits
 from catopt.sizing.line_choice import Prefer
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
@@ -46,11 +46,12 @@ _LITTLE_WATER: Final = 0.1
 
 
 class _State(NamedTuple):
-    """A condition of the ship at a water level: where the fairlead is, and the loads."""
+    """A condition of the ship at a water level, and how much higher its fairlead is there."""
 
     name: str
     moored: MooredShip
     depth: float
+    level: float
     rise: float
 
 
@@ -105,7 +106,9 @@ def sized_tanker(request: TankerRequest) -> Sizing:
             ),
         ),
         alternatives=alternatives(
-            request.line.prefer, lambda prefer: _by(request, prefer, settled)
+            request.line.prefer,
+            lambda prefer: _by(request, prefer, settled),
+            priced=request.is_priced,
         ),
         limits=limits(settled),
         swing=_swing(request, settled, around),
@@ -123,7 +126,7 @@ def sized_tanker(request: TankerRequest) -> Sizing:
 
 def _by(request: TankerRequest, prefer: Prefer, own: Settled) -> tuple[Settled, float]:
     """Settle the line of another preference, with its swing radius."""
-    request = replace(request, line=replace(request.line, prefer=prefer))
+    request = replace(request, line=request.line.by(prefer))
     settled = _settled(request, own.needed)
     around = _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
     return settled, _swing(request, settled, around).total
@@ -147,16 +150,18 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
     base = env.levels.high + _fairlead(request, request.ships[0])
     loads = tuple(_loads_at(request, each, assumed) for each in states)
     forces = _line_forces(request, loads, assumed)
-    height = base + max(state.rise for state in states)
+    height = base + max(state.level + state.rise for state in states)
     drag = request.ground.sized(max(forces)) if isinstance(request.ground, DragGround) else None
     cases = [
-        LoadCase(state.name, force, state.rise)
+        LoadCase(state.name, force, state.level, fairlead_rise=state.rise)
         for state, force in zip(states, forces[: len(states)], strict=True)
     ]
     if request.lines > 1:
         for state, force in zip(states, forces[len(states) :], strict=True):
             name = Message("sizing.one_line_out", load_case=state.name)
-            cases.append(LoadCase(name, force, state.rise, state="one_line_out"))
+            cases.append(
+                LoadCase(name, force, state.level, state="one_line_out", fairlead_rise=state.rise)
+            )
     else:
         cases.append(
             LoadCase(Message("sizing.everyday"), EVERYDAY_SHARE * max(forces), 0.0, "reference")
@@ -166,7 +171,7 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
         line=first_line(line, env.water_density, 3.0 * height),
         load=None,
         fairlead_height=base,
-        checks=line.checks,
+        checks=line.checks_beyond(request.beyond_the_line),
         title=request.title or _title(request),
         source=request.source or "catopt size tanker",
         load_cases=tuple(cases),
@@ -220,7 +225,7 @@ def _settled_within(
     return settle(
         lambda assumed: pose_tanker(request, assumed, allowed),
         needed,
-        request.line.prefer,
+        request.line,
         start,
     )
 
@@ -251,10 +256,10 @@ def _states(request: TankerRequest) -> Iterator[_State]:
     for each in request.ships:
         higher = _fairlead(request, each) - first
         high, low = map(Message, _LOAD_CASES[each.condition])
-        yield _State(high, each, levels.high, higher + crest)
+        yield _State(high, each, levels.high, crest, higher)
         fall = levels.high - levels.low
         if fall or crest:
-            yield _State(low, each, levels.low, higher - fall)
+            yield _State(low, each, levels.low, -fall, higher)
 
 
 def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
@@ -311,6 +316,7 @@ def _line_forces(
 
 
 def _design(request: TankerRequest, height: float) -> Design:
+    line = request.line
     weights: tuple[ClumpWeightChoice, ...] = ()
     if request.clump_masses:
         places = tuple(float(round(share * height) or 1) for share in _CLUMP_PLACES)
@@ -324,9 +330,11 @@ def _design(request: TankerRequest, height: float) -> Design:
         )
     sinker = None
     if not isinstance(request.ground, DragGround):
-        sinker = request.ground.choice(coded=request.line.has_factor("sliding"), heavy=True)
+        sinker = request.ground.choice(coded=line.has_factor("sliding"), heavy=True)
+    longest = longest_useful(line, request.environment.water_density, height)
     return Design(
-        segments=(request.line.segment(height),),
+        segments=(line.segment(height, longest),),
+        objectives=line.objectives,
         clump_weights=weights,
         sinker=sinker,
     )
@@ -342,7 +350,7 @@ def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Patter
     case = posed.case
     extreme = [each for each in case.load_cases if each.state == "intact"]
     states = [
-        BodyState(each.load_case, each.horizontal_force, case.fairlead_height + state.water_level)
+        BodyState(each.load_case, each.horizontal_force, case.under(state).fairlead_height)
         for each, state in zip(posed.loads, extreme, strict=True)
     ]
     return pattern(

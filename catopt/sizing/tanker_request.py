@@ -10,6 +10,7 @@ from catopt.loads.ship import Ship
 from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
+from catopt.sizing.components import unpriced_components
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
@@ -18,6 +19,7 @@ from catopt.sizing.read_input import ReadInput
 __all__ = [
     "MooredShip",
     "TankerRequest",
+    "check_deadweight",
 ]
 
 
@@ -53,16 +55,36 @@ class MooredShip:
     def __post_init__(self) -> None:
         found = Findings("MooredShip")
         found.number("fairlead", self.fairlead, "m", at_least=0.0, at_most=100.0)
-        if self.deadweight is not None:
-            found.number("deadweight", self.deadweight, "kg", above=0.0)
-            displaced = self.ship.displacement * 1025.0
-            of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
-            own = f"{self.deadweight / 1e3:.6g} t"
-            if not found.problems and self.deadweight >= displaced:
-                found.add("deadweight", own, f"not below {of_it}")
-            elif not found.problems and self.deadweight < _LEAST_CARGO * displaced:
-                found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
         found.raise_if_any()
+        if self.deadweight is not None:
+            check_deadweight(self.deadweight, self.ship)
+
+
+def check_deadweight(deadweight: float, ship: Ship) -> None:
+    """Hold a deadweight against the displacement, from both sides.
+
+    Parameters
+    ----------
+    deadweight : float
+        kg.
+    ship : Ship
+        Loaded.
+
+    Raises
+    ------
+    InputError
+        When it cannot be that of the ship.
+    """
+    found = Findings("MooredShip")
+    found.number("deadweight", deadweight, "kg", above=0.0)
+    displaced = ship.displacement * 1025.0
+    of_it = f"what a ship of these dimensions displaces, {displaced / 1e3:.6g} t"
+    own = f"{deadweight / 1e3:.6g} t"
+    if not found.problems and deadweight >= displaced:
+        found.add("deadweight", own, f"not below {of_it}")
+    elif not found.problems and deadweight < _LEAST_CARGO * displaced:
+        found.add("deadweight", own, f"below {_LEAST_CARGO:g} of {of_it}")
+    found.raise_if_any()
 
 
 @dataclass(frozen=True)
@@ -111,7 +133,6 @@ class TankerRequest:
         default_factory=lambda: LineChoice(
             usual("chain", "tanker"),
             usual("code", "tanker"),
-            diameter_min=usual("diameter_min", "tanker"),
             diameter_max=usual("diameter_max", "tanker"),
             length_step=usual("length_step", "tanker"),
         )
@@ -147,6 +168,7 @@ class TankerRequest:
         if self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the ship")
         self._check_methods(found)
+        self._check_swing(found)
         low = self.environment.levels.low
         for each in self.ships:
             if each.ship.draught >= low:
@@ -173,6 +195,30 @@ class TankerRequest:
         elif is_tcn and self.environment.sea.hmax > 0.0:
             allowed = f"missing; {TCN} wants its chi in waves, or 0 to leave the waves out"
             found.add("wave_coefficient", "", allowed)
+
+    def _check_swing(self, found: Findings) -> None:
+        """Note a bound on the swing radius that no line keeps, or that nothing evaluates."""
+        most, rest = self.line.max_swing, self.beyond_the_line
+        if self.lines > 1:
+            allowed = "leave it out: it is of one line, and several hold the ship in its place"
+            if most is not None:
+                found.add("max_swing", f"{most:g} m", allowed)
+            if self.line.swing_price:
+                found.add("swing_price", f"{self.line.swing_price:g} USD/m", allowed)
+        elif most is not None and most <= rest:
+            allowed = f"ship and hawser alone are {rest:g} m long: more is wanted, or several lines"
+            found.add("max_swing", f"{most:g} m", allowed)
+
+    @property
+    def is_priced(self) -> bool:
+        """Whether a price is known of everything that the line may have."""
+        density = self.environment.water_density
+        return not self.clump_masses and not unpriced_components(self.line, density)
+
+    @property
+    def beyond_the_line(self) -> float:
+        """Part of the swing radius that is hawser and ship, m."""
+        return self.hawser + self.longest
 
     @property
     def longest(self) -> float:

@@ -383,6 +383,7 @@ def cases(draw: st.DrawFn) -> Case:
         name=NAME,
         horizontal_force=POSITIVE,
         water_level=NOT_NEGATIVE,
+        fairlead_rise=NOT_NEGATIVE,
         kind=st.sampled_from(LOAD_CASE_KINDS),
     )
     states = draw(st.lists(state, max_size=3, unique_by=lambda each: each.name))

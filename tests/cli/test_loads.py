@@ -14,6 +14,8 @@ import pytest
 
 from catopt import schemas
 from catopt.loads import METHODS, compare_tanker
+from catopt.sizing.inputs import Input, rows_of
+from catopt.units import as_written
 
 from .conftest import Run
 
@@ -260,3 +262,106 @@ def test_what_is_wrong_is_told_by_the_option(
     assert (ran.status, ran.out) == (2, "")
     for each in words:
         assert each in ran.err
+
+
+PLACE = {
+    "buoy": {
+        "site.water_depth": "12 m", "environment.current": "1 m/s", "environment.hs": "1.5 m",
+        "environment.period": "6 s", "buoy.name": "pillar 1.8 m",
+    },
+    "ship": {
+        "site.water_depth": "22 m", "environment.current": "1 m/s", "environment.wind": "20 m/s",
+        "environment.hs": "1.5 m", "environment.period": "6 s", "ship.length": "234 m",
+        "ship.breadth": "31.3 m", "ship.draught": "12.4 m",
+    },
+}  # fmt: skip
+"""Of a file that both loads commands take."""
+
+ACROSS = ("--wind-angle", "90 deg", "--current-angle", "90 deg")
+LOW = {"buoy": "2.5 m", "ship": "14 m"}
+OTHERS = {"water_density": 1010, "load_method": ["22TCN-222-95"]}
+"""Values that count where the example of the table would not."""
+
+
+def loads_of(run: Run, folder: Path, body: str, keys: dict[str, Any]) -> tuple[int, Any, str]:
+    """Compute the loads of a file with these keys; status, document and what is told."""
+    sections: dict[str, str] = {"": ""}
+    for key, value in keys.items():
+        section, _, name = key.rpartition(".")
+        written = as_written(value) if not isinstance(value, (tuple, list)) else None
+        written = written or f"[{', '.join(map(as_written, value))}]"
+        sections[section] = sections.get(section, "") + f"{name} = {written}\n"
+    path = folder / "sizing.toml"
+    top = sections.pop("")
+    path.write_text(top + "".join(f"[{name}]\n{text}" for name, text in sections.items()))
+    ran = run("loads", body, str(path), "--json", *(ACROSS if body == "ship" else ()))
+    return ran.status, json.loads(ran.out) if ran.out else None, ran.err
+
+
+@pytest.mark.parametrize(
+    ("body", "each"),
+    [
+        (body, each)
+        for body, moored in (("buoy", "buoy"), ("ship", "tanker"))
+        for each in rows_of(moored)
+        if each.key not in (*PLACE[body], "ship.deadweight")  # held against the displacement, below
+    ],
+    ids=lambda each: each if isinstance(each, str) else each.key,
+)
+def test_no_key_of_a_sizing_is_ignored_in_silence(
+    run: Run, tmp_path: Path, body: str, each: Input
+) -> None:
+    """It changes the loads, is refused by its name, or is said to have no part in them."""
+    _, without, _ = loads_of(run, tmp_path, body, PLACE[body])
+    value = LOW[body] if each.name == "low_water" else OTHERS.get(each.name, each.example)
+    status, found, told = loads_of(run, tmp_path, body, {**PLACE[body], each.key: value})
+    if status == 2:
+        assert each.key in told or str(value) in told
+        return
+    assert status == 0
+    named = [said for said in found["assumptions"] if said.startswith("Given, but no part")]
+    if any(each.key in said for said in named):
+        assert found["components"] == without["components"]
+    else:
+        assert (found["components"], found["others"]) != (without["components"], without["others"])
+
+
+def test_low_water_counts_for_a_ship(run: Run) -> None:
+    """Of S3's tanker across the current: C = C0 + (3.2 - C0)(T/d)^2, T/d 12.4/20 and 12.4/15."""
+    still = ("--current-angle", "90 deg", "--wind", "0 m/s", "--hmax", "0 m")
+    found = document(run, *TANKER, *still, "--low-water", "15 m")
+    assert [each["depth_m"] for each in found["headings"]] == [20.0, 15.0]
+    forces = [each["horizontal_force_N"] for each in found["headings"]]
+    assert forces[0] == document(run, *TANKER, *still)["horizontal_force_N"]
+    assert found["horizontal_force_N"] == max(forces) == forces[1]
+    length, volume = 0.97 * 234.0, 0.80 * 0.97 * 234.0 * 31.3 * 12.4
+    chi = length**2 * 0.98 * 31.3 * 12.4 / (31.3 * volume)
+    deep = 0.22 * math.sqrt(chi)
+    by_hand = [
+        0.5 * 1025.0 * 1.2**2 * length * 12.4 * (deep + (3.2 - deep) * (12.4 / depth) ** 2)
+        for depth in (20.0, 15.0)
+    ]
+    assert forces == pytest.approx(by_hand, rel=1e-9)
+
+
+@pytest.mark.parametrize(("chain", "governs"), [("25 mm", "12 m"), ("0 mm", "10 m")])
+def test_low_water_counts_for_a_buoy(run: Run, chain: str, governs: str) -> None:
+    """Waves move the surface faster in less water, (pi H/T)/tanh(k d); a chain is shorter in it."""
+    depths = ("12 m", "10 m")
+    found = document(run, *BUOY, "--chain", chain)
+    at = {
+        depth: document(run, *BUOY, "--chain", chain, "--depth", depth, "--low-water", depth)
+        for depth in depths
+    }
+    forces = {depth: at[depth]["horizontal_force_N"] / 1e3 for depth in depths}
+    assert max(forces, key=lambda depth: forces[depth]) == governs
+    assert found["horizontal_force_N"] == at[governs]["horizontal_force_N"]
+    high, low = (f"{forces[depth]:.2f} kN in {depth}" for depth in depths)
+    assert found["assumptions"][0] == f"The larger of both water levels: {high}, {low}."
+
+
+def test_a_deadweight_that_is_no_ship_s_is_refused(run: Run) -> None:
+    """0.80 x 0.97 x 234 x 31.3 x 12.4 m3 of sea water are 72,238 t."""
+    ran = run(*TANKER, "--dwt", "73000 t")
+    assert (ran.status, ran.out) == (2, "")
+    assert "--dwt: found 73000 t; not below what a ship of these dimensions displaces" in ran.err

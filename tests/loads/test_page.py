@@ -157,7 +157,7 @@ def test_the_sentences_about_headings() -> None:
             WIND,
             CURRENT,
             SEA,
-            WATER_DEPTH,
+            [WATER_DEPTH],
             [Headings(current=math.radians(degrees))],
             methods=["UFC-Blendermann"],
             turning=Turning(YAW_TYPES["series-60"]),

@@ -140,7 +140,14 @@ def test_every_direction_and_draught_counts() -> None:
     ships = [Afloat(each, tanker(each), f"tanker {each}") for each in ("loaded", "ballast")]
     both = [Headings(), Headings(current=math.radians(60.0))]
     found = every_lying(
-        ships, WIND, CURRENT, SEA, WATER_DEPTH, both, methods=["UFC-Blendermann"], turning=SERIES_60
+        ships,
+        WIND,
+        CURRENT,
+        SEA,
+        [WATER_DEPTH],
+        both,
+        methods=["UFC-Blendermann"],
+        turning=SERIES_60,
     )
     assert [each.afloat.condition for each in found] == ["loaded", "loaded", "ballast", "ballast"]
     forces = [each.loads.horizontal_force / 1e3 for each in found]

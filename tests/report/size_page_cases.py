@@ -61,6 +61,8 @@ prefer = "lightest"
 SIX = f"""
 title = "Six lines around a turret"
 {SHIP}
+[line]
+diameter_min = "50 mm"
 [system]
 lines = 6
 """

@@ -68,7 +68,7 @@ def is_allowed(run: str) -> bool:
         or NAMES.fullmatch(run)
         or FORMULA.search(run)
         or not WORD.search(run)
-        or re.fullmatch(r"[A-Z]{2,}", run)
+        or re.fullmatch(r"([0-9]+ )?[A-Z]{2,}", run)  # units and currencies
     )
 
 

@@ -19,7 +19,7 @@ from catopt.errors import InputError
 from catopt.loads import METHODS, WaterLevels
 from catopt.loads.ship_dimensions import ShipKind
 from catopt.loads.sinker import DENSITIES
-from catopt.sizing import Environment, LineChoice, SinkerGround, TankerRequest
+from catopt.sizing import Environment, SinkerGround, TankerRequest
 from catopt.sizing.file import read_file, read_sizing
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
 from catopt.sizing.kinds import from_text, kind_of, usual
@@ -48,18 +48,22 @@ BASE: dict[Moored, dict[str, object]] = {
         "buoy": "mooring buoy 5.0 m",
     },
 }
+SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
+ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest"}
+ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight"))
 FULL: dict[str, tuple[Moored, dict[str, object]]] = {
-    "a buoy of the library": ("buoy", {"hs": "1.5 m"}),
+    "a buoy of the library": ("buoy", {"hs": "1.5 m", "swing_price": None}),
     "a buoy by its force": (
         "buoy",
-        {"buoy": None, "force": "5 kN", "soil": None, "friction": 0.4},
+        {"buoy": None, "force": "5 kN", "soil": None, "friction": 0.4, "swing_price": None},
     ),
-    "a tanker on a drag anchor": ("tanker", {"low_water": "20 m"}),
-    "a tanker on a sinker": ("tanker", {"low_water": "20 m", "anchor": "sinker"}),
+    "a tanker on a drag anchor": ("tanker", SEVERAL),
+    "a tanker on a sinker": ("tanker", {**SEVERAL, "anchor": "sinker"}),
     "a tanker on a sinker, by friction": (
         "tanker",
-        {"low_water": "20 m", "anchor": "sinker", "soil": None, "friction": 0.4},
+        {**SEVERAL, "anchor": "sinker", "soil": None, "friction": 0.4},
     ),
+    "a tanker on one line, by price": ("tanker", ONE_LINE),
 }
 """What is given first, of sizings that are then given every input that may stand beside it."""
 
@@ -110,7 +114,7 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
 
 
 def test_the_examples_are_all_inputs_but_a_file_of_buoys() -> None:
-    given = {"buoy": {"buoys"}, "tanker": {"buoys"}}
+    given = {"buoy": {"buoys", "swing_price"}, "tanker": {"buoys"}}  # no buoy chain has a price
     for name in FULL:
         moored, examples_of_it = examples(name)
         given[moored] |= set(examples_of_it)
@@ -219,7 +223,6 @@ def test_one_of_several_words_is_one_of_the_model() -> None:
 
 def test_what_requests_take_is_what_the_table_says() -> None:
     """The rest is read from the table (`catopt.sizing.kinds.usual`)."""
-    assert LineChoice(("chain",), "break/5").prefer == usual("prefer")
     assert SinkerGround().material == usual("sinker")
     assert Environment(WaterLevels.steady(12.0)).water_density == usual("water_density")
     assert {each.name: each.default for each in fields(TankerRequest)}["lines"] == usual(

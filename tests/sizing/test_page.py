@@ -139,7 +139,7 @@ def tanker_request(lines: int = 1) -> TankerRequest:
         WaterLevels.steady(20.0), Wind(20.0), SurfaceCurrent(1.2), SeaState(8.0, maximum_height=3.5)
     )
     request = TankerRequest((moored,), place, estimates=estimates(), lines=lines)
-    return replace(request, line=replace(request.line, prefer="balanced"))
+    return replace(request, line=replace(request.line, prefer="balanced", diameter_min=0.05))
 
 
 def check(heading: str, *sources: dict[str, float]) -> None:
