@@ -42,6 +42,8 @@ class LineType:
         Of the line on the bed, where the deck has it by line type.
     drag : (float, float, float, float) or None
         Cd across on d, Cd along on pi d, Ca across and along on the displaced water.
+    MBL, nominal_diameter : float or None
+        N and m, where the deck has them.
     """
 
     row: int
@@ -50,6 +52,8 @@ class LineType:
     EA: float
     friction: float | None = None
     drag: tuple[float, float, float, float] | None = None
+    MBL: float | None = None
+    nominal_diameter: float | None = None
 
 
 @dataclass(frozen=True)

@@ -80,7 +80,14 @@ def test_a_place_that_cannot_be_written_leaves_nothing(run: Run, tmp_path: Path)
 
 @pytest.mark.parametrize(
     ("case", "further"),
-    [(FSO, ("moordyn",)), (BUOY, ("moordyn", "--EA", "20 MN")), (BUOY, ("dxf",)), (FSO, ("dxf",))],
+    [
+        (FSO, ("moordyn",)),
+        (BUOY, ("moordyn", "--EA", "20 MN")),
+        (BUOY, ("dxf",)),
+        (FSO, ("dxf",)),
+        (FSO, ("map",)),
+        (FSO, ("moorpy",)),
+    ],
 )
 def test_the_document(run: Run, tmp_path: Path, case: Path, further: tuple[str, ...]) -> None:
     ran = run("export", case, "--to", *further, "--json")
@@ -105,7 +112,7 @@ def test_the_document(run: Run, tmp_path: Path, case: Path, further: tuple[str, 
 def test_a_stray_document_is_rejected(run: Run) -> None:
     document = json.loads(run("export", BUOY, "--to", "dxf", "--json").out)
     changes: list[dict[str, object]]
-    changes = [{"format": "orcaflex"}, {"lines": []}, {"sha256": "0"}, {"file": "x"}]
+    changes = [{"format": "flexcom"}, {"lines": []}, {"sha256": "0"}, {"file": "x"}]
     for change in changes:
         with pytest.raises(jsonschema.ValidationError):
             validate({**document, **change})
@@ -167,10 +174,10 @@ def test_the_water_above_which_a_line_reaches(run: Run) -> None:
     ("arguments", "said"),
     [
         ([BUOY], "Missing option '--to'"),
-        ([BUOY, "--to", "orcaflex"], "'orcaflex' is not one of 'moordyn', 'dxf'"),
+        ([BUOY, "--to", "flexcom"], "'flexcom' is not one of 'moordyn', 'map', 'moorpy',"),
         (
             [BUOY, "--to", "moordyn"],
-            "line.segments[0].EA: missing; MoorDyn lets every line stretch",
+            "line.segments[0].EA: missing; --to moordyn wants it",
         ),
         (
             [BUOY, "--to", "moordyn", "--EA", "5 m"],
