@@ -25,11 +25,18 @@ class Target(StrEnum):
     MOORDYN = "moordyn"
     MAP = "map"
     MOORPY = "moorpy"
+    ONTOLOGY = "ontology"
     DXF = "dxf"
 
 
 ENDINGS = MappingProxyType(
-    {Target.MOORDYN: ".txt", Target.MAP: ".map", Target.MOORPY: ".py", Target.DXF: ".dxf"}
+    {
+        Target.MOORDYN: ".txt",
+        Target.MAP: ".map",
+        Target.MOORPY: ".py",
+        Target.ONTOLOGY: ".yaml",
+        Target.DXF: ".dxf",
+    }
 )
 """Of the file's name, where a directory is given."""
 
@@ -46,8 +53,8 @@ def export(
             "--to",
             metavar="FORMAT",
             help="moordyn: input file of MoorDyn version 2, which MoorPy reads too. map: of MAP++. "
-            "moorpy: Python script that builds the lines in MoorPy. dxf: drawing (R12, metres) "
-            "for CAD programs.",
+            "moorpy: Python script that builds the lines in MoorPy. ontology: floating array "
+            "ontology (YAML). dxf: drawing (R12, metres) for CAD programs.",
         ),
     ],
     design: DesignOption = None,

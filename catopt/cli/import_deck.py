@@ -19,7 +19,10 @@ __all__ = ["import_deck"]
 def import_deck(
     context: typer.Context,
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="Input file of MoorDyn (v1, v2) or MAP++.")
+        Path,
+        typer.Argument(
+            metavar="FILE", help="Input file of MoorDyn (v1, v2), of MAP++, or ontology in YAML."
+        ),
     ],
     gravity: Annotated[
         str | None,
@@ -124,5 +127,8 @@ def _check_is_deck(text: str, file: Path) -> None:
     from catopt.errors import InputError, Problem
 
     if not is_deck(text):
-        allowed = "an input file of MoorDyn or MAP++ is wanted: it has a section LINE TYPES"
+        allowed = (
+            "an input file of MoorDyn or MAP++ is wanted, which has a section LINE TYPES, or YAML "
+            "with mooring_systems"
+        )
         raise InputError([Problem("FILE", str(file), allowed)], "options")

@@ -101,9 +101,20 @@ LONGEST = 80
 
 @dataclass
 class Notes:
-    """What is wrong with a deck and what is to be said of it, gathered while it is read."""
+    """What is wrong with a deck and what is to be said of it, gathered while it is read.
+
+    Attributes
+    ----------
+    source : str
+        Name of the file.
+    only : int or None
+        The one line that is wanted, counted from 1.
+    problems, remarks : list
+        What was noted.
+    """
 
     source: str = ""
+    only: int | None = None
     problems: list[Problem] = field(default_factory=list)
     remarks: list[Message] = field(default_factory=list)
 

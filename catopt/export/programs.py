@@ -17,11 +17,12 @@ from catopt.export.mappp import mappp_lines
 from catopt.export.moordyn_model import Model, is_above, model_of
 from catopt.export.moordyn_remarks import common_remarks
 from catopt.export.moorpy_script import moorpy_lines
+from catopt.export.ontology import ontology_lines
 from catopt.words.message import Message
 
 __all__ = ["PROGRAMS", "Program", "ProgramFormat", "program_input"]
 
-ProgramFormat = Literal["map", "moorpy"]
+ProgramFormat = Literal["map", "moorpy", "ontology"]
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ def program_input(
 
     Parameters
     ----------
-    to : {"map", "moorpy"}
+    to : {"map", "moorpy", "ontology"}
         Which one.
     solved : ExportedLines
         The lines where they hang; every segment has an EA.
@@ -67,7 +68,8 @@ def program_input(
     Raises
     ------
     InputError
-        When a segment does not stretch, or its mass is missing or too small, with every one.
+        When a segment does not stretch, or its mass is missing or too small, with every one; for
+        the ontology, when the anchor stands above the bed.
 
     Examples
     --------
@@ -121,9 +123,19 @@ def _of_moorpy(model: Model) -> Iterator[str]:
         yield Message("export.no_friction", friction=friction)
 
 
+def _of_ontology(model: Model) -> Iterator[str]:
+    yield Message("export.ontology_keys")
+    if is_above(model.solved):
+        height = model.solved.highest - model.solved.case.site.water_depth
+        yield Message("export.above", height=height)
+
+
 PROGRAMS: Mapping[ProgramFormat, Program] = MappingProxyType(
     {
         "map": Program("MAP++", "MAP++ input file", mappp_lines, _of_mappp, true_depth=True),
+        "ontology": Program(
+            "the ontology", "Floating array ontology", ontology_lines, _of_ontology, true_depth=True
+        ),
         "moorpy": Program("MoorPy", "MoorPy script", moorpy_lines, _of_moorpy),
     }
 )
