@@ -26,6 +26,7 @@ class Target(StrEnum):
     MAP = "map"
     MOORPY = "moorpy"
     ONTOLOGY = "ontology"
+    ORCAFLEX = "orcaflex"
     DXF = "dxf"
 
 
@@ -35,6 +36,7 @@ ENDINGS = MappingProxyType(
         Target.MAP: ".map",
         Target.MOORPY: ".py",
         Target.ONTOLOGY: ".yaml",
+        Target.ORCAFLEX: ".yml",
         Target.DXF: ".dxf",
     }
 )
@@ -54,7 +56,8 @@ def export(
             metavar="FORMAT",
             help="moordyn: input file of MoorDyn version 2, which MoorPy reads too. map: of MAP++. "
             "moorpy: Python script that builds the lines in MoorPy. ontology: floating array "
-            "ontology (YAML). dxf: drawing (R12, metres) for CAD programs.",
+            "ontology (YAML). orcaflex: text data of OrcaFlex (YAML). dxf: drawing (R12, metres) "
+            "for CAD programs.",
         ),
     ],
     design: DesignOption = None,

@@ -21,7 +21,7 @@ def import_deck(
     file: Annotated[
         Path,
         typer.Argument(
-            metavar="FILE", help="Input file of MoorDyn (v1, v2), of MAP++, or ontology in YAML."
+            metavar="FILE", help="Input file of MoorDyn (v1, v2), MAP++ or OrcaFlex, or ontology."
         ),
     ],
     gravity: Annotated[
@@ -129,6 +129,6 @@ def _check_is_deck(text: str, file: Path) -> None:
     if not is_deck(text):
         allowed = (
             "an input file of MoorDyn or MAP++ is wanted, which has a section LINE TYPES, or YAML "
-            "with mooring_systems"
+            "with mooring_systems or LineTypes"
         )
         raise InputError([Problem("FILE", str(file), allowed)], "options")

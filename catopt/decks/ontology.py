@@ -17,13 +17,11 @@ from catopt.decks.tree import Table, parse_yaml
 __all__ = ["parse_ontology"]
 
 _UNREAD = {
-    "unread_weather": "metocean resource RAFT_cases waves marine_growth rho_air mu_air",
-    "unread_elsewhere": "array_mooring array_cables cables dynamic_cable_configs cable_configs "
-    "cable_types topsides cable_appendages cable_joints turbine turbines topside substation "
-    "members Jtubes topsideID boundaries exclusions seabed potModMaster dlsMax qtfPath "
-    "uniform_array",
-    "unread_words": "name comments type material cost RAFT_settings adjustable lengthAdjust "
-    "anchorType EAd EAd_Lm d_nom anchor_types z_location ID platformID",
+    "unread_weather": "metocean|resource|RAFT|[Ww]aves|marine_growth|_air$",
+    "unread_elsewhere": "array|cable|topside|turbine|substation|members|Jtubes|boundaries|"
+    "exclusions|seabed|potMod|dlsMax|qtfPath",
+    "unread_words": "^(name|comments|type|material|cost|anchorType|d_nom|ID|platformID|"
+    "z_location|adjustable|lengthAdjust|EAd|EAd_Lm|anchor_types)$",
 }
 _FAMILIES = {
     "chain": (20.0e3, 1.80, 85.6e9, -3.93e7, 0.0, 9.11e2, 1.21e9, -2.19e9),

@@ -117,6 +117,7 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     from catopt.decks.mappp import parse_mappp
     from catopt.decks.moordyn import parse_moordyn
     from catopt.decks.ontology import parse_ontology
+    from catopt.decks.orcaflex import parse_orcaflex
     from catopt.decks.to_case import case_of
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
@@ -127,8 +128,8 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
             notes.refuse(row, unfit(said), "take it out of the file")
     notes.raise_if_any()
     parse = parse_mappp if is_mappp(text) else parse_moordyn
-    if re.search(_BEGINS[0], text):
-        parse = parse_ontology
+    for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
+        parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
     notes.raise_if_any()
     chains = chains_of(deck, notes, notes.only)

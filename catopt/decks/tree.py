@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -143,9 +144,8 @@ class Table:
         Parameters
         ----------
         groups : mapping of str to str
-            The keys of a group, by the key of its remark.
+            Pattern of the keys of a group, by the key of its remark; the first that fits is said.
         """
-        group_of = {key: name for name, keys in groups.items() for key in keys.split()}
         found: dict[str, dict[str, list[int]]] = {}
         told = {id(t.items[key]) for t in self.opened for key in t.read if key in t.items}
         for table in self.opened:
@@ -153,7 +153,8 @@ class Table:
                 if id(item) not in told and item.value is not None:
                     told.add(id(item))
                     first = key.split(",")[0].strip()
-                    group = found.setdefault(group_of.get(first, "unread_unknown"), {})
+                    fits = (name for name, keys in groups.items() if re.search(keys, first))
+                    group = found.setdefault(next(fits, "unread_unknown"), {})
                     group.setdefault(first, []).append(item.row)
         for name, keys in sorted(found.items()):
             listed = (f"{key} ({_lines(rows)})" for key, rows in keys.items())

@@ -18,11 +18,12 @@ from catopt.export.moordyn_model import Model, is_above, model_of
 from catopt.export.moordyn_remarks import common_remarks
 from catopt.export.moorpy_script import moorpy_lines
 from catopt.export.ontology import ontology_lines
+from catopt.export.orcaflex import orcaflex_lines
 from catopt.words.message import Message
 
 __all__ = ["PROGRAMS", "Program", "ProgramFormat", "program_input"]
 
-ProgramFormat = Literal["map", "moorpy", "ontology"]
+ProgramFormat = Literal["map", "moorpy", "ontology", "orcaflex"]
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,7 @@ def program_input(
 
     Parameters
     ----------
-    to : {"map", "moorpy", "ontology"}
+    to : {"map", "moorpy", "ontology", "orcaflex"}
         Which one.
     solved : ExportedLines
         The lines where they hang; every segment has an EA.
@@ -130,12 +131,19 @@ def _of_ontology(model: Model) -> Iterator[str]:
         yield Message("export.above", height=height)
 
 
+def _of_orcaflex(model: Model) -> Iterator[str]:
+    yield Message("export.orcaflex", contact=max(each.body.diameter for each in model.types))
+    if any(body.drag_area for part in model.parts for body in part.loads):
+        yield Message("export.orcaflex_clumps")
+
+
 PROGRAMS: Mapping[ProgramFormat, Program] = MappingProxyType(
     {
         "map": Program("MAP++", "MAP++ input file", mappp_lines, _of_mappp, true_depth=True),
         "ontology": Program(
             "the ontology", "Floating array ontology", ontology_lines, _of_ontology, true_depth=True
         ),
+        "orcaflex": Program("OrcaFlex", "OrcaFlex text data", orcaflex_lines, _of_orcaflex),
         "moorpy": Program("MoorPy", "MoorPy script", moorpy_lines, _of_moorpy),
     }
 )

@@ -9,15 +9,14 @@ from dataclasses import replace
 import pytest
 import yaml
 
-from catopt import Case, InputError, read_case, solve_case
+from catopt import InputError
 from catopt.decks.deck import Notes
 from catopt.decks.reading import Asked, Imported, is_deck, read_deck
 from catopt.decks.tree import parse_yaml
 from catopt.export.exported_line import exported_lines
 from catopt.export.programs import program_input
-from catopt.mooring.case import report_system
 from catopt.words import say
-from tests.export.cases import CASES, FSO, chain_and_wire, suspended, tanker
+from tests.export.cases import CASES, chain_and_wire, tanker
 
 G = 9.80665
 
@@ -195,37 +194,6 @@ def test_without_pyyaml_it_is_said_how_to_have_it(monkeypatch: pytest.MonkeyPatc
 def test_it_is_a_deck_for_every_command() -> None:
     assert is_deck(ONTOLOGY)
     assert not is_deck((CASES / "buoy-9.5m" / "case.toml").read_text("utf-8"))
-
-
-@pytest.mark.parametrize(
-    "case",
-    [suspended(), tanker(), chain_and_wire(), chain_and_wire(0.4), read_case(FSO)],
-    ids=["suspended", "tanker", "clump", "friction", "FSO"],
-)
-def test_what_is_written_reads_back(case: Case) -> None:
-    """Numbers read back as the same doubles; places go over span and heading: 1e-11 of them."""
-    solved = exported_lines(case)
-    text = program_input("ontology", solved).text
-    yaml.safe_load(text)
-    back = read_deck(text, "back.yaml").case
-    assert back.site.water_depth == case.site.water_depth
-    assert back.site.seabed_friction == case.site.seabed_friction
-    first = solved.lines[0].solution.line
-    for ours, theirs in zip(first.segments, back.line.segments, strict=True):
-        assert theirs.submerged_weight == pytest.approx(ours.submerged_weight, rel=1e-13)
-        assert (theirs.length, theirs.EA, theirs.MBL) == (ours.length, ours.EA, ours.MBL)
-    for hung, again in zip(first.point_loads, back.line.point_loads, strict=True):
-        assert again.position == hung.position
-        assert again.submerged_weight == pytest.approx(hung.submerged_weight, rel=1e-12)
-    found = (
-        [leg.solution for leg in report_system(back).solution.lines]
-        if back.system
-        else [solve_case(back)]
-    )
-    for one, line in zip(found, solved.lines, strict=True):
-        due = line.solution
-        assert one.horizontal_force == pytest.approx(due.horizontal_force, rel=1e-8)
-        assert one.fairlead.tension == pytest.approx(due.fairlead.tension, rel=1e-8)
 
 
 def test_numbers_are_numbers_for_pyyaml() -> None:

@@ -1,4 +1,4 @@
-"""Files for MAP++ and MoorPy: figures by hand, what is said, and that they read back the same."""
+"""Files for MAP++, MoorPy, OrcaFlex and the ontology: by hand, what is said, and read back."""
 
 from __future__ import annotations
 
@@ -6,15 +6,18 @@ import math
 from dataclasses import replace
 
 import pytest
+import yaml
 
-from catopt import Case, InputError, Line, Load, PointLoad, Segment, Site, read_case
+from catopt import Case, InputError, Line, Load, PointLoad, Segment, Site, read_case, solve_case
 from catopt.decks.deck import Deck, Notes
 from catopt.decks.mappp import parse_mappp
+from catopt.decks.reading import read_deck
 from catopt.export.deck import deck_of
 from catopt.export.exported import Source
 from catopt.export.exported_line import exported_lines
 from catopt.export.moordyn_model import model_of
-from catopt.export.programs import PROGRAMS, program_input
+from catopt.export.programs import PROGRAMS, ProgramFormat, program_input
+from catopt.mooring.case import report_system
 from catopt.words import say
 
 from .cases import CASES, FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
@@ -55,6 +58,37 @@ def test_a_map_file_reads_back_as_the_same_deck(case: Case, EA: float | None) ->
     back = parse_mappp(program_input("map", solved).text, notes, given)
     assert notes.problems == []
     assert bare(back) == bare(written)
+
+
+@pytest.mark.parametrize("to", ["ontology", "orcaflex"])
+@pytest.mark.parametrize(("case", "EA"), ALL, ids=NAMES)
+def test_what_is_written_in_yaml_reads_back(
+    case: Case, EA: float | None, to: ProgramFormat
+) -> None:
+    """Numbers read back as the same doubles; places go over span and heading, or over the bed."""
+    solved = exported_lines(case, EA)
+    text = program_input(to, solved).text
+    yaml.safe_load(text)
+    back = read_deck(text, "back.yaml").case
+    assert back.site.seabed_friction == case.site.seabed_friction
+    first = solved.lines[0].solution.line
+    for ours, theirs in zip(first.segments, back.line.segments, strict=True):
+        assert theirs.submerged_weight == pytest.approx(ours.submerged_weight, rel=1e-12)
+        assert theirs.length == pytest.approx(ours.length, rel=1e-14)
+        assert theirs.EA == pytest.approx(ours.EA, rel=1e-15)
+        assert to == "orcaflex" or theirs.MBL == ours.MBL
+    for hung, again in zip(first.point_loads, back.line.point_loads, strict=True):
+        assert again.position == pytest.approx(hung.position, rel=1e-14)
+        assert again.submerged_weight == pytest.approx(hung.submerged_weight, rel=1e-12)
+    found = (
+        [leg.solution for leg in report_system(back).solution.lines]
+        if back.system
+        else [solve_case(back)]
+    )
+    for one, line in zip(found, solved.lines, strict=True):
+        due = line.solution
+        assert one.horizontal_force == pytest.approx(due.horizontal_force, rel=1e-8)
+        assert one.fairlead.tension == pytest.approx(due.fairlead.tension, rel=1e-8)
 
 
 def test_the_numbers_of_a_map_file() -> None:
@@ -107,8 +141,8 @@ def test_what_another_program_takes_otherwise_is_said() -> None:
 
 
 @pytest.mark.parametrize("to", PROGRAMS)
-def test_a_line_that_does_not_stretch_is_refused_for_its_program(to: str) -> None:
+def test_a_line_that_does_not_stretch_is_refused_for_its_program(to: ProgramFormat) -> None:
     case = Case(Site(20.0), Line([Segment(60.0, 2100.0)]), Load(horizontal_force=1e5), 20.0)
     with pytest.raises(InputError, match="lets every line stretch") as caught:
-        program_input(to, exported_lines(case))  # type: ignore[arg-type]
-    assert PROGRAMS[to].name in str(caught.value)  # type: ignore[index]
+        program_input(to, exported_lines(case))
+    assert PROGRAMS[to].name in str(caught.value)
