@@ -60,7 +60,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "verify": SOLVING | {"mooring", "checks", "fem", "waves"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
-    "export": SOLVING | {"mooring", "_version"},
+    "export": SOLVING | {"mooring", "decks", "_version"},
     "notes": SOLVING
     | READING
     | DESIGNING

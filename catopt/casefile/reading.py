@@ -27,8 +27,8 @@ def read_case(path: str | os.PathLike[str]) -> Case:
     Parameters
     ----------
     path : str or path
-        The file, TOML in UTF-8; or an input file of MoorDyn or MAP++ (`catopt.decks`), which ends
-        in anything but ``.toml``.
+        The file, TOML in UTF-8; or an input file of another program (`catopt.decks`), which ends in
+        anything but ``.toml``.
 
     Returns
     -------

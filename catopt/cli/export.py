@@ -21,10 +21,23 @@ class Target(StrEnum):
     """What reads the file."""
 
     MOORDYN = "moordyn"
+    MAP = "map"
+    MOORPY = "moorpy"
+    ONTOLOGY = "ontology"
+    ORCAFLEX = "orcaflex"
     DXF = "dxf"
 
 
-ENDINGS = MappingProxyType({Target.MOORDYN: ".txt", Target.DXF: ".dxf"})
+ENDINGS = MappingProxyType(
+    {
+        Target.MOORDYN: ".txt",
+        Target.MAP: ".map",
+        Target.MOORPY: ".py",
+        Target.ONTOLOGY: ".yaml",
+        Target.ORCAFLEX: ".yml",
+        Target.DXF: ".dxf",
+    }
+)
 """Of the file's name, where a directory is given."""
 
 _FEWEST, _MOST = 2, 10000
@@ -39,8 +52,10 @@ def export(
         typer.Option(
             "--to",
             metavar="FORMAT",
-            help="moordyn: input file of MoorDyn version 2, which MoorPy reads too. dxf: drawing "
-            "(R12, metres) for CAD programs.",
+            help="moordyn: input file of MoorDyn version 2, which MoorPy reads too. map: of MAP++. "
+            "moorpy: Python script that builds the lines in MoorPy. ontology: floating array "
+            "ontology (YAML). orcaflex: text data of OrcaFlex (YAML). dxf: drawing (R12, metres) "
+            "for CAD programs.",
         ),
     ],
     design: DesignOption = None,
@@ -58,7 +73,7 @@ def export(
             "--EA",
             metavar="FORCE",
             help='Axial stiffness, such as "500 MN", of segments for which the case has none. '
-            "MoorDyn needs it; the file says that it was given so.",
+            "All formats but dxf need it; the file says that it was given so.",
         ),
     ] = None,
     elements: Annotated[
@@ -161,6 +176,10 @@ def _exported(
         from catopt.export.dxf import dxf_drawing
 
         return dxf_drawing(solved, sources=sources)
+    if to is not Target.MOORDYN:
+        from catopt.export.programs import program_input
+
+        return program_input(to.value, solved, sources=sources)  # type: ignore[arg-type]
     from catopt.export.moordyn import moordyn_input
     from catopt.export.moordyn_model import ELEMENTS
 
@@ -178,13 +197,13 @@ def _check_stiffness(
     if EA is not None and not rigid:
         allowed = "every segment has its own EA; leave it out"
         raise InputError([Problem("--EA", str(given), allowed)], "options")
-    if EA is None and rigid and to is Target.MOORDYN:
+    if EA is None and rigid and to is not Target.DXF:
         allowed = (
-            "missing; MoorDyn lets every line stretch. Give the segment its EA in the case file, "
+            f"missing; --to {to.value} wants it. Give the segment its EA in the case file, "
             'or one for this file with --EA "500 MN"; with 10,000 times the tension or more the '
             "line hardly stretches"
         )
-        raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], "--to moordyn")
+        raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to.value}")
 
 
 def _sources(path: Path, design: int | None) -> tuple[Source, ...]:

@@ -17,7 +17,10 @@ if TYPE_CHECKING:
 def import_deck(
     context: typer.Context,
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="Input file of MoorDyn (v1, v2) or MAP++.")
+        Path,
+        typer.Argument(
+            metavar="FILE", help="Input file of MoorDyn (v1, v2), MAP++ or OrcaFlex, or ontology."
+        ),
     ],
     gravity: Annotated[
         str | None,
@@ -122,5 +125,8 @@ def _check_is_deck(text: str, file: Path) -> None:
     from catopt.errors import InputError, Problem
 
     if not is_deck(text):
-        allowed = "an input file of MoorDyn or MAP++ is wanted: it has a section LINE TYPES"
+        allowed = (
+            "an input file of MoorDyn or MAP++ is wanted, which has a section LINE TYPES, or YAML "
+            "with mooring_systems or LineTypes"
+        )
         raise InputError([Problem("FILE", str(file), allowed)], "options")

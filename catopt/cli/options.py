@@ -48,7 +48,7 @@ CaseArgument = Annotated[
     Path,
     typer.Argument(
         metavar="CASE",
-        help="Case file (TOML), or an input file of MoorDyn or MAP++; with --design a directory "
+        help="Case file (TOML), or an input file of another program; with --design a directory "
         "that catopt design --out wrote.",
     ),
 ]

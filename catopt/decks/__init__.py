@@ -1,4 +1,5 @@
-"""Input files of other mooring programs, read as a case: MoorDyn (version 1 and 2) and MAP++.
+"""Input files of other mooring programs, read as a case: MoorDyn, MAP++, OrcaFlex, ontology.
 
-From text to a Deck (moordyn, mappp), then to its lines (chains), then to a case (to_case).
+From text to a Deck (moordyn, mappp, ontology, orcaflex), then to its lines (chains), then to a case
+(to_case).
 """

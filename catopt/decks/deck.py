@@ -42,6 +42,8 @@ class LineType:
         Of the line on the bed, where the deck has it by line type.
     drag : (float, float, float, float) or None
         Cd across on d, Cd along on pi d, Ca across and along on the displaced water.
+    MBL, nominal_diameter : float or None
+        N and m, where the deck has them.
     """
 
     row: int
@@ -50,6 +52,8 @@ class LineType:
     EA: float
     friction: float | None = None
     drag: tuple[float, float, float, float] | None = None
+    MBL: float | None = None
+    nominal_diameter: float | None = None
 
 
 @dataclass(frozen=True)
@@ -97,9 +101,20 @@ LONGEST = 80
 
 @dataclass
 class Notes:
-    """What is wrong with a deck and what is to be said of it, gathered while it is read."""
+    """What is wrong with a deck and what is to be said of it, gathered while it is read.
+
+    Attributes
+    ----------
+    source : str
+        Name of the file.
+    only : int or None
+        The one line that is wanted, counted from 1.
+    problems, remarks : list
+        What was noted.
+    """
 
     source: str = ""
+    only: int | None = None
     problems: list[Problem] = field(default_factory=list)
     remarks: list[Message] = field(default_factory=list)
 

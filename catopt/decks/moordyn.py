@@ -13,7 +13,7 @@ from types import MappingProxyType
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.decks.deck import Deck, LineType, Notes, Piece, Point, Row
 
-__all__ = ["parse_moordyn"]
+__all__ = ["parse_moordyn", "settled"]
 
 _SECTIONS = (
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),
@@ -182,7 +182,7 @@ def _options(rows: list[Row], notes: Notes, given: Mapping[str, float]) -> dict[
     if run:
         listed = ", ".join(f"{key} ({number})" for key, number in run.items())
         notes.say("run", keys=listed)
-    return _settled(found, notes, given)
+    return settled(found, notes, given)
 
 
 def _option(row: Row, meaning: str, found: dict[str, float], notes: Notes) -> None:
@@ -197,8 +197,12 @@ def _option(row: Row, meaning: str, found: dict[str, float], notes: Notes) -> No
     found[meaning] = notes.value(row.number, value, key, **low)
 
 
-def _settled(found: dict[str, float], notes: Notes, given: Mapping[str, float]) -> dict[str, float]:
-    """Put in what the user gives, and what MoorDyn takes where the deck says nothing."""
+def settled(found: dict[str, float], notes: Notes, given: Mapping[str, float]) -> dict[str, float]:
+    """Put in what the user gives, and what MoorDyn takes where the deck says nothing.
+
+    `found`, `given`: gravity, density, depth and friction as far as the deck and the user have
+    them, SI; `notes`: takes problems and remarks.
+    """
     for key, value in given.items():
         if key in found:
             allowed = f"the deck has {found[key]:g}; leave the option out"

@@ -47,8 +47,12 @@ class Imported:
     remarks: tuple[Message, ...]
 
 
+_BEGINS = r"(?m)^(mooring_systems|mooring_line_configs)\s*:", r"(?m)^LineTypes\s*:"
+"""How the ontology and OrcaFlex's text data are known."""
+
+
 def is_deck(text: str) -> bool:
-    """Whether a text is a deck of MoorDyn or MAP++: it has a section of line types.
+    """Whether a text is a deck: it has a section of line types, or moorings in YAML.
 
     Examples
     --------
@@ -56,7 +60,8 @@ def is_deck(text: str) -> bool:
     >>> is_deck("--- LINE TYPES ---"), is_deck("[site]")
     (True, False)
     """
-    return re.search(r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", text) is not None
+    begins = (r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", *_BEGINS)
+    return any(re.search(each, text) is not None for each in begins)
 
 
 def is_mappp(text: str) -> bool:
@@ -111,18 +116,22 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     from catopt.decks.deck import Notes
     from catopt.decks.mappp import parse_mappp
     from catopt.decks.moordyn import parse_moordyn
+    from catopt.decks.ontology import parse_ontology
+    from catopt.decks.orcaflex import parse_orcaflex
     from catopt.decks.to_case import case_of
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     line = given.pop("line", None)
-    notes = Notes(source)
+    notes = Notes(source, line)
     for row, said in enumerate(text.split("\n"), start=1):
         if unfit(said):
             notes.refuse(row, unfit(said), "take it out of the file")
     notes.raise_if_any()
     parse = parse_mappp if is_mappp(text) else parse_moordyn
+    for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
+        parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
     notes.raise_if_any()
-    chains = chains_of(deck, notes, line)
+    chains = chains_of(deck, notes, notes.only)
     case = case_of(deck, chains, notes, PurePath(source).stem)
     return Imported(case, tuple(notes.remarks))

@@ -117,7 +117,15 @@ def _line(deck: Deck, chain: Chain) -> Line:
 
 def _segment(deck: Deck, name: str, length: float) -> Segment:
     kind = deck.types[name]
-    segment = Segment(length, _weight(deck, kind), EA=kind.EA, mass=kind.mass, name=name)
+    segment = Segment(
+        length,
+        _weight(deck, kind),
+        EA=kind.EA,
+        mass=kind.mass,
+        MBL=kind.MBL,
+        name=name,
+        nominal_diameter=kind.nominal_diameter,
+    )
     if kind.drag is None:
         return segment
     across, along, added, added_along = kind.drag

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from catopt._version import __version__
 from catopt.catenary.solution import Solution
+from catopt.export.exported import Source
 from catopt.export.exported_line import ExportedLine, ExportedLines
-from catopt.export.text import plain, significant
+from catopt.export.text import folded, plain, significant
 
 ROUNDING = 1e-12
 """Of a number over the fairlead tension: what is below it is shown as 0."""
@@ -17,6 +19,33 @@ def expected(line: ExportedLine) -> dict[str, Any]:
     """List what should be found: under the case's friction, and where the bed has none."""
     at_rest = None if line.at_rest is None else _forces(line.at_rest)
     return {"name": line.name, **_forces(line.solution), "without_friction": at_rest}
+
+
+def heading(
+    first: str,
+    solved: ExportedLines,
+    own: Sequence[str],
+    remarks: Sequence[str],
+    sources: Sequence[Source],
+) -> Iterator[str]:
+    """Yield what a file says of itself.
+
+    `first`: what it is; `own`: how it has to be read; `remarks`: what stands in it otherwise than
+    in the case; `sources`: what the case was read from.
+    """
+    yield f"{first}; written by catopt {__version__}"
+    if solved.case.title:
+        yield from folded(f"Case: {solved.case.title}")
+    for source in sources:
+        yield from folded(f"From {source.name}, SHA-256 {source.sha256}")
+    yield ""
+    for line in in_words(solved):
+        yield from folded(line)
+    yield ""
+    for line in own:
+        yield from folded(line)
+    for number, remark in enumerate(remarks, start=1):
+        yield from folded(f"Remark {number}: {remark}")
 
 
 def in_words(solved: ExportedLines) -> Iterator[str]:

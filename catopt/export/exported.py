@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from catopt._version import __version__
 
-Format = Literal["moordyn", "dxf"]
+Format = Literal["moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"]
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Exported:
 
     Attributes
     ----------
-    format : {"moordyn", "dxf"}
+    format : {"moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"}
         Whose.
     title : str
         Of the case.

@@ -7,18 +7,17 @@ numbers stands before the first section, where both programs pass over it.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
-from textwrap import wrap
 
-from catopt._version import __version__
 from catopt.constants import STANDARD_GRAVITY
-from catopt.export.expected import expected, in_words
+from catopt.decks.deck import Deck
+from catopt.export.deck import deck_of
+from catopt.export.expected import expected, heading
 from catopt.export.exported import Exported, Source
 from catopt.export.exported_line import ExportedLines
-from catopt.export.moordyn_model import DAMPING, ELEMENTS, STEP, LineType, Model, model_of
-from catopt.export.moordyn_remarks import ADDED_MASS, DRAG, has_drag, remarks_of
-from catopt.export.text import plain, significant
+from catopt.export.moordyn_model import DAMPING, ELEMENTS, STEP, Model, model_of
+from catopt.export.moordyn_remarks import remarks_of
+from catopt.export.text import significant
 
 
 def moordyn_input(
@@ -36,11 +35,12 @@ def moordyn_input(
     """
     model = model_of(solved, elements=elements, true_depth=true_depth)
     remarks = tuple(remarks_of(model))
+    deck = deck_of(model)
     lines = [
         *_header(model, remarks, sources),
-        *_line_types(model),
-        *_points(model),
-        *_lines(model),
+        *_line_types(deck),
+        *_points(deck),
+        *_lines(deck, model),
         *_options(model),
     ]
     return Exported(
@@ -55,31 +55,21 @@ def moordyn_input(
 
 def _header(model: Model, remarks: Sequence[str], sources: Sequence[Source]) -> Iterator[str]:
     """Yield what stands before the first section: neither program reads it."""
-    solved = model.solved
-    yield f"MoorDyn v2 input file, also read by MoorPy; written by catopt {__version__}"
-    if solved.case.title:
-        yield from _folded(f"Case: {solved.case.title}")
-    for source in sources:
-        yield from _folded(f"From {source.name}, SHA-256 {source.sha256}")
-    yield ""
-    for line in in_words(solved):
-        yield from _folded(line)
-    yield ""
-    yield from _folded(
+    own = [
         "Diam is the volume-equivalent diameter: that of a cylinder with the line's volume, from "
         "mass in air less submerged weight over g, over the water's density. It is not the nominal "
         "diameter of chain or rope. Heights count from the water surface. Fairleads are Coupled "
         "points at rest: run without moving them, and compare the force on them."
-    )
+    ]
     missed = _missed(model)
     if missed > 0.0:
-        yield from _folded(
+        own.append(
             f"MoorDyn's straight elements miss the curve by up to w l^2 / (8 H) = {missed:.2g} m, "
             "as if a fairlead were that much higher or lower. Halve them (--elements) to see what "
             "it does to the tension."
         )
-    for number, remark in enumerate(remarks, start=1):
-        yield from _folded(f"Remark {number}: {remark}")
+    first = "MoorDyn v2 input file, also read by MoorPy"
+    yield from heading(first, model.solved, own, remarks, sources)
 
 
 def _missed(model: Model) -> float:
@@ -93,73 +83,36 @@ def _missed(model: Model) -> float:
     return max(missed)
 
 
-def _folded(text: str) -> list[str]:
-    """Fold to 100 columns; nothing in it looks like the head of a section."""
-    indent = " " * (len(text) - len(text.lstrip()))
-    safe = plain(text)
-    while "---" in safe:
-        safe = safe.replace("---", "--")
-    return wrap(
-        safe, 100, initial_indent=indent, subsequent_indent=indent + "  ", break_on_hyphens=False
-    )
-
-
-def _line_types(model: Model) -> Iterator[str]:
+def _line_types(deck: Deck) -> Iterator[str]:
     yield "--- LINE TYPES ---"
     yield "Name Diam MassDen EA BA/-zeta EI Cd Ca CdAx CaAx"
     yield "(-) (m) (kg/m) (N) (N-s/-) (N-m2) (-) (-) (-) (-)"
-    for each in model.types:
-        numbers = [each.body.diameter, each.body.mass, each.segment.EA, -DAMPING, 0.0]
-        yield " ".join([each.name, *map(significant, [*numbers, *_coefficients(each)])])
+    for name, kind in deck.types.items():
+        assert kind.drag is not None
+        across, along, added, added_along = kind.drag
+        numbers = [kind.diameter, kind.mass, kind.EA, -DAMPING, 0.0]
+        coefficients = [across, added, along, added_along]
+        yield " ".join([name, *map(significant, [*numbers, *coefficients])])
 
 
-def _coefficients(each: LineType) -> tuple[float, float, float, float]:
-    """Cd, Ca, CdAx and CaAx as MoorDyn takes them.
-
-    Drag across refers to Diam, along to pi times Diam; added mass to the displaced water.
-    """
-    segment = each.segment
-    if not has_drag(segment):
-        return DRAG, ADDED_MASS, 0.0, 0.0
-    assert segment.drag_diameter is not None
-    assert segment.drag_normal is not None
-    wider = segment.drag_diameter / each.body.diameter
-    added = ADDED_MASS if segment.added_mass_normal is None else segment.added_mass_normal
-    return (
-        segment.drag_normal * wider,
-        added,
-        (segment.drag_axial or 0.0) * wider / math.pi,
-        segment.added_mass_axial or 0.0,
-    )
-
-
-def _points(model: Model) -> Iterator[str]:
+def _points(deck: Deck) -> Iterator[str]:
     yield "--- POINTS ---"
     yield "ID Attachment X Y Z Mass Volume CdA Ca"
     yield "(#) (-) (m) (m) (m) (kg) (m^3) (m^2) (-)"
-    number = 0
-    for part in model.parts:
-        last = len(part.joints) - 1
-        for index, (joint, body) in enumerate(zip(part.joints, part.loads, strict=True)):
-            number += 1
-            x, y, height = part.line.at(joint.arc)
-            kind = "Fixed" if index == 0 else "Coupled" if index == last else "Free"
-            of_body = (body.mass, body.volume, body.drag_area, body.added_mass)
-            numbers = (x, y, height - model.surface, *of_body)
-            yield " ".join([str(number), kind, *map(significant, numbers)])
+    for each in deck.points.values():
+        of_body = (each.mass, each.volume, each.drag_area, each.added_mass)
+        numbers = map(significant, (each.x, each.y, each.z, *of_body))
+        yield " ".join([each.name, each.end.capitalize(), *numbers])
 
 
-def _lines(model: Model) -> Iterator[str]:
+def _lines(deck: Deck, model: Model) -> Iterator[str]:
     yield "--- LINES ---"
     yield "ID LineType AttachA AttachB UnstrLen NumSegs Outputs"
     yield "(#) (name) (#) (#) (m) (-) (-)"
-    number, point = 0, 0
-    for part in model.parts:
-        for piece in part.pieces:
-            number, point = number + 1, point + 1
-            name, length = part.types[piece.segment].name, significant(piece.length)
-            yield f"{number} {name} {point} {point + 1} {length} {piece.elements} -"
-        point += 1
+    elements = (piece.elements for part in model.parts for piece in part.pieces)
+    for number, (piece, count) in enumerate(zip(deck.pieces, elements, strict=True), start=1):
+        ends = " ".join(piece.ends)
+        yield f"{number} {piece.type} {ends} {significant(piece.length)} {count} -"
 
 
 def _options(model: Model) -> Iterator[str]:

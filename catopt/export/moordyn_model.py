@@ -108,14 +108,21 @@ class Model:
         return list({each.name: each for part in self.parts for each in part.types}.values())
 
 
-def model_of(solved: ExportedLines, *, elements: int = ELEMENTS, true_depth: bool = False) -> Model:
+def model_of(
+    solved: ExportedLines,
+    *,
+    elements: int = ELEMENTS,
+    true_depth: bool = False,
+    program: str = "MoorDyn",
+) -> Model:
     """Cut the lines, and choose a bed and a time step.
 
     `solved`: the lines where they hang; every segment has an EA; `true_depth`: whether the water
-    ends where it does in the case, even if a line reaches above it. Raises InputError when a
-    segment does not stretch, or its mass is missing or too small, with every one at once.
+    ends where it does in the case, even if a line reaches above it; `program`: whom it is for.
+    Raises InputError when a segment does not stretch, or its mass is missing or too small, with
+    every one at once.
     """
-    parts = _parts(solved, elements)
+    parts = _parts(solved, elements, program)
     depth = solved.case.site.water_depth
     stiffness = _bed_stiffness(parts)
     return Model(
@@ -134,7 +141,7 @@ def is_above(solved: ExportedLines) -> bool:
     return solved.highest - depth > ROUNDING * depth
 
 
-def _parts(solved: ExportedLines, elements: int) -> list[Part]:
+def _parts(solved: ExportedLines, elements: int, program: str) -> list[Part]:
     """Cut every line, and gather what is wrong with any."""
     density = solved.case.site.water_density
     known: dict[Segment, LineType] = {}
@@ -146,7 +153,7 @@ def _parts(solved: ExportedLines, elements: int) -> list[Part]:
         for number, segment in enumerate(line.solution.line.segments):
             key = replace(segment, length=1.0)
             try:
-                known[key] = known.get(key) or _line_type(segment, number, density, known)
+                known[key] = known.get(key) or _line_type(segment, number, density, known, program)
                 types.append(known[key])
             except InputError as error:
                 problems += error.problems
@@ -158,17 +165,21 @@ def _parts(solved: ExportedLines, elements: int) -> list[Part]:
         if len(types) == len(line.solution.line.segments):
             parts.append(Part(line, joints, loads, pieces, types))
     if problems:
-        raise InputError(list(dict.fromkeys(problems)), "MoorDyn")
+        raise InputError(list(dict.fromkeys(problems)), program)
     return parts
 
 
 def _line_type(
-    segment: Segment, number: int, density: float, known: dict[Segment, LineType]
+    segment: Segment,
+    number: int,
+    density: float,
+    known: dict[Segment, LineType],
+    program: str,
 ) -> LineType:
     key = f"line.segments[{number}]"
     if math.isinf(segment.EA):
-        allowed = "missing; MoorDyn lets every line stretch: give the segment its EA"
-        raise InputError([Problem(f"{key}.EA", "", allowed)], "MoorDyn")
+        allowed = f"missing; {program} lets every line stretch: give the segment its EA"
+        raise InputError([Problem(f"{key}.EA", "", allowed)], program)
     wanted = word(segment.name or segment.component, f"segment_{number + 1}")
     taken = {each.name for each in known.values()}
     names = (wanted, *(f"{wanted}_{k}" for k in range(2, len(taken) + 3)))

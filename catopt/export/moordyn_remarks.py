@@ -11,6 +11,7 @@ from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn_model import Model, Part, is_above, resting
 from catopt.export.text import significant
 from catopt.model import Segment
+from catopt.words.message import Message
 
 MOORPY_REACH = 2.0
 """Height above the bed below which MoorPy 1.3 takes weight off a point, m."""
@@ -21,12 +22,25 @@ DRAG, ADDED_MASS = 1.2, 1.0
 
 def remarks_of(model: Model) -> Iterator[str]:
     """Say what stands in the file otherwise than in the case, and what does not."""
+    yield from common_remarks(model)
+    yield from _on_the_bed(model)
+    yield from _on_the_water(model)
+
+
+def common_remarks(model: Model) -> Iterator[str]:
+    """Say what holds for any program that lets its lines stretch and takes mass and diameter."""
     yield from model.solved.warnings
     yield from _on_stiffness(model.solved)
     yield from _on_stand_ins(model)
-    yield from _on_the_bed(model)
-    yield from _on_the_water(model)
     yield from _on_the_rest(model.solved)
+    own = {
+        f"{load.friction:g}"
+        for line in model.solved.lines
+        for load in line.solution.line.point_loads
+        if load.friction is not None
+    }
+    if own:
+        yield Message("export.load_friction", values=", ".join(sorted(own)))
 
 
 def _on_stiffness(solved: ExportedLines) -> Iterator[str]:
@@ -74,17 +88,6 @@ def _on_the_bed(model: Model) -> Iterator[str]:
             "acts on what moves and is none at rest, and MoorPy drops it. "
             "Compare with the closed form on a bed without friction; the fairleads stand where "
             "they do with friction."
-        )
-    own = {
-        f"{load.friction:g}"
-        for line in model.solved.lines
-        for load in line.solution.line.point_loads
-        if load.friction is not None
-    }
-    if own:
-        yield (
-            f"friction {', '.join(sorted(own))} of a point load's own on the bed is not in the "
-            "file: MoorDyn has one coefficient for the whole bed, and a point does not rub."
         )
     if any(resting(model.parts)):
         yield (

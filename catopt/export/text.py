@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from textwrap import wrap
 
 _WITHOUT_MARKS = str.maketrans({"đ": "d", "Đ": "D"})
 
@@ -25,6 +26,23 @@ def word(text: str, instead: str) -> str:
     if not kept:
         return instead
     return kept if kept[0].isalpha() else f"{instead}_{kept}"
+
+
+def exact(value: float) -> str:
+    """Return a number that reads back as the same double, for YAML 1.1 too: ``1.0e-07``."""
+    digits = repr(float(value) + 0.0)
+    return digits if "." in digits else digits.replace("e", ".0e")
+
+
+def folded(text: str) -> list[str]:
+    """Fold to 100 columns; nothing in it looks like the head of a section."""
+    indent = " " * (len(text) - len(text.lstrip()))
+    safe = plain(text)
+    while "---" in safe:
+        safe = safe.replace("---", "--")
+    return wrap(
+        safe, 100, initial_indent=indent, subsequent_indent=indent + "  ", break_on_hyphens=False
+    )
 
 
 def significant(value: float) -> str:

@@ -79,7 +79,14 @@ def test_a_place_that_cannot_be_written_leaves_nothing(run: Run, tmp_path: Path)
 
 @pytest.mark.parametrize(
     ("case", "further"),
-    [(FSO, ("moordyn",)), (BUOY, ("moordyn", "--EA", "20 MN")), (BUOY, ("dxf",)), (FSO, ("dxf",))],
+    [
+        (FSO, ("moordyn",)),
+        (BUOY, ("moordyn", "--EA", "20 MN")),
+        (BUOY, ("dxf",)),
+        (FSO, ("dxf",)),
+        (FSO, ("map",)),
+        (FSO, ("moorpy",)),
+    ],
 )
 def test_the_document(run: Run, tmp_path: Path, case: Path, further: tuple[str, ...]) -> None:
     ran = run("export", case, "--to", *further, "--json")
@@ -157,10 +164,10 @@ def test_the_water_above_which_a_line_reaches(run: Run) -> None:
     ("arguments", "said"),
     [
         ([BUOY], "Missing option '--to'"),
-        ([BUOY, "--to", "orcaflex"], "'orcaflex' is not one of 'moordyn', 'dxf'"),
+        ([BUOY, "--to", "flexcom"], "'flexcom' is not one of 'moordyn', 'map', 'moorpy',"),
         (
             [BUOY, "--to", "moordyn"],
-            "line.segments[0].EA: missing; MoorDyn lets every line stretch",
+            "line.segments[0].EA: missing; --to moordyn wants it",
         ),
         (
             [BUOY, "--to", "moordyn", "--EA", "5 m"],

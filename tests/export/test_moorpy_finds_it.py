@@ -1,7 +1,8 @@
-"""MoorPy 1.3 on the exported file: the same equations, so the same forces to its own tolerance."""
+"""MoorPy 1.3 on the exported files: the same equations, so the same forces to its own tolerance."""
 
 from __future__ import annotations
 
+import runpy
 import warnings
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,8 @@ import pytest
 from catopt import Case, read_case
 from catopt.export.exported_line import ExportedLines, exported_lines
 from catopt.export.moordyn import moordyn_input
+from catopt.export.moordyn_model import is_above
+from catopt.export.programs import program_input
 
 from .cases import FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
 
@@ -21,13 +24,48 @@ NEAR = 1e-3
 """Height over the bed within which MoorPy is to take weight off a point, m; its own is 2 m."""
 
 
-def by_moorpy(solved: ExportedLines, folder: Path, reach: float = NEAR) -> tuple[Any, Any]:
-    """Solve; forces that the lines exert on fairleads and anchors, N, shape (lines, 3)."""
+def of_moordyn(solved: ExportedLines, folder: Path) -> Any:
     path = folder / "lines.txt"
     path.write_bytes(moordyn_input(solved).content)
+    return moorpy.System(file=str(path))
+
+
+def of_script(solved: ExportedLines, folder: Path) -> Any:
+    """Run the script as it is."""
+    path = folder / "lines.py"
+    path.write_bytes(program_input("moorpy", solved).content)
+    return runpy.run_path(str(path))["system"]
+
+
+def of_map(solved: ExportedLines, folder: Path) -> Any:
+    """Build what stands in the four sections; MoorPy reads no MAP++ file by itself."""
+    del folder
+    text = program_input("map", solved).text
+    sections = [part.splitlines()[3:] for part in ("\n" + text).split("\n----")[1:4]]
+    types, nodes, lines = ([row.split() for row in rows] for rows in sections)
+    depth: float = solved.case.site.water_depth  # above the water MoorPy lets a line weigh more
+    sunk = solved.highest - depth if is_above(solved) else 0.0
+    system = moorpy.System(depth=depth + sunk, rho=1025.0, g=9.80665)
+    for name, *numbers in types:
+        d_vol, m, EA, _ = map(float, numbers[:4])
+        system.lineTypes[name] = {"name": name, "d_vol": d_vol, "m": m, "EA": EA, "w": 0.0}
+    for _, kind, x, y, z, mass, volume, *_ in nodes:
+        own = -depth if z == "depth" else float(z.removeprefix("#"))
+        place = [float(x.removeprefix("#")), float(y.removeprefix("#")), own - sunk]
+        number = {"fix": 1, "vessel": -1, "connect": 0}[kind]
+        system.addPoint(number, np.array(place), m=float(mass), v=float(volume))
+    for _, name, unstretched, a, b, *_ in lines:
+        system.addLine(float(unstretched), name, pointA=int(a), pointB=int(b))
+    return system
+
+
+def by_moorpy(
+    solved: ExportedLines, folder: Path, reach: float = NEAR, built: Any = of_moordyn
+) -> tuple[Any, Any]:
+    """Solve; forces that the lines exert on fairleads and anchors, N, shape (lines, 3)."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # its own
-        system = moorpy.System(file=str(path))
+        system = built(solved, folder)
         for point in system.pointList:
             point.zTol = reach
         system.initialize()
@@ -52,13 +90,14 @@ def by_moorpy(solved: ExportedLines, folder: Path, reach: float = NEAR) -> tuple
     ],
     ids=["suspended", "grounded", "clump", "friction", "sinker", "FSO"],
 )
-def test_it_finds_the_closed_form(case: Case, EA: float | None, tmp_path: Path) -> None:
+@pytest.mark.parametrize("built", [of_moordyn, of_map, of_script])
+def test_it_finds_the_closed_form(case: Case, EA: float | None, built: Any, tmp_path: Path) -> None:
     """Ten digits of the file and MoorPy's 1e-9 of the catenary leave 1e-7 of the tension.
 
     With bed friction it is the answer without that is found, as the file says.
     """
     solved = exported_lines(case, EA)
-    fairleads, anchors = by_moorpy(solved, tmp_path)
+    fairleads, anchors = by_moorpy(solved, tmp_path, built=built)
     assert len(fairleads) == len(solved.lines)
     for line, top, bottom in zip(solved.lines, fairleads, anchors, strict=True):
         due = line.expected

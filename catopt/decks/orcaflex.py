@@ -1,0 +1,240 @@
+"""Reads OrcaFlex's text data (YAML) as far as it has moorings; te, kN, m and degrees.
+
+Positions are global, those on an object count along its axes; sections run from End A.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from catopt.constants import STANDARD_GRAVITY
+from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
+from catopt.decks.strung import Hung, Section, strung
+from catopt.decks.tree import Table, parse_yaml
+
+__all__ = ["parse_orcaflex"]
+
+TONNE, KILO = 1e3, 1e3
+"""kg and N of OrcaFlex's units of mass and force."""
+
+_UNREAD = {
+    "unread_weather": "Wave|Wind|Current|Air|Kinematic|Reynolds|SeaTemperature|WaterDensity",
+    "unread_bed": "Seabed|^Lay|AsLaid|Covered",
+    "unread_elsewhere": "^(VariableData|Constraints|Groups|BrowserGroups|Links|Winches|Shapes|"
+    "Turbines|VesselTypes|6DBuoyTypes|3DBuoys|.+Types|MultibodyGroups)$",
+    "unread_words": "^(Name|Length|Draught|Type|Pen|Notes)$|Segment|Torsion|TopEnd|PyModel|Static|"
+    "Represent|PreBend|Formulation|VIV|Azimuth|Declin|Gamma|Release|Stiffness|Arclength|Contents|"
+    "Draw|ContactPen|Mass|Bulk|Compression|Allowable|Radius|Poisson|Expansion|GJ|Coupling|Contact|"
+    "^C[a-z]$|Stress|Rayleigh|Inertia|Buoy|Vessel|Included|Include|Primary|Motion|Calculat|Damping|"
+    "Shaded|Log|Stage|Jacobian|Dynamics|Time|View|Restart|Policy|Hidden|Disturbance|Cylinder|Stack|"
+    "Munk|Attachment[xy]",
+}
+"""What the keys of OrcaFlex are about that are not read; the first that fits is said."""
+
+ROUNDING = 1e-6
+"""Of a height over the depth, by which the ends of lines may lie differently on the bed."""
+
+
+def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
+    """Read a file; what is wrong with it is noted.
+
+    Parameters
+    ----------
+    text : str
+        Of the file.
+    notes : Notes
+        Takes problems and remarks.
+    given : mapping of str to float
+        What the user gives beside it: nothing, since OrcaFlex has its own gravity.
+    """
+    for key, value in given.items():
+        allowed = "OrcaFlex has 9.80665 m/s^2, and the file the rest; leave the option out"
+        notes.refuse(0, f"--{key} {value:g}", allowed)
+    top = parse_yaml(text, notes)
+    _check_whole(top)
+    surface, depth, density = _sea(top.table("Environment"))
+    kinds, clumps = _by_name(top, "LineTypes"), _by_name(top, "ClumpTypes")
+    objects = _by_name(top, "Vessels") | _by_name(top, "6DBuoys")
+    types: dict[str, LineType] = {}
+    points: dict[str, Point] = {}
+    pieces: list[Piece] = []
+    lying: set[float] = set()
+    for line in _wanted(top):
+        parts = list(_parts(line, clumps))
+        ends = [_end(row, objects, depth, surface) for row in line.columns("Connection")]
+        sections = [part for part in parts if isinstance(part, Section)]
+        new = {part.type for part in sections} & kinds.keys() - types.keys()
+        types |= {name: _type(kinds[name]) for name in new}
+        if len(ends) != 2 or not sections:
+            notes.refuse(line.row, line.text("Name"), "two ends and a section are wanted")
+            continue
+        lower = sections[0 if ends[0].z < ends[1].z else -1]
+        lying |= {0.5 * _contact(kinds[lower.type])} if lower.type in kinds else set()
+        more = strung(line.text("Name"), (ends[0], ends[1]), parts)
+        points, pieces = points | more[0], pieces + more[1]
+    top.say_unread(_UNREAD)
+    if len(lying) > 1:
+        allowed = "a case has one height at which lines lie on the bed; take one line: --line N"
+        notes.refuse(0, f"OuterContactDiameter/2 {sorted(lying)} m", allowed)
+    bed = depth - max(lying, default=0.0)
+    notes.say("contact", offset=depth - bed, depth=bed)
+    points = {name: _on_bed(point, depth, bed, notes) for name, point in points.items()}
+    return Deck(STANDARD_GRAVITY, density, bed, types, points, pieces)
+
+
+def _by_name(top: Table, key: str) -> dict[str, Table]:
+    return {table.text("Name"): table for table in top.tables(key)}
+
+
+def _wanted(top: Table) -> list[Table]:
+    """Return the lines, or the one that is wanted; the others need not be readable then."""
+    notes, lines = top.notes, list(top.tables("Lines"))
+    if notes.only is None or notes.only > len(lines):
+        return lines
+    notes.say("only", number=notes.only, count=len(lines))
+    wanted, notes.only = lines[notes.only - 1], None
+    return [wanted]
+
+
+def _check_whole(top: Table) -> None:
+    for key in ("BaseFile", "IncludeFile"):
+        if key in top:
+            allowed = "a file that takes in others is not followed; save the model as one file"
+            top.notes.refuse(top.items[key].row, f"{key} {top.text(key)}", allowed)
+    units = top.table("General").text("UnitsSystem", "SI")
+    if units != "SI":
+        top.notes.refuse(0, f"UnitsSystem {units}", "SI is wanted; save the model in SI")
+
+
+def _on_bed(point: Point, depth: float, bed: float, notes: Notes) -> Point:
+    """Lift an end that lies deeper than the line's centre does on the bed, which is said."""
+    if point.end != "fixed" or not -depth * (1.0 + ROUNDING) <= point.z < -bed:
+        return point
+    if point.z < -bed - ROUNDING * depth:
+        notes.say("lifted", line=point.row, distance=-bed - point.z)
+    return replace(point, z=-bed)
+
+
+def _sea(sea: Table) -> tuple[float, float, float]:
+    """Return z of the water's surface, depth and density."""
+    for key, allowed in (("SeabedType", "Flat"), ("VerticalDensityVariation", "Constant")):
+        if sea.text(key, allowed) != allowed:
+            sea.notes.refuse(sea.items[key].row, f"{key} {sea.text(key)}", f"{allowed} is wanted")
+    if sea.number("SeabedSlope", 0.0) != 0.0:
+        sea.notes.refuse(sea.items["SeabedSlope"].row, "SeabedSlope", "a level bed is wanted")
+    density = sea.number("Density", above=0.0) * TONNE
+    return sea.number("WaterSurfaceZ", 0.0), sea.number("WaterDepth", above=0.0), density
+
+
+def _contact(kind: Table) -> float:
+    """Return the contact diameter, by default the outer one."""
+    key = "OuterContactDiameter" if "OuterContactDiameter" in kind else "OD"
+    return kind.number(key, at_least=0.0)
+
+
+def _type(kind: Table) -> LineType:
+    """Read a line type; drag goes from its own diameters to the outer one."""
+    notes = kind.notes
+    name, category = kind.text("Name"), kind.text("Category", "General")
+    if category != "General":
+        allowed = "General is wanted: give mass and EA per length"
+        notes.refuse(kind.row, f"{name}: Category {category}", allowed)
+    if kind.number("ID", 0.0) != 0.0:
+        notes.refuse(kind.items["ID"].row, f"{name}: ID", "0 is wanted; a hollow line has no case")
+    OD = kind.number("OD", above=0.0)
+    mass = kind.number("MassPerUnitLength", above=0.0) * TONNE
+    EA = kind.number("EA", above=0.0) * KILO
+    if (EI := _each(kind, "EI")) and EI[0] > 0.0:
+        notes.say("bending", line=kind.items["EI"].row, name=name, value=EI[0] * KILO)
+    normal = kind.number("NormalDragLiftDiameter", OD, at_least=0.0) / OD
+    axial = kind.number("AxialDragLiftDiameter", OD, at_least=0.0) / OD
+    Cd, Ca = _each(kind, "Cd"), _each(kind, "Ca")
+    drag = None
+    if len(Cd) == 3 and len(Ca) == 3:
+        drag = (Cd[0] * normal, Cd[2] * axial, Ca[0], Ca[2])
+    lateral = kind.number("SeabedLateralFrictionCoefficient", 0.0, at_least=0.0)
+    friction = kind.number("SeabedAxialFrictionCoefficient", lateral, at_least=0.0)
+    return LineType(kind.row, OD, mass, EA, friction, drag)
+
+
+def _each(kind: Table, key: str) -> list[float]:
+    """Return numbers along x, y, z; none where one names a table, which is said."""
+    found = kind.item(key)
+    words = [each.value for each in found.value] if isinstance(found.value, list) else []
+    try:
+        numbers = [0.0 if word is None else float(word) for word in words]
+    except ValueError:
+        kind.notes.say("variable", line=found.row, key=key, value=", ".join(map(str, words)))
+        return []
+    if len(words) > 2 and words[1] is not None and numbers[1] != numbers[0]:
+        kind.notes.say("variable", line=found.row, key=key, value=f"{words[1]} (y)")
+    return numbers
+
+
+def _end(row: Table, objects: Mapping[str, Table], depth: float, surface: float) -> Point:
+    """Place an end of a line."""
+    to = row.text("Connection")
+    x, y, z = (row.number(f"Connection{axis}") for axis in "XYZ")
+    if to == "Anchored":
+        return Point(row.row, to, "fixed", x, y, z - depth)
+    if row.text("ConnectionzRelativeTo") or to not in ("Fixed", *objects):
+        allowed = f"Anchored, Fixed or one of {', '.join(objects)} is wanted"
+        row.notes.refuse(row.row, to, allowed)
+        return Point(row.row, to, "fixed", x, y, z)
+    if to == "Fixed":
+        return Point(row.row, to, "fixed", x, y, z - surface)
+    own = objects[to]
+    if own.text("Connection", "Free") not in ("Free", "Fixed"):
+        allowed = "Free or Fixed is wanted: catopt does not follow what it is connected to"
+        own.notes.refuse(own.row, f"{to}: Connection {own.text('Connection')}", allowed)
+    at = own.numbers("InitialPosition", 3)
+    *tilt, heading = own.numbers("Orientation" if "Orientation" in own else "InitialAttitude", 3)
+    if any(tilt):
+        own.notes.refuse(own.row, f"{to}: {tilt} deg", "an object that is not tilted is wanted")
+    place = complex(*at[:2]) + complex(x, y) * cmath.rect(1.0, math.radians(heading))
+    return Point(row.row, to, "coupled", place.real, place.imag, at[2] + z - surface)
+
+
+def _parts(line: Table, clumps: Mapping[str, Table]) -> Iterator[Section | Hung]:
+    """Yield sections from End A, cut where clumps hang."""
+    if line.text("LengthAndEndOrientations", "Explicit") != "Explicit":
+        line.notes.refuse(line.row, "LengthAndEndOrientations", "Explicit is wanted")
+    sections = [
+        Section(row.row, row.text("LineType"), row.number("Length", above=0.0))
+        for row in line.columns("LineType")
+    ]
+    hung = sorted(_hung(line, clumps, sum(each.length for each in sections)), key=lambda at: at[0])
+    arc = 0.0
+    for section in sections:
+        end = arc + section.length
+        while hung and hung[0][0] < end * (1.0 - 1e-12):
+            at, body = hung.pop(0)
+            if at > arc:
+                yield replace(section, length=at - arc)
+                arc = at
+            yield body
+        yield replace(section, length=end - arc)
+        arc = end
+    yield from (body for _, body in hung)
+
+
+def _hung(line: Table, clumps: Mapping[str, Table], length: float) -> Iterator[tuple[float, Hung]]:
+    """Yield clumps with their distance from End A."""
+    for row in line.columns("AttachmentType"):
+        name, z = row.text("AttachmentType"), row.number("Attachmentz")
+        known = {key: row.items[key] for key in row.items if key.startswith("AttachmentzRel")}
+        from_B = any(row.text(key) == "End B" for key in known)
+        if name not in clumps:
+            allowed = f"a clump is wanted, one of {', '.join(clumps)}; others have no case"
+            row.notes.refuse(row.row, name, allowed)
+            continue
+        at = length - z if from_B else z
+        if not 0.0 <= at <= length * (1.0 + 1e-12):
+            row.notes.refuse(row.row, f"Attachmentz {z:g} m", f"the line is {length:g} m long")
+        clump = clumps[name]
+        mass = clump.number("Mass", at_least=0.0) * TONNE
+        volume = clump.number("Volume", 0.0, at_least=0.0)
+        yield at, Hung(row.row, mass, volume)

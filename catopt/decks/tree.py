@@ -1,0 +1,218 @@
+"""A YAML file as tables that know their lines, and which of their keys were read."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from catopt.decks.deck import Notes
+from catopt.errors import InputError, Problem
+
+if TYPE_CHECKING:
+    import yaml
+
+__all__ = ["Item", "Table", "parse_yaml"]
+
+
+@dataclass(frozen=True)
+class Item:
+    """A value with its line: text, None, a list of items, or a table."""
+
+    row: int
+    value: Any
+
+
+class Table:
+    """A mapping: what is read of it is noted, so that the rest can be named.
+
+    Parameters
+    ----------
+    row : int
+        Line of the file.
+    items : mapping of str to Item
+        By key.
+    notes : Notes
+        Takes problems and remarks.
+    opened : list of Table
+        All tables of the file that were looked into.
+    """
+
+    def __init__(
+        self, row: int, items: Mapping[str, Item], notes: Notes, opened: list[Table]
+    ) -> None:
+        self.row, self.items, self.notes, self.opened = row, items, notes, opened
+        self.read: set[str] = set()
+        opened.append(self)
+
+    def __contains__(self, key: str) -> bool:
+        return key in self.items and self.items[key].value is not None
+
+    def item(self, key: str) -> Item:
+        """Return what stands under a key, which counts as read; None where it is not there."""
+        self.read.add(key)
+        return self.items.get(key, Item(self.row, None))
+
+    def text(self, key: str, default: str = "") -> str:
+        """Return a word."""
+        found = self.item(key)
+        if found.value is None:
+            return default
+        if not isinstance(found.value, str):
+            self.notes.refuse(found.row, key, "one word or number is wanted")
+            return default
+        return found.value
+
+    def number(
+        self,
+        key: str,
+        default: float | None = None,
+        *,
+        above: float = -math.inf,
+        at_least: float = -math.inf,
+    ) -> float:
+        """Return a number; without a default it has to be there."""
+        word = self.text(key)
+        if not word and default is not None:
+            return default
+        if not word:
+            self.notes.refuse(self.row, "", f"{key} is missing")
+            return math.nan
+        return self.notes.value(self.items[key].row, word, key, above=above, at_least=at_least)
+
+    def numbers(self, key: str, count: int) -> list[float]:
+        """Return a list of numbers, NaN for each that is not given."""
+        found = self.item(key)
+        words = found.value if isinstance(found.value, list) else []
+        if len(words) != count:
+            self.notes.refuse(found.row, key, f"{count} numbers are wanted")
+            return [math.nan] * count
+        return [
+            math.nan if each.value is None else self.notes.value(each.row, str(each.value), key)
+            for each in words
+        ]
+
+    def table(self, key: str) -> Table:
+        """Return a table, an empty one where there is none."""
+        found = self.item(key)
+        if found.value is not None and not isinstance(found.value, dict):
+            self.notes.refuse(found.row, key, "keys with values are wanted")
+        items = found.value if isinstance(found.value, dict) else {}
+        return Table(found.row, items, self.notes, self.opened)
+
+    def tables(self, key: str) -> Iterator[Table]:
+        """Yield the tables of a list."""
+        found = self.item(key)
+        for each in found.value if isinstance(found.value, list) else ():
+            if isinstance(each.value, dict):
+                yield Table(each.row, each.value, self.notes, self.opened)
+            elif each.value is not None:
+                self.notes.refuse(each.row, key, "keys with values are wanted")
+
+    def named(self, key: str) -> Iterator[tuple[str, Table]]:
+        """Yield name and table of each table below, also of one with ``keys`` and ``data``."""
+        below = self.table(key)
+        for row in below.rows():
+            yield row.text("name"), row
+        for name in [each for each in below.items if each not in ("keys", "data")]:
+            yield name, below.table(name)
+
+    def rows(self, keys: str = "keys", data: str = "data") -> Iterator[Table]:
+        """Yield the rows of ``keys`` and ``data``, each as a table."""
+        heads, lines = self.item(keys).value or [], self.item(data).value or []
+        yield from self._rows([str(each.value) for each in heads], lines)
+
+    def columns(self, first: str) -> Iterator[Table]:
+        """Yield the rows below a key that names its columns, ``A, B, C``, by its first."""
+        for key in [each for each in self.items if each.split(",")[0].strip() == first]:
+            heads = [each.strip() for each in key.split(",")]
+            yield from self._rows(heads, self.item(key).value or [])
+
+    def _rows(self, heads: list[str], lines: list[Item]) -> Iterator[Table]:
+        for each in lines:
+            values = each.value if isinstance(each.value, list) else [each]
+            if len(values) > len(heads):
+                self.notes.refuse(each.row, f"{len(values)} values", f"{len(heads)} are wanted")
+            items = dict(zip(heads, values, strict=False))
+            yield Table(each.row, items, self.notes, self.opened)
+
+    def say_unread(self, groups: Mapping[str, str]) -> None:
+        """Name every key of the file that was not read, by the group that says why.
+
+        Parameters
+        ----------
+        groups : mapping of str to str
+            Pattern of the keys of a group, by the key of its remark; the first that fits is said.
+        """
+        found: dict[str, dict[str, list[int]]] = {}
+        told = {id(t.items[key]) for t in self.opened for key in t.read if key in t.items}
+        for table in self.opened:
+            for key, item in table.items.items():
+                if id(item) not in told and item.value is not None:
+                    told.add(id(item))
+                    first = key.split(",")[0].strip()
+                    fits = (name for name, keys in groups.items() if re.search(keys, first))
+                    group = found.setdefault(next(fits, "unread_unknown"), {})
+                    group.setdefault(first, []).append(item.row)
+        for name, keys in sorted(found.items()):
+            listed = (f"{key} ({_lines(rows)})" for key, rows in keys.items())
+            self.notes.say(name, keys=", ".join(listed))
+
+
+def _lines(rows: list[int]) -> str:
+    return f"{rows[0]}" if len(rows) == 1 else f"{rows[0]} and {len(rows) - 1} more"
+
+
+def parse_yaml(text: str, notes: Notes) -> Table:
+    """Read a YAML file whose top is a mapping; what is wrong with it is raised.
+
+    Raises
+    ------
+    InputError
+        It is no YAML, a key stands twice, or PyYAML is not installed.
+    """
+    try:
+        import yaml
+    except ImportError:
+        allowed = "is not installed: pip install 'catopt[yaml]'"
+        raise InputError([Problem("PyYAML", "", allowed)], notes.source) from None
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        found = _item(node, notes, set()) if node is not None else Item(1, None)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        row = mark.line + 1 if mark is not None else 0
+        notes.refuse(row, "", f"it is no YAML: {getattr(error, 'problem', None) or error}")
+        found = Item(1, None)
+    except RecursionError:
+        notes.refuse(0, "", "tables or lists are nested too deeply, or in themselves")
+        found = Item(1, None)
+    if not notes.problems and not isinstance(found.value, dict):
+        notes.refuse(found.row, "", "keys with values are wanted")
+    notes.raise_if_any()
+    return Table(found.row, found.value, notes, [])
+
+
+def _item(node: yaml.Node, notes: Notes, seen: set[int]) -> Item:
+    """Turn a node into an item; an alias is refused, which would let a small file grow large."""
+    import yaml
+
+    row = node.start_mark.line + 1
+    if isinstance(node, yaml.ScalarNode):
+        return Item(row, None if node.tag.endswith(":null") else str(node.value))
+    if id(node) in seen:
+        notes.refuse(row, "an alias (*)", "write the table out where it is meant")
+        return Item(row, None)
+    seen.add(id(node))
+    if isinstance(node, yaml.SequenceNode):
+        return Item(row, [_item(each, notes, seen) for each in node.value])
+    found: dict[str, Item] = {}
+    for key, value in node.value:
+        name = " ".join(str(key.value).split())
+        kept, line = _item(value, notes, seen), key.start_mark.line + 1
+        if name in found:
+            notes.say("twice", line=line, key=name, value=str(kept.value)[:40])
+        found[name] = Item(line, kept.value)
+    return Item(row, found)

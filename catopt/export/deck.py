@@ -1,0 +1,62 @@
+"""What is written for another program, as the deck that its reader makes of it."""
+
+from __future__ import annotations
+
+import math
+
+from catopt.constants import STANDARD_GRAVITY
+from catopt.decks.deck import Deck, End, LineType, Piece, Point
+from catopt.export.moordyn_model import ROUNDING, Model
+from catopt.export.moordyn_model import LineType as Kind
+from catopt.export.moordyn_remarks import ADDED_MASS, DRAG, has_drag
+
+
+def deck_of(model: Model) -> Deck:
+    """Turn cut lines into a deck: types, points from 1 on, and the pieces between them."""
+    friction = max(line.solution.seabed_friction for line in model.solved.lines)
+    points: dict[str, Point] = {}
+    pieces: list[Piece] = []
+    for part in model.parts:
+        last = len(part.joints) - 1
+        for index, (joint, body) in enumerate(zip(part.joints, part.loads, strict=True)):
+            name = str(len(points) + 1)
+            x, y, height = part.line.at(joint.arc)
+            end: End = "fixed" if index == 0 else "coupled" if index == last else "free"
+            of_body = (body.mass, body.volume, body.drag_area, body.added_mass)
+            z = _level(height, model.surface)
+            points[name] = Point(0, name, end, x, y, z, *of_body)
+        first = len(points) - last
+        for number, piece in enumerate(part.pieces, start=first):
+            ends = (str(number), str(number + 1))
+            pieces.append(Piece(0, part.types[piece.segment].name, ends, piece.length))
+    types = {each.name: _line_type(each, friction) for each in model.types}
+    density = model.solved.case.site.water_density
+    return Deck(STANDARD_GRAVITY, density, model.surface, types, points, pieces, friction)
+
+
+def _level(height: float, surface: float) -> float:
+    """Return z of a height above the bed, m; without rounding at the water and at the bed.
+
+    MoorPy lets a line weigh more whose end is 1e-15 m above the water.
+    """
+    z = height - surface
+    near = (level for level in (0.0, -surface) if abs(z - level) <= ROUNDING * surface)
+    return next(near, z)
+
+
+def _line_type(each: Kind, friction: float) -> LineType:
+    """Put drag on the volume-equivalent diameter, and along the line on pi times that."""
+    segment, body = each.segment, each.body
+    drag = DRAG, 0.0, ADDED_MASS, 0.0
+    if has_drag(segment):
+        assert segment.drag_diameter is not None
+        assert segment.drag_normal is not None
+        wider = segment.drag_diameter / body.diameter
+        drag = (
+            segment.drag_normal * wider,
+            (segment.drag_axial or 0.0) * wider / math.pi,
+            ADDED_MASS if segment.added_mass_normal is None else segment.added_mass_normal,
+            segment.added_mass_axial or 0.0,
+        )
+    own = (segment.MBL, segment.nominal_diameter)
+    return LineType(0, body.diameter, body.mass, segment.EA, friction, drag, *own)
