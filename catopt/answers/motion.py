@@ -59,7 +59,7 @@ _PROOF = {
     "bars": "motion.how_both",
 }
 
-_ENERGIES: tuple[tuple[str, Callable[[EnergyBalance], float]], ...] = (
+ENERGIES: tuple[tuple[str, Callable[[EnergyBalance], float]], ...] = (
     ("Work put in", lambda of: of.put_in),
     ("Work of the ends", lambda of: of.ends),
     ("Work of the water's pressure", lambda of: of.water),
@@ -343,7 +343,7 @@ def _runs_in_files(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
         _pure("longest_slack", (each.line_longest_slack() for each in of), _TIME),
         *(
             Column(term(name), tuple(energy(each.balance) for each in of), _ENERGY)
-            for name, energy in _ENERGIES
+            for name, energy in ENERGIES
         ),
         _pure(
             "numerical_part_of_the_work", (each.balance.numerical_part for each in of), _PART

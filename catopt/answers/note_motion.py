@@ -21,6 +21,7 @@ from catopt.answers.blocks import (
     measured,
     texts,
 )
+from catopt.answers.motion import ENERGIES
 from catopt.answers.note import column, note_section
 from catopt.answers.note_drive import COUNT, SECONDS, drive_blocks, fixed, significant
 from catopt.figures.motion import envelope_chart, exceedance, history, track
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
     from catopt.notes.line import Note
     from catopt.notes.motion import InMotion, SegmentUse
     from catopt.notes.system import SystemNote
-    from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification, OverRuns
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, OverRuns
 
 _TENSION = QUANTITIES["tension"]
 _FACTOR = fixed("-", 3)
@@ -238,40 +239,24 @@ def _passes(uses: Sequence[SegmentUse]) -> Column:
 
 def _outcome(part: DynamicPart) -> Facts:
     """List what one load case comes to, beside the statistics."""
-    slack = fixed("s", 2)
+    slack, balance = fixed("s", 2), part.governing.history.balance
+    tension = replace(_TENSION, symbol="")
     listed: list[tuple[str, Value, Quantity]] = [
-        ("anywhere", part.max_tension, _TENSION),
-        ("still_max", part.quasi_static_max, _TENSION),
+        ("anywhere", part.max_tension, tension),
+        ("still_max", part.quasi_static_max, tension),
         ("amplification", part.amplification, _FACTOR),
         ("slack_time", part.slack_time, slack),
         ("longest_slack", part.longest_slack, slack),
-        *_energies(part.governing),
     ]
     facts = (
-        Fact(Message(f"note_motion.{key}"), value, replace(quantity, symbol=""))
-        for key, value, quantity in listed
+        *(Fact(Message(f"note_motion.{key}"), value, of) for key, value, of in listed),
+        *(
+            Fact(Message("note_motion.energy", what=term(name)), energy(balance), _ENERGY)
+            for name, energy in ENERGIES
+        ),
+        Fact(Message("note_motion.energy_part"), balance.numerical_part, replace(_PART, symbol="")),
     )
-    return Facts("motion_outcome", tuple(facts), Message("note_motion.outcome"), only="not csv")
-
-
-def _energies(run: DynamicRun) -> Iterator[tuple[str, Value, Quantity]]:
-    """Yield the energy of a run; what is numerical also over what was put in."""
-    balance = run.history.balance
-    for key, value in (
-        ("energy_put_in", balance.put_in),
-        ("energy_ends", balance.ends),
-        ("energy_water", balance.water),
-        ("energy_kinetic", balance.kinetic),
-        ("energy_elastic", balance.elastic),
-        ("energy_potential", balance.potential),
-        ("energy_by_drag", balance.drag),
-        ("energy_by_bed", balance.bed),
-        ("energy_by_friction", balance.friction),
-        ("energy_by_damping", balance.damping),
-        ("energy_numerical", balance.numerical),
-    ):
-        yield key, value, _ENERGY
-    yield "energy_part", balance.numerical_part, _PART
+    return Facts("motion_outcome", facts, Message("note_motion.outcome"), only="not csv")
 
 
 def _extremes(part: DynamicPart) -> Iterator[Table]:

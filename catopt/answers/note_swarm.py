@@ -9,19 +9,15 @@ from typing import TYPE_CHECKING
 from catopt.answers.blocks import (
     Block,
     Column,
-    Fact,
     Facts,
     Figure,
     Section,
     Table,
     Text,
     Verdict,
-    fact,
-    measured,
-    texts,
 )
 from catopt.answers.note import column, note_section
-from catopt.answers.solution import result_facts, swarm_settings, swarm_tables
+from catopt.answers.solution import flown_facts, result_facts, swarm_settings, swarm_tables
 from catopt.figures.swarm import fitness, swarm_tension
 from catopt.words import Measure, Message, Several
 
@@ -57,7 +53,8 @@ def _swarm(note: Note, report: SwarmReport) -> Iterator[Block]:
     yield Verdict(verdict, report.converged_runs > 0)
     yield _results(note)
     yield Figure(fitness(report))
-    yield _outcome(report)
+    outcome, caption = tuple(flown_facts(report)), Message("note.swarm_outcome")
+    yield Facts("swarm_outcome", outcome, caption, only="not csv")
     yield from _runs(report)
     caption = Message("note.swarm_settings")
     yield replace(swarm_settings(note.case.swarm), caption=caption, only="not csv")
@@ -96,37 +93,17 @@ def _results(note: Note) -> Table:
     )
 
 
-def _outcome(report: SwarmReport) -> Facts:
-    whole = Message("solution.part_of", part=report.converged_runs, whole=report.runs)
-    flown = len(report.best_objective_history)
-    facts = (
-        fact("objective", report.objective, "best_objective"),
-        Fact(Message("columns.best_run"), report.best_run),
-        Fact(Message("columns.iterations_flown"), flown),
-        Fact(Message("columns.runs_converged"), whole),
-        Fact(Message("columns.evaluations_of_f"), report.evaluations),
-        fact("residual", report.span_consistency, "span_by_equation_5"),
-    )
-    return Facts("swarm_outcome", facts, Message("note.swarm_outcome"), only="not csv")
-
-
 def _runs(report: SwarmReport) -> Iterator[Block]:
-    count = len(report.objectives)
-    flown = report.iterations_flown or (report.iterations,) * count
+    _, runs = swarm_tables(report)
     met = ("answers.yes" if f < _CONVERGED else "answers.no" for f in report.objectives)
-    objectives = measured("objective", report.objectives)
-    yield Table(
-        "swarm_runs",
-        (
-            texts("run", range(1, count + 1)),
-            replace(objectives, name=Message("note.swarm_ended")),
-            texts("iterations_flown", flown),
-            column("note.swarm_converged", map(Message, met)),
-        ),
-        Message("note.swarm_runs"),
-        tuple(range(min(count, _MOST_RUNS))),
-        report.best_run - 1,
+    yield replace(
+        runs,
+        columns=(*runs.columns[:3], column("note.swarm_converged", map(Message, met))),
+        caption=Message("note.swarm_runs"),
+        shown=tuple(range(min(runs.length, _MOST_RUNS))),
+        marked=report.best_run - 1,
         only="not csv",
     )
-    if count > _MOST_RUNS:
-        yield Text(Message("note.swarm_left_out", count=count - _MOST_RUNS), is_small=True)
+    if runs.length > _MOST_RUNS:
+        left = Message("note.swarm_left_out", count=runs.length - _MOST_RUNS)
+        yield Text(left, is_small=True)

@@ -36,6 +36,7 @@ from catopt.answers.note_motion import body_motion_section
 from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.solution import method_name, profile_table
 from catopt.answers.system import (
+    body_facts,
     circle_table,
     curve_table,
     line_out_table,
@@ -256,29 +257,17 @@ def _results(note: SystemNote) -> Iterator[Block]:
 
 
 def _facts(note: SystemNote) -> Iterator[Fact]:
+    """List what the command says of the body, and more of its place and stiffness."""
+    yield from body_facts(note.report)
     solution = note.solution
-    system, stiffness, turns = solution.system, solution.full_stiffness, solution.system.turns
-    force, length, moment, angle, per_length = (
-        replace(QUANTITIES[key], symbol="")
-        for key in ("horizontal_force", "offset", "moment", "angle", "stiffness")
-    )
+    stiffness, turns = solution.full_stiffness, solution.system.turns
+    length, angle = (replace(QUANTITIES[key], symbol="") for key in ("offset", "angle"))
     zero, place = solution.neutral, solution.position
     for key, quantity, value, is_there in (
-        ("force_x", force, system.force[0], True),
-        ("force_y", force, system.force[1], True),
-        ("moment", moment, system.moment, turns),
-        ("zero_x", length, zero.x, True),
-        ("zero_y", length, zero.y, True),
         ("place_x", length, place.x, True),
         ("place_y", length, place.y, True),
-        ("offset_x", length, solution.offset[0], True),
-        ("offset_y", length, solution.offset[1], True),
         ("offset", length, math.hypot(*solution.offset), True),
         ("zero_yaw", angle, zero.yaw, turns),
-        ("yaw", angle, place.yaw, turns),
-        ("kxx", per_length, stiffness[0][0], True),
-        ("kxy", per_length, stiffness[0][1], True),
-        ("kyy", per_length, stiffness[1][1], True),
         ("kxm", _TURNING, stiffness[0][2], turns),
         ("kym", _TURNING, stiffness[1][2], turns),
         ("kmm", _YAWING, stiffness[2][2], turns),

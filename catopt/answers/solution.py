@@ -321,7 +321,9 @@ def _swarm(case: Case, solution: Solution) -> Iterator[Section]:
         Graph(history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)),
         Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
     )
-    facts = Facts("swarm", tuple(_flown(swarm)), Message("captions.particle_swarm"), only="people")
+    facts = Facts(
+        "swarm", tuple(flown_facts(swarm)), Message("captions.particle_swarm"), only="people"
+    )
     yield Section(
         Message("captions.swarm"), (history, runs, swarm_settings(case.swarm), facts, *graphs)
     )
@@ -377,7 +379,8 @@ def _best(is_best: bool) -> str:
     return Message("answers.yes") if is_best else ""
 
 
-def _flown(swarm: SwarmReport) -> Iterator[Fact]:
+def flown_facts(swarm: SwarmReport) -> Iterator[Fact]:
+    """List what came of a swarm, and how far it is from the closed form."""
     of_runs = Message("solution.of_runs", run=swarm.best_run, runs=swarm.runs, seed=swarm.seed)
     converged = Message("solution.part_of", part=swarm.converged_runs, whole=swarm.runs)
     yield fact("objective", swarm.objective, "best_objective")

@@ -75,7 +75,7 @@ def _solved(report: SystemReport) -> Message:
     return Message("mooring.solved", count=count, freedom=Message(freedom))
 
 
-def _body(report: SystemReport) -> Facts:
+def body_facts(report: SystemReport) -> list[Fact]:
     """List where the body is and how it is held."""
     solution = report.solution
     system, stiffness = solution.system, solution.stiffness
@@ -94,7 +94,12 @@ def _body(report: SystemReport) -> Facts:
     if system.turns:
         facts[3:3] = [fact("moment", system.moment)]
         facts += [fact("angle", solution.position.yaw, "yaw", symbol="")]
-    rule = report.rule
+    return facts
+
+
+def _body(report: SystemReport) -> Facts:
+    """List where the body is, how it is held, and what the rule of practice says."""
+    solution, rule, facts = report.solution, report.rule, body_facts(report)
     if rule.horizontal_force is not None:
         assert rule.line is not None
         own = solution.lines[rule.line].horizontal_force

@@ -119,12 +119,14 @@ def _caption(part: StaticComparison, *, is_named: bool) -> Message:
 def compared_in_note(found: Sequence[Compared], caption: str = "") -> Table:
     """Tabulate quantities by both models in a note, with a verdict on each."""
     table = _compared(found, caption)
-    names, closed, truss, *others = table.columns
+    names, closed, truss, before, after, order = table.columns
     units = tuple(QUANTITY_OF[each.quantity] for each in found)
     named = replace(names, values=tuple(map(_name, units)))
-    measures = (replace(each, units=units) for each in (closed, truss))
+    closed = replace(closed, units=units)
+    truss = replace(truss, units=units, name=Message("columns.truss_extrapolated"))
+    after = replace(after, name=Message("columns.difference_over_scale"))
     verdicts = _verdict_column([each.agrees for each in found])
-    columns = (named, *measures, *others, verdicts)
+    columns = (named, closed, truss, before, after, order, verdicts)
     return replace(table, name="verification", columns=columns, only="not csv")
 
 
@@ -144,7 +146,9 @@ def closing_in_note(part: StaticComparison) -> Iterator[Block]:
     if rough:
         yield Text(rough)
     yield Warnings(tuple(part.remarks))
-    yield replace(_meshes_of(part), name="meshes", only="not csv")
+    meshes = _meshes_of(part)
+    bars, _, *others = meshes.columns  # how often is iterated is another count on each machine
+    yield replace(meshes, name="meshes", columns=(bars, *others), only="not csv")
 
 
 def _verdict_column(agree: Iterable[bool]) -> Column:

@@ -79,6 +79,7 @@ def _asked(
     from dataclasses import replace
 
     from catopt.casefile import read_case
+    from catopt.cli.values import by_option
     from catopt.errors import InputError, Problem
 
     case = read_case(path)
@@ -91,11 +92,8 @@ def _asked(
         "seed": seed,
     }
     given = {key: value for key, value in options.items() if value is not None}
-    try:
+    with by_option():
         return replace(case, design=replace(case.design, **given))
-    except InputError as error:
-        problems = [Problem(f"--{each.key}", each.found, each.allowed) for each in error.problems]
-        raise InputError(problems, "options") from error
 
 
 def _searched(case: Case, output: Output) -> DesignResult:

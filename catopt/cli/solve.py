@@ -115,6 +115,7 @@ def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
     """Put the swarm's options in place of the case's settings."""
     from dataclasses import replace
 
+    from catopt.cli.values import by_option
     from catopt.errors import InputError, Problem
 
     if given and method is not Method.PSO:
@@ -122,11 +123,8 @@ def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
             [Problem(f"--{key}", str(value), "needs --method pso") for key, value in given.items()],
             "options",
         )
-    try:
+    with by_option():
         return replace(case, swarm=replace(case.swarm, **given)) if given else case
-    except InputError as error:
-        problems = [Problem(f"--{each.key}", each.found, each.allowed) for each in error.problems]
-        raise InputError(problems, "options") from error
 
 
 def _solved(case: Case, method: Method, output: Output) -> Solution:

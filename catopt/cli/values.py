@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -30,3 +32,16 @@ def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]
     if problems:
         raise InputError(problems, "options")
     return values
+
+
+@contextmanager
+def by_option(names: Mapping[str, str] | None = None) -> Iterator[None]:
+    """Tell what is wrong with a setting by its option: by its own name where none is given."""
+    from catopt.errors import InputError
+
+    try:
+        yield
+    except InputError as error:
+        known = names or {each.key: f"--{each.key}" for each in error.problems}
+        problems = [replace(each, key=known[each.key]) for each in error.problems]
+        raise InputError(problems, "options") from error

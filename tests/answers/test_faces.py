@@ -394,7 +394,10 @@ def for_people(table: Table) -> Iterator[tuple[Value, bool]]:
         if column.only in {"all", "people"}:
             for row in rows:
                 value = column.values[row]
+                quantity = column.quantity_of(row)
                 is_number = isinstance(value, int | float) and math.isfinite(value)
+                if is_number and quantity is not None and abs(float(value or 0)) < quantity.floor:
+                    is_number = False  # rounding, which is another on each machine
                 yield value, is_number
 
 

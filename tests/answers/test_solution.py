@@ -41,15 +41,6 @@ def test_summary_of_the_buoy_as_s1_prints_it(buoy: Solution) -> None:
     assert (row["Title"], row["Method"], row["Regime"]) == ("Buoy", "closed-form", "suspended")
 
 
-def test_segments(leg: Solution) -> None:
-    frame = tables(leg)["segments"]
-    assert list(frame["Name"]) == ["wire", ""]
-    assert list(frame["Length L (m)"]) == [750.0, 332.0]
-    largest = leg.fairlead.tension
-    assert frame["Largest tension T (kN)"].iloc[-1] == pytest.approx(largest / 1e3, rel=1e-12)
-    assert frame["Utilisation (-)"].iloc[-1] == pytest.approx(2.0 * largest / 6.14e6, rel=1e-12)
-
-
 def test_what_is_not_known_is_empty_and_not_zero(case: Case) -> None:
     unknown = Line([Segment(20.0, 93.0)])
     frame = given_tables(unknown)[0].to_dataframe()
@@ -59,24 +50,6 @@ def test_what_is_not_known_is_empty_and_not_zero(case: Case) -> None:
     row = tables_of(solution_answer(case, solve_case(case)))["inputs"].iloc[0]
     assert pd.isna(row["Allowed inclination at the anchor (deg)"])
     assert row["Safety factor SF (-)"] == 5.0
-
-
-def test_point_loads(leg: Solution) -> None:
-    frame = tables(leg)["point_loads"]
-    assert list(frame["Position from the anchor (m)"]) == [900.0, 1000.0]
-    assert list(frame["Seabed reaction R (kN)"]) == [0.0, 0.0]
-    assert frame["Height above the seabed z (m)"].is_monotonic_increasing
-    loads = given_tables(leg.line)[1].to_dataframe()
-    assert list(loads["Submerged weight W (kN)"]) == [50.0, -20.0]
-
-
-def test_profile_runs_from_the_anchor_to_the_fairlead(leg: Solution) -> None:
-    frame = tables(leg)["profile"]
-    s, z = frame["Arc length s (m)"], frame["Height above the seabed z (m)"]
-    assert (s.iloc[0], s.iloc[-1]) == (0.0, pytest.approx(1082.0, rel=1e-15))
-    assert s.is_monotonic_increasing
-    assert z.iloc[-1] == pytest.approx(71.4, abs=1e-9)  # the solver's own limit on its residual
-    assert frame["Tension T (kN)"].iloc[-1] == pytest.approx(leg.fairlead.tension / 1e3, rel=1e-9)
 
 
 def test_swarm_tables(swarm: Solution) -> None:

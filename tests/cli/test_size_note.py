@@ -16,7 +16,7 @@ from catopt.documents import parse_toml
 from catopt.sizing.file import size_file
 from tests.report.page_reader import read_page
 
-from .conftest import BUOY, CASES, Run
+from .conftest import CASES, Run
 
 SIZE_BUOY = CASES / "size-buoy" / "sizing.toml"
 SIZE_TANKER = CASES / "size-tanker" / "sizing.toml"
@@ -113,31 +113,6 @@ def test_what_is_of_a_known_line_is_refused(run: Run) -> None:
     assert "--dynamic" in ran.err
     assert "catopt size buoy" in ran.err
     assert list(Path().iterdir()) == []
-
-
-def test_every_mistake_of_the_file_is_told_by_its_key(run: Run) -> None:
-    path = Path("wrong.toml")
-    text = SIZE_BUOY.read_text("utf-8").replace('"12 m"', '"12 s"')
-    path.write_text(text.replace('material = "concrete"', 'material = "wood"'), encoding="utf-8")
-    ran = run("report", path)
-    assert ran.status == 2
-    assert "site.water_depth" in ran.err
-    assert "sinker.material" in ran.err
-    assert "Traceback" not in ran.err
-
-
-def test_what_is_missing_in_the_file_is_told_and_not_asked_for(run: Run) -> None:
-    Path("short.toml").write_text('[buoy]\nname = "pillar 2.4 m"\n', encoding="utf-8")
-    ran = run("report", "short.toml")
-    assert ran.status == 2
-    assert "site.water_depth" in ran.err
-
-
-def test_a_case_file_still_has_its_own_note(run: Run) -> None:
-    ran = run("report", BUOY, "--no-verify")
-    assert ran.out == "buoy-9.5m.html\n"
-    page = read_page(Path("buoy-9.5m.html").read_bytes())
-    assert "size_loads" not in page.sections
 
 
 # ------------------------------------------------------------------ catopt size --out

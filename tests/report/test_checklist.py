@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from catopt.words import LANGUAGES, Language
-from tests.reports import NOTES as SHIPPED_NOTES
+from tests.reports import NOTES
 
-from .notes import NOTES, page_named
+from .notes import page_named
 from .page_reader import ReadPage, read_page
 
-SHIPPED = sorted(SHIPPED_NOTES.glob("*.html"))
+SHIPPED = sorted(NOTES.glob("*.html"))
 
 
 @pytest.fixture(params=SHIPPED, ids=lambda path: path.stem)
@@ -22,9 +22,10 @@ def shipped(request: pytest.FixtureRequest) -> ReadPage:
     return read_page(path.read_bytes())
 
 
-@pytest.fixture(
-    params=[(name, language) for name in (*NOTES, "size-tanker") for language in LANGUAGES]
-)
+KINDS = ("leg", "states", "harmonic", "pulled", "size-buoy", "size-tanker", "six")
+
+
+@pytest.fixture(params=[(name, language) for name in KINDS for language in LANGUAGES])
 def of_a_kind(request: pytest.FixtureRequest) -> ReadPage:
     return page_named(*request.param)
 

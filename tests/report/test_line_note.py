@@ -10,13 +10,12 @@ import pytest
 
 from catopt.casefile.schema import CaseTable
 from catopt.catenary import case_curve
-from catopt.errors import InputError, NotConvergedError
-from catopt.notes.directory import Asked
+from catopt.errors import NotConvergedError
 from catopt.notes.inputs import inputs_of
-from catopt.notes.line import Note, note_of, read_note
-from catopt.notes.origin import SourceFile, file_name
+from catopt.notes.line import Note, read_note
+from catopt.notes.origin import file_name
 
-from .conftest import buoy_case, report_with
+from .conftest import report_with
 from .further_cases import further_note
 from .page_cases import CASES, EVERY, TEXTS, case_path, design_directory, known_note, known_page
 from .page_reader import ReadPage, read_page
@@ -113,17 +112,6 @@ def test_a_case_file_with_a_byte_order_mark_is_read_and_hashed_as_it_is(tmp_path
     note = read_note(path)
     assert note.origin.files[0].sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
     assert not note.origin.files[0].text.startswith("\ufeff")
-
-
-def test_warnings_stand_once_each() -> None:
-    note = read_note(CASES / "buoy-9.5m" / "case.toml")
-    page = read_page(page_of(replace(note, warnings=("one thing", "another"))))
-    (listed,) = page.styled("warnings")
-    assert listed.tag == "ul"
-    assert [e.text for e in page.tagged("li") if e.section == "warnings"] == [
-        "one thing",
-        "another",
-    ]
 
 
 def test_warnings_of_a_line_come_without_the_name_of_its_only_load() -> None:
@@ -232,10 +220,3 @@ def test_many_runs_are_left_out_and_none_converged_is_said() -> None:
     (verdict,) = page.styled("verdict", "swarm")
     assert "fails" in verdict.attributes["class"]
     assert "0 of 40 runs" in verdict.text
-
-
-def test_a_line_that_the_swarm_refuses_is_refused() -> None:
-    case = replace(buoy_case(), load=type(buoy_case().load)(span=17.4))  # type: ignore[misc]
-    source = SourceFile("case.toml", "title = 'x'", "0" * 64)
-    with pytest.raises(InputError, match="the swarm method wants one"):
-        note_of(case, (source,), asked=Asked(swarm=True))

@@ -54,7 +54,7 @@ FIELD = {
     **{unit: factor for table in UNITS.values() for unit, factor in table.items()},
     **{each.field_unit: each.factor for each in QUANTITIES.values()},
     "°": math.pi / 180.0, "": 1.0, "kg/m^3": 1.0,
-    "kN/rad": 1e3, "kN*m/rad": 1e3, "N m": 1.0, "N*m": 1.0, "kg/m3": 1.0, "m2": 1.0,
+    "kN/rad": 1e3, "kN*m/rad": 1e3, "N m": 1.0, "N*m": 1.0, "kg/m3": 1.0, "m2": 1.0, "kJ": 1e3,
 }  # fmt: skip
 
 

@@ -275,12 +275,6 @@ def test_warnings_of_the_sizing_stand_once_each(note: SizeNote, page: ReadPage) 
     assert len(set(bare)) == len(bare)
 
 
-def test_markup_in_a_title_does_not_run() -> None:
-    note = known_size_note("given")
-    text = page_of(replace(note, options=(("--depth", "<script>alert(1)</script>"),)))
-    assert b"<script>alert" not in text
-
-
 @pytest.mark.parametrize(("language", "said"), [("en", "this note"), ("vi", "bản thuyết minh này")])
 def test_limits_that_no_document_has_are_from_the_note(name: str, language: Any, said: str) -> None:
     """Holding capacity and buoyancy come out of the sizing: there is no case file to look into."""

@@ -152,37 +152,6 @@ def test_the_rule_of_practice_stands_beside_the_balance_or_says_why_not() -> Non
     assert "this system has 9." in known_page(TURRET).sections["system_results"]
 
 
-def test_a_line_is_checked_as_the_balance_has_it() -> None:
-    """The tension that is checked is the largest of each segment of each line."""
-    note = known_note("arms")
-    for index, line in enumerate(note.solution.lines):
-        (tension,) = [
-            each
-            for each in note.checks.results
-            if each.kind == "tension"
-            and each.place.state == "intact"
-            and each.place.line == index + 1
-        ]
-        expected = line.solution.segments[0].max_tension
-        assert tension.demand == pytest.approx(expected, rel=SOLVED)
-        MBL = line.leg.line.segments[0].MBL
-        assert MBL is not None
-        assert tension.capacity == pytest.approx(MBL / 2.0, rel=LAST_DIGIT)
-
-
-def test_the_reserve_of_buoyancy_is_against_all_lines_together() -> None:
-    note = known_note("arms")
-    (found,) = [
-        each
-        for each in note.checks.results
-        if each.kind == "buoyancy" and each.place.state == "intact"
-    ]
-    pull = sum(line.solution.fairlead.vertical_force for line in note.solution.lines)
-    assert found.demand == pytest.approx(pull, rel=LAST_DIGIT)
-    assert found.capacity == 700e3
-    assert found.passes == (pull <= 700e3)
-
-
 def value_of(formula: str) -> float:
     """Work a sum with its numbers put in out, as a pocket calculator would."""
     plain = formula.replace("−", "-").replace("√", "math.sqrt").replace("²", "**2")
