@@ -40,16 +40,15 @@ def note_of_case(name: str) -> Note | SystemNote:
     """Compute the note of a case; that of the recommended design where one is asked for."""
     path = ROOT / "cases" / name / "case.toml"
     case = read_case(path)
-    if case.system is not None:
-        return read_system_note(path)
     if case.design is None:
-        return read_note(path)
+        return read_note(path) if case.system is None else read_system_note(path)
     result = design_case(case)
     document = document_bytes(result.to_dict())
     with TemporaryDirectory() as folder:
         kept = {"case.toml": write_case(result.case).encode(), "design.json": document}
         write_files(Path(folder), kept)
-        return read_note(Path(folder))
+        read = read_note if case.system is None else read_system_note
+        return read(Path(folder))
 
 
 def note_page(name: str) -> bytes:

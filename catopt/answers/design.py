@@ -29,7 +29,7 @@ from catopt.answers.check import (
     tightest_checks,
     tightest_table,
 )
-from catopt.figures.front import OBJECTIVES
+from catopt.figures.front import objective
 from catopt.quantities import Quantity
 from catopt.words import Measure, Message, Several, term
 
@@ -102,6 +102,17 @@ def _front(result: DesignResult) -> Iterator[Block]:
 
 
 def _how(result: DesignResult) -> Message:
+    if result.excluded and result.is_exact:
+        return Message(
+            "design.exact_by_bounds",
+            designs=result.designs,
+            evaluations=result.evaluations,
+            method=term(result.method),
+            excluded=sum(result.excluded.values()),
+            bounds=_bounds(result),
+            feasible=result.feasible,
+            front=len(result.front),
+        )
     return Message(
         "design.exact" if result.is_exact else "design.found",
         designs=result.designs,
@@ -110,6 +121,12 @@ def _how(result: DesignResult) -> Message:
         feasible=result.feasible,
         front=len(result.front),
     )
+
+
+def _bounds(result: DesignResult) -> Several:
+    """Say how many designs each bound has excluded."""
+    said = (Message(f"design.bound_{name}", count=count) for name, count in result.excluded.items())
+    return Several(said)
 
 
 def _numbers(numbers: Iterable[int]) -> Column:
@@ -131,7 +148,8 @@ def _objectives(result: DesignResult, points: Sequence[DesignPoint | None]) -> I
 def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
     known = result.front[0].objectives
     keys = [*result.objectives, *(key for key in known if key not in result.objectives)]
-    return [(key, OBJECTIVES[key]) for key in keys]
+    of_body = result.case.system is not None
+    return [(key, objective(key, of_body=of_body)) for key in keys]
 
 
 def _in_words(points: Sequence[DesignPoint]) -> tuple[Column, ...]:
@@ -142,7 +160,17 @@ def _in_words(points: Sequence[DesignPoint]) -> tuple[Column, ...]:
         texts("segments_from_the_anchor", segments, only="files"),
         texts("clump_weights", weights, only="files"),
         texts("anchor", map(_anchor_words, points), only="files"),
+        *_layouts(points),
     )
+
+
+def _layouts(points: Sequence[DesignPoint]) -> Iterator[Column]:
+    """Yield the layout of whole moorings and what takes them farthest, in files."""
+    far = [each.mooring for each in points]
+    if all(far):
+        layouts = (Several(_layout_words(each)) for each in points)
+        yield texts("layout", layouts, only="files")
+        yield texts("farthest_in", (each.state for each in far if each), only="files")
 
 
 def _utilisations(points: Sequence[DesignPoint]) -> Iterator[Column]:
@@ -197,8 +225,20 @@ def _anchor_words(point: DesignPoint) -> str:
     )
 
 
+def _layout_words(point: DesignPoint) -> Iterator[Message]:
+    """Say how many lines there are and how far away their anchors; nothing of a single line."""
+    if point.mooring is not None:
+        legs = point.mooring.system.legs
+        yield Message("design.around", count=len(legs), radius=legs[0].anchor_radius)
+
+
 def _composition(point: DesignPoint) -> Several:
-    parts = (*segment_words(point.line), *clump_weight_words(point.line), _anchor_words(point))
+    parts = (
+        *_layout_words(point),
+        *segment_words(point.line),
+        *clump_weight_words(point.line),
+        _anchor_words(point),
+    )
     return Several(part for part in parts if part)
 
 
@@ -212,6 +252,9 @@ def _recommended(result: DesignResult) -> Iterator[Block]:
     yield Facts("recommended", tuple(_made_of(result, point)), only="not csv")
     yield tightest_table(point.checks)
     yield Text(governing_sentence(point.checks))
+    if point.mooring is not None:
+        far = point.mooring
+        yield Text(Message("design.farthest", offset=far.offset, state=far.state))
     yield from map(Text, result.ends)
     yield _neighbours(result)
     yield Warnings(result.warnings)
@@ -219,6 +262,8 @@ def _recommended(result: DesignResult) -> Iterator[Block]:
 
 def _made_of(result: DesignResult, point: DesignPoint) -> Iterator[Fact]:
     """List the parts of a design and what its objectives come to."""
+    for layout in _layout_words(point):
+        yield Fact(Message("columns.layout"), layout)
     for number, said in enumerate(segment_words(point.line), start=1):
         yield Fact(Message("columns.segment_number", number=number), said)
     for said in clump_weight_words(point.line):
@@ -311,6 +356,7 @@ def _search(result: DesignResult) -> Facts:
         "designs_in_the_space": result.designs,
         "designs_evaluated": result.evaluations,
         "of_these_feasible": result.feasible,
+        **({"designs_proved_needless": _bounds(result)} if result.excluded else {}),
         "designs_on_the_front": len(result.front),
         "recommended_design": result.recommended + 1,
         "why": result.recommendation,

@@ -10,7 +10,7 @@ from catopt.casefile.components import SIZES
 from catopt.casefile.consistency import sinks_findings
 from catopt.casefile.document import Place, as_in_file, misspelt, number, table, tables, value
 from catopt.casefile.location import Finding, parts
-from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, duplicates
+from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, RADII, duplicates
 from catopt.casefile.schema import (
     CaseTable,
     ClumpWeightChoiceTable,
@@ -19,9 +19,11 @@ from catopt.casefile.schema import (
     SegmentChoiceTable,
     SegmentTable,
     SinkerChoiceTable,
+    SystemTable,
 )
 from catopt.errors import InputError
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice
+from catopt.model.design import body_misfits
 from catopt.units import as_written
 
 _COMPONENTS = ("components", "component")
@@ -43,6 +45,7 @@ def design_findings(document: dict[str, Any]) -> list[Finding]:
         *(_sinker(document, sinker) if sinker[1] else ()),
         *_as_the_model_has_it(document, segments, weights),
         *_excursion(document),
+        *_of_a_body(document),
     ]
 
 
@@ -169,11 +172,32 @@ def _as_the_model_has_it(
                 for joint in joints
             ),
             objectives=tuple(objectives) if objectives else ("mass", "offset"),
+            lines=tuple(value(DesignTable, "lines", design) or ()),
         )
     except InputError as error:
         for problem in error.problems:
             path = ("design", *parts(problem.key))
             yield as_in_file(document, Finding(path, problem.found, problem.allowed))
+
+
+def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
+    """Find radii given in two ways, and what goes with several lines alone or not with them."""
+    design, system = table(document, "design"), table(document, "system")
+    yield from RADII.findings(DesignTable, (("design",), design))
+    has_system = "system" in document
+    if not has_system and misspelt(CaseTable, ["system"], document):
+        return
+    force = value(SystemTable, "force", system) or []
+    unclear = not force and ("force" in system or misspelt(SystemTable, ["force"], system))
+    given = {key: value(DesignTable, key, design) for key in ("lines", "headings", "objectives")}
+    given |= {"line_out": design.get("line_out") is True, "sinker": "sinker" in design}
+    given |= {"anchor_radii": RADII.is_given(design)}
+    has_force = bool(unclear or any(force))
+    for problem in body_misfits(given, has_system=has_system, has_force=has_force):
+        found, path = problem.found, parts(problem.key)
+        if path[-1] == "anchor_radii":
+            path = ("design", next(key for key in RADII.keys if key in design))
+        yield as_in_file(document, Finding(path, found, problem.allowed))
 
 
 def _excursion(document: dict[str, Any]) -> Iterator[Finding]:
@@ -182,7 +206,7 @@ def _excursion(document: dict[str, Any]) -> Iterator[Finding]:
     cases = tables(document, "load_cases")
     misread = "load_cases" in document and not cases
     count = sum(state.get("kind") == "reference" for _, state in cases)
-    if "excursion" not in objectives or misread or count == 1:
+    if "excursion" not in objectives or misread or count == 1 or "system" in document:
         return
     if not misspelt(CaseTable, ["load_cases"], document):
         path = ("design", "objectives", objectives.index("excursion"))

@@ -9,7 +9,7 @@ from typing import Any
 
 from catopt.casefile.reading import read_case
 from catopt.errors import InputError, Problem
-from catopt.model import Anchor, Case, Line, PointLoad, Segment
+from catopt.model import Anchor, Case, Line, PointLoad, Segment, System
 from catopt.schemas import read_document
 from catopt.words.saved import with_messages
 
@@ -39,8 +39,8 @@ def read_design(directory: Path, number: int) -> Case:
     """Read a design out of the directory that ``catopt design --out`` wrote, as a case of its own.
 
     It is the case of the search with the line and the anchor of the design; nothing varies any
-    more. Numbers count from 1, as in the tables of the front. InputError: no result directory, or
-    no such design.
+    more. A whole mooring is under the force that takes it farthest. Numbers count from 1, as in the
+    tables of the front. InputError: no result directory, or no such design.
     """
     front = read_design_document(directory)["front"]
     if not 1 <= number <= len(front):
@@ -51,10 +51,11 @@ def read_design(directory: Path, number: int) -> Case:
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
         line, anchor = _line(design, case), _anchor(design, case)
+        system = _system(design, line, case)
     except InputError as error:
         problems = [replace(p, key=f"front[{number - 1}]: {p.key}") for p in error.problems]
         raise InputError(problems, str(directory / DESIGN_DOCUMENT)) from error
-    return replace(case, title=title, line=line, anchor=anchor, design=None)
+    return replace(case, title=title, line=line, anchor=anchor, system=system, design=None)
 
 
 def read_design_document(directory: Path) -> dict[str, Any]:
@@ -119,6 +120,26 @@ def _with_motion(segment: Segment, case: Case) -> Segment:
         component = families.component(segment.component, segment.nominal_diameter)
         same = [component.segment(segment.length)]
     return replace(segment, **{key: getattr(same[0], key) for key in _MOTION}) if same else segment
+
+
+def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
+    """Build the body with the lines of the design."""
+    found = design.get("system")
+    if found is None or case.system is None:
+        return case.system
+    own, first = case.system, case.system.legs[0]
+    return System.around(
+        line,
+        azimuths=found["azimuths_rad"],
+        anchor_radius=found["anchor_radius_m"],
+        fairlead_height=first.fairlead_height,
+        fairlead_radius=first.fairlead_radius,
+        anchor_height=first.anchor_height,
+        seabed_friction=own.seabed_friction,
+        force=tuple(found["farthest_force_N"]),
+        moment=own.moment,
+        yaw_free=own.yaw_free,
+    )
 
 
 def _anchor(design: dict[str, Any], case: Case) -> Anchor | None:

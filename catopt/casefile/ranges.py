@@ -111,6 +111,7 @@ class Values:
 LENGTHS = Values("length", "lengths")
 MASSES = Values("mass", "masses")
 POSITIONS = Values("position", "positions")
+RADII = Values("anchor_radius", "anchor_radii")
 
 
 def duplicates(schema: type[Table], place: Place, key: str) -> Iterator[Finding]:

@@ -382,6 +382,14 @@ class DesignTable(Table):
     segments: Annotated[list[SegmentChoiceTable], SOME_TABLES]
     clump_weights: Annotated[list[ClumpWeightChoiceTable], Field(max_length=MOST_TABLES)] = []
     sinker: SinkerChoiceTable | None = None
+    lines: Annotated[list[Annotated[int, Whole("lines", example=6)]], SOME] | None = None
+    anchor_radius: Length | None = None
+    anchor_radii: Lengths | None = None
+    anchor_radius_min: Length | None = None
+    anchor_radius_max: Length | None = None
+    anchor_radius_step: Length | None = None
+    headings: Annotated[int, Whole("headings", example=12)] | None = None
+    line_out: Yes | None = None
 
 
 class PsoTable(Table):

@@ -198,6 +198,7 @@ _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
     PointLoad: {"added_mass_coefficient": 0.0},
     LoadCase: {"state": "intact", "fairlead_rise": 0.0},
     Service: {"wear_rate": 0.0},
+    Design: {"headings": 1},
 }
 """Keys that go unsaid at their default."""
 
@@ -220,7 +221,7 @@ def _given(part: object) -> dict[str, Any]:
             unsaid = HARMONIC
         case Dynamics(broken_line=None):
             unsaid = ("broken_end",)
-        case Site() | PointLoad() | LoadCase() | Service():
+        case Site() | PointLoad() | LoadCase() | Service() | Design():
             defaults = _UNSAID[type(part)].items()
             unsaid = tuple(key for key, default in defaults if given.get(key) == default)
     return {key: value for key, value in given.items() if key not in unsaid}

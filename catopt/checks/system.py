@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
@@ -13,29 +13,48 @@ from catopt.checks.excess import buoyancy_excess
 from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
 from catopt.checks.state import Place, State
-from catopt.model import Case
+from catopt.checks.strength import Strength
+from catopt.model import Anchor, Case, Line
 from catopt.mooring.case import SystemReport, report_system
 from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.solution import SystemSolution
 from catopt.words import Message
 
-__all__ = ["check_system"]
+__all__ = ["InState", "check_state", "check_system"]
 
 
 @dataclass(frozen=True)
-class _InState:
-    """The body in one state: its solution, or why there is none; the numbers of its lines."""
+class InState:
+    """The body in one state.
+
+    Attributes
+    ----------
+    place : Place
+        The state, and which line is gone.
+    solution : SystemSolution or None
+        None where it does not come to rest.
+    numbers : tuple of int
+        Of the lines that are there, from 1.
+    refusal : str
+        Why there is no solution.
+    under : Message or None
+        The load that it is under, where there are several.
+    """
 
     place: Place
     solution: SystemSolution | None
     numbers: tuple[int, ...]
     refusal: str = ""
+    under: Message | None = None
 
     @property
     def name(self) -> Message:
-        if self.place.missing is None:
-            return Message("checks.intact")
-        return Message("checks.line_out", number=self.place.missing)
+        """The state in words, with its load where there are several."""
+        gone = self.place.missing
+        said = Message("checks.intact") if gone is None else Message("checks.line_out", number=gone)
+        if self.under is None:
+            return said
+        return Message("checks.state_under", state=said, load=self.under)
 
 
 def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
@@ -76,16 +95,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
             place = replace(state.place, line=number)
             where = line_in_state(number, state.name)
             solved.append((Lifted(where, place.state, "extreme", line.solution), place))
-            results += evaluate(
-                line.solution,
-                criteria,
-                known[line.leg.line],
-                case.anchor,
-                load_case=state.name,
-                kind="extreme",
-                place=place,
-            )
-        results += _of_the_body(state, criteria)
+        results += check_state(state, criteria, known, case.anchor)
     lines = {line: of_criteria(criteria, line, strengths) for line, strengths in known.items()}
     warnings = (
         *(warning for told in lines.values() for warning in told),
@@ -103,6 +113,39 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     )
 
 
+def check_state(
+    state: InState,
+    criteria: Criteria,
+    strengths: Mapping[Line, Sequence[Strength]],
+    anchor: Anchor | None,
+) -> Iterator[CheckResult]:
+    """Check a body that has come to rest in one state: each of its lines, then all together.
+
+    Parameters
+    ----------
+    state : InState
+        With its solution.
+    criteria : Criteria
+        What the lines have to keep.
+    strengths : mapping of Line to sequence of Strength
+        Of the segments of each different line.
+    anchor : Anchor or None
+        What holds each line.
+    """
+    assert state.solution is not None
+    for number, line in zip(state.numbers, state.solution.lines, strict=True):
+        yield from evaluate(
+            line.solution,
+            criteria,
+            strengths[line.leg.line],
+            anchor,
+            load_case=state.name,
+            kind="extreme",
+            place=replace(state.place, line=number),
+        )
+    yield from _of_the_body(state, criteria)
+
+
 def _for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
     """List the criteria for one line out; of one line, those that are for nothing else."""
     return tuple(
@@ -112,17 +155,17 @@ def _for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
     )
 
 
-def _states(solution: SystemSolution, lost: Sequence[LineOut]) -> Iterator[_InState]:
+def _states(solution: SystemSolution, lost: Sequence[LineOut]) -> Iterator[InState]:
     everything = tuple(range(1, len(solution.lines) + 1))
-    yield _InState(Place(), solution, everything)
+    yield InState(Place(), solution, everything)
     for each in lost:
         missing = each.missing + 1
         left = tuple(number for number in everything if number != missing)
         place = Place("one_line_out", missing=missing)
-        yield _InState(place, each.solution, left, each.refusal)
+        yield InState(place, each.solution, left, each.refusal)
 
 
-def _lost(state: _InState, damaged: tuple[Criterion, ...]) -> Iterator[CheckResult]:
+def _lost(state: InState, damaged: tuple[Criterion, ...]) -> Iterator[CheckResult]:
     """Fail every source of criteria for one line out: without this line there is no equilibrium."""
     for source in dict.fromkeys(each.source for each in damaged):
         yield CheckResult(
@@ -139,7 +182,7 @@ def _lost(state: _InState, damaged: tuple[Criterion, ...]) -> Iterator[CheckResu
         )
 
 
-def _of_the_body(state: _InState, criteria: Criteria) -> Iterator[CheckResult]:
+def _of_the_body(state: InState, criteria: Criteria) -> Iterator[CheckResult]:
     """Hold the vertical pull of all lines against the reserve of buoyancy, if that is given."""
     assert state.solution is not None
     pull = math.fsum(line.solution.fairlead.vertical_force for line in state.solution.lines)

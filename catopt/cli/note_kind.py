@@ -108,17 +108,21 @@ def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
 
 
 def _of_a_body(path: Path, wanted: Wanted, progress: Progress | None) -> AnyNote:
+    from catopt.casefile.design_directory import DESIGN_DOCUMENT
     from catopt.errors import InputError
-    from catopt.notes.directory import asked_in, case_path
+    from catopt.notes.directory import asked_in
     from catopt.notes.system import read_system_note
 
     why = "it is for one line with a load; this file is of a body moored by several"
-    problems = list(_of_a_line_alone(replace(wanted, motion=None), why, swarm=True))
+    has_front = path.is_dir() and (path / DESIGN_DOCUMENT).is_file()
+    design = wanted.design if has_front else None
+    refused = replace(wanted, motion=None, design=None if has_front else wanted.design)
+    problems = list(_of_a_line_alone(refused, why, swarm=True))
     if problems:
         raise InputError(problems, "options")
     asked = asked_in(path).with_motion(wanted.motion, wanted.once)
     return read_system_note(
-        case_path(path), date=wanted.date, verify=wanted.verify, asked=asked, progress=progress
+        path, design, date=wanted.date, verify=wanted.verify, asked=asked, progress=progress
     )
 
 

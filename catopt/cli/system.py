@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
+from catopt.cli.options import DesignOption, JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.units import Dimension
@@ -16,7 +16,15 @@ if TYPE_CHECKING:
 
 def system(
     context: typer.Context,
-    case: Annotated[Path, typer.Argument(metavar="CASE", help="Case file (TOML) with [system].")],
+    case: Annotated[
+        Path,
+        typer.Argument(
+            metavar="CASE",
+            help="Case file (TOML) with [system]; with --design a directory that catopt design "
+            "--out wrote.",
+        ),
+    ],
+    design: DesignOption = None,
     line_out: Annotated[
         bool,
         typer.Option("--line-out", help="Also take each line away in turn, under the same load."),
@@ -69,7 +77,7 @@ def system(
     whether all checks pass, and what else is asked for, with the residual of the balance.
     """
     from catopt.answers.system import system_answer
-    from catopt.casefile import read_case
+    from catopt.casefile.design_directory import read_case_or_design
     from catopt.checks.document import verdict_document
     from catopt.checks.system import check_system
     from catopt.cli.result_files import Asked
@@ -82,7 +90,7 @@ def system(
     directions = _in_si("--curve", curve or [], Dimension.ANGLE)
     levels = _in_si("--level", level or [], Dimension.LENGTH)
     displacements = [_displacement(text) for text in held or []]
-    read = read_case(case)
+    read = read_case_or_design(case, design)
     report = report_system(
         read,
         with_line_out=line_out,

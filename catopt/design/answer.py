@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from catopt.design.bounds import BOUNDS
 from catopt.design.ends import ends
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, objective_words
 from catopt.design.hypervolume import hypervolume, reference_point
@@ -69,6 +70,7 @@ def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
         neighbours=neighbours(problem, front[best.index].genes),
         present=present_line(problem),
         seconds=found.seconds,
+        excluded=dict(zip(BOUNDS, outcome.excluded, strict=False)),
         warnings=(*problem.warnings, *_of_search(problem, found, len(front))),
     )
 

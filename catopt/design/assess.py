@@ -90,8 +90,8 @@ def assess(
         for k in range(4):
             objectives[i, k] = math.nan
         sinker[i] = -1
-        segments = _take_segments(genes[i], tables, room)
-        weights, beyond = _take_weights(genes[i], tables, room, segments)
+        segments = take_segments(genes[i], tables, room)
+        weights, beyond = take_weights(genes[i], tables, room, segments)
         if beyond > 0.0:
             excess[i] = NO_DESIGN + beyond
             continue
@@ -103,11 +103,11 @@ def assess(
         sinker[i] = found.sinker
         excess[i] = found.worst if found.worst > -math.inf else -1.0
         if not math.isnan(found.largest):
-            _weigh(tables, room, segments, genes[i], i, objectives)
-            objectives[i, OFFSET] = _rounded(found.largest, tables.step[OFFSET])
+            weigh(tables, room, segments, genes[i], 1, objectives[i])
+            objectives[i, OFFSET] = rounded(found.largest, tables.step[OFFSET])
             if found.reference < math.inf:
                 excursion = found.largest - found.reference
-                objectives[i, EXCURSION] = _rounded(excursion, tables.step[EXCURSION])
+                objectives[i, EXCURSION] = rounded(excursion, tables.step[EXCURSION])
 
 
 class _Found(NamedTuple):
@@ -129,23 +129,7 @@ def _in_all_load_cases(
     tables: Tables, room: Room, segments: int, weights: int, stops_early: bool
 ) -> _Found:
     """Solve and check the line that lies in the work space."""
-    count = segments + weights
-    pieces = Pieces(
-        room.piece_length[:count],
-        room.piece_weight[:count],
-        room.piece_compliance[:count],
-        room.piece_load[: 2 * count + 2],
-    )
-    split(
-        room.length[:segments],
-        room.weight[:segments],
-        room.compliance[:segments],
-        room.position[:weights],
-        room.point_weight[:weights],
-        room.point_friction[:weights],
-        pieces,
-        room.owner,
-    )
+    pieces = pieces_in(room, segments, weights)
     worst = -math.inf
     needed = -math.inf
     largest = 0.0
@@ -160,7 +144,7 @@ def _in_all_load_cases(
             largest = math.nan
             break
         segment_tensions(state, problem, room.runs, room.owner, segments, room.tension)
-        worst = max(worst, _largest_excess(state, tables, room, segments, c))
+        worst = max(worst, largest_excess(state, tables, room, segments, c))
         if len(tables.sinker_weight) > 0:
             pull = sinker_needed(
                 state.H_anchor, state.V_anchor, tables.sinker_friction, tables.limit[c, SLIDING]
@@ -180,7 +164,30 @@ def _in_all_load_cases(
 
 
 @inlined
-def _take_segments(genes: Any, tables: Tables, room: Room) -> int:
+def pieces_in(room: Room, segments: int, weights: int) -> Pieces:
+    """Cut the line that lies in the work space."""
+    count = segments + weights
+    pieces = Pieces(
+        room.piece_length[:count],
+        room.piece_weight[:count],
+        room.piece_compliance[:count],
+        room.piece_load[: 2 * count + 2],
+    )
+    split(
+        room.length[:segments],
+        room.weight[:segments],
+        room.compliance[:segments],
+        room.position[:weights],
+        room.point_weight[:weights],
+        room.point_friction[:weights],
+        pieces,
+        room.owner,
+    )
+    return pieces
+
+
+@inlined
+def take_segments(genes: Any, tables: Tables, room: Room) -> int:
     """Put the segments that are there into the work space; return how many there are."""
     count = 0
     for s in range(len(tables.segment_optional)):
@@ -196,7 +203,7 @@ def _take_segments(genes: Any, tables: Tables, room: Room) -> int:
 
 
 @inlined
-def _take_weights(genes: Any, tables: Tables, room: Room, segments: int) -> tuple[int, float]:
+def take_weights(genes: Any, tables: Tables, room: Room, segments: int) -> tuple[int, float]:
     """Put the clump weights that are there into the work space, by rising position; count them.
 
     With by how much one hangs beyond the line, as a part of its length; 0 when none does.
@@ -256,7 +263,7 @@ def _no_equilibrium(state: State, tables: Tables, room: Room, segments: int, c: 
 
 
 @inlined
-def _largest_excess(state: State, tables: Tables, room: Room, segments: int, c: int) -> float:
+def largest_excess(state: State, tables: Tables, room: Room, segments: int, c: int) -> float:
     """Largest excess of all checks in one load case, save that of a sinker."""
     worst = -math.inf
     for s in range(segments):
@@ -293,8 +300,10 @@ def _lightest(needed: float, weights: Any) -> int:
 
 
 @inlined
-def _weigh(tables: Tables, room: Room, segments: int, genes: Any, i: int, objectives: Any) -> None:
-    """Write mass and cost."""
+def weigh(
+    tables: Tables, room: Room, segments: int, genes: Any, lines: int, objectives: Any
+) -> None:
+    """Write mass and cost of a number of equal lines."""
     mass = 0.0
     cost = 0.0
     for s in range(segments):
@@ -305,12 +314,12 @@ def _weigh(tables: Tables, room: Room, segments: int, genes: Any, i: int, object
         k = genes[first + 2 * c] - tables.clump_optional[c]
         if k >= 0:
             mass += tables.clump_mass[c, k]
-    objectives[i, MASS] = _rounded(mass, tables.step[MASS])
-    objectives[i, COST] = _rounded(cost, tables.step[COST])
+    objectives[MASS] = rounded(lines * mass, tables.step[MASS])
+    objectives[COST] = rounded(lines * cost, tables.step[COST])
 
 
 @inlined
-def _rounded(value: float, step: float) -> float:
+def rounded(value: float, step: float) -> float:
     """Round to a multiple of a step; nan stays nan."""
     if math.isnan(value):
         return value

@@ -6,9 +6,12 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from catopt.checks.document import result_document
+from catopt.design.mooring_tables import directions_of
+from catopt.words import Message
 from catopt.words.saved import messages_in
 
 if TYPE_CHECKING:
+    from catopt.design.mooring_point import MooringPoint
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
     from catopt.model import Anchor, PointLoad, Segment
 
@@ -37,11 +40,26 @@ def design_document(result: DesignResult) -> dict[str, Any]:
         "interrupted": result.interrupted,
         "warnings": list(result.warnings),
     }
+    if result.excluded:
+        document["excluded"] = dict(result.excluded)
     front = [{"governing": point["governing"]} for point in document["front"]]
     return document | {"messages": messages_in(document | {"front": front})}
 
 
 def _load_cases(result: DesignResult) -> list[dict[str, Any]]:
+    system, design = result.case.system, result.case.design
+    if system is not None and design is not None:
+        return [
+            {
+                "name": Message("checks.heading", heading=math.degrees(angle) % 360.0),
+                "kind": "extreme",
+                "water_level_m": 0.0,
+                "horizontal_force_N": math.hypot(*system.force),
+                "direction_rad": angle,
+                "fairlead_height_m": result.case.fairlead_height,
+            }
+            for angle in directions_of(system, design.headings)
+        ]
     kinds = {state.name: (state.kind, state.water_level) for state in result.case.load_cases}
     documents = []
     for name, solution in result.front[0].checks.solutions:
@@ -69,8 +87,22 @@ def _point(point: DesignPoint) -> dict[str, Any]:
         "checks": [result_document(check) for check in point.checks.results],
         "governing": "" if governing is None else governing.in_case,
         "feasible": point.checks.passes,
-        "spans_m": [solution.span for _, solution in point.checks.solutions],
+        "spans_m": []
+        if point.mooring
+        else [solution.span for _, solution in point.checks.solutions],
         "genes": list(point.genes),
+        **({"system": _system(point.mooring)} if point.mooring else {}),
+    }
+
+
+def _system(mooring: MooringPoint) -> dict[str, Any]:
+    """Say how many lines there are, where, and what takes the body farthest."""
+    legs = mooring.system.legs
+    return {
+        "azimuths_rad": [leg.azimuth for leg in legs],
+        "anchor_radius_m": legs[0].anchor_radius,
+        "farthest_state": mooring.state,
+        "farthest_force_N": list(mooring.farthest.system.force),
     }
 
 

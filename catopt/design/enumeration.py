@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from catopt.design.evaluation import DesignProblem
 from catopt.design.outcome import Outcome, Progress, Tally
+from catopt.design.problem import Genes
 
 CHUNK = 50_000
 """Designs evaluated at once: some ten MB, and a fraction of a second between two signs of life."""
@@ -69,21 +69,23 @@ def enumerate_designs(
     progress: Progress | None = None,
     chunk: int = CHUNK,
     workers: int = 1,
+    bounds: bool = True,
 ) -> Outcome:
     """Evaluate every design, `chunk` of them at once, and keep the front.
 
-    Threads change nothing in the answer. Ctrl-C ends it early, with the front of the designs
-    evaluated until then.
+    Whole moorings come in batches of their own, and those that bounds prove needless are left out;
+    with `bounds` off the front is the same, to the last digit. Threads change nothing in the
+    answer. Ctrl-C ends it early, with the front of the designs evaluated until then.
     """
     pass_, evaluated = _Pass(problem, progress, workers), 0
     try:
-        for first, end in _chunks(problem.space.count, chunk):
-            pass_.take(first, end, stops_early=True)
+        for genes in problem.batches(chunk):
+            pass_.take(genes, stops_early=True, bounds=bounds)
         if pass_.feasible == 0:
             # Only now is it worth knowing by how much each design fails.
             pass_, evaluated = _Pass(problem, progress, workers), pass_.evaluations
-            for first, end in _chunks(problem.space.count, chunk):
-                pass_.take(first, end, stops_early=False)
+            for genes in problem.batches(chunk):
+                pass_.take(genes, stops_early=False, bounds=False)
     except KeyboardInterrupt:
         return pass_.outcome(interrupted=True, evaluated=evaluated)
     return pass_.outcome(interrupted=False, evaluated=evaluated)
@@ -98,20 +100,25 @@ class _Pass(Tally):
         self._progress = progress
         self._workers = workers
 
-    def take(self, first: int, end: int, *, stops_early: bool) -> None:
-        """Evaluate the designs number `first` to `end` (not included)."""
-        genes = self.problem.space.genes_between(first, end)
-        assessed = self.problem.assess(genes, stops_early=stops_early, workers=self._workers)
+    def take(self, genes: Genes, *, stops_early: bool, bounds: bool) -> None:
+        """Evaluate designs, as far as none of those known proves them needless."""
+        assessed = self.problem.assess(
+            genes,
+            stops_early=stops_early,
+            workers=self._workers,
+            best=self.front.objectives if bounds else None,
+        )
         objectives = assessed.objectives[:, self.problem.columns]
-        self.count(genes, objectives, assessed.excess, is_whole=not stops_early)
+        self.count(
+            genes,
+            objectives,
+            assessed.excess,
+            is_whole=not stops_early,
+            excluded=assessed.excluded,
+        )
         self.unsolved += assessed.unsolved
         if self._progress is not None:
-            self._progress(self.evaluations, self.problem.space.count)
-
-
-def _chunks(count: int, size: int) -> Iterator[tuple[int, int]]:
-    for first in range(0, count, size):
-        yield first, min(first + size, count)
+            self._progress(self.evaluations + sum(self.excluded), self.problem.space.count)
 
 
 def _duration(seconds: float) -> str:

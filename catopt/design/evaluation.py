@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
@@ -9,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.batch import in_ranges
-from catopt.checks.case import LOAD
+from catopt.checks.case import LOAD, check_line
 from catopt.checks.criteria import criteria_of
 from catopt.checks.remarks import NO_CHECK
+from catopt.checks.result import CheckReport
 from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, MASS, OFFSET, assess
 from catopt.design.options import resolve
@@ -42,6 +44,7 @@ _A_PIECE = 4e-5
 """Time that a segment or clump weight of a design takes in one load case as plain Python, s."""
 
 _COLUMNS: Final = {"mass": MASS, "offset": OFFSET, "excursion": EXCURSION, "cost": COST}
+OBJECTIVE_COUNT: Final = len(_COLUMNS)
 
 
 LEAST_SHARE: Final = 1000
@@ -66,12 +69,16 @@ class Assessed(NamedTuple):
         The lightest that holds, or the heaviest; -1 where there is none.
     unsolved : int
         How many lines did not converge.
+    excluded : tuple of int
+        How many designs each of `catopt.design.bounds.BOUNDS` has excluded; empty for single lines,
+        which have none.
     """
 
     objectives: Floats
     excess: Floats
     sinker: NDArray[np.int64]
     unsolved: int
+    excluded: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -162,7 +169,13 @@ class DesignProblem:
         return Evaluated(assessed.objectives[:, self.columns], assessed.excess)
 
     def assess(
-        self, genes: Genes, *, stops_early: bool = False, workers: int = 1, of: int = 0
+        self,
+        genes: Genes,
+        *,
+        stops_early: bool = False,
+        workers: int = 1,
+        of: int = 0,
+        best: Floats | None = None,  # noqa: ARG002 - a line is solved sooner than a bound is found
     ) -> Assessed:
         """Solve and check many designs, of shape (n, genes).
 
@@ -172,7 +185,7 @@ class DesignProblem:
         """
         genes = np.ascontiguousarray(genes, dtype=np.int64)
         count = len(genes)
-        objectives, excess = np.empty((count, len(_COLUMNS))), np.empty(count)
+        objectives, excess = np.empty((count, OBJECTIVE_COUNT)), np.empty(count)
         sinkers = np.empty(count, dtype=np.int64)
         lines = max(of, count) * len(self.states)
         loop = compiled(assess, _A_PIECE * len(self.space.variables) * lines)
@@ -185,6 +198,15 @@ class DesignProblem:
 
         unsolved = sum(in_ranges(run, 0, count, workers, LEAST_SHARE))
         return Assessed(objectives, excess, sinkers, unsolved)
+
+    def batches(self, chunk: int) -> Iterator[Genes]:
+        """Yield all designs, so many at once."""
+        for first in range(0, self.space.count, chunk):
+            yield self.space.genes_between(first, min(first + chunk, self.space.count))
+
+    def check(self, genes: tuple[int, ...]) -> CheckReport:
+        """Check a design in plain closed form; errors as for `check_case`."""
+        return check_line(self.space.line(genes), self.case, self.anchor(genes))
 
     def anchor(self, genes: tuple[int, ...]) -> Anchor | None:
         """Return the anchor of a design: the sinker chosen for it, or that of the case."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from catopt.checks.case import check_line
 from catopt.checks.result import CheckResult
 from catopt.design.evaluation import DesignProblem
 from catopt.design.outcome import Outcome
@@ -64,7 +63,7 @@ def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
     """Check a design that fails."""
     line = problem.space.line(genes)
     try:
-        report = check_line(line, problem.case, problem.anchor(genes))
+        report = problem.check(genes)
     except (NoAnswerError, NotConvergedError) as error:
         return NearMiss(line, (), error.message)
     return NearMiss(line, report.failed)

@@ -8,7 +8,13 @@ from typing import NamedTuple
 from catopt.design.evaluation import DesignProblem
 from catopt.design.points import design_point
 from catopt.design.result import Neighbour
-from catopt.design.space import GENES_EACH, ClumpWeightVariable, DesignSpace, SegmentVariable
+from catopt.design.space import (
+    GENES_EACH,
+    ClumpWeightVariable,
+    DesignSpace,
+    LayoutVariable,
+    SegmentVariable,
+)
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Segment
 from catopt.words import Message
@@ -64,6 +70,8 @@ def steps(space: DesignSpace, genes: Design) -> Iterator[Step]:
         name = _name(space, index)
         if isinstance(variable, SegmentVariable):
             changes = _of_segment(variable, *own)
+        elif isinstance(variable, LayoutVariable):
+            changes = _of_layout(variable, *own)
         else:
             changes = _of_weight(variable, *own)
         for change in changes:
@@ -78,6 +86,8 @@ _WHAT = {
     "length": "design.length",
     "mass": "design.mass",
     "place": "design.place",
+    "lines": "design.lines",
+    "radius": "design.radius",
 }
 """Key of what changes."""
 
@@ -97,6 +107,8 @@ class _Change(NamedTuple):
 
 def _name(space: DesignSpace, index: int) -> str:
     """Name a variable: as the case does, else by its number."""
+    if space.variables[index] is space.layout:
+        return Message("design.layout")
     if index < len(space.segments):
         key, number = "checks.segment", index + 1
     else:
@@ -151,6 +163,17 @@ def _of_weight(variable: ClumpWeightVariable, kind: int, place: int) -> Iterator
         yield _Change(_CHANGED, {"new": new, "old": old}, (kind, other), "place", other - place)
     if variable.is_optional:
         yield _Change(_LEFT_OUT, {}, (0, 0))
+
+
+def _of_layout(variable: LayoutVariable, lines: int, radius: int) -> Iterator[_Change]:
+    for other in _beside(lines, len(variable.azimuths)):
+        counts = (len(variable.azimuths[each]) for each in (other, lines))
+        new, old = (Message("design.so_many_lines", count=each) for each in counts)
+        yield _Change(_CHANGED, {"new": new, "old": old}, (other, radius), "lines", other - lines)
+    for other in _beside(radius, len(variable.radii)):
+        radii = (variable.radii[each] for each in (other, radius))
+        new, old = (Message("design.at_radius", radius=each) for each in radii)
+        yield _Change(_CHANGED, {"new": new, "old": old}, (lines, other), "radius", other - radius)
 
 
 def _beside(index: int, count: int) -> Iterator[int]:

@@ -39,6 +39,9 @@ class Outcome:
         Its excess; infinite where there is none.
     unsolved : int
         Lines that did not converge, of an enumeration.
+    excluded : tuple of int
+        How many designs each of `catopt.design.bounds.BOUNDS` has proved needless; these were not
+        evaluated. Empty where nothing is proved.
     """
 
     genes: Genes
@@ -49,6 +52,7 @@ class Outcome:
     closest: tuple[int, ...] | None
     least_excess: float
     unsolved: int = 0
+    excluded: tuple[int, ...] = ()
 
 
 class Tally:
@@ -66,6 +70,8 @@ class Tally:
         Its excess.
     unsolved : int
         Lines that did not converge, as far as they are counted.
+    excluded : tuple of int
+        Designs that were proved needless, by bound.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -75,9 +81,16 @@ class Tally:
         self.closest: Genes = self.front.genes
         self.least_excess = float("inf")
         self.unsolved = 0
+        self.excluded: tuple[int, ...] = ()
 
     def count(
-        self, genes: Genes, objectives: Floats, excess: Floats, *, is_whole: bool = True
+        self,
+        genes: Genes,
+        objectives: Floats,
+        excess: Floats,
+        *,
+        is_whole: bool = True,
+        excluded: tuple[int, ...] = (),
     ) -> None:
         """Add designs; an excess that is not of all checks tells nothing of the closest design."""
         is_feasible = excess <= ROUNDING
@@ -85,7 +98,9 @@ class Tally:
         least = int(np.argmax(excess <= excess.min() + ROUNDING))
         # Nothing slow from here on: what Ctrl-C leaves belongs together.
         self.front = front
-        self.evaluations += len(genes)
+        self.evaluations += len(genes) - sum(excluded)
+        before = self.excluded or (0,) * len(excluded)
+        self.excluded = tuple(map(int.__add__, before, excluded)) or before
         self.feasible += int(is_feasible.sum())
         if is_whole and excess[least] < self.least_excess - ROUNDING:
             self.closest, self.least_excess = genes[[least]], float(excess[least])
@@ -101,4 +116,5 @@ class Tally:
             closest=tuple(self.closest[0].tolist()) if len(self.closest) else None,
             least_excess=self.least_excess,
             unsolved=self.unsolved,
+            excluded=self.excluded,
         )

@@ -11,6 +11,8 @@ import numpy as np
 from catopt.checks.case import check_line
 from catopt.checks.result import CheckReport
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem
+from catopt.design.mooring import MooringProblem
+from catopt.design.mooring_point import mooring_point
 from catopt.design.result import DesignPoint, Neighbour
 from catopt.errors import CatoptError
 from catopt.model import Line
@@ -27,12 +29,32 @@ def design_point(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
     NoEquilibriumError: it has no equilibrium in one of the load cases. CatoptError: the answer is
     not that of the compiled loop, a fault of ours, never passed over.
     """
-    line = problem.space.line(genes)
-    anchor = problem.anchor(genes)
+    point = (
+        _mooring(problem, genes) if isinstance(problem, MooringProblem) else _line(problem, genes)
+    )
+    _compare(problem, point)
+    return point
+
+
+def _line(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
+    """Work out one line."""
+    line, anchor = problem.space.line(genes), problem.anchor(genes)
     checks = check_line(line, problem.case, anchor)
-    objectives = objectives_of(problem, line, checks)
-    _compare(problem, genes, objectives, checks)
-    return DesignPoint(line, anchor, genes, objectives, checks)
+    return DesignPoint(line, anchor, genes, objectives_of(problem, line, checks), checks)
+
+
+def _mooring(problem: MooringProblem, genes: tuple[int, ...]) -> DesignPoint:
+    """Work out several equal lines about a body; mass and cost are those of all."""
+    line, point = problem.space.line(genes), mooring_point(problem, genes)
+    cost, lines = _cost(line), len(problem.system(genes).legs)
+    values = {
+        "mass": None if line.mass is None else lines * line.mass,
+        "offset": point.offset,
+        "cost": None if cost is None else lines * cost,
+    }
+    known = {OBJECTIVE_KEYS[name]: values[name] for name in problem.known}
+    objectives = {key: value for key, value in known.items() if value is not None}
+    return DesignPoint(line, problem.case.anchor, genes, objectives, point.checks, point)
 
 
 def objectives_of(problem: DesignProblem, line: Line, checks: CheckReport) -> Mapping[str, float]:
@@ -65,13 +87,9 @@ def _cost(line: Line) -> float | None:
     return math.fsum(length * price for length, price in zip(lengths, known, strict=True))
 
 
-def _compare(
-    problem: DesignProblem,
-    genes: tuple[int, ...],
-    objectives: Mapping[str, float],
-    checks: CheckReport,
-) -> None:
-    """Hold the compiled loop against the closed form."""
+def _compare(problem: DesignProblem, point: DesignPoint) -> None:
+    """Compare the loop of the search with the closed form."""
+    genes, objectives, checks = point.genes, point.objectives, point.checks
     batch = problem.evaluate(np.array([genes]))
     steps = problem.tables.step[problem.columns]
     compared = [
@@ -103,11 +121,15 @@ def present_line(problem: DesignProblem) -> Neighbour:
     reason, where the line has no equilibrium or a figure that a check needs is missing: that is no
     error of the search.
     """
-    line = problem.case.line
+    case, line = problem.case, problem.case.line
     try:
-        checks = check_line(line, problem.case)
+        if isinstance(problem, MooringProblem):
+            own = MooringProblem.of_present(case)
+            return Neighbour(
+                Message("design.present_mooring"), _mooring(own, (0,) * len(own.sizes))
+            )
+        checks = check_line(line, case)
     except CatoptError as error:
         return Neighbour(Message(PRESENT), None, error.message)
     objectives = objectives_of(problem, line, checks)
-    point = DesignPoint(line, problem.case.anchor, (), objectives, checks)
-    return Neighbour(Message(PRESENT), point)
+    return Neighbour(Message(PRESENT), DesignPoint(line, case.anchor, (), objectives, checks))

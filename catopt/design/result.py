@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.document import design_document
+from catopt.design.mooring_point import MooringPoint
 from catopt.model import Anchor, Case, Line
 
 __all__ = ["DesignPoint", "DesignResult", "NearMiss", "Neighbour"]
@@ -29,7 +30,10 @@ class DesignPoint:
         ``mass_kg``, ``offset_m``, ``excursion_m``, ``cost_USD``: all that are known, wanted as
         objective or not.
     checks : CheckReport
-        The same report that ``catopt check`` gives for this line.
+        The same report that ``catopt check`` gives for this line; of a whole mooring the hardest
+        of each check over all lines, headings and states.
+    mooring : MooringPoint or None
+        Of a whole mooring: the state that takes the body farthest.
     """
 
     line: Line
@@ -37,6 +41,7 @@ class DesignPoint:
     genes: tuple[int, ...]
     objectives: Mapping[str, float]
     checks: CheckReport
+    mooring: MooringPoint | None = None
 
     @property
     def governing(self) -> CheckResult | None:
@@ -101,7 +106,7 @@ class DesignResult:
     method : str
         ``"enumeration"``, ``"nsga2"`` or ``"swarm"``.
     is_exact : bool
-        Whether every design of the space was evaluated.
+        Whether every design of the space was evaluated, or proved needless.
     designs : int
         Designs that the space holds.
     evaluations : int
@@ -124,6 +129,9 @@ class DesignResult:
         The line that stands in the case file, by the same checks; no part of the front.
     seconds : float
         Wall time of the search.
+    excluded : mapping of str to int
+        Of whole moorings: how many designs were not evaluated because a bound proves them needless,
+        by bound (`catopt.design.bounds.BOUNDS`).
     warnings : tuple of str
         What an engineer should know, such as figures that were read in no document.
     """
@@ -147,6 +155,7 @@ class DesignResult:
     present: Neighbour
     seconds: float
     warnings: tuple[str, ...] = ()
+    excluded: Mapping[str, int] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt design --json`` prints (schema catopt.design/1)."""

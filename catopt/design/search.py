@@ -11,6 +11,7 @@ from typing import Final
 from catopt.design.answer import Found, answer
 from catopt.design.enumeration import enumerate_designs, estimate
 from catopt.design.evaluation import DesignProblem
+from catopt.design.mooring import MooringProblem
 from catopt.design.near_miss import no_feasible_design
 from catopt.design.outcome import Progress
 from catopt.design.result import DesignResult
@@ -37,7 +38,7 @@ def design_case(
     progress: Progress | None = None,
     announce: Announce | None = None,
 ) -> DesignResult:
-    """Find the lines that are best in mass, offset, excursion or cost at once.
+    """Find the lines, or the moorings, that are best in mass, offset, excursion or cost at once.
 
     Parameters
     ----------
@@ -68,7 +69,9 @@ def design_case(
         No design passes every check; it names the one that fails by the least.
     """
     case.site.check_level()
-    problem = DesignProblem.of(_with_settings(case, method, seed, evaluations))
+    case = _with_settings(case, method, seed, evaluations)
+    is_mooring = case.design is not None and case.system is not None
+    problem = (MooringProblem if is_mooring else DesignProblem).of(case)
     design = problem.case.design
     assert design is not None
     found = _search(problem, design, progress, announce or _say_nothing)

@@ -1,7 +1,8 @@
 """The design space: everything that a line may be made of, numbered by whole numbers.
 
 A design is a row of genes, two for each segment (what it is made of, its length) and two for each
-clump weight (its mass, its place), from the anchor up. Neighbouring values of a gene are alike:
+clump weight (its mass, its place), from the anchor up; of a whole mooring two more (its number of
+lines, the radius of its anchors). Neighbouring values of a gene are alike:
 sizes of a family, lengths, masses and places rise. Where a part may be absent, 0 of its first gene
 says so, and its second gene does not matter: in the canonical form it is 0.
 """
@@ -106,6 +107,34 @@ class ClumpWeightVariable:
 
 
 @dataclass(frozen=True)
+class LayoutVariable:
+    """How many lines a body may have, and how far away their anchors may be.
+
+    Attributes
+    ----------
+    azimuths : tuple of tuple of float
+        Of each number of lines, rad; more lines come later.
+    radii : tuple of float
+        Horizontal distances from the body's origin to the anchors, m, rising.
+    """
+
+    azimuths: tuple[tuple[float, ...], ...]
+    radii: tuple[float, ...]
+    is_optional: bool = False
+    name: str = ""
+
+    @property
+    def sizes(self) -> tuple[int, int]:
+        """How many values its two genes have."""
+        return len(self.azimuths), len(self.radii)
+
+    @property
+    def count(self) -> int:
+        """How many different layouts it may be."""
+        return math.prod(self.sizes)
+
+
+@dataclass(frozen=True)
 class DesignSpace:
     """All designs.
 
@@ -115,15 +144,19 @@ class DesignSpace:
         From the anchor to the fairlead; one at least is always there.
     clump_weights : tuple of ClumpWeightVariable
         In the order of the case.
+    layout : LayoutVariable or None
+        Of several such lines about a body; None for one line by itself.
     """
 
     segments: tuple[SegmentVariable, ...]
     clump_weights: tuple[ClumpWeightVariable, ...] = ()
+    layout: LayoutVariable | None = None
 
     @property
-    def variables(self) -> tuple[SegmentVariable | ClumpWeightVariable, ...]:
-        """Segments and clump weights, in the order of their genes."""
-        return (*self.segments, *self.clump_weights)
+    def variables(self) -> tuple[SegmentVariable | ClumpWeightVariable | LayoutVariable, ...]:
+        """Segments, clump weights and layout, in the order of their genes."""
+        layout = () if self.layout is None else (self.layout,)
+        return (*self.segments, *self.clump_weights, *layout)
 
     @property
     def sizes(self) -> tuple[int, ...]:

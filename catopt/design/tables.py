@@ -161,7 +161,6 @@ def tables_of(
 ) -> Tables:
     """Lay everything out."""
     states = sorted(states, key=lambda state: -state.horizontal_force)
-    placed = [case.under(state) for state in states]
     segments, weights = space.segments, space.clump_weights
     made = [variable.options for variable in segments]
     sinker_weight, sinker_friction, capacity = _holding(case, sinkers)
@@ -180,7 +179,7 @@ def tables_of(
         clump_friction=np.array([-1.0 if v.friction is None else v.friction for v in weights]),
         position=_padded([v.positions or (math.nan,) for v in weights]),
         force=np.array([state.horizontal_force for state in states]),
-        height=np.array([each.fairlead_height for each in placed]),
+        height=np.array([case.fairlead_height + each.water_level for each in states]),
         is_reference=np.array([state.kind == "reference" for state in states], dtype=np.int64),
         limit=np.array(
             [criteria.limits(state.kind, state.state) for state in states], dtype=np.float64
@@ -245,8 +244,9 @@ def _steps(space: DesignSpace) -> Floats:
     masses = [max((s.mass or 0.0) for s in variable.options) for variable in space.segments]
     prices = [max((s.price or 0.0) for s in variable.options) for variable in space.segments]
     clumps = sum(max(variable.masses) for variable in space.clump_weights)
-    mass = sum(m * length for m, length in zip(masses, lengths, strict=True)) + clumps
-    cost = sum(p * length for p, length in zip(prices, lengths, strict=True))
+    lines = 1 if space.layout is None else max(map(len, space.layout.azimuths))
+    mass = lines * (sum(m * length for m, length in zip(masses, lengths, strict=True)) + clumps)
+    cost = lines * sum(p * length for p, length in zip(prices, lengths, strict=True))
     largest = [mass, sum(lengths), sum(lengths), cost]
     powers = [2.0 ** math.floor(math.log2(x)) if x > 0.0 else 1.0 for x in largest]
     return np.array(powers) * RESOLUTION

@@ -27,13 +27,20 @@ OBJECTIVES: Mapping[str, Quantity] = MappingProxyType(
     }
 )
 """What each objective is called and measured in, by its key in the document of a search."""
+_OF_A_BODY = replace(QUANTITIES["offset"], name="Largest offset")
 _PARTS = ("lowest", "middle", "highest")
 """Roles of designs by a third objective."""
 
 
-def objective_name(key: str) -> str:
+def objective(key: str, *, of_body: bool) -> Quantity:
+    """Return what an objective is called and measured in, of a line or of a body with several."""
+    return _OF_A_BODY if of_body and key == "offset_m" else OBJECTIVES[key]
+
+
+def objective_name(key: str, document: Document) -> str:
     """Name an objective by its key in the document of a search."""
-    return term(OBJECTIVES[key].name)
+    of_body = document["front"][0].get("system") is not None
+    return term(objective(key, of_body=of_body).name)
 
 
 def front(document: Document, chosen: int | None = None) -> Chart:
@@ -61,11 +68,11 @@ def front(document: Document, chosen: int | None = None) -> Chart:
     return Chart(
         "front",
         _title(document),
-        axis(OBJECTIVES[first].key, span_of(across), objective_name(first)),
-        axis(OBJECTIVES[second].key, span_of(up), objective_name(second)),
+        axis(OBJECTIVES[first].key, span_of(across), objective_name(first, document)),
+        axis(OBJECTIVES[second].key, span_of(up), objective_name(second, document)),
         marks=tuple(marks),
         points=tuple(
-            Point(across[k], up[k], _said(k + 1, point, keys)) for k, point in enumerate(points)
+            Point(across[k], up[k], _said(k + 1, point, document)) for k, point in enumerate(points)
         ),
     )
 
@@ -118,21 +125,21 @@ def _parts(document: Document) -> Iterator[tuple[str, str]]:
             _PARTS[part],
             Message(
                 "figures.from_to_objective",
-                objective=objective_name(keys[2]),
+                objective=objective_name(keys[2], document),
                 low=Measure(quantity, low + part * size),
                 high=Measure(quantity, low + (part + 1) * size),
             ),
         )
 
 
-def _said(number: int, point: Document, keys: Sequence[str]) -> str:
+def _said(number: int, point: Document, document: Document) -> str:
     values = [
         Message(
             "figures.value",
-            what=objective_name(key),
+            what=objective_name(key, document),
             value=Measure(OBJECTIVES[key].key, point[key]),
         )
-        for key in keys
+        for key in document["objectives"]
     ]
     return Message(
         "figures.design_at", number=number, values=Several(values, ", "), made=composition(point)
@@ -141,7 +148,12 @@ def _said(number: int, point: Document, keys: Sequence[str]) -> str:
 
 def composition(point: Document) -> str:
     """Say what a design is made of: ``"chain studless R3 76 mm, 45 m; 2 t, s = 7 m"``."""
-    parts = [
+    layout = point.get("system")
+    parts: list[str] = []
+    if layout is not None:
+        count, radius = len(layout["azimuths_rad"]), layout["anchor_radius_m"]
+        parts.append(Message("design.around", count=count, radius=radius))
+    parts += [
         f"{segment.get('name') or segment['component'] or '?'}, {segment['length_m']:g} m"
         for segment in point["segments"]
     ]

@@ -12,7 +12,7 @@ from catopt.model.buoy import Buoy
 from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import NEEDS_SEVERAL_LINES, Checks
 from catopt.model.current_profile import CurrentProfile
-from catopt.model.design import Design
+from catopt.model.design import Design, body_misfits
 from catopt.model.dynamics import Dynamics, dynamics_misfits
 from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.find import Find, misfits
@@ -184,6 +184,11 @@ class Case:
                     "find": self.find,
                     "site.seabed_slope": self.site.seabed_slope,
                 }
+            )
+        if self.design is not None:
+            has_force = self.system is not None and any(self.system.force)
+            found.problems += body_misfits(
+                vars(self.design), has_system=self.system is not None, has_force=has_force
             )
         for part, of in (("checks", self.checks), ("anchor", self.anchor)):
             factor = None if of is None else of.safety_factor_line_out

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from catopt.model.validity import Findings
+from catopt.errors import Problem
+from catopt.model.validity import COUNTS, Findings
 
 Objective = Literal["mass", "offset", "excursion", "cost"]
 OBJECTIVES: tuple[str, ...] = get_args(Objective)
 
 SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 SEARCH_METHODS: tuple[str, ...] = get_args(SearchMethod)
+
+
+_OF_A_BODY = ("lines", "anchor_radii", "headings", "line_out")
 
 
 @dataclass(frozen=True)
@@ -161,6 +166,16 @@ class Design:
         Of the random numbers.
     max_enumerated : int
         The largest number of designs that "auto" enumerates.
+    lines : tuple of int
+        Of a body: how many equal lines it may have, evenly about the azimuth of the first; empty:
+        the azimuths of the case.
+    anchor_radii : tuple of float
+        Of a body: horizontal distances from its origin to its anchors, m, rising; empty: that of
+        the case.
+    headings : int
+        Of a body: from how many sides its force comes, evenly, its own direction the first.
+    line_out : bool
+        Of a body: whether each line is gone in turn, beside all being there.
     """
 
     segments: tuple[SegmentChoice, ...]
@@ -172,6 +187,10 @@ class Design:
     population: int = 100
     seed: int = 1
     max_enumerated: int = 5_000_000
+    lines: tuple[int, ...] = ()
+    anchor_radii: tuple[float, ...] = ()
+    headings: int = 1
+    line_out: bool = False
 
     def __post_init__(self) -> None:
         found = Findings("Design")
@@ -191,7 +210,18 @@ class Design:
         found.count("seed", self.seed)
         found.count("max_enumerated", self.max_enumerated)
         self._check_joints(found)
+        self._check_layout(found)
         found.raise_if_any()
+
+    def _check_layout(self, found: Findings) -> None:
+        fewest, most = COUNTS["lines"]
+        for index, number in enumerate(self.lines):
+            found.number(f"lines[{index}]", number, "", at_least=fewest, at_most=most)
+        if list(self.lines) != sorted(set(self.lines)):
+            found.add("lines", ", ".join(map(str, self.lines)), "rising numbers, each once")
+        for index, radius in enumerate(self.anchor_radii):
+            found.number(f"anchor_radii[{index}]", radius, "m", above=0.0)
+        found.count("headings", self.headings)
 
     def _check_joints(self, found: Findings) -> None:
         for index, weight in enumerate(self.clump_weights):
@@ -202,3 +232,33 @@ class Design:
                     str(weight.joint),
                     f"the design has {joints or 'no'} joint{'' if joints == 1 else 's'}",
                 )
+
+
+def body_misfits(
+    given: Mapping[str, object], *, has_system: bool, has_force: bool
+) -> Iterator[Problem]:
+    """Yield what a design says of a body that there is not, or cannot say of one that there is.
+
+    Parameters
+    ----------
+    given : mapping of str to object
+        What a design gives; a key that is left out, or as without it, is missing or empty.
+    has_system, has_force : bool
+        Whether there is a body with several lines, and a force on it.
+    """
+    if not has_system:
+        for key in _OF_A_BODY:
+            if given.get(key) and not (key == "headings" and given[key] == 1):
+                allowed = "is for a body with several lines: add [system], or leave it out"
+                yield Problem(f"design.{key}", "without a system", allowed)
+        return
+    if not has_force:
+        allowed = "missing; a design is for a force on the body, along x and y, other than 0"
+        yield Problem("system.force", "", allowed)
+    if given.get("sinker"):
+        allowed = "leave it out: a mooring is searched with the anchors of [anchor]"
+        yield Problem("design.sinker", "beside a system", allowed)
+    objectives = given.get("objectives")
+    if isinstance(objectives, (tuple, list)) and "excursion" in objectives:
+        allowed = "take offset: that of a body is counted from where it rests without a load"
+        yield Problem("design.objectives", "excursion", allowed)

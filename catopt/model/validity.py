@@ -26,6 +26,7 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
         "joint": (1, 200),
         "broken_line": (1, 100),
         "lines": (1, 100),
+        "headings": (1, 360),
     }
 )
 """Fewest and most of everything that a user may ask a number of. The most is what still answers

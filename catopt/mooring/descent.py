@@ -112,6 +112,44 @@ class Rest(NamedTuple):
     pull: Pull
 
 
+def freedom_of(arrangement: Arrangement, in_yaw: bool, arm: float) -> Freedom:
+    """Set the lengths and forces by which steps and residuals of these lines are judged.
+
+    Parameters
+    ----------
+    arrangement : Arrangement
+        The lines.
+    in_yaw : bool
+        Whether the body turns.
+    arm : float
+        Largest distance of a fairlead from the body's origin, m.
+    """
+    spare, weight, longest = math.inf, 0.0, 0.0
+    for k in range(len(arrangement.anchor_x)):
+        x = arrangement.anchor_x[k] - arrangement.arm_x[k]
+        y = arrangement.anchor_y[k] - arrangement.arm_y[k]
+        rise = arrangement.fairlead_height[k] - arrangement.anchor_height[k]
+        chord = math.sqrt(x * x + y * y + rise * rise)
+        length = 0.0
+        for piece in range(arrangement.first[k], arrangement.first[k + 1]):
+            length += arrangement.length[piece]
+            weight += abs(arrangement.length[piece] * arrangement.weight[piece])
+            # The load below each piece; the coefficients of friction come after all of them.
+            weight += abs(arrangement.load[piece + arrangement.first[k] + 2 * k])
+        # Half of what a line can spare: beyond it the line is another one, stiff or slack.
+        spare = min(spare, max(0.5 * abs(length - chord), 0.01 * length))
+        longest = max(longest, length)
+    return Freedom(
+        True,
+        in_yaw,
+        arm if arm > 0.0 else 1.0,
+        spare,
+        1e-3 * weight,
+        1e-9 * weight / longest,
+        EXACT,
+    )
+
+
 def descend(x: float, y: float, yaw: float, pull: Pull, problem: BodyProblem) -> Rest:
     """Take Newton steps from a position (m, m, rad) until nothing is left unbalanced.
 

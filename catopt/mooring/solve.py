@@ -60,10 +60,14 @@ def solve_system(system: System) -> SystemSolution:
     return solution_at(zero_load, *zero_load.under(system.force, system.moment))
 
 
-def solution_at(zero_load: ZeroLoadPosition, rest: Rest, lines: Lines) -> SystemSolution:
-    """Lay out every line with the body at a place of rest."""
+def solution_at(
+    zero_load: ZeroLoadPosition, rest: Rest, lines: Lines, *, looks_round: bool = True
+) -> SystemSolution:
+    """Lay out every line with the body at a place of rest; `looks_round` for other headings."""
     system, neutral, pull = zero_load.system, zero_load.neutral, rest.pull
-    others = zero_load.other_headings(rest, lines, system.force, system.moment)
+    others: tuple[Rest, ...] = ()
+    if looks_round:
+        others = zero_load.other_headings(rest, lines, system.force, system.moment)
     states = tuple(
         _leg_state(leg, rest, system.seabed_friction, (lines.H[k], lines.V[k]), k)
         for k, leg in enumerate(system.legs)

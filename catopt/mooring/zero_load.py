@@ -17,6 +17,7 @@ from catopt.mooring.descent import (
     BodyProblem,
     Freedom,
     Rest,
+    freedom_of,
     within_half_a_turn,
     yaw_stiffness,
 )
@@ -109,7 +110,8 @@ def zero_load_position(system: System) -> ZeroLoadPosition:
     NoEquilibriumError when lines that do not stretch are too short to reach the body together.
     """
     arrangement = arrange(system)
-    freedom = _freedom(system)
+    arm = max(leg.fairlead_radius for leg in system.legs)
+    freedom = freedom_of(arrangement, system.turns, arm)
     lines = room_for(len(system.legs))
     x, y = _reachable(system)
     pull = pull_at(x, y, 0.0, arrangement, lines, True)
@@ -123,30 +125,6 @@ def zero_load_position(system: System) -> ZeroLoadPosition:
 def copied(lines: Lines) -> Lines:
     """Copy what is known of the lines."""
     return Lines(*(list(column) for column in lines))
-
-
-def _freedom(system: System) -> Freedom:
-    """Set the lengths and forces by which steps and residuals of this system are judged."""
-    spare, weight, length = math.inf, 0.0, 0.0
-    for leg in system.legs:
-        chord = math.hypot(
-            leg.anchor[0] - leg.fairlead[0],
-            leg.anchor[1] - leg.fairlead[1],
-            leg.fairlead_height - leg.anchor_height,
-        )
-        # Half of what a line can spare: beyond it the line is another one, stiff or slack.
-        spare = min(spare, max(0.5 * abs(leg.line.length - chord), 0.01 * leg.line.length))
-        weight += sum(abs(s.length * s.submerged_weight) for s in leg.line.segments)
-        weight += sum(abs(load.submerged_weight) for load in leg.line.point_loads)
-        length = max(length, leg.line.length)
-    return Freedom(
-        in_plane=True,
-        in_yaw=system.turns,
-        arm=max((leg.fairlead_radius for leg in system.legs), default=0.0) or 1.0,
-        stride=spare,
-        scale=1e-3 * weight,
-        floor=1e-9 * weight / length,
-    )
 
 
 def _reachable(system: System) -> tuple[float, float]:

@@ -9,12 +9,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from catopt.casefile import read_case
+from catopt.casefile.design_directory import (
+    DESIGN_DOCUMENT,
+    read_design,
+    read_design_document,
+)
 from catopt.checks.remarks import NO_CHECK
 from catopt.checks.system import check_system
 from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
-from catopt.notes.directory import Asked
+from catopt.notes.directory import Asked, case_path
 from catopt.notes.motion import Progress, motion_files
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
 from catopt.notes.rounding import heading_of
@@ -168,6 +173,7 @@ class SystemNote:
 
 def read_system_note(
     path: Path,
+    design: int | None = None,
     *,
     date: str = "",
     verify: bool = True,
@@ -176,16 +182,24 @@ def read_system_note(
 ) -> SystemNote:
     """Read the case file of a moored body, with a table [system], and compute its note.
 
-    `verify` puts the truss model beside the closed form; `asked` says whether the lines are run in
-    time, and how that is proven; not when left out.
+    `design` is the number of a design, counted from 1, in a directory that ``catopt design --out``
+    wrote, the recommended one when left out; `verify` puts the truss model beside the closed form;
+    `asked` says whether the lines are run in time, and how that is proven; not when left out.
 
     Raises
     ------
     InputError, NoAnswerError, NotConvergedError
         As for `read_case`, `report_system`, `check_case` and `verify_dynamic`.
     """
-    case, source = read_case(path), read_source(path)
-    return system_note(case, (source,), date=date, verify=verify, asked=asked, progress=progress)
+    place, front = case_path(path), path / DESIGN_DOCUMENT
+    case, files, said = read_case(place), [read_source(place)], []
+    if front.is_file():
+        number = read_design_document(path)["recommended"] + 1 if design is None else design
+        case = read_design(path, number)
+        files.append(read_source(front))
+        said.append(Message("design.one_heading"))
+    note = system_note(case, tuple(files), date=date, verify=verify, asked=asked, progress=progress)
+    return replace(note, warnings=(*said, *note.warnings))
 
 
 def system_note(

@@ -101,13 +101,20 @@ def _drawn(study: Study) -> dict[str, bytes]:
 
 
 def design_pictures(result: DesignResult) -> dict[str, bytes]:
-    """Draw the front and three of its lines."""
+    """Draw the front and three of its lines; of whole moorings the recommended one in plan."""
     from catopt.design.document import design_document
     from catopt.figures.front import front, front_lines
     from catopt.render.picture import pictures
 
     document = design_document(result)
-    return pictures("front", (front(document), front_lines(result, document)), result.case.title)
+    title, mooring = result.case.title, result.front[result.recommended].mooring
+    if mooring is not None:
+        from catopt.figures.mooring import plan
+
+        return pictures("front", front(document), title) | pictures(
+            "plan", plan(mooring.farthest), title
+        )
+    return pictures("front", (front(document), front_lines(result, document)), title)
 
 
 def curve_pictures(result: CaseCurve) -> dict[str, bytes]:

@@ -213,7 +213,10 @@ def designs(draw: st.DrawFn, line: Line, references: int) -> Design:
         draw(st.none() | sinker),
         tuple(draw(st.permutations(named)))[: draw(st.integers(2, 3))],
         draw(st.sampled_from(SEARCH_METHODS)),
-        *(draw(counts(key)) for key in ("evaluations", "population", "seed", "max_enumerated")),
+        evaluations=draw(counts("evaluations")),
+        population=draw(counts("population")),
+        seed=draw(counts("seed")),
+        max_enumerated=draw(counts("max_enumerated")),
     )
 
 

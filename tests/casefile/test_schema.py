@@ -203,6 +203,7 @@ NOT_IN_THE_MODEL = {
     *((ClumpWeightChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
     *((ClumpWeightChoiceTable, f"position{end}") for end in ("", "_min", "_max", "_step")),
     *((SinkerChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
+    *((DesignTable, f"anchor_radius{end}") for end in ("", "_min", "_max", "_step")),
 }
 """Keys from which the model's own attributes are worked out."""
 
@@ -417,7 +418,7 @@ def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
             compared += 1
     # segments, site, point loads, load cases, checks, service, catalogue, design with its segments
     # and clump weights, waves with trains, current, motion of both ends, body, dynamics, pso
-    assert compared == 1 + 3 + 1 + 4 + 2 + 1 + 1 + (6 + 1 + 1) + (5 + 2) + 1 + 6 + 6 + 2 + 7 + 8
+    assert compared == 1 + 3 + 1 + 4 + 2 + 1 + 1 + (8 + 1 + 1) + (5 + 2) + 1 + 6 + 6 + 2 + 7 + 8
 
 
 def default_of(default: object) -> str:

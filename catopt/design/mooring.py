@@ -1,0 +1,250 @@
+"""Whole moorings evaluated in one call: equal lines about a body, whole and with each gone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from catopt.catenary.batch import in_ranges
+from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.remarks import NO_CHECK
+from catopt.checks.result import CheckReport
+from catopt.compiled import compiled
+from catopt.design.assess import COST, MASS
+from catopt.design.assess_mooring import Search, assess_moorings
+from catopt.design.bounds import BOUNDS
+from catopt.design.evaluation import OBJECTIVE_COUNT, Assessed, DesignProblem
+from catopt.design.mooring_point import mooring_point
+from catopt.design.mooring_tables import (
+    MooringTables,
+    body_room,
+    mooring_tables,
+    with_reserve,
+)
+from catopt.design.options import resolve
+from catopt.design.problem import Floats, Genes
+from catopt.design.space import ClumpWeightVariable, DesignSpace, LayoutVariable, SegmentVariable
+from catopt.design.tables import room, tables_of
+from catopt.model import Case, Design, LoadCase, System
+from catopt.model.validity import Findings
+from catopt.words import Message
+
+_A_LINE: Final = 1e-3
+"""Time that a line of a mooring takes in one state as plain Python, s."""
+LEAST_SHARE: Final = 8
+"""Designs a thread, below which starting it costs more than it saves."""
+BLOCK: Final = 2**20
+"""Designs that are sorted by mass at once."""
+BATCHES: Final = 64, 4096
+"""Designs evaluated at once, at first and later: each batch is bounded by the front before it."""
+
+
+@dataclass(frozen=True)
+class MooringProblem(DesignProblem):
+    """A body's case with its design space and evaluation.
+
+    Attributes
+    ----------
+    case, states, space, tables, warnings
+        As of a single line; the states are the mooring with all lines and without one.
+    mooring : MooringTables
+        Layouts, headings and states as plain arrays.
+    """
+
+    mooring: MooringTables | None = None
+
+    @classmethod
+    def of(cls, case: Case) -> MooringProblem:
+        """Make the problem of a case with a body.
+
+        InputError: a figure that objectives or checks need is missing, anchors are
+        nearer than fairleads, or a line might be made that does not stretch at all; all that can be
+        told at once.
+        """
+        design, system = case.design, case.system
+        assert design is not None
+        assert system is not None
+        found = Findings("design")
+        layout = _layout(design, system, found)
+        found.raise_if_any()
+        criteria = criteria_of(case)
+        states = _states(design, system)
+        space, remarks = resolve(case, criteria, states)
+        _check_stretch(space, found)
+        found.raise_if_any()
+        warnings = (*remarks, *criteria.warnings, *_unlooked(criteria, design))
+        space = replace(space, layout=layout)
+        return cls._made(case, space, criteria, warnings)
+
+    @classmethod
+    def of_present(cls, case: Case) -> MooringProblem:
+        """Make the problem whose only design is the mooring of the case file."""
+        assert case.system is not None
+        line, legs = case.line, case.system.legs
+        loads = tuple(
+            ClumpWeightVariable(
+                (load.mass or 0.0,),
+                (load.submerged_weight,),
+                (load.position,),
+                0,
+                False,
+                load.name,
+                load.friction,
+            )
+            for load in line.point_loads
+        )
+        space = DesignSpace(
+            tuple(SegmentVariable((each,), (each.length,)) for each in line.segments),
+            loads,
+            LayoutVariable((tuple(leg.azimuth for leg in legs),), (legs[0].anchor_radius,)),
+        )
+        return cls._made(case, space, criteria_of(case), ())
+
+    @classmethod
+    def _made(
+        cls, case: Case, space: DesignSpace, criteria: Criteria, warnings: tuple[str, ...]
+    ) -> MooringProblem:
+        design, system = case.design, case.system
+        assert design is not None
+        assert system is not None
+        states = _states(design, system)
+        line = tables_of(case, states, space, criteria, None)
+        mooring = mooring_tables(system, design.headings, design.line_out, space, line)
+        line, mooring = with_reserve(mooring, line, criteria)
+        return cls(case, states, space, line, warnings, mooring)
+
+    def assess(
+        self,
+        genes: Genes,
+        *,
+        stops_early: bool = False,
+        workers: int = 1,
+        of: int = 0,
+        best: Floats | None = None,
+    ) -> Assessed:
+        """Solve and check many moorings; as of single lines, with designs excluded by bounds.
+
+        `best` is what designs known to be feasible are worth; None: no design is excluded.
+        """
+        assert self.mooring is not None
+        genes = np.ascontiguousarray(genes, dtype=np.int64)
+        count, tables = len(genes), self.mooring
+        objectives, excess = np.empty((count, OBJECTIVE_COUNT)), np.empty(count)
+        excluded = np.empty(count, dtype=np.int64)
+        known = np.empty((0, self.objectives)) if best is None else best
+        columns = np.array(self.columns, dtype=np.int64)
+        search = Search(best is not None, stops_early, np.ascontiguousarray(known), columns)
+        states = len(tables.missing) / len(tables.lines)
+        work = _A_LINE * float(tables.lines.mean()) * states * max(of, count)
+        loop = compiled(assess_moorings, work)
+
+        def run(first: int, end: int) -> int:
+            left = np.zeros(1, dtype=np.int64)
+            rooms = room(self.tables), body_room(tables, self.tables), np.empty(len(columns))
+            found = objectives, excess, excluded, left
+            loop(genes, tables, self.tables, search, *rooms, first, end, *found)
+            return int(left[0])
+
+        unsolved = sum(in_ranges(run, 0, count, workers, LEAST_SHARE))
+        none = np.full(count, -1, dtype=np.int64)
+        by_bound = np.bincount(excluded[excluded >= 0], minlength=len(BOUNDS))
+        return Assessed(objectives, excess, none, unsolved, tuple(by_bound.tolist()))
+
+    def check(self, genes: tuple[int, ...]) -> CheckReport:
+        """Check a mooring in plain closed form; errors as for `solve_system`."""
+        return mooring_point(self, genes).checks
+
+    def batches(self, chunk: int) -> Iterator[Genes]:  # noqa: ARG002 - the same for every machine
+        """Yield all designs by rising mass within each block, the first batches small.
+
+        Lighter designs come first, so that what a heavier one would have to be better than is
+        known; their sizes depend on nothing, so that the number excluded does not either.
+        """
+        size, largest = BATCHES
+        for first in range(0, self.space.count, BLOCK):
+            genes = self.space.genes_between(first, min(first + BLOCK, self.space.count))
+            genes = genes[np.argsort(self._masses(genes), kind="stable")]
+            start = 0
+            while start < len(genes):
+                yield genes[start : start + size]
+                start += size
+                size = min(2 * size, largest)
+
+    def _masses(self, genes: Genes) -> NDArray[np.float64]:
+        """Mass, or cost where no mass is known, by which designs are put in order."""
+        by = self.tables.price if np.isnan(self.tables.mass).all() else self.tables.mass
+        line = self.tables
+        total = np.zeros(len(genes))
+        for s in range(len(line.segment_optional)):
+            option = genes[:, 2 * s] - line.segment_optional[s]
+            own = line.length[s, genes[:, 2 * s + 1]] * np.nan_to_num(by[s, np.maximum(option, 0)])
+            total += np.where(option >= 0, own, 0.0)
+        assert self.mooring is not None
+        lines = self.mooring.lines[genes[:, -2]]
+        step = self.tables.step[MASS if by is self.tables.mass else COST]
+        rounded: NDArray[np.float64] = np.floor(lines * total / step + 0.5)
+        return rounded
+
+    def system(self, genes: tuple[int, ...]) -> System:
+        """Build the body with the lines of a design, under the force of the case."""
+        assert self.case.system is not None
+        assert self.space.layout is not None
+        own, first = self.case.system, self.case.system.legs[0]
+        return System.around(
+            self.space.line(genes),
+            azimuths=self.space.layout.azimuths[genes[-2]],
+            anchor_radius=self.space.layout.radii[genes[-1]],
+            fairlead_height=first.fairlead_height,
+            fairlead_radius=first.fairlead_radius,
+            anchor_height=first.anchor_height,
+            seabed_friction=own.seabed_friction,
+            force=own.force,
+            moment=own.moment,
+            yaw_free=own.yaw_free,
+        )
+
+
+def _states(design: Design, system: System) -> tuple[LoadCase, ...]:
+    """Name the states of the mooring, as load cases of a line."""
+    force = float(np.hypot(*system.force))
+    intact = LoadCase("intact", force)
+    if not design.line_out:
+        return (intact,)
+    return intact, LoadCase("one line out", force, state="one_line_out")
+
+
+def _layout(design: Design, system: System, found: Findings) -> LayoutVariable:
+    """Gather the numbers of lines and the radii."""
+    own = tuple(leg.azimuth for leg in system.legs)
+    regular = tuple(
+        tuple(own[0] + 2.0 * np.pi * k / number for k in range(number)) for number in design.lines
+    )
+    first = system.legs[0]
+    radii = design.anchor_radii or (first.anchor_radius,)
+    if radii[0] <= first.fairlead_radius:
+        allowed = f"must be above {first.fairlead_radius:g} m, the fairlead_radius"
+        found.add("design.anchor_radii", f"{radii[0]:g} m", allowed)
+    if design.line_out and min(map(len, regular or (own,))) < 2:
+        found.add("design.line_out", "true", "with one line alone, none is left; leave it out")
+    return LayoutVariable(regular or (own,), radii)
+
+
+def _check_stretch(space: DesignSpace, found: Findings) -> None:
+    """Find that a line may be made of nothing that stretches, which no start is sure to reach."""
+    for variable in space.segments:
+        if not variable.is_optional and all(option.EA < np.inf for option in variable.options):
+            return
+    allowed = "no EA is known of some lines; one segment at least needs it in every option"
+    found.add("design.segments", "lines that do not stretch", allowed)
+
+
+def _unlooked(criteria: Criteria, design: Design) -> Iterator[Message]:
+    """Say that nothing is checked, or that no line is taken out though a criterion is for that."""
+    if not criteria.all:
+        yield Message(NO_CHECK)
+    if not design.line_out and any("intact" not in each.states for each in criteria.all):
+        yield Message("design.line_out_not_asked")

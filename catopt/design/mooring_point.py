@@ -1,0 +1,134 @@
+"""One mooring in full, in plain closed form: every state that differs, and what governs it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from catopt.checks.criteria import criteria_of
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.state import Place, State
+from catopt.checks.system import InState, check_state
+from catopt.design.mooring_tables import directions_of, states_of
+from catopt.model import System
+from catopt.mooring.solution import SystemSolution
+from catopt.mooring.solve import solution_at
+from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
+from catopt.ties import first_largest
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.design.mooring import MooringProblem
+
+__all__ = ["MooringPoint", "mooring_point"]
+
+
+@dataclass(frozen=True)
+class MooringPoint:
+    """A mooring, checked.
+
+    Attributes
+    ----------
+    system : System
+        With all lines, under the force of the case.
+    checks : CheckReport
+        Of each check the hardest: over all lines, headings and states of its kind.
+    offset : float
+        The largest, from the zero-load position with all lines, m.
+    farthest : SystemSolution
+        The body with all lines under the force of that heading.
+    state : Message
+        Which state and heading that is.
+    """
+
+    system: System
+    checks: CheckReport
+    offset: float
+    farthest: SystemSolution
+    state: Message
+
+
+@dataclass(frozen=True)
+class _Solved:
+    """One state with the way of the body from its zero-load position with all lines, m."""
+
+    state: InState
+    offset: float
+
+
+def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoint:
+    """Solve and check a mooring in every state that differs; errors as for `solve_system`."""
+    case, system = problem.case, problem.system(genes)
+    criteria = criteria_of(case)
+    states: tuple[State, ...] = (
+        ("intact", "one_line_out") if len(problem.states) > 1 else ("intact",)
+    )
+    line = system.legs[0].line
+    strengths = {line: criteria.strengths(line, {"extreme"}, states)}
+    solved = tuple(_solved(problem, system))
+    results = [
+        each for one in solved for each in check_state(one.state, criteria, strengths, case.anchor)
+    ]
+    far = solved[first_largest([each.offset for each in solved])]
+    assert far.state.solution is not None
+    most = far.state.solution.most_loaded
+    zero = zero_load_position(system.under(far.state.solution.system.force, system.moment))
+    rest, lines = zero.under(zero.system.force, system.moment)
+    report = CheckReport(
+        title=case.title,
+        results=tuple(_hardest(results)),
+        solutions=((far.state.name, far.state.solution.lines[most].solution),),
+        warnings=tuple(
+            dict.fromkeys(
+                warning
+                for each in solved
+                if each.state.solution is not None
+                for warning in each.state.solution.warnings
+            )
+        ),
+    )
+    return MooringPoint(system, report, far.offset, solution_at(zero, rest, lines), far.state.name)
+
+
+def _solved(problem: MooringProblem, system: System) -> Iterator[_Solved]:
+    """Solve each state, those of one missing line together."""
+    design = problem.case.design
+    assert design is not None
+    directions = directions_of(system, design.headings)
+    force = math.hypot(*system.force)
+    whole = zero_load_position(system)
+    positions: dict[int, ZeroLoadPosition] = {-1: whole}
+    numbers = range(1, len(system.legs) + 1)
+    azimuths = [leg.azimuth for leg in system.legs]
+    for missing, heading in states_of(
+        system, azimuths, design.headings, with_line_out=design.line_out
+    ):
+        if missing not in positions:
+            positions[missing] = zero_load_position(system.without([missing]))
+        angle = directions[heading]
+        load = force * math.cos(angle), force * math.sin(angle)
+        zero = positions[missing]
+        zero = replace(zero, system=zero.system.under(load, system.moment))
+        rest, lines = zero.under(load, system.moment)
+        gone = None if missing < 0 else missing + 1
+        state = InState(
+            Place() if gone is None else Place("one_line_out", missing=gone),
+            solution_at(zero, rest, lines, looks_round=False),
+            tuple(number for number in numbers if number != gone),
+            under=Message("checks.heading", heading=math.degrees(angle) % 360.0),
+        )
+        neutral = whole.neutral
+        yield _Solved(state, math.hypot(rest.x - neutral.x, rest.y - neutral.y))
+
+
+def _hardest(results: Iterable[CheckResult]) -> Iterator[CheckResult]:
+    """Keep of each check, by source and kind of state, the one that is nearest to its limit."""
+    worst: dict[tuple[object, ...], CheckResult] = {}
+    for each in results:
+        key = (each.place.state, each.kind, each.name, each.source)
+        # The first of several that rounding alone tells apart.
+        if key not in worst or each.excess > worst[key].excess + 1e-9 * abs(worst[key].excess):
+            worst[key] = each
+    return iter(worst.values())
