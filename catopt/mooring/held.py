@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from catopt.catenary.line_problem import LineProblem
-from catopt.catenary.pieces import cut
-from catopt.catenary.refusal import refusal
-from catopt.catenary.span import given_span
-from catopt.catenary.state import CONVERGED, State
+from catopt.catenary.result import solution_of
+from catopt.catenary.root_search import BY_SPAN
+from catopt.catenary.solution import Solution
 from catopt.errors import InputError, Problem
-from catopt.model import Leg, Load, System
+from catopt.model import Site, System
+from catopt.model.network import LineBetween, Network, Point
+from catopt.mooring.joints import (
+    UNIT,
+    JointsAtRest,
+    Run,
+    assembled,
+    joints_at_rest,
+    product,
+    runs_of,
+    solve,
+)
+from catopt.mooring.line_ends import Matrix, Vector
 
-__all__ = ["FREEDOMS", "HeldBody", "HeldLine", "held_body"]
+__all__ = ["FREEDOMS", "HeldBody", "HeldLine", "NetworkAtRest", "held_body", "hold"]
 
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Along x, y and z (up), and about them in the sense of the right hand."""
-
-Vector = tuple[float, float, float]
-Matrix = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -84,16 +92,51 @@ class HeldBody:
         return dict(zip(FREEDOMS, self.displacement, strict=True))
 
 
+@dataclass(frozen=True)
+class NetworkAtRest:
+    """Lines between points with their joints at rest, the body held.
+
+    Attributes
+    ----------
+    network : Network
+        What it is of.
+    runs : tuple of Run
+        Its lines, from their anchors.
+    joints : JointsAtRest
+        Places of all points, forces at all ends, and what is left over.
+    body : HeldBody
+        What the lines do to the body.
+    """
+
+    network: Network
+    runs: tuple[Run, ...]
+    joints: JointsAtRest
+    body: HeldBody
+
+    def place_of(self, name: str) -> Vector:
+        """X, y and height of a point, m."""
+        return self.joints.places[self.network.numbers[name]]
+
+    @property
+    def lines(self) -> tuple[Solution, ...]:
+        """Every line laid out between its ends, the first of which is its `anchor`."""
+        return tuple(
+            solution_of(
+                end.state,
+                run.line,
+                end.problem,
+                run.segment_of,
+                method="closed-form",
+                known=BY_SPAN,
+            )
+            for run, end in zip(self.runs, self.joints.ends, strict=True)
+        )
+
+
 def held_body(
     system: System, *, origin_height: float, displacement: tuple[float, ...] = (0.0,) * 6
 ) -> HeldBody:
     """Say what the lines do to a body that is held, and the linearised stiffness there.
-
-    A fairlead at p pulls with (H u, -V), u being the unit vector towards the anchor. With the
-    line's end stiffness k = d(H, V)/d(span, height) it resists a small way of the fairlead by
-    k_HH u u' + (H / span) t t' in plan (t across u), coupled with height by k_HV and k_VH; a
-    fairlead at r off the origin carries that into moments, and turning the force of the line
-    itself about the origin adds [F][r] (cross-product matrices).
 
     Parameters
     ----------
@@ -127,76 +170,154 @@ def held_body(
     >>> spar = System.around(chain, azimuths=[0.0, radians(120.0), radians(240.0)],
     ...                      anchor_radius=853.87, fairlead_radius=5.2, fairlead_height=250.0)
     >>> body = held_body(spar, origin_height=320.0)
-    >>> round(body.stiffness[0][0], 1), round(body.load[2])
-    (41181.2, -1607184)
+    >>> round(body.stiffness[0][0], 1), round(body.load[2] / 1e3, 1)
+    (41181.2, -1607.2)
     """
-    turn = _rotation(*displacement[3:])
-    lines, load, stiffness = [], [0.0] * 6, [[0.0] * 6 for _ in range(6)]
-    for number, leg in enumerate(system.legs, start=1):
-        arm = _times(turn, (*leg.fairlead, leg.fairlead_height - origin_height))
-        at = (displacement[0] + arm[0], displacement[1] + arm[1])
-        height = origin_height + displacement[2] + arm[2]
-        to_x, to_y = leg.anchor[0] - at[0], leg.anchor[1] - at[1]
-        span = math.hypot(to_x, to_y)
-        state = _hung(leg, number, span, height, system.seabed_friction)
-        u = (to_x / span, to_y / span)
-        force = (state.H * u[0], state.H * u[1], -state.V)
-        _add(load, (*force, *_cross(arm, force)))
-        own = _of_line(state, u, span)
-        for row, of_line in zip(stiffness, _at_arm(own, arm, force), strict=True):
-            _add(row, of_line)
-        lines.append(HeldLine((*at, height), span, state.H, state.V, state.grounded))
-    return HeldBody(
+    points = [
+        point
+        for k, leg in enumerate(system.legs)
+        for point in (
+            Point(f"anchor {k}", "anchor", *leg.anchor, leg.anchor_height),
+            Point(f"fairlead {k}", "fairlead", *leg.fairlead, leg.fairlead_height),
+        )
+    ]
+    lines = [
+        LineBetween(leg.line, f"anchor {k}", f"fairlead {k}") for k, leg in enumerate(system.legs)
+    ]
+    site = Site(origin_height, system.seabed_friction)
+    return hold(Network(site, tuple(points), tuple(lines)), displacement).body
+
+
+def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> NetworkAtRest:
+    """Hold a body whose lines meet in joints, bring the joints to rest, and say its stiffness.
+
+    A line pulls on a point with (H u, -V), u being the unit vector towards its other end. With
+    its end stiffness k = d(H, V)/d(span, height) it resists a small way of the point by
+    k_HH u u' + (H / span) t t' in plan (t across u), coupled with height by k_HV and k_VH. The
+    stiffness K of all lines over the joints (j) and the body (b) is condensed to that of the body,
+    K_bb - K_bj K_jj^-1 K_jb; a fairlead at r off the origin carries forces into moments, and
+    turning the force F on it about the origin adds [F][r] (cross-product matrices).
+
+    Parameters
+    ----------
+    network : Network
+        Its lines and points; the origin of the body is at x = y = 0, on the water surface.
+    displacement : tuple of 6 float
+        As for `held_body`.
+
+    Raises
+    ------
+    InputError
+        A fairlead is below the bed, or a line hangs slack.
+    NoEquilibriumError, NotConvergedError, FloatsUpError
+        As for `joints_at_rest`.
+
+    Examples
+    --------
+    A buoy of 5 kN where two ropes meet under water, 4 m of 5 m away from each end:
+
+    >>> from catopt import Line, Segment
+    >>> from catopt.model import Site
+    >>> from catopt.model.network import LineBetween, Network, Point
+    >>> from catopt.mooring.held import hold
+    >>> rope = Line([Segment(5.0, 0.01, EA=1e9)])
+    >>> points = [Point("port", "anchor", -4.0, 0.0, 10.0),
+    ...           Point("buoy", "joint", submerged_weight=-5e3),
+    ...           Point("starboard", "anchor", 4.0, 0.0, 10.0)]
+    >>> lines = [LineBetween(rope, "port", "buoy"), LineBetween(rope, "starboard", "buoy")]
+    >>> found = hold(Network(Site(20.0), points, lines))
+    >>> round(found.place_of("buoy")[2], 3), round(found.lines[0].fairlead.tension, 1)
+    (13.0, 4166.6)
+    """
+    arms, held = _ends_held(network, displacement)
+    runs = runs_of(network)
+    found = joints_at_rest(network, runs, held)
+    _check_pull(runs, found)
+    load, stiffness = [0.0] * 6, _condensed(network, runs, found, arms)
+    lines = []
+    for run, end in zip(runs, found.ends, strict=True):
+        state = end.state
+        for at, force in ((run.first, end.first), (run.second, end.second)):
+            if at in arms:
+                _add(load, (*force, *_cross(arms[at], force)))
+                for row, turned in zip(
+                    stiffness[3:], product(_skew(force), _skew(arms[at])), strict=True
+                ):
+                    _add(row, (0.0, 0.0, 0.0, *(-each for each in turned)))
+        place = found.places[run.second]
+        lines.append(HeldLine(place, state.span, state.H, state.V, state.grounded))
+    body = HeldBody(
         tuple(displacement),
-        origin_height,
+        network.site.water_depth,
         tuple(lines),
         tuple(load),
         tuple(tuple(row) for row in stiffness),
     )
+    return NetworkAtRest(network, runs, found, body)
 
 
-def _hung(leg: Leg, number: int, span: float, height: float, friction: float) -> State:
-    """Solve a line between its ends; raise where it has no answer, or no stiffness."""
-    if not (span > 0.0 and height >= 0.0):
-        where = f"line {number}: {span:.6g} m from its anchor in plan, {height:.6g} m above the bed"
-        allowed = "its fairlead must be off its anchor and not below the bed"
-        raise InputError([Problem("displacement", where, allowed)], "held body")
-    pieces, _ = cut(leg.line)
-    problem = LineProblem(pieces, float(leg.anchor_height), height, friction)
-    state = given_span(span, problem, math.nan, math.nan)
-    if state.status != CONVERGED:
-        raise refusal(state.status, leg.line, Load(span=span), problem)
-    if state.H == 0.0:
-        allowed = "without a horizontal force it has no linear stiffness"
-        raise InputError(
-            [Problem("displacement", f"line {number} hangs slack", allowed)], "held body"
-        )
-    return state
+def _ends_held(
+    network: Network, displacement: tuple[float, ...]
+) -> tuple[dict[int, Vector], dict[int, Vector]]:
+    """Place fairleads off the body's origin, turned with it; and these and anchors in space."""
+    depth = network.site.water_depth
+    turn = _rotation(*displacement[3:])
+    arms, held = {}, {}
+    for k, point in enumerate(network.points):
+        if point.kind == "anchor":
+            held[k] = point.place
+        elif point.kind == "fairlead":
+            x, y, height = point.place
+            arms[k] = a, b, c = _times(turn, (x, y, height - depth))
+            surge, sway, heave = displacement[:3]
+            held[k] = (surge + a, sway + b, depth + heave + c)
+            _check_above_bed(point, held[k][2])
+    return arms, held
 
 
-def _of_line(state: State, u: tuple[float, float], span: float) -> Matrix:
-    """Build the 3 x 3 stiffness of one line at its fairlead, N/m."""
-    determinant = state.x_H * state.z_V - state.x_V * state.z_H
-    HH, HV = state.z_V / determinant, -state.x_V / determinant
-    VH, VV = -state.z_H / determinant, state.x_H / determinant
-    across = state.H / span
-    x, y = u
-    return (
-        (HH * x * x + across * y * y, (HH - across) * x * y, -HV * x),
-        ((HH - across) * x * y, HH * y * y + across * x * x, -HV * y),
-        (-VH * x, -VH * y, VV),
-    )
+def _check_above_bed(point: Point, height: float) -> None:
+    if not height >= 0.0:
+        found, allowed = f"{point.name} at {height:.6g} m", "its fairlead must not be below the bed"
+        raise InputError([Problem("displacement", found, allowed)], "held body")
 
 
-def _at_arm(own: Matrix, arm: Vector, force: Vector) -> list[list[float]]:
-    """Carry the stiffness of a line from its fairlead to the origin: 6 x 6."""
-    r = _skew(arm)
-    own_r, r_own = _product(own, r), _product(r, own)
-    turned = _product(_skew(force), r)
-    about = _product(r_own, r)
-    upper = [[*own[i], *(-each for each in own_r[i])] for i in range(3)]
-    lower = [[*r_own[i], *(-about[i][j] - turned[i][j] for j in range(3))] for i in range(3)]
-    return upper + lower
+def _check_pull(runs: Sequence[Run], found: JointsAtRest) -> None:
+    """Refuse a line that hangs slack."""
+    allowed = "without a horizontal force it has no linear stiffness"
+    problems = [
+        Problem("displacement", f"line {run.name} hangs slack", allowed)
+        for run, each in zip(runs, found.ends, strict=True)
+        if each.state.H == 0.0
+    ]
+    if problems:
+        raise InputError(problems, "held body")
+
+
+def _condensed(
+    network: Network, runs: Sequence[Run], found: JointsAtRest, arms: Mapping[int, Vector]
+) -> list[list[float]]:
+    """Build the 6 x 6 stiffness of the body, the joints free to follow it."""
+    joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
+    free = 3 * len(joints)
+    motions = {point: (3 * k, UNIT) for k, point in enumerate(joints)}
+    for k, arm in arms.items():
+        across = _skew(arm)
+        by_body = ((*UNIT[i], *(-each for each in across[i])) for i in range(3))
+        motions[k] = (free, tuple(by_body))
+    matrix = assembled(runs, found.ends, motions, free + 6)
+    own = [row[free:] for row in matrix[free:]]
+    if not joints:
+        return own
+    inner, coupled = [row[:free] for row in matrix[:free]], [row[free:] for row in matrix[:free]]
+    for k, point in enumerate(joints):
+        if found.reactions[point] > 0.0:  # it stays on the bed
+            inner[3 * k + 2] = [float(i == 3 * k + 2) for i in range(free)]
+            coupled[3 * k + 2] = [0.0] * 6
+    follow = solve(inner, coupled)
+    for i, row in enumerate(product([row[:free] for row in matrix[free:]], follow)):
+        for j in range(6):
+            own[i][j] -= row[j]
+    return own
 
 
 def _rotation(roll: float, pitch: float, yaw: float) -> Matrix:
@@ -211,23 +332,18 @@ def _rotation(roll: float, pitch: float, yaw: float) -> Matrix:
     )
 
 
-def _skew(v: Vector) -> Matrix:
+def _skew(v: Sequence[float]) -> Matrix:
     """Build the matrix that crosses v with what it multiplies."""
     return ((0.0, -v[2], v[1]), (v[2], 0.0, -v[0]), (-v[1], v[0], 0.0))
 
 
-def _cross(a: Vector, b: Vector) -> Vector:
+def _cross(a: Sequence[float], b: Sequence[float]) -> Vector:
     return _times(_skew(a), b)
 
 
-def _times(matrix: Matrix, v: Vector) -> Vector:
+def _times(matrix: Matrix, v: Sequence[float]) -> Vector:
     x, y, z = (math.fsum(map(float.__mul__, row, v)) for row in matrix)
     return x, y, z
-
-
-def _product(a: Matrix, b: Matrix) -> Matrix:
-    columns = tuple(zip(*b, strict=True))
-    return tuple(tuple(sum(map(float.__mul__, row, each)) for each in columns) for row in a)
 
 
 def _add(total: list[float], more: tuple[float, ...] | list[float]) -> None:

@@ -143,11 +143,10 @@ def _slope(source: Published, load: int, freedom: int, step: float) -> float:
     return (minus - plus) / (2.0 * step)
 
 
-def _linearised(source: Published, method: str) -> tuple[Item, ...]:
-    """Judge load and stiffness of all lines about the waterline."""
-    body = _held(source)
+def linearised(body: HeldBody) -> dict[str, float]:
+    """Name load and stiffness of all lines about the waterline as they are printed."""
     K = body.stiffness
-    computed = {
+    return {
         "vertical_load_kN": body.load[2] / 1e3,
         "surge_stiffness_kN/m": K[0][0] / 1e3,
         "heave_stiffness_kN/m": K[2][2] / 1e3,
@@ -156,11 +155,16 @@ def _linearised(source: Published, method: str) -> tuple[Item, ...]:
         "surge_by_pitch_MN/rad": K[0][4] / 1e6,
         "pitch_by_surge_MN": K[4][0] / 1e6,
     }
+
+
+def _linearised(source: Published, method: str) -> tuple[Item, ...]:
+    """Judge load and stiffness of all lines about the waterline."""
+    body = _held(source)
     remarks: dict[str, str] = {}
     if source.name == "oc4":
         single = -body.load[2] / 3e3
         remarks["vertical_load_kN"] = Message("reproduce.digits_swapped", single=single)
-    return compare(source, method, computed, remarks)
+    return compare(source, method, linearised(body), remarks)
 
 
 def _remarks(source: Published, method: str) -> dict[str, str]:

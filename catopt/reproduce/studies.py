@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from catopt.errors import InputError, Problem
 from catopt.reproduce import (
+    bridle,
     buoy_9p5m,
     fso_rang_dong,
     fso_rang_dong_dynamic,
@@ -35,6 +36,7 @@ _STUDIES: dict[str, Callable[[Progress | None], Study]] = {
         name: lambda _progress, name=name: reference_moorings.study(name)  # type: ignore[misc]
         for name in reference_moorings.NAMES
     },
+    bridle.NAME: lambda _progress: bridle.study(),
 }
 
 

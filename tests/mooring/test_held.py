@@ -155,7 +155,7 @@ def test_in_plan_it_is_that_of_the_equilibrium() -> None:
 
 def test_what_has_no_stiffness_is_refused() -> None:
     system = published("oc3")
-    with pytest.raises(InputError, match="off its anchor and not below the bed"):
+    with pytest.raises(InputError, match="its fairlead must not be below the bed"):
         held_body(system, origin_height=320.0, displacement=(0.0, 0.0, -251.0, 0.0, 0.0, 0.0))
     with pytest.raises(InputError, match="line 1 hangs slack"):
         held_body(system, origin_height=320.0, displacement=(300.0, 0.0, 0.0, 0.0, 0.0, 0.0))

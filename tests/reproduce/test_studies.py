@@ -31,6 +31,7 @@ NAMES = (
     "volturnus",
     "steep_chain",
     "hanging_cable",
+    "bridle",
 )
 WITHOUT_SWARM = NAMES[1:]
 STUDIES = [
@@ -105,6 +106,7 @@ def test_every_number_of_the_source_is_judged_once(name: str) -> None:
         ("volturnus", "Of 2 printed numbers 1 reproduce, 1 differ and 0 cannot be reproduced."),
         ("steep_chain", "Of 5 printed numbers 5 reproduce, 0 differ and 0 cannot be reproduced."),
         ("hanging_cable", "Of 8 printed numbers 4 reproduce, 4 differ and 0 cannot be reproduced."),
+        ("bridle", "Of 9 printed numbers 9 reproduce, 0 differ and 0 cannot be reproduced."),
         pytest.param(
             "fso_rang_dong_dynamic",
             "Of 30 printed numbers 0 reproduce, 0 differ and 30 cannot be reproduced.",

@@ -1,0 +1,193 @@
+"""Lines that meet in free joints: crowfoot and bridle, a leg that splits."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from catopt.errors import InputError, Problem
+from catopt.model.line import Line
+from catopt.model.site import Site
+from catopt.model.validity import Findings
+
+PointKind = Literal["anchor", "fairlead", "joint"]
+POINT_KINDS: tuple[str, ...] = get_args(PointKind)
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Where lines end or meet.
+
+    Attributes
+    ----------
+    name : str
+        By which lines name it.
+    kind : {"anchor", "fairlead", "joint"}
+        Held in place, moved by the body, or free: where a joint comes to rest is found.
+    x, y, height : float or None
+        m, the height above the seabed; of a fairlead with the body not displaced. None for a
+        joint.
+    submerged_weight : float
+        Of a joint: clump weight, or buoy below 0, N.
+    """
+
+    name: str
+    kind: PointKind
+    x: float | None = None
+    y: float | None = None
+    height: float | None = None
+    submerged_weight: float = 0.0
+
+    def __post_init__(self) -> None:
+        found = Findings("Point")
+        if not self.name:
+            found.add("name", "", "missing; lines name a point by it")
+        found.word("kind", self.kind, POINT_KINDS)
+        found.problems += point_misfits(vars(self))
+        for key in ("x", "y", "height"):
+            if getattr(self, key) is not None:
+                least = 0.0 if key == "height" else None
+                found.number(key, getattr(self, key), "m", at_least=least)
+        found.number("submerged_weight", self.submerged_weight, "N")
+        found.raise_if_any()
+
+    @property
+    def place(self) -> Vector:
+        """X, y and height of an anchor or a fairlead, m."""
+        assert self.x is not None
+        assert self.y is not None
+        assert self.height is not None
+        return (self.x, self.y, self.height)
+
+
+def point_misfits(given: dict[str, object]) -> list[Problem]:
+    """List which keys a point of its kind lacks, and which it cannot have; None is not given."""
+    is_joint = given.get("kind") == "joint"
+    found = []
+    for key in ("x", "y", "height"):
+        value = given.get(key)
+        if is_joint and value is not None:
+            allowed = "leave it out: where a joint comes to rest is found"
+            found.append(Problem(key, f"{value}", allowed))
+        elif value is None and given.get("kind") in ("anchor", "fairlead"):
+            found.append(Problem(key, "", f"missing; {given['kind']}s have x, y and height"))
+    if given.get("submerged_weight") and not is_joint:
+        allowed = "leave it out: only a joint feels it"
+        found.append(Problem("submerged_weight", f"{given['submerged_weight']}", allowed))
+    return found
+
+
+@dataclass(frozen=True)
+class LineBetween:
+    """A line from one point to another, by their names; its segments run that way."""
+
+    line: Line
+    start: str
+    end: str
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Network:
+    """Lines between points, of which some are free joints, and a body that is held.
+
+    Attributes
+    ----------
+    site : Site
+        Water and bed.
+    points, lines : tuple
+        Any iterables are taken; at least one of each.
+    title, source : str
+        Free text.
+    """
+
+    site: Site
+    points: tuple[Point, ...]
+    lines: tuple[LineBetween, ...]
+    title: str = ""
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "points", tuple(self.points))
+        object.__setattr__(self, "lines", tuple(self.lines))
+        joints = [point.name for point in self.points if point.kind == "joint"]
+        problems = [
+            Problem(key, "none", "at least one is wanted")
+            for key in ("points", "lines")
+            if not getattr(self, key)
+        ]
+        problems += network_misfits(
+            [point.name for point in self.points],
+            joints,
+            [(line.start, line.end) for line in self.lines],
+        )
+        for k, each in enumerate(self.lines):
+            if not any(segment.submerged_weight for segment in each.line.segments):
+                problems.append(Problem(f"lines[{k}].segments", *WEIGHTLESS))
+            if {each.start, each.end} & set(joints):
+                problems += (
+                    Problem(f"lines[{k}].segments[{i}].EA", "", NEEDS_EA)
+                    for i, segment in enumerate(each.line.segments)
+                    if math.isinf(segment.EA)
+                )
+        if self.site.seabed_slope != 0.0:
+            slope = f"{math.degrees(self.site.seabed_slope):g} deg"
+            problems.append(
+                Problem("site.seabed_slope", slope, "lines with joints lie on a level bed")
+            )
+        if problems:
+            raise InputError(problems, "Network")
+
+    @property
+    def numbers(self) -> dict[str, int]:
+        """Which point has which name, from 0."""
+        return {point.name: k for k, point in enumerate(self.points)}
+
+
+NEEDS_EA = "missing; lines that meet in joints have to stretch"
+WEIGHTLESS = (
+    "no submerged weight in any of them",
+    "a line between points needs weight: without it its shape does not tell the force",
+)
+
+
+def network_misfits(
+    names: list[str], joints: list[str], ends: list[tuple[str, str]]
+) -> list[Problem]:
+    """List ends that are no points, names given twice, joints that nothing holds."""
+    found = [
+        Problem(f"points[{k}].name", name, "another point has this name")
+        for k, name in enumerate(names)
+        if name in names[:k]
+    ]
+    for k, pair in enumerate(ends):
+        found += (
+            Problem(f"lines[{k}].{key}", end, f"no such point; there are {', '.join(names)}")
+            for key, end in zip(("from", "to"), pair, strict=True)
+            if end not in names
+        )
+        if pair[0] == pair[1]:
+            found.append(Problem(f"lines[{k}].to", pair[1], "the line begins there, too"))
+    return found or [
+        Problem(f"points[{k}]", name, allowed)
+        for k, name in enumerate(names)
+        if (allowed := _loose(name, joints, ends))
+    ]
+
+
+def _loose(name: str, joints: list[str], ends: list[tuple[str, str]]) -> str:
+    """Say why nothing holds a point, or what it is for; empty where that is in order."""
+    meeting = sum(name in pair for pair in ends)
+    if not meeting:
+        return "no line ends here; take it out"
+    if name not in joints:
+        return ""
+    if meeting == 1:
+        return "one line ends here and nothing else holds it; a joint has two lines or more"
+    reached = {name}
+    while grown := {end for pair in ends if reached & set(pair) for end in pair} - reached:
+        reached |= grown
+    return "" if reached - set(joints) else "no line leads from here to an anchor or a fairlead"

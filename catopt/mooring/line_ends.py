@@ -1,0 +1,123 @@
+"""A line between two points at any height: what it pulls with at both ends, and how stiffly.
+
+With the span s and the heights a and b of its ends the kernel says H and V at the upper end and
+their derivatives by s and b, the other end held. What it lacks follows from the regime: a line that
+hangs clear of the bed feels b - a alone; of one that lies on the bed without friction either end
+feels the height of the other through H alone.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from catopt.catenary.line_problem import LineProblem
+from catopt.catenary.pieces import Pieces, turned
+from catopt.catenary.span import given_span
+from catopt.catenary.state import CONVERGED, State
+
+__all__ = ["NEAREST", "Ends", "ends_of"]
+
+Vector = tuple[float, float, float]
+Matrix = tuple[tuple[float, ...], ...]
+
+NEAREST = 1e-9
+"""Of a line's length: ends nearer than that in plan are taken to be so far from each other."""
+
+
+class Ends(NamedTuple):
+    """A line between two points.
+
+    Attributes
+    ----------
+    state : State
+        Of the kernel; where it has no answer, the rest is empty.
+    problem : LineProblem
+        What it solves.
+    first, second : (float, float, float)
+        Force of the line on either point, N.
+    stiffness : 6 x 6
+        Minus the derivatives of both forces by the places of both points, N/m.
+    """
+
+    state: State
+    problem: LineProblem
+    first: tuple[float, ...]
+    second: tuple[float, ...]
+    stiffness: Matrix
+
+
+def ends_of(pieces: Pieces, a: Vector, b: Vector, friction: float, known: State | None) -> Ends:
+    """Solve a line from point a, towards which friction takes off tension, to point b.
+
+    `known`: a state of the same line near by, or None.
+    """
+    span = math.hypot(a[0] - b[0], a[1] - b[1])
+    clear = max(span, NEAREST * math.fsum(pieces.length))
+    guess = (known.H, known.V) if known is not None and known.H > 0.0 else (math.nan, math.nan)
+    problem = LineProblem(pieces, a[2], b[2], friction)
+    state = given_span(clear, problem, *guess)
+    if state.status != CONVERGED:
+        return Ends(state, problem, (), (), ())
+    u = ((a[0] - b[0]) / clear, (a[1] - b[1]) / clear)
+    first = (-state.H_anchor * u[0], -state.H_anchor * u[1], state.V_anchor)
+    second = (state.H * u[0], state.H * u[1], -state.V)
+    unit = (u[0] * clear / span, u[1] * clear / span) if span > 0.0 else (1.0, 0.0)
+    stiffness = _stiffness(state, _slopes(state, clear, problem), unit, clear)
+    return Ends(state, problem, first, second, stiffness)
+
+
+def _slopes(state: State, span: float, problem: LineProblem) -> Matrix:
+    """Derive H and V at b, H and V at a (pulling up), by the span and the heights a and b."""
+    H_s, H_b, V_s, V_b = _by_end(state, problem)
+    if state.grounded == 0.0:
+        row_H, row_V = (H_s, -H_b, H_b), (V_s, -V_b, V_b)
+        return row_H, row_V, row_H, row_V
+    other = LineProblem(
+        turned(problem.pieces), problem.fairlead_height, problem.anchor_height, problem.friction
+    )
+    back = given_span(span, other, state.H, max(-state.V_anchor, 0.0))
+    if problem.friction > 0.0 or problem.anchor_height == 0.0 or back.status != CONVERGED:
+        return (H_s, 0.0, H_b), (V_s, 0.0, V_b), (H_s, 0.0, H_b), (0.0, 0.0, 0.0)
+    # Counted from the other end the line lifts a with V upwards: the sign of V at a is turned.
+    _, H_a, up_s, up_a = _by_end(back, other)
+    slope = 1.0 / H_s if H_s > 0.0 else 0.0
+    row_H = (H_s, H_a, H_b)
+    return row_H, (V_s, V_s * slope * H_a, V_b), row_H, (-up_s, -up_a, -up_s * slope * H_b)
+
+
+def _by_end(state: State, problem: LineProblem) -> tuple[float, float, float, float]:
+    """Derive H and V at the end b by the span and by its height, N/m."""
+    determinant = state.x_H * state.z_V - state.x_V * state.z_H
+    if state.H == 0.0 or determinant == 0.0:
+        # Slack: it hangs straight down to the bed, and lifts more of itself as it is raised.
+        return 0.0, 0.0, 0.0, max(problem.pieces.weight[-1], 0.0)
+    return (
+        state.z_V / determinant,
+        -state.x_V / determinant,
+        -state.z_H / determinant,
+        state.x_H / determinant,
+    )
+
+
+def _stiffness(state: State, slopes: Matrix, u: tuple[float, float], span: float) -> Matrix:
+    """Turn slopes in the plane of the line into the stiffness of both ends in space."""
+    (x, y), rows = u, []
+    for (of_H, of_V), H, sign in (
+        (slopes[2:], state.H_anchor, -1.0),
+        (slopes[:2], state.H, 1.0),
+    ):
+        across = H / span
+        # The force is sign (H u, -V), the span grows by u (da - db), u itself turns by its part
+        # across.
+        xx = of_H[0] * x * x + across * y * y
+        xy = (of_H[0] - across) * x * y
+        yy = of_H[0] * y * y + across * x * x
+        plan = ((xx, xy), (xy, yy))
+        for i in (0, 1):
+            by_a = (*(-sign * plan[i][j] for j in (0, 1)), -sign * of_H[1] * u[i])
+            by_b = (*(sign * plan[i][j] for j in (0, 1)), -sign * of_H[2] * u[i])
+            rows.append((*by_a, *by_b))
+        level = (sign * of_V[0] * x, sign * of_V[0] * y)
+        rows.append((*level, sign * of_V[1], -level[0], -level[1], sign * of_V[2]))
+    return tuple(rows)
