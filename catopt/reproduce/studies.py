@@ -10,6 +10,7 @@ from catopt.reproduce import (
     fso_rang_dong,
     fso_rang_dong_dynamic,
     fso_rang_dong_loads,
+    lines_in_motion,
     load_sharing,
     reference_moorings,
     ship_200m,
@@ -35,6 +36,8 @@ _STUDIES: dict[str, Callable[[Progress | None], Study]] = {
         name: lambda _progress, name=name: reference_moorings.study(name)  # type: ignore[misc]
         for name in reference_moorings.NAMES
     },
+    lines_in_motion.CHAIN: lambda _progress: lines_in_motion.chain_study(),
+    lines_in_motion.CABLE: lambda _progress: lines_in_motion.cable_study(),
 }
 
 

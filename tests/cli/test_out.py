@@ -96,7 +96,7 @@ def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> N
     assert all(row["Unit"] for row in table)
     book = openpyxl.load_workbook(tmp_path / "out" / "reproduction.xlsx")
     studies = ["tanker_20m_loads", "fso_rang_dong", "fso_rang_dong_loads"]
-    studies.append("fso_rang_dong_dynamic")
+    studies += ["fso_rang_dong_dynamic", "chain_in_waves"]
     assert book.sheetnames == ["Comparison", "Inputs", "Findings", *studies]
     assert column(book["Comparison"], "Verdict") == [item["verdict"] for item in items]
 
