@@ -1,4 +1,4 @@
-"""Moorings that everybody computes: three floating turbines, and two lines of other programs."""
+"""Moorings that everybody computes: three floating turbines, and lines of other programs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _TURN: Final = 0.03
 """rad: the step of the differences that explain OC3's matrix."""
 
-NAMES: Final = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable")
+NAMES: Final = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable", "moordyn_line")
 
 _UNIT = {"kN": 1e3, "N": 1.0, "m": 1.0, "deg": math.radians(1.0)}
 _ONE_LINE: dict[str, Callable[[Solution], float]] = {
@@ -53,6 +53,18 @@ _INPUTS = {
     "seabed_friction": ("seabed friction, of the one line", ""),
     "span_east_m": ("span of the one line, along x", "m"),
     "span_north_m": ("span of the one line, along y", "m"),
+    "contact_diameter_m": ("contact diameter", "m"),
+    "damping_ratio": ("axial damping of a bar, of critical", ""),
+    "drag_coefficient": ("drag coefficient CD", ""),
+    "axial_drag_on_pi_D": ("axial drag coefficient, on pi D", ""),
+    "added_mass_coefficient": ("added mass coefficient", ""),
+    "bed_stiffness_kN_per_m3": ("stiffness of the bed", "kN/m3"),
+    "friction_in_motion": ("seabed friction", ""),
+    "heave_period_s": ("period of the motion", "s"),
+    "motion_period_s": ("period of the motion", "s"),
+    "motion_amplitude_m": ("amplitude of the motion", "m"),
+    "wave_amplitude_m": ("wave amplitude", "m"),
+    "wave_period_s": ("wave period", "s"),
 }
 """How inputs are called, and their units."""
 
@@ -60,7 +72,7 @@ _INPUTS = {
 def study(name: str) -> Study:
     """Recompute one of them in closed form and judge every printed number."""
     source = published(name)
-    line = _solve(source)
+    line = solve_one_line(source)
     items: list[Item] = []
     for method, printed in source.printed.items():
         if method.endswith("linearised"):
@@ -70,27 +82,35 @@ def study(name: str) -> Study:
             items += compare(source, method, computed, _remarks(source, method))
     return study_of(
         source,
-        inputs=_inputs(source),
+        inputs=inputs_of(source),
         items=items,
         findings=_findings(source),
         drawn=(Drawn(source.title, line, source.inputs.get("water_depth_m", 0.0)),),
     )
 
 
-def _inputs(source: Published) -> tuple[Input, ...]:
-    named = ((*_INPUTS[key], f"{value:.9g}") for key, value in source.inputs.items())
-    return tuple(Input(name, value, unit) for name, unit, value in named)
+def inputs_of(source: Published) -> tuple[Input, ...]:
+    """Say what went in, of the numbers that do not vary."""
+    return tuple(input_of(key, f"{value:.9g}") for key, value in source.inputs.items())
 
 
-def _segment(source: Published) -> Segment:
+def input_of(key: str, value: str) -> Input:
+    """Say what one key of a source's inputs is, with its unit."""
+    name, unit = _INPUTS[key]
+    return Input(name, value, unit)
+
+
+def segment_of(source: Published) -> Segment:
+    """Return the line, its weight in water from mass and volume."""
     given = source.inputs
     displaced = math.pi / 4.0 * given["volume_diameter_m"] ** 2 * given["water_density_kg_per_m3"]
-    weight = (given["mass_kg_per_m"] - displaced) * given["gravity_m_per_s2"]
-    return Segment(given["line_length_m"], weight, EA=given["EA_N"])
+    mass = given["mass_kg_per_m"]
+    weight = (mass - displaced) * given["gravity_m_per_s2"]
+    return Segment(given["line_length_m"], weight, EA=given["EA_N"], mass=mass)
 
 
-def _solve(source: Published, anchor_radius: float | None = None) -> Solution:
-    """Solve one line between its ends."""
+def solve_one_line(source: Published, anchor_radius: float | None = None) -> Solution:
+    """Solve one line between its ends, as the inputs of a source have them."""
     from catopt.catenary.solve import solve
 
     given = source.inputs
@@ -103,7 +123,7 @@ def _solve(source: Published, anchor_radius: float | None = None) -> Solution:
         if "span_east_m" in given:
             span = math.hypot(given["span_east_m"], given["span_north_m"])
     return solve(
-        Line([_segment(source)]),
+        Line([segment_of(source)]),
         height=height,
         anchor_height=anchor,
         span=span,
@@ -121,7 +141,7 @@ def _system(source: Published) -> System:
     given = source.inputs
     first = math.radians(given["first_azimuth_deg"])
     return System.around(
-        Line([_segment(source)]),
+        Line([segment_of(source)]),
         azimuths=[first + 2.0 * math.pi / 3.0 * k for k in range(3)],
         anchor_radius=given["anchor_radius_m"],
         fairlead_radius=given["fairlead_radius_m"],
@@ -169,13 +189,15 @@ def _linearised(source: Published, method: str) -> tuple[Item, ...]:
 
 def _remarks(source: Published, method: str) -> dict[str, str]:
     if source.name == "oc3":
-        printed, weight = source.printed[method], _segment(source).submerged_weight
+        printed, weight = source.printed[method], segment_of(source).submerged_weight
         friction = source.inputs["seabed_friction"] * weight * printed["grounded_length_m"].value
         left = printed["horizontal_force_N"].value - friction
         return {"anchor_horizontal_force_N": Message("reproduce.less_friction", left=left)}
     if method.startswith("OrcaFlex"):
         said: str = Message("reproduce.has_bending_stiffness")
         return dict.fromkeys(source.printed[method], said)
+    if source.name == "moordyn_line":
+        return dict.fromkeys(source.printed[method], Message("reproduce.settled_in_time"))
     return {}
 
 
@@ -193,7 +215,7 @@ def _findings(source: Published) -> tuple[str, ...]:
         return (Message("reproduce.oc4_span", more=_by_half_a_millimetre(source)),)
     if source.name == "volturnus":
         tensions = [
-            _solve(source, radius).fairlead.tension / 1e3
+            solve_one_line(source, radius).fairlead.tension / 1e3
             for radius in source.series["anchor_radius_m"]
         ]
         return (
@@ -208,5 +230,5 @@ def _by_half_a_millimetre(source: Published) -> float:
     """By how much H differs over half a millimetre of either part of the span, N."""
     given = source.inputs
     wider = {key: given[key] + 5e-4 for key in ("span_east_m", "span_north_m")}
-    more = _solve(replace(source, inputs={**given, **wider}))
-    return more.horizontal_force - _solve(source).horizontal_force
+    more = solve_one_line(replace(source, inputs={**given, **wider}))
+    return more.horizontal_force - solve_one_line(source).horizontal_force

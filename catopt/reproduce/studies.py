@@ -11,6 +11,7 @@ from catopt.reproduce import (
     fso_rang_dong,
     fso_rang_dong_dynamic,
     fso_rang_dong_loads,
+    lines_in_motion,
     load_sharing,
     reference_moorings,
     ship_200m,
@@ -37,6 +38,8 @@ _STUDIES: dict[str, Callable[[Progress | None], Study]] = {
         for name in reference_moorings.NAMES
     },
     bridle.NAME: lambda _progress: bridle.study(),
+    lines_in_motion.CHAIN: lambda _progress: lines_in_motion.chain_study(),
+    lines_in_motion.CABLE: lambda _progress: lines_in_motion.cable_study(),
 }
 
 

@@ -30,7 +30,7 @@ OF_SWARM = {
     "swarm_tension.png",
     "swarm_tension.svg",
 }
-MOORINGS = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable")
+MOORINGS = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable", "moordyn_line")
 
 
 def names(directory: Path) -> set[str]:
@@ -84,7 +84,7 @@ def test_reproduce_writes_page_tables_and_figures(run: Run, tmp_path: Path) -> N
     assert all(row["Unit"] for row in table)
     book = openpyxl.load_workbook(tmp_path / "out" / "reproduction.xlsx")
     studies = ["tanker_20m_loads", "fso_rang_dong", "fso_rang_dong_loads"]
-    studies.append("fso_rang_dong_dynamic")
+    studies += ["fso_rang_dong_dynamic", "chain_in_waves"]
     assert book.sheetnames == ["Comparison", "Inputs", "Findings", *studies]
     assert column(book["Comparison"], "Verdict") == [item["verdict"] for item in items]
 

@@ -13,6 +13,7 @@ from catopt.figures.studies import lines_to_scale
 from catopt.report.bundle import reproduction_pictures
 from catopt.reproduce import book, names, reproduce
 from catopt.reproduce.comparison import compare
+from catopt.reproduce.lines_in_motion import contact_offset
 from catopt.reproduce.published import published
 from catopt.schemas import schema
 
@@ -31,7 +32,10 @@ NAMES = (
     "volturnus",
     "steep_chain",
     "hanging_cable",
+    "moordyn_line",
     "bridle",
+    "chain_in_waves",
+    "cable_in_waves",
 )
 WITHOUT_SWARM = NAMES[1:]
 STUDIES = [
@@ -107,6 +111,15 @@ def test_every_number_of_the_source_is_judged_once(name: str) -> None:
         ("steep_chain", "Of 5 printed numbers 5 reproduce, 0 differ and 0 cannot be reproduced."),
         ("hanging_cable", "Of 8 printed numbers 4 reproduce, 4 differ and 0 cannot be reproduced."),
         ("bridle", "Of 9 printed numbers 9 reproduce, 0 differ and 0 cannot be reproduced."),
+        ("moordyn_line", "Of 2 printed numbers 0 reproduce, 2 differ and 0 cannot be reproduced."),
+        (
+            "chain_in_waves",
+            "Of 12 printed numbers 0 reproduce, 12 differ and 0 cannot be reproduced.",
+        ),
+        (
+            "cable_in_waves",
+            "Of 8 printed numbers 7 reproduce, 1 differ and 0 cannot be reproduced.",
+        ),
         pytest.param(
             "fso_rang_dong_dynamic",
             "Of 30 printed numbers 0 reproduce, 0 differ and 30 cannot be reproduced.",
@@ -158,3 +171,37 @@ def test_what_explains_the_reports_of_turbines_is_computed() -> None:
     (volturnus,) = reproduce("volturnus").studies
     # 2435.5597 kN at 9.80665 m/s2, by MoorPy; at 9.81 the whole line is 0.034 % heavier
     assert "2409.0, 2436.4, 2445.7 kN" in " ".join(volturnus.findings)
+
+
+def test_chains_beside_orcaflex_and_moordyn() -> None:
+    """Closed form with its offset: 0.2345 m - 3323 N/m / (100 kN/m3 x 0.469 m).
+
+    Largest tensions: within 6 % of the print and nearer to it than MoorDyn's, whose are 2.7, 3.8,
+    1.3 and 6.7 % above it.
+    """
+    assert contact_offset() == pytest.approx(0.2345 - 3323.2 / (1e5 * 0.469), abs=1e-4)
+    (study,) = reproduce("chain_in_waves").studies
+    found = {item.quantity: item for item in study.items}
+    for quantity, without in (
+        ("fairlead_tension_50m_kN", 1001.7),
+        ("anchor_tension_50m_kN", 835.6),
+        ("fairlead_tension_600m_kN", 5236.2),
+        ("anchor_tension_600m_kN", 3247.3),
+    ):
+        item = found[quantity]
+        assert item.computed == pytest.approx(item.published, rel=2e-3)
+        assert f"it would be {without} kN" in item.note
+    theirs = {
+        "50m_heave_2m": 2.67,
+        "50m_heave_5m": 3.79,
+        "600m_heave_2m": 1.28,
+        "600m_heave_5m": 6.71,
+    }
+    for run, percent in theirs.items():
+        item = found[f"max_{run}_kN"]
+        assert item.computed is not None
+        off = 100.0 * abs(item.computed / item.published - 1.0)
+        assert off < min(6.0, percent)
+        assert f"(+{percent} %), further from the print" in item.note
+    assert "nearer to it than MoorDyn's in 4 of 4 runs" in study.findings[1]
+    assert "friction" in study.findings[2]
