@@ -33,7 +33,7 @@ from catopt.model import Case, Design, LoadCase, System
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-_A_LINE: Final = 1e-3
+_A_LINE: Final = 4e-4
 """Time that a line of a mooring takes in one state as plain Python, s."""
 LEAST_SHARE: Final = 8
 """Designs a thread, below which starting it costs more than it saves."""
