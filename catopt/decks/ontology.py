@@ -149,6 +149,8 @@ def _platforms(
         x, y = (row.number(key, 0.0) for key in ("x_location", "y_location"))
         number = round(row.number("platformID", 1.0, above=0.0, at_least=1.0) or 1)
         name = row.text("mooringID")
+        if name == "0":  # held by the lines of array_mooring alone
+            continue
         mooring = systems.get(name)
         if mooring is None or number > len(kinds):
             allowed = f"a platform and one of {', '.join(systems)} are wanted"
@@ -184,7 +186,11 @@ def _ends(
     """Place anchor and fairlead of a line."""
     ahead = _ahead(turned + row.number("heading"))
     span = config.number("span", above=0.0)
-    if "fairlead" in row:
+    own, z = fairleads[0]
+    top = place + own.real * ahead
+    if isinstance(row.item("fairlead").value, list):
+        row.notes.refuse(row.row, "several fairleads", "a bridle has no case; give the line one")
+    elif "fairlead" in row:
         words = row.text("fairlead")
         number = int(row.notes.value(row.row, words, "fairlead", at_least=1.0)) if words else 0
         if number >= len(fairleads):
@@ -193,9 +199,6 @@ def _ends(
             number = 0
         own, z = fairleads[number]
         top = place + own * cmath.rect(1.0, math.radians(-turned))
-    else:
-        own, z = fairleads[0]
-        top = place + own.real * ahead
     foot = top + span * ahead
     return (
         Point(row.row, "", "fixed", foot.real, foot.imag, -depth),
