@@ -87,6 +87,8 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
             parts = list(_parts(config, connectors, types))
             more = strung(f"{len(pieces)}-{number}", ends, parts)
             points, pieces = points | more[0], pieces + more[1]
+    if not pieces:
+        notes.refuse(0, "", "no mooring line is there")
     top.say_unread(_UNREAD)
     gravity, density, depth = (site_values[name] for name, _ in _KEYS)
     return Deck(gravity, density, depth, types, points, pieces, friction)
@@ -147,15 +149,17 @@ def _platforms(
         notes.say("platform_at_origin", line=rows[0].row)
     for row in rows:
         x, y = (row.number(key, 0.0) for key in ("x_location", "y_location"))
-        number = round(row.number("platformID", 1.0, above=0.0, at_least=1.0) or 1)
+        number = row.number("platformID", 1.0, at_least=1.0)
         name = row.text("mooringID")
+        if name == "0":  # held by the lines of array_mooring alone
+            continue
         mooring = systems.get(name)
-        if mooring is None or number > len(kinds):
+        if mooring is None or number not in range(1, len(kinds) + 1):
             allowed = f"a platform and one of {', '.join(systems)} are wanted"
-            notes.refuse(row.row, f"platform {number}, mooring system {name}", allowed)
+            notes.refuse(row.row, f"platform {number:g}, mooring system {name}", allowed)
             continue
         place = 0j if alone else complex(x, y)
-        yield place, row.number("heading_adjust", 0.0), _fairleads(kinds[number - 1]), mooring
+        yield place, row.number("heading_adjust", 0.0), _fairleads(kinds[int(number) - 1]), mooring
 
 
 def _fairleads(platform: Table) -> Fairleads:
@@ -168,7 +172,7 @@ def _fairleads(platform: Table) -> Fairleads:
         if headings is None:
             found.append((complex(x, y), z))
             continue
-        for number in each.numbers("headings", len(headings)):
+        for number in each.numbers("headings", len(each.items_of("headings"))):
             found.append((complex(x, y) * _ahead(number), z))
     return found
 
@@ -184,18 +188,18 @@ def _ends(
     """Place anchor and fairlead of a line."""
     ahead = _ahead(turned + row.number("heading"))
     span = config.number("span", above=0.0)
-    if "fairlead" in row:
-        words = row.text("fairlead")
-        number = int(row.notes.value(row.row, words, "fairlead", at_least=1.0)) if words else 0
-        if number >= len(fairleads):
+    own, z = fairleads[0]
+    top = place + own.real * ahead
+    if isinstance(row.item("fairlead").value, list):
+        row.notes.refuse(row.row, "several fairleads", "a bridle has no case; give the line one")
+    elif "fairlead" in row:
+        number = row.number("fairlead", at_least=1.0)
+        if number not in range(len(fairleads)):
             allowed = f"the platform has the fairleads 1 to {len(fairleads) - 1}"
-            row.notes.refuse(row.row, f"fairlead {number}", allowed)
-            number = 0
-        own, z = fairleads[number]
+            row.notes.refuse(row.row, f"fairlead {row.text('fairlead')}", allowed)
+            number = 0.0
+        own, z = fairleads[int(number)]
         top = place + own * cmath.rect(1.0, math.radians(-turned))
-    else:
-        own, z = fairleads[0]
-        top = place + own.real * ahead
     foot = top + span * ahead
     return (
         Point(row.row, "", "fixed", foot.real, foot.imag, -depth),

@@ -75,6 +75,8 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         lying |= {0.5 * _contact(kinds[lower.type])} if lower.type in kinds else set()
         more = strung(line.text("Name"), (ends[0], ends[1]), parts)
         points, pieces = points | more[0], pieces + more[1]
+    if not pieces:
+        notes.refuse(0, "", "no line is there")
     top.say_unread(_UNREAD)
     if len(lying) > 1:
         allowed = "a case has one height at which lines lie on the bed; take one line: --line N"
@@ -166,7 +168,7 @@ def _each(kind: Table, key: str) -> list[float]:
     words = [each.value for each in found.value] if isinstance(found.value, list) else []
     try:
         numbers = [0.0 if word is None else float(word) for word in words]
-    except ValueError:
+    except (TypeError, ValueError):
         kind.notes.say("variable", line=found.row, key=key, value=", ".join(map(str, words)))
         return []
     if len(words) > 2 and words[1] is not None and numbers[1] != numbers[0]:

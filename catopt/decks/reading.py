@@ -123,6 +123,7 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     line = given.pop("line", None)
     notes = Notes(source, line)
+    text = text.replace("\r\n", "\n")
     for row, said in enumerate(text.split("\n"), start=1):
         if unfit(said):
             notes.refuse(row, unfit(said), "take it out of the file")

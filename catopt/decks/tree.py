@@ -102,10 +102,18 @@ class Table:
         items = found.value if isinstance(found.value, dict) else {}
         return Table(found.row, items, self.notes, self.opened)
 
+    def items_of(self, key: str) -> list[Item]:
+        """Return a list, an empty one where there is none."""
+        found = self.item(key)
+        if isinstance(found.value, list):
+            return found.value
+        if found.value is not None:
+            self.notes.refuse(found.row, key, "a list is wanted")
+        return []
+
     def tables(self, key: str) -> Iterator[Table]:
         """Yield the tables of a list."""
-        found = self.item(key)
-        for each in found.value if isinstance(found.value, list) else ():
+        for each in self.items_of(key):
             if isinstance(each.value, dict):
                 yield Table(each.row, each.value, self.notes, self.opened)
             elif each.value is not None:
@@ -121,14 +129,14 @@ class Table:
 
     def rows(self, keys: str = "keys", data: str = "data") -> Iterator[Table]:
         """Yield the rows of ``keys`` and ``data``, each as a table."""
-        heads, lines = self.item(keys).value or [], self.item(data).value or []
-        yield from self._rows([str(each.value) for each in heads], lines)
+        heads = [str(each.value) for each in self.items_of(keys)]
+        yield from self._rows(heads, self.items_of(data))
 
     def columns(self, first: str) -> Iterator[Table]:
         """Yield the rows below a key that names its columns, ``A, B, C``, by its first."""
         for key in [each for each in self.items if each.split(",")[0].strip() == first]:
             heads = [each.strip() for each in key.split(",")]
-            yield from self._rows(heads, self.item(key).value or [])
+            yield from self._rows(heads, self.items_of(key))
 
     def _rows(self, heads: list[str], lines: list[Item]) -> Iterator[Table]:
         for each in lines:

@@ -27,10 +27,9 @@ from catopt.export.dxf_groups import (
     tables,
     text,
 )
-from catopt.export.expected import expected, in_words
+from catopt.export.expected import expected, heading
 from catopt.export.exported import Exported, Source
 from catopt.export.exported_line import ExportedLine, ExportedLines
-from catopt.export.text import plain
 
 LAYERS = MappingProxyType(
     {
@@ -136,15 +135,9 @@ def _comments(
     solved: ExportedLines, remarks: Sequence[str], sources: Sequence[Source]
 ) -> Iterator[Group]:
     """Yield what the file says of itself; CAD programs pass over it."""
-    yield 999, f"DXF R12 drawing in metres, written by catopt {__version__}"
-    if solved.case.title:
-        yield 999, f"Case: {plain(solved.case.title)}"
-    for source in sources:
-        yield 999, f"From {plain(source.name)}, SHA-256 {source.sha256}"
-    said = [f"Remark {number}: {plain(remark)}" for number, remark in enumerate(remarks, start=1)]
-    for line in (*in_words(solved), *said):
-        for part in wrap(line.strip(), COLUMNS, break_on_hyphens=False):
-            yield 999, part
+    first = "DXF R12 drawing in metres"
+    for line in filter(str.strip, heading(first, solved, (), remarks, sources)):
+        yield 999, line.strip()
 
 
 def _entities(sheet: Sheet, remarks: Sequence[str]) -> Iterator[Group]:

@@ -86,6 +86,8 @@ def test_a_place_that_cannot_be_written_leaves_nothing(run: Run, tmp_path: Path)
         (FSO, ("dxf",)),
         (FSO, ("map",)),
         (FSO, ("moorpy",)),
+        (FSO, ("ontology",)),
+        (FSO, ("orcaflex",)),
     ],
 )
 def test_the_document(run: Run, tmp_path: Path, case: Path, further: tuple[str, ...]) -> None:

@@ -1,8 +1,12 @@
-"""Decks written for these tests; figures of OC3 and OC4 from their reports and MAP++'s output."""
+"""Decks written for these tests.
+
+Figures of OC3 and OC4 are from their reports and MAP++'s output, those of C06 from OrcaFlex's
+example of that name, 11.5e, in vamseeachanta/digitalmodel.
+"""
 
 from __future__ import annotations
 
-__all__ = ["MAP", "MOORDYN", "TWO_SEGMENTS", "V1"]
+__all__ = ["C06", "MAP", "MOORDYN", "ONTOLOGY", "TWO_SEGMENTS", "V1"]
 
 MOORDYN = """OC3's mooring, own deck
 --- LINE TYPES ---
@@ -96,4 +100,95 @@ Line LineType UnstrLen NodeAnch NodeFair Flags
 Option
 (-)
 outer_tol 1e-5
+"""
+
+ONTOLOGY = """\
+site:
+  general: {water_depth: 200, rho_water: 1025.0, rho_air: 1.225}
+array:
+  keys: [ID, topsideID, platformID, mooringID, x_location, y_location, heading_adjust]
+  data:
+    - [f1, 1, 1, ms1, -1600, 800, 0]
+topsides:
+  - {type: Turbine}
+platform: {rFair: 58, zFair: -14}
+mooring_systems:
+  ms1:
+    keys: [MooringConfigID, heading, anchorType]
+    data:
+      - [leg, 30, drag1]
+      - [leg, 150, drag1]
+      - [leg, 270, drag1]
+mooring_line_configs:
+  leg:
+    span: 642
+    sections:
+      - {type: chain, length: 497.7}
+      - {connectorType: clump}
+      - {type: polyester, length: 199.8, adjustable: True}
+mooring_line_types:
+  chain: {d_nom: 0.155, d_vol: 0.279, m: 480.9, EA: 2058e6, MBL: 25.2e6, cost: 1486}
+  keys: [name, d_vol, m, EA, stiffness note]
+  data:
+    - [polyester, 0.144, 22.5, 164e6, quasi-static]
+mooring_connector_types:
+  clump: {m: 5000, v: 0.64}
+anchor_types:
+  drag1: {type: DEA}
+"""
+
+C06 = """\
+%YAML 1.1
+---
+General:
+  UnitsSystem: SI
+  StageDuration: [10, 100]
+Environment:
+  WaterSurfaceZ: 0
+  Density: 1.025
+  SeabedType: Flat
+  WaterDepth: 100
+  SeabedNormalStiffness: 100
+  WindSpeed: 12
+LineTypes:
+  - Name: 2.5" Chain
+    Category: General
+    OD: 0.120015
+    ID: 0
+    MassPerUnitLength: 0.088306275
+    EI: [0, ~]
+    EA: 407.25725e3
+    OuterContactDiameter: 0.2286
+    Ca: [1, ~, 0.07]
+    Cd: [1, ~, 0.4]
+    NormalDragLiftDiameter: 0.14351
+    AxialDragLiftDiameter: 0.0121276066
+    SeabedLateralFrictionCoefficient: 0
+    SeabedAxialFrictionCoefficient: ~
+  - Name: Hose
+    OD: 0.64
+    ID: 0.5
+ClumpTypes:
+  - {Name: clump, Mass: 5, Volume: 0.64}
+6DBuoys:
+  - Name: CALM Base
+    Connection: Free
+    InitialPosition: [-6.866732677463321, 5.580584446653303, -0.7946049904251593]
+    InitialAttitude: [0, 0, 0]
+Lines:
+  - Name: Mooring1
+    ? Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionAzimuth,
+      ConnectionDeclination, ConnectionGamma, ConnectionReleaseStage, ConnectionzRelativeTo
+    : - [CALM Base, 6, 0, -1.5, 0, 180, 0, ~]
+      - [Anchored, 299.13326732253665, 5.580584446653303, 0.1143, 0, 90, 0, ~]
+    LineType, Length, TargetSegmentLength:
+      - [2.5" Chain, 150, 10]
+      - [2.5" Chain, 195, 15]
+    LayAzimuth: 180
+  - Name: Loadhose
+    Connection, ConnectionX, ConnectionY, ConnectionZ:
+      - [CALM Base, 6, 0, -1.5]
+      - [Fixed, 50, 0, -1.5]
+    LineType, Length:
+      - [Hose, 60]
 """

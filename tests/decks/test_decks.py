@@ -298,3 +298,7 @@ def test_a_long_word_is_shown_cut() -> None:
     (found,) = problems(MOORDYN.replace("902.2", "9x" * 100_000, 1))
     assert "..." in found
     assert len(found) < 200
+
+
+def test_windows_line_ends() -> None:
+    assert read_deck(MOORDYN.replace("\n", "\r\n"), "oc3.txt") == read_deck(MOORDYN, "oc3.txt")

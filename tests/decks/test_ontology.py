@@ -16,44 +16,10 @@ from catopt.decks.tree import parse_yaml
 from catopt.export.exported_line import exported_lines
 from catopt.export.programs import program_input
 from catopt.words import say
+from tests.decks.own import ONTOLOGY
 from tests.export.cases import CASES, chain_and_wire, tanker
 
 G = 9.80665
-
-ONTOLOGY = """\
-site:
-  general: {water_depth: 200, rho_water: 1025.0, rho_air: 1.225}
-array:
-  keys: [ID, topsideID, platformID, mooringID, x_location, y_location, heading_adjust]
-  data:
-    - [f1, 1, 1, ms1, -1600, 800, 0]
-topsides:
-  - {type: Turbine}
-platform: {rFair: 58, zFair: -14}
-mooring_systems:
-  ms1:
-    keys: [MooringConfigID, heading, anchorType]
-    data:
-      - [leg, 30, drag1]
-      - [leg, 150, drag1]
-      - [leg, 270, drag1]
-mooring_line_configs:
-  leg:
-    span: 642
-    sections:
-      - {type: chain, length: 497.7}
-      - {connectorType: clump}
-      - {type: polyester, length: 199.8, adjustable: True}
-mooring_line_types:
-  chain: {d_nom: 0.155, d_vol: 0.279, m: 480.9, EA: 2058e6, MBL: 25.2e6, cost: 1486}
-  keys: [name, d_vol, m, EA, stiffness note]
-  data:
-    - [polyester, 0.144, 22.5, 164e6, quasi-static]
-mooring_connector_types:
-  clump: {m: 5000, v: 0.64}
-anchor_types:
-  drag1: {type: DEA}
-"""
 
 
 def said(found: Imported) -> str:

@@ -1,7 +1,4 @@
-"""OrcaFlex's text data as cases: the chain of its CALM buoy by its published figures, and more.
-
-Numbers of the input are those of OrcaFlex's example C06, 11.5e, in vamseeachanta/digitalmodel.
-"""
+"""OrcaFlex's text data as cases: the chain of its CALM buoy by its published figures, and more."""
 
 from __future__ import annotations
 
@@ -14,63 +11,9 @@ from catopt.decks.reading import Asked, Imported, is_deck, read_deck
 from catopt.export.exported_line import exported_lines
 from catopt.export.programs import program_input
 from catopt.words import say
+from tests.decks.own import C06
 from tests.export.cases import chain_and_wire
 
-C06 = """\
-%YAML 1.1
----
-General:
-  UnitsSystem: SI
-  StageDuration: [10, 100]
-Environment:
-  WaterSurfaceZ: 0
-  Density: 1.025
-  SeabedType: Flat
-  WaterDepth: 100
-  SeabedNormalStiffness: 100
-  WindSpeed: 12
-LineTypes:
-  - Name: 2.5" Chain
-    Category: General
-    OD: 0.120015
-    ID: 0
-    MassPerUnitLength: 0.088306275
-    EI: [0, ~]
-    EA: 407.25725e3
-    OuterContactDiameter: 0.2286
-    Ca: [1, ~, 0.07]
-    Cd: [1, ~, 0.4]
-    NormalDragLiftDiameter: 0.14351
-    AxialDragLiftDiameter: 0.0121276066
-    SeabedLateralFrictionCoefficient: 0
-    SeabedAxialFrictionCoefficient: ~
-  - Name: Hose
-    OD: 0.64
-    ID: 0.5
-ClumpTypes:
-  - {Name: clump, Mass: 5, Volume: 0.64}
-6DBuoys:
-  - Name: CALM Base
-    Connection: Free
-    InitialPosition: [-6.866732677463321, 5.580584446653303, -0.7946049904251593]
-    InitialAttitude: [0, 0, 0]
-Lines:
-  - Name: Mooring1
-    ? Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionAzimuth,
-      ConnectionDeclination, ConnectionGamma, ConnectionReleaseStage, ConnectionzRelativeTo
-    : - [CALM Base, 6, 0, -1.5, 0, 180, 0, ~]
-      - [Anchored, 299.13326732253665, 5.580584446653303, 0.1143, 0, 90, 0, ~]
-    LineType, Length, TargetSegmentLength:
-      - [2.5" Chain, 150, 10]
-      - [2.5" Chain, 195, 15]
-    LayAzimuth: 180
-  - Name: Loadhose
-    Connection, ConnectionX, ConnectionY, ConnectionZ:
-      - [CALM Base, 6, 0, -1.5]
-      - [Fixed, 50, 0, -1.5]
-    LineType, Length:
-      - [Hose, 60]
-"""
 ONE = Asked(line=1)
 
 

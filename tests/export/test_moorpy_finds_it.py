@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import yaml
 
 from catopt import Case, read_case
 from catopt.export.exported_line import ExportedLines, exported_lines
@@ -43,8 +44,8 @@ def of_map(solved: ExportedLines, folder: Path) -> Any:
     text = program_input("map", solved).text
     sections = [part.splitlines()[3:] for part in ("\n" + text).split("\n----")[1:4]]
     types, nodes, lines = ([row.split() for row in rows] for rows in sections)
-    depth: float = solved.case.site.water_depth  # above the water MoorPy lets a line weigh more
-    sunk = solved.highest - depth if is_above(solved) else 0.0
+    depth: float = solved.case.site.water_depth
+    sunk = lowered(solved)
     system = moorpy.System(depth=depth + sunk, rho=1025.0, g=9.80665)
     for name, *numbers in types:
         d_vol, m, EA, _ = map(float, numbers[:4])
@@ -59,6 +60,84 @@ def of_map(solved: ExportedLines, folder: Path) -> Any:
     return system
 
 
+def lowered(solved: ExportedLines) -> float:
+    """Return by how much the lines are put deeper: above the water MoorPy lets them weigh more."""
+    depth: float = solved.case.site.water_depth
+    return solved.highest - depth if is_above(solved) else 0.0
+
+
+def strung(system: Any, ends: Any, parts: Any) -> None:
+    """Add a line from its first end: parts are a type with a length, or a mass with a volume."""
+    total = sum(part[1] for part in parts if isinstance(part[0], str))
+    arc, held = 0.0, [system.addPoint(1, ends[0])]
+    for kind, number in parts:
+        if isinstance(kind, str):
+            arc += number
+            at = ends[0] + (ends[1] - ends[0]) * arc / total
+            held.append(system.addPoint(0, at))
+            numbers = [len(system.pointList) - 1, len(system.pointList)]
+            system.addLine(number, kind, pointA=numbers[0], pointB=numbers[1])
+        else:
+            held[-1].m, held[-1].v = kind, number
+    held[-1].type = -1
+    held[-1].r = ends[1]
+
+
+def of_ontology(solved: ExportedLines, folder: Path) -> Any:
+    """Build what a YAML reader finds: headings clockwise from y, sections from the anchor."""
+    del folder
+    read = yaml.safe_load(program_input("ontology", solved).text)
+    general, sunk = read["site"]["general"], lowered(solved)
+    depth = general["water_depth"] + sunk
+    system = moorpy.System(depth=depth, rho=general["rho_water"], g=general["g"])
+    for name, kind in read["mooring_line_types"].items():
+        system.lineTypes[name] = kind | {"name": name, "w": 0.0}
+    hung = read.get("mooring_connector_types", {})
+    for config, heading, _, fairlead in read["mooring_systems"]["ms1"]["data"]:
+        place = np.array(read["platform"]["fairleads"][fairlead - 1]["r_rel"]) - [0, 0, sunk]
+        line = read["mooring_line_configs"][config]
+        ahead = np.array([np.sin(np.radians(heading)), np.cos(np.radians(heading))])
+        foot = np.array([*(place[:2] + line["span"] * ahead), -depth])
+        parts = [
+            (part["type"], part["length"])
+            if "type" in part
+            else (hung[part["connectorType"]]["m"], hung[part["connectorType"]]["v"])
+            for part in line["sections"]
+        ]
+        strung(system, (foot, place), parts)
+    return system
+
+
+def of_orcaflex(solved: ExportedLines, folder: Path) -> Any:
+    """Build what a YAML reader finds: tonnes and kN, sections from the fairlead, clumps on them."""
+    del folder
+    read = yaml.safe_load(program_input("orcaflex", solved).text)
+    sea = read["Environment"]
+    lying = 0.5 * read["LineTypes"][0]["OuterContactDiameter"]
+    depth = sea["WaterDepth"] - lying
+    system = moorpy.System(depth=depth, rho=sea["Density"] * 1e3, g=9.80665)
+    for kind in read["LineTypes"]:
+        own = {"d_vol": kind["OD"], "m": kind["MassPerUnitLength"] * 1e3, "EA": kind["EA"] * 1e3}
+        system.lineTypes[kind["Name"]] = own | {"name": kind["Name"], "w": 0.0}
+    clumps = {clump["Name"]: clump for clump in read.get("ClumpTypes", ())}
+    for line in read["Lines"]:
+        top, foot = next(rows for key, rows in line.items() if key.startswith("Connection,"))
+        assert (top[0], foot[0]) == ("body", "Anchored")
+        ends = np.array([*foot[1:3], foot[3] - sea["WaterDepth"]]), np.array(top[1:4])
+        sections = [tuple(row[:2]) for row in line["LineType, Length, TargetSegmentLength"]]
+        at = {round(row[3], 6): row[0] for key, rows in line.items()
+              if key.startswith("AttachmentType") for row in rows}  # fmt: skip
+        parts: list[tuple[Any, float]] = []
+        arc = 0.0
+        for name, unstretched in sections:
+            parts.append((name, unstretched))
+            arc += unstretched
+            clump = clumps.get(at.get(round(arc, 6), ""))
+            parts += [(clump["Mass"] * 1e3, clump["Volume"])] if clump else []
+        strung(system, ends, parts[::-1])
+    return system
+
+
 def by_moorpy(
     solved: ExportedLines, folder: Path, reach: float = NEAR, built: Any = of_moordyn
 ) -> tuple[Any, Any]:
@@ -70,7 +149,7 @@ def by_moorpy(
             point.zTol = reach
         system.initialize()
         # On displacements of its points, m: the forces are then balanced far more closely.
-        assert system.solveEquilibrium(DOFtype="free", tol=1e-7)
+        assert system.solveEquilibrium(DOFtype="free", tol=1e-8)
         ends = {
             kind: np.array([p.getForces(xyz=True) for p in system.pointList if p.type == kind])
             for kind in (-1, 1)
@@ -90,7 +169,7 @@ def by_moorpy(
     ],
     ids=["suspended", "grounded", "clump", "friction", "sinker", "FSO"],
 )
-@pytest.mark.parametrize("built", [of_moordyn, of_map, of_script])
+@pytest.mark.parametrize("built", [of_moordyn, of_map, of_script, of_ontology, of_orcaflex])
 def test_it_finds_the_closed_form(case: Case, EA: float | None, built: Any, tmp_path: Path) -> None:
     """Ten digits of the file and MoorPy's 1e-9 of the catenary leave 1e-7 of the tension.
 

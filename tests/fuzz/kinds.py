@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 
 from catopt.casefile import parse_case, template, write_case
-from tests.decks.own import MAP, MOORDYN, TWO_SEGMENTS, V1
+from tests.decks.own import C06, MAP, MOORDYN, ONTOLOGY, TWO_SEGMENTS, V1
 
 __all__ = ["Kind", "kinds"]
 
@@ -406,7 +406,7 @@ def kinds() -> tuple[Kind, ...]:
         Kind(
             "deck",
             "deck",
-            (MOORDYN, V1, TWO_SEGMENTS, OC3_BY_MAP),
+            (MOORDYN, V1, TWO_SEGMENTS, OC3_BY_MAP, ONTOLOGY, C06.split("  - Name: Loadhose")[0]),
             "deck.txt",
             {},
             read=_deck,
