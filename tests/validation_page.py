@@ -49,6 +49,7 @@ EVIDENCE = {
         "campaign/test_oracle",
         "catenary/test_swarm_any_line",
         "fem/test_closed_form",
+        "fem/test_joint",
         "fem/test_equations",
         "verify/test_lines",
         "verify/test_touches_twice",
