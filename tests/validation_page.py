@@ -60,6 +60,7 @@ EVIDENCE = {
     ),
     "Another program": (
         "peers/test_moorpy",
+        "peers/test_moorpy_joints",
         "fem/test_dyn_other_programs",
         "export/test_moorpy_finds_it",
         "export/test_moordyn_finds_it",
