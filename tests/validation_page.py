@@ -49,6 +49,7 @@ EVIDENCE = {
         "campaign/test_oracle",
         "catenary/test_swarm_any_line",
         "fem/test_closed_form",
+        "fem/test_joint",
         "fem/test_equations",
         "verify/test_lines",
         "verify/test_touches_twice",
@@ -59,6 +60,7 @@ EVIDENCE = {
     ),
     "Another program": (
         "peers/test_moorpy",
+        "peers/test_moorpy_joints",
         "fem/test_dyn_other_programs",
         "export/test_moorpy_finds_it",
         "export/test_moordyn_finds_it",

@@ -14,11 +14,13 @@ from catopt.casefile.design_consistency import design_findings
 from catopt.casefile.dynamics_consistency import dynamics_findings
 from catopt.casefile.fatigue_consistency import fatigue_findings
 from catopt.casefile.location import Finding, in_order_of
+from catopt.casefile.network_file import is_network, parse_network
 from catopt.casefile.schema import CaseTable
 from catopt.casefile.structure import structure_findings
 from catopt.documents import parse_toml, read_text
-from catopt.errors import InputError
+from catopt.errors import InputError, Problem
 from catopt.model import Case
+from catopt.model.network import Network
 
 
 def read_case(path: str | os.PathLike[str]) -> Case:
@@ -40,17 +42,46 @@ def read_case(path: str | os.PathLike[str]) -> Case:
     InputError
         When the file cannot be read, or with every problem of what it says.
     """
+    found = read_mooring(path)
+    if isinstance(found, Network):
+        from catopt.decks.reading import NOT_FOR_THIS
+
+        raise InputError([Problem("lines", "", NOT_FOR_THIS)], os.fspath(path))
+    return found
+
+
+def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
+    """Read a case file, or a file of lines that meet in joints.
+
+    Parameters
+    ----------
+    path : str or path
+        As for `read_case`; a file with ``[[points]]`` and ``[[lines]]`` too.
+
+    Returns
+    -------
+    Case or Network
+        In SI.
+
+    Raises
+    ------
+    InputError
+        When the file cannot be read, or with every problem of what it says.
+    """
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
-        from catopt.decks.reading import is_deck, read_deck
+        from catopt.decks.reading import is_deck, read_any_deck
         from catopt.decks.told import tell
 
         deck = read_text(Path(path), source, broken=True)
         if is_deck(deck):
-            found = read_deck(deck, source)
-            tell(found.remarks)
-            return found.case
-    return parse_case(read_text(Path(path), source), source, folder=str(Path(path).parent))
+            case, remarks = read_any_deck(deck, source)
+            tell(remarks)
+            return case
+    text = read_text(Path(path), source)
+    if is_network(parse_toml(text, source)):
+        return parse_network(text, source)
+    return parse_case(text, source, folder=str(Path(path).parent))
 
 
 def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:

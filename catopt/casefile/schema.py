@@ -27,6 +27,7 @@ from catopt.model.find import FIND_QUANTITIES
 from catopt.model.line import HIGHEST_COV
 from catopt.model.load_case import LOAD_CASE_KINDS, LOAD_CASE_STATES
 from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
+from catopt.model.network import POINT_KINDS
 from catopt.model.site import STEEPEST
 from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 from catopt.model.wear import WEAR_TABLES, WEAR_ZONES
@@ -606,6 +607,58 @@ class CaseTable(Table):
     dynamics: DynamicsTable | None = None
     fatigue: FatigueTable | None = None
     pso: PsoTable | None = None
+
+
+_PointName = Annotated[str, Text(filled=True, example='"joint 1"')]
+
+
+class PointTable(Table):
+    """An anchor, a fairlead or a free joint."""
+
+    name: _PointName
+    kind: Annotated[str, OneOf(POINT_KINDS)]
+    x: Place | None = None
+    y: Place | None = None
+    height: Height | None = None
+    submerged_weight: Force | None = None
+
+
+class NetworkSegmentTable(Table):
+    """A uniform stretch of a line between points."""
+
+    name: Name | None = None
+    length: Length
+    submerged_weight: Weight
+    EA: Strength | None = None
+    MBL: Strength | None = None
+
+
+class NetworkLoadTable(Table):
+    """A clump weight or a buoy on a line between points."""
+
+    name: Name | None = None
+    position: Length
+    submerged_weight: Force
+
+
+class LineBetweenTable(Table):
+    """A line from one point to another."""
+
+    name: Name | None = None
+    start: _PointName
+    end: _PointName
+    segments: Annotated[list[NetworkSegmentTable], SOME_TABLES]
+    point_loads: Annotated[list[NetworkLoadTable], SOME_TABLES] | None = None
+
+
+class NetworkTable(Table):
+    """A whole file of lines that meet in joints."""
+
+    title: Name | None = None
+    source: Name | None = None
+    site: SiteTable
+    points: Annotated[list[PointTable], SOME_TABLES]
+    lines: Annotated[list[LineBetweenTable], SOME_TABLES]
 
 
 @dataclass(frozen=True)

@@ -24,11 +24,16 @@ from catopt.casefile.schema import (
     FatigueSeaStateTable,
     FatigueTable,
     FindTable,
+    LineBetweenTable,
     LineTable,
     LoadCaseTable,
     LoadTable,
     MotionTable,
+    NetworkLoadTable,
+    NetworkSegmentTable,
+    NetworkTable,
     PointLoadTable,
+    PointTable,
     PsoTable,
     SegmentChoiceTable,
     SegmentTable,
@@ -60,6 +65,7 @@ from catopt.model import (
     WaveState,
 )
 from catopt.model.motion import HARMONIC
+from catopt.model.network import Network, Point
 from catopt.units import UNITS, Dimension
 
 _UNITS = {"seabed_stiffness": "N/m^2"}
@@ -83,12 +89,12 @@ def case_digest(case: Case) -> str:
     return sha256(write_case(case).encode()).hexdigest()
 
 
-def write_case(case: Case) -> str:
+def write_case(case: Case | Network) -> str:
     """Write a case as TOML, in SI with its units.
 
     Parameters
     ----------
-    case : Case
+    case : Case or Network
         What to write.
 
     Returns
@@ -98,7 +104,8 @@ def write_case(case: Case) -> str:
         (an EA of an inextensible segment, an unknown mass) is left out; a segment of a component
         takes it from the catalogue again. Paths are absolute.
     """
-    return "\n\n".join("\n".join(block) for block in _blocks(case)) + "\n"
+    blocks = _of_network(case) if isinstance(case, Network) else _blocks(case)
+    return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
 def _blocks(case: Case) -> Blocks:
@@ -132,6 +139,17 @@ def _blocks(case: Case) -> Blocks:
         yield from _tables("[[fatigue.sea_states]]", FatigueSeaStateTable, *case.fatigue.sea_states)
         yield from _tables("[[fatigue.curves]]", FatigueCurveTable, *case.fatigue.curves)
     yield from _tables("[pso]", PsoTable, case.swarm)
+
+
+def _of_network(network: Network) -> Blocks:
+    if head := list(_lines(NetworkTable, _given(network))):
+        yield head
+    yield from _tables("[site]", SiteTable, network.site)
+    yield from _tables("[[points]]", PointTable, *network.points)
+    for each in network.lines:
+        yield from _tables("[[lines]]", LineBetweenTable, each)
+        yield from _tables("[[lines.segments]]", NetworkSegmentTable, *each.line.segments)
+        yield from _tables("[[lines.point_loads]]", NetworkLoadTable, *each.line.point_loads)
 
 
 def _catalogue(choice: CatalogueChoice) -> Blocks:
@@ -194,11 +212,12 @@ def _tables(opening: str, schema: type[Table], *parts: object) -> Blocks:
 
 
 _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
-    Site: {"seabed_slope": 0.0},
+    Site: {"seabed_slope": 0.0, "contact_offset": 0.0},
     PointLoad: {"added_mass_coefficient": 0.0},
     LoadCase: {"state": "intact", "fairlead_rise": 0.0},
     Service: {"wear_rate": 0.0},
     Design: {"headings": 1},
+    Point: {"submerged_weight": 0.0},
 }
 """Keys that go unsaid at their default."""
 
@@ -221,7 +240,7 @@ def _given(part: object) -> dict[str, Any]:
             unsaid = HARMONIC
         case Dynamics(broken_line=None):
             unsaid = ("broken_end",)
-        case Site() | PointLoad() | LoadCase() | Service() | Design():
+        case Site() | PointLoad() | LoadCase() | Service() | Design() | Point():
             defaults = _UNSAID[type(part)].items()
             unsaid = tuple(key for key, default in defaults if given.get(key) == default)
     return {key: value for key, value in given.items() if key not in unsaid}

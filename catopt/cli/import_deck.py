@@ -59,7 +59,7 @@ def import_deck(
     case has not. What changes the answer and has no place in a case is refused.
     """
     from catopt.casefile import write_case
-    from catopt.decks.reading import read_deck
+    from catopt.decks.reading import read_any_deck
     from catopt.documents import read_text
     from catopt.report.files import write_files
     from catopt.words import say
@@ -68,21 +68,21 @@ def import_deck(
     asked = _asked(gravity, density, depth, line)
     text = read_text(file, str(file), kind="input file", broken=True)
     _check_is_deck(text, file)
-    found = read_deck(text, str(file), asked)
-    case = write_case(found.case)
+    found, remarks = read_any_deck(text, str(file), asked)
+    case = write_case(found)
     path: str | None = None
     if out is not None:
         place = out if out.suffix and not out.is_dir() else out / "case.toml"
         (written,) = write_files(place.parent, {place.name: case.encode()}, keep=[file])
         path = str(written)
-    for remark in found.remarks:
+    for remark in remarks:
         output.note(f"note: {say(remark, lang.value)}")
     if as_json:
         document = {
             "schema": "catopt.import/1",
-            "title": found.case.title,
+            "title": found.title,
             "path": path,
-            "remarks": list(found.remarks),
+            "remarks": list(remarks),
             "text": case if path is None else None,
         }
         output.json(document)

@@ -11,6 +11,8 @@ import typer
 from catopt.cli.options import DesignOption, JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
+    from catopt.cli.result_files import Asked
+    from catopt.model.network import Network
     from catopt.units import Dimension
 
 
@@ -75,12 +77,17 @@ def system(
 
     Prints the zero-load position, the offset under the load, the stiffness, a table of the lines,
     whether all checks pass, and what else is asked for, with the residual of the balance.
+
+    Of a file with [[points]] and [[lines]], whose lines meet in free joints, where the joints come
+    to rest and what every line carries, with the body in place and where --held puts it.
     """
     from catopt.answers.system import system_answer
+    from catopt.casefile import read_mooring
     from catopt.casefile.design_directory import read_case_or_design
     from catopt.checks.document import verdict_document
     from catopt.checks.system import check_system
     from catopt.cli.result_files import Asked
+    from catopt.model.network import Network
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
     from catopt.units import Dimension
@@ -90,7 +97,18 @@ def system(
     directions = _in_si("--curve", curve or [], Dimension.ANGLE)
     levels = _in_si("--level", level or [], Dimension.LENGTH)
     displacements = [_displacement(text) for text in held or []]
-    read = read_case_or_design(case, design)
+    is_design = design is not None or case.is_dir()
+    read = read_case_or_design(case, design) if is_design else read_mooring(case)
+    if isinstance(read, Network):
+        given = {
+            "--line-out": line_out,
+            "--watch-circle": watch_circle,
+            "--curve": directions,
+            "--level": levels,
+        }
+        _refuse_with_joints([option for option, value in given.items() if value])
+        _network(asked, read, displacements, with_stiffness=stiffness)
+        return
     report = report_system(
         read,
         with_line_out=line_out,
@@ -108,6 +126,32 @@ def system(
         return report.to_dict() | {"checks": verdict_document(checks)}
 
     asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
+
+
+def _refuse_with_joints(options: list[str]) -> None:
+    """Refuse options that are not evaluated where lines meet in joints."""
+    from catopt.errors import InputError, Problem
+
+    allowed = "does not go with lines that meet in joints: their body is held; leave it out"
+    if options:
+        raise InputError([Problem(option, "", allowed) for option in options], "options")
+
+
+def _network(
+    asked: Asked,
+    network: Network,
+    displacements: list[tuple[float, ...]],
+    *,
+    with_stiffness: bool,
+) -> None:
+    """Answer for lines that meet in joints, the body in place and where it is to be held."""
+    from catopt.answers.network import network_answer
+    from catopt.mooring.document import network_document
+    from catopt.mooring.held import hold
+
+    rest, *held = [hold(network, each) for each in ((0.0,) * 6, *displacements)]
+    answer = network_answer(rest, held, with_stiffness=with_stiffness)
+    asked.give(answer, lambda: network_document([rest, *held]))
 
 
 def _in_si(option: str, texts: list[str], dimension: Dimension) -> list[float]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from catopt.decks.deck import Deck, Notes, Piece, Point
 
-__all__ = ["Chain", "chains_of"]
+__all__ = ["Chain", "chains_of", "check_meeting"]
 
 
 @dataclass(frozen=True)
@@ -53,9 +53,8 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     InputError
         With everything that is no line between two ends.
     """
-    meeting = _meeting(deck, notes)
-    notes.raise_if_any()
-    _check_points(deck, meeting, notes)
+    meeting = check_meeting(deck, notes)
+    _refuse_joints(deck, meeting, notes)
     notes.raise_if_any()
     left = list(deck.pieces)
     found = []
@@ -77,22 +76,27 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     return found
 
 
-def _check_points(deck: Deck, meeting: Mapping[str, Sequence[Piece]], notes: Notes) -> None:
-    """Refuse a free point that does not lie between two lines."""
+def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:
+    """List the lines that meet in every point; a free one that holds nothing is refused."""
+    meeting = _meeting(deck, notes)
+    notes.raise_if_any()
     for name, pieces in meeting.items():
         point = deck.points[name]
         if not pieces:
             notes.say("unattached", line=point.row, name=name)
         elif point.end == "free" and len(pieces) == 1:
             notes.refuse(point.row, f"point {name}", "one line ends here and nothing holds it")
-        elif point.end == "free" and len(pieces) > 2:
-            allowed = (
-                "lines that meet at a free point have no case yet; hold it where it comes to rest "
-                "(Coupled or Fixed) and take the lines apart"
-            )
-            notes.refuse(point.row, f"point {name} joins {len(pieces)} lines", allowed)
         elif point.end != "free" and (point.mass or point.volume):
             notes.say("held_mass", line=point.row, name=name)
+    return meeting
+
+
+def _refuse_joints(deck: Deck, meeting: Mapping[str, Sequence[Piece]], notes: Notes) -> None:
+    """Refuse a free point that joins lines, of which one alone is wanted."""
+    for name, pieces in meeting.items():
+        if deck.points[name].end == "free" and len(pieces) > 2:
+            allowed = "lines that meet in a joint are read together; leave out --line"
+            notes.refuse(deck.points[name].row, f"point {name} joins {len(pieces)} lines", allowed)
 
 
 def _meeting(deck: Deck, notes: Notes) -> dict[str, list[Piece]]:

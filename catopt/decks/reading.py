@@ -5,12 +5,20 @@ from __future__ import annotations
 import re
 from dataclasses import asdict, dataclass
 from pathlib import PurePath
+from typing import Final
 
 from catopt.documents import unfit
+from catopt.errors import InputError, Problem
 from catopt.model import Case
+from catopt.model.network import Network
 from catopt.words.message import Message
 
-__all__ = ["Asked", "Imported", "is_deck", "read_deck"]
+__all__ = ["NOT_FOR_THIS", "Asked", "Imported", "is_deck", "read_any_deck", "read_deck"]
+
+NOT_FOR_THIS: Final = (
+    "lines that meet in joints are taken by catopt system and catopt import alone; a case for "
+    "other commands has a [line]"
+)
 
 
 @dataclass(frozen=True)
@@ -112,6 +120,16 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     >>> found.case.load.span, found.case.line.length
     (150.0, 170.0)
     """
+    case, remarks = read_any_deck(text, source, asked)
+    if isinstance(case, Network):
+        raise InputError([Problem("file", "", NOT_FOR_THIS)], source)
+    return Imported(case, remarks)
+
+
+def read_any_deck(
+    text: str, source: str = "", asked: Asked | None = None
+) -> tuple[Case | Network, tuple[Message, ...]]:
+    """Read a deck, as `read_deck`; one whose lines meet in joints as a Network. With remarks."""
     from catopt.decks.chains import chains_of
     from catopt.decks.deck import Notes
     from catopt.decks.mappp import parse_mappp
@@ -119,6 +137,7 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
     from catopt.decks.ontology import parse_ontology
     from catopt.decks.orcaflex import parse_orcaflex
     from catopt.decks.to_case import case_of
+    from catopt.decks.to_network import has_joints, network_of
 
     given = {key: value for key, value in asdict(asked or Asked()).items() if value is not None}
     line = given.pop("line", None)
@@ -133,6 +152,10 @@ def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Import
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)
     notes.raise_if_any()
-    chains = chains_of(deck, notes, notes.only)
-    case = case_of(deck, chains, notes, PurePath(source).stem)
-    return Imported(case, tuple(notes.remarks))
+    title = PurePath(source).stem
+    case: Case | Network
+    if notes.only is None and has_joints(deck):
+        case = network_of(deck, notes, title)
+    else:
+        case = case_of(deck, chains_of(deck, notes, notes.only), notes, title)
+    return case, tuple(notes.remarks)

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from statistics import fmean
 
 from catopt.decks.chains import Chain
-from catopt.decks.deck import Deck, LineType, Notes
+from catopt.decks.deck import Deck, LineType, Notes, Point
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
 
-__all__ = ["case_of"]
+__all__ = ["case_of", "check_depth", "friction_of", "height_of", "say_type", "weight_of"]
 
 ROUNDING = 5e-5
 """Of a line's length, by which ends may lie off equal lines around a body: 4 cm of 800 m."""
@@ -33,11 +33,13 @@ def case_of(deck: Deck, chains: Sequence[Chain], notes: Notes, title: str) -> Ca
     InputError
         With everything that a case cannot say, by the lines of the file.
     """
-    friction = _friction(deck, chains, notes)
-    _check_depth(deck, chains, notes)
+    used = {piece.type for chain in chains for piece in chain.pieces}
+    friction = friction_of(deck, used, notes)
+    ends = [point for chain in chains for point in (chain.anchor, chain.fairlead)]
+    check_depth(deck, ends, notes)
     notes.raise_if_any()
     for name in dict.fromkeys(piece.type for chain in chains for piece in chain.pieces):
-        _say_type(deck, name, notes)
+        say_type(deck, name, notes)
     if any(chain.fairlead.z > 0.0 for chain in chains):
         notes.say("above_water")
     lines = [_line(deck, chain) for chain in chains]
@@ -47,11 +49,10 @@ def case_of(deck: Deck, chains: Sequence[Chain], notes: Notes, title: str) -> Ca
     return replace(make(deck, chains, lines, site, notes), title=title, source=source)
 
 
-def _friction(deck: Deck, chains: Sequence[Chain], notes: Notes) -> float:
+def friction_of(deck: Deck, used: Collection[str], notes: Notes) -> float:
     """Take the friction of the bed: one for all, which MAP++ has by line type."""
     if deck.friction is not None:
         return deck.friction
-    used = {piece.type for chain in chains for piece in chain.pieces}
     found = {deck.types[name].friction or 0.0 for name in used}
     if len(found) > 1:
         row = min(deck.types[name].row for name in used)
@@ -61,21 +62,22 @@ def _friction(deck: Deck, chains: Sequence[Chain], notes: Notes) -> float:
     return max(found)
 
 
-def _check_depth(deck: Deck, chains: Sequence[Chain], notes: Notes) -> None:
-    for chain in chains:
-        for point in (chain.anchor, chain.fairlead):
-            if point.z < -deck.depth * (1.0 + 1e-9):
-                allowed = f"it is below the bed at {-deck.depth:g} m; give WtrDpth or Z anew"
-                notes.refuse(point.row, f"Z {point.z:g} m", allowed)
+def check_depth(deck: Deck, ends: Sequence[Point], notes: Notes) -> None:
+    """Refuse ends of lines that are below the bed."""
+    for point in ends:
+        if point.z < -deck.depth * (1.0 + 1e-9):
+            allowed = f"it is below the bed at {-deck.depth:g} m; give WtrDpth or Z anew"
+            notes.refuse(point.row, f"Z {point.z:g} m", allowed)
 
 
-def _say_type(deck: Deck, name: str, notes: Notes) -> None:
+def say_type(deck: Deck, name: str, notes: Notes) -> None:
+    """Say the weight in water of a line type, and its drag."""
     kind = deck.types[name]
     notes.say(
         "weight",
         line=kind.row,
         name=name,
-        weight=_weight(deck, kind),
+        weight=weight_of(deck, kind),
         mass=kind.mass,
         diameter=kind.diameter,
         density=deck.density,
@@ -85,7 +87,8 @@ def _say_type(deck: Deck, name: str, notes: Notes) -> None:
         notes.say("drag", line=kind.row, name=name, normal=kind.drag[0], axial=kind.drag[1])
 
 
-def _weight(deck: Deck, kind: LineType) -> float:
+def weight_of(deck: Deck, kind: LineType) -> float:
+    """Return the weight in water of a line type, N/m."""
     volume = 0.25 * math.pi * kind.diameter**2
     return (kind.mass - volume * deck.density) * deck.gravity
 
@@ -119,7 +122,7 @@ def _segment(deck: Deck, name: str, length: float) -> Segment:
     kind = deck.types[name]
     segment = Segment(
         length,
-        _weight(deck, kind),
+        weight_of(deck, kind),
         EA=kind.EA,
         mass=kind.mass,
         MBL=kind.MBL,
@@ -139,7 +142,8 @@ def _segment(deck: Deck, name: str, length: float) -> Segment:
     )
 
 
-def _height(deck: Deck, z: float) -> float:
+def height_of(deck: Deck, z: float) -> float:
+    """Return the height above the bed of a z from the still water, m."""
     height = z + deck.depth
     return 0.0 if abs(height) <= 1e-9 * deck.depth else height
 
@@ -166,7 +170,7 @@ def _one_line(
     if anchor.end == fairlead.end:
         notes.say("ends_alike", anchor=anchor.name, fairlead=fairlead.name)
     notes.say("one_line", span=span)
-    heights = _height(deck, fairlead.z), _height(deck, anchor.z)
+    heights = height_of(deck, fairlead.z), height_of(deck, anchor.z)
     return Case(site, lines[0], Load(span=span), heights[0], heights[1])
 
 
@@ -183,14 +187,14 @@ def _body(
     ahead = [cmath.rect(1.0, azimuth) for azimuth in azimuths]
     place, arm = _fitted(ahead, [fairlead for _, fairlead in ends])
     heights = [
-        fmean(_height(deck, point.z) for point in points)
+        fmean(height_of(deck, point.z) for point in points)
         for points in ([c.fairlead for c in chains], [c.anchor for c in chains])
     ]
     moved = max(
         *(abs(abs(anchor) - radius) for anchor, _ in ends),
         *(abs(place + arm * e - end) for e, (_, end) in zip(ahead, ends, strict=True)),
-        *(abs(_height(deck, c.fairlead.z) - heights[0]) for c in chains),
-        *(abs(_height(deck, c.anchor.z) - heights[1]) for c in chains),
+        *(abs(height_of(deck, c.fairlead.z) - heights[0]) for c in chains),
+        *(abs(height_of(deck, c.anchor.z) - heights[1]) for c in chains),
     )
     most = ROUNDING * lines[0].length
     if any(_bare(line) != _bare(lines[0]) for line in lines) or moved > most:

@@ -166,11 +166,11 @@ def network_misfits(
     for k, pair in enumerate(ends):
         found += (
             Problem(f"lines[{k}].{key}", end, f"no such point; there are {', '.join(names)}")
-            for key, end in zip(("from", "to"), pair, strict=True)
+            for key, end in zip(("start", "end"), pair, strict=True)
             if end not in names
         )
         if pair[0] == pair[1]:
-            found.append(Problem(f"lines[{k}].to", pair[1], "the line begins there, too"))
+            found.append(Problem(f"lines[{k}].end", pair[1], "the line begins there, too"))
     return found or [
         Problem(f"points[{k}]", name, allowed)
         for k, name in enumerate(names)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from catopt.mooring.case import SystemReport
-    from catopt.mooring.held import HeldBody
+    from catopt.mooring.held import HeldBody, NetworkAtRest
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.solution import LegState, Position, SystemSolution
@@ -118,6 +119,44 @@ def _held(body: HeldBody) -> dict[str, Any]:
             }
             for line in body.lines
         ],
+    }
+
+
+def network_document(states: Sequence[NetworkAtRest]) -> dict[str, Any]:
+    """Build the document of lines that meet in joints, schema catopt.network/1; all in SI."""
+    return {
+        "schema": "catopt.network/1",
+        "title": states[0].network.title,
+        "status": "converged",
+        "states": [_network(each) for each in states],
+    }
+
+
+def _network(state: NetworkAtRest) -> dict[str, Any]:
+    points, found = state.network.points, state.joints
+    return {
+        "displacement": list(state.body.displacement),
+        "points": [
+            {"name": point.name, "kind": point.kind, "place_m": list(place), "bed_reaction_N": up}
+            for point, place, up in zip(points, found.places, found.reactions, strict=True)
+        ],
+        "lines": [
+            {
+                "name": run.name,
+                "from": points[run.first].name,
+                "to": points[run.second].name,
+                "span_m": line.span,
+                "horizontal_force_N": line.horizontal_force,
+                "from_tension_N": line.anchor.tension,
+                "to_tension_N": line.fairlead.tension,
+                "grounded_length_m": line.grounded_length,
+            }
+            for run, line in zip(state.runs, state.lines, strict=True)
+        ],
+        "load": list(state.body.load),
+        "stiffness": [list(row) for row in state.body.stiffness],
+        "residual_N": found.residual,
+        "steps": found.steps,
     }
 
 

@@ -6,7 +6,11 @@ example of that name, 11.5e, in vamseeachanta/digitalmodel.
 
 from __future__ import annotations
 
+<<<<<<< HEAD
 __all__ = ["C06", "MAP", "MOORDYN", "ONTOLOGY", "TWO_SEGMENTS", "V1"]
+=======
+__all__ = ["BRIDLE", "MAP", "MAP_BRIDLE", "MOORDYN", "TWO_SEGMENTS", "V1"]
+>>>>>>> joints
 
 MOORDYN = """OC3's mooring, own deck
 --- LINE TYPES ---
@@ -102,6 +106,7 @@ Option
 outer_tol 1e-5
 """
 
+<<<<<<< HEAD
 ONTOLOGY = """\
 site:
   general: {water_depth: 200, rho_water: 1025.0, rho_air: 1.225}
@@ -191,4 +196,63 @@ Lines:
       - [Fixed, 50, 0, -1.5]
     LineType, Length:
       - [Hose, 60]
+=======
+MAP_BRIDLE = """---------------------- LINE DICTIONARY ----------------------
+LineType Diam MassDenInAir EA CB CIntDamp Ca Cdn Cdt
+(-) (m) (kg/m) (N) (-) (Pa-s) (-) (-) (-)
+steel 0.25 320.0 9.8e9 1.0 0 0 0 0
+nylon 0.30 100.0 9.8e8 1.0 0 0 0 0
+---------------------- NODE PROPERTIES ----------------------
+Node Type X Y Z M B FX FY FZ
+(-) (-) (m) (m) (m) (kg) (m^3) (N) (N) (N)
+1 fix 400 0 depth 0 0 # # #
+2 connect #90 #0 #-80 0 0 0 0 0
+3 vessel 20 20 -10 0 0 # # #
+4 vessel 20 -20 -10 0 0 # # #
+---------------------- LINE PROPERTIES ----------------------
+Line LineType UnstrLen NodeAnch NodeFair Flags
+(-) (-) (m) (-) (-) (-)
+1 steel 450 1 2 altitude
+2 nylon 90 2 3 tension_fair
+3 nylon 90 2 4 tension_fair
+---------------------- SOLVER OPTIONS ----------------------
+Option
+(-)
+repeat 120 240
+"""
+
+BRIDLE = """two legs that split; 20 t of 2.5 m3 in each joint, one leg of two segments
+--- LINE TYPES ---
+Name Diam MassDen EA BA/-zeta EI Cd Ca CdAx CaAx
+(-) (m) (kg/m) (N) (N-s/-) (N-m2) (-) (-) (-) (-)
+steel 0.25 320 9.8e9 -1 0 1.2 1 0 0
+nylon 0.30 100 9.8e8 -1 0 1.2 1 0 0
+--- POINTS ---
+ID Attachment X Y Z Mass Volume CdA Ca
+(#) (-) (m) (m) (m) (kg) (m3) (m2) (-)
+1 Fixed 400 0 -350 0 0 0 0
+2 Free 62 0 -87 20000 2.5 0 0
+3 Coupled 20 20 -10 0 0 0 0
+4 Coupled 20 -20 -10 0 0 0 0
+5 Fixed -380 0 -350 0 0 0 0
+6 Free -150 0 -150 0 0 0 0
+7 Free -62 0 -87 20000 2.5 0 0
+8 Coupled -20 20 -10 0 0 0 0
+9 Coupled -20 -20 -10 0 0 0 0
+--- LINES ---
+ID LineType AttachA AttachB UnstrLen NumSegs Outputs
+(#) (name) (#) (#) (m) (-) (-)
+1 steel 1 2 450 20 -
+2 nylon 2 3 90 20 -
+3 nylon 4 2 90 20 -
+4 steel 5 6 300 20 -
+5 nylon 6 7 135 20 -
+6 nylon 7 8 90 20 -
+7 nylon 9 7 90 20 -
+--- OPTIONS ---
+9.81 g
+1025 rho
+350 WtrDpth
+--- END ---
+>>>>>>> joints
 """

@@ -221,11 +221,11 @@ def test_what_has_no_case_is_refused_with_its_line(
     )
 
 
-def test_a_joint_of_three_lines_is_refused() -> None:
+def test_a_joint_of_three_lines_is_refused_where_one_line_is_wanted() -> None:
     deck = TWO_SEGMENTS.replace("3 Coupled", "4 Coupled 800 50 0 0 0 0 0\n3 Coupled").replace(
         "2 chain 2 1", "3 rope 4 2 380 20 -\n2 chain 2 1"
     )
-    (problem,) = problems(deck)
+    (problem,) = problems(deck, Asked(line=1))
     assert problem.startswith("line 11: found point 2 joins 3 lines")
 
 

@@ -184,8 +184,8 @@ def test_every_fault_of_a_network_is_told_at_once() -> None:
         )
     assert [str(p.key) for p in caught.value.problems] == [
         "points[1].name",
-        "lines[0].to",
-        "lines[1].to",
+        "lines[0].end",
+        "lines[1].end",
     ]
     with pytest.raises(InputError) as caught:
         replace(network, points=(*network.points, Point("idle", "joint")))

@@ -1,0 +1,69 @@
+"""Files of lines that meet in joints: ``[[points]]`` and ``[[lines]]`` in place of ``[line]``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import ValidationError
+
+from catopt.casefile.location import Finding, in_order_of, parts
+from catopt.casefile.schema import LineBetweenTable, NetworkTable
+from catopt.casefile.structure import structure_findings
+from catopt.documents import parse_toml
+from catopt.errors import InputError, Problem
+from catopt.model import Line, PointLoad, Segment, Site
+from catopt.model.network import LineBetween, Network, Point
+
+__all__ = ["is_network", "parse_network"]
+
+
+def is_network(document: dict[str, Any]) -> bool:
+    """Whether a document is of lines that meet in joints."""
+    return "points" in document and "lines" in document
+
+
+def parse_network(text: str, source: str = "") -> Network:
+    """Read the text of such a file.
+
+    Raises
+    ------
+    InputError
+        With every problem of its keys; where those are in order, of how its parts fit together.
+    """
+    document = parse_toml(text, source)
+    try:
+        table = NetworkTable.model_validate(document)
+    except ValidationError as error:
+        findings = structure_findings(error.errors(include_url=False), NetworkTable)
+        ordered = in_order_of(document, findings)
+        raise InputError([finding.as_problem() for finding in ordered], source) from None
+    problems: list[Problem] = []
+    points = [
+        _built(problems, f"points[{k}]", Point, **each.given())
+        for k, each in enumerate(table.points)
+    ]
+    lines = [_line(problems, f"lines[{k}]", each) for k, each in enumerate(table.lines)]
+    if problems:
+        findings = [Finding(parts(each.key), each.found, each.allowed) for each in problems]
+        raise InputError([each.as_problem() for each in in_order_of(document, findings)], source)
+    head = {key: getattr(table, key) or "" for key in ("title", "source")}
+    try:
+        return Network(Site(**table.site.given()), tuple(points), tuple(lines), **head)
+    except InputError as error:
+        raise InputError(error.problems, source) from None
+
+
+def _line(problems: list[Problem], path: str, table: LineBetweenTable) -> Any:
+    segments = [Segment(**each.given()) for each in table.segments]
+    loads = [PointLoad(**each.given()) for each in table.point_loads or ()]
+    line = _built(problems, path, Line, segments=segments, point_loads=loads)
+    return LineBetween(line, table.start, table.end, table.name or "")
+
+
+def _built(problems: list[Problem], path: str, part: Any, /, **given: Any) -> Any:
+    """Build a part of the model; what it refuses is noted under its path in the file."""
+    try:
+        return part(**given)
+    except InputError as error:
+        problems += [Problem(f"{path}.{p.key}", p.found, p.allowed) for p in error.problems]
+        return None

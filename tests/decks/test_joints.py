@@ -1,0 +1,171 @@
+"""Decks whose lines meet in free points: read, written, read again, and what MAP++ prints."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from catopt import InputError, read_case
+from catopt.casefile import read_mooring, write_case
+from catopt.decks.reading import Asked, read_any_deck, read_deck
+from catopt.model.network import Network
+from catopt.mooring.held import hold
+from tests.decks.own import BRIDLE, MAP_BRIDLE
+
+SITE = Asked(9.81, 1025.0, 350.0)
+
+
+def of_map() -> tuple[Network, tuple[str, ...]]:
+    found, remarks = read_any_deck(MAP_BRIDLE, "bridle.map", SITE)
+    assert isinstance(found, Network)
+    return found, remarks
+
+
+def test_the_bridle_of_mappp() -> None:
+    """MAP++'s documentation, python_example.rst: to the printed digits."""
+    network, remarks = of_map()
+    assert [point.kind for point in network.points[:4]] == [
+        "anchor", "joint", "fairlead", "fairlead",
+    ]  # fmt: skip
+    rest = hold(network)
+    assert rest.lines[0].span == pytest.approx(338.18, abs=5e-3)
+    assert rest.lines[1].fairlead.tension == pytest.approx(711942.60, abs=5e-3)
+    ahead = hold(network, (5.0, 0.0, 0.0, 0.0, 0.0, 0.0)).lines[0].fairlead
+    assert ahead.horizontal_force == pytest.approx(597513.33, abs=5e-3)
+    assert ahead.vertical_force == pytest.approx(1143438.75, abs=5e-3)
+    said = "\n".join(remarks)
+    assert "mass, drag and added mass of lines and points are not kept" in said
+    assert "w = 2645.614 N/m" in said
+    # Clockwise: the second anchor lies at -120 deg.
+    second = next(point for point in network.points if point.name == "1@120")
+    assert second.place[:2] == pytest.approx((-200.0, -200.0 * math.sqrt(3.0)), abs=1e-9)
+
+
+def test_a_free_point_of_two_lines_is_a_joint_too() -> None:
+    """W = (20000 - 2.5 x 1025) x 9.81 = 171061.875 N of the joints with mass."""
+    found, _ = read_any_deck(BRIDLE, "bridle.txt")
+    assert isinstance(found, Network)
+    joints = {p.name: p.submerged_weight for p in found.points if p.kind == "joint"}
+    assert joints == pytest.approx({"2": 171061.875, "6": 0.0, "7": 171061.875}, rel=1e-12)
+    assert len(found.lines) == 7
+
+
+@pytest.mark.parametrize("text", [MAP_BRIDLE, BRIDLE], ids=["map", "moordyn"])
+def test_what_is_written_reads_back(text: str, tmp_path: Path) -> None:
+    found, _ = read_any_deck(text, "deck.txt", SITE if text is MAP_BRIDLE else None)
+    place = tmp_path / "case.toml"
+    place.write_text(write_case(found), encoding="utf-8")
+    assert read_mooring(place) == found
+
+
+def test_other_commands_refuse_it(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="catopt system and catopt import alone"):
+        read_deck(BRIDLE)
+    place = tmp_path / "bridle.txt"
+    place.write_text(BRIDLE)
+    with pytest.raises(InputError, match="catopt system and catopt import alone"):
+        read_case(place)
+    with pytest.raises(InputError, match="leave out --line"):
+        read_any_deck(BRIDLE, asked=Asked(line=1))
+
+
+def test_a_free_point_that_holds_nothing_is_refused() -> None:
+    loose = BRIDLE.replace("7 nylon 9 7 90", "7 nylon 9 10 90").replace(
+        "--- LINES", "10 Free 0 0 -20 0 0 0 0\n--- LINES"
+    )
+    loose = loose.replace("5 nylon 6 7", "5 nylon 6 2")
+    with pytest.raises(InputError, match="one line ends here and nothing holds it"):
+        read_any_deck(loose)
+
+
+FILE = """
+[site]
+water_depth = "30 m"
+
+[[points]]
+name = "a"
+kind = "anchor"
+x = "40 m"
+y = "0 m"
+height = "0 m"
+
+[[points]]
+name = "j"
+kind = "joint"
+submerged_weight = "-2 kN"
+
+[[points]]
+name = "f"
+kind = "fairlead"
+x = "0 m"
+y = "1 m"
+height = "29 m"
+
+[[points]]
+name = "g"
+kind = "fairlead"
+x = "0 m"
+y = "-1 m"
+height = "29 m"
+
+[[lines]]
+start = "a"
+end = "j"
+[[lines.segments]]
+length = "35 m"
+submerged_weight = "90 N/m"
+EA = "40 MN"
+
+[[lines]]
+start = "j"
+end = "f"
+[[lines.segments]]
+length = "15 m"
+submerged_weight = "30 N/m"
+EA = "20 MN"
+
+[[lines]]
+start = "j"
+end = "g"
+[[lines.segments]]
+length = "15 m"
+submerged_weight = "30 N/m"
+EA = "20 MN"
+"""
+
+
+def faults(text: str, tmp_path: Path) -> list[str]:
+    place = tmp_path / "case.toml"
+    place.write_text(text)
+    with pytest.raises(InputError) as caught:
+        read_mooring(place)
+    return [f"{problem.key}: {problem.allowed}" for problem in caught.value.problems]
+
+
+def test_a_file_is_read_and_every_fault_told(tmp_path: Path) -> None:
+    place = tmp_path / "case.toml"
+    place.write_text(FILE)
+    network = read_mooring(place)
+    assert isinstance(network, Network)
+    assert network.points[1].submerged_weight == -2000.0
+    assert network.lines[1].start == "j"
+    wrong = FILE.replace('kind = "joint"', 'kind = "joint"\nx = "5 m"').replace(
+        'height = "0 m"', ""
+    )
+    assert faults(wrong, tmp_path) == [
+        "points[0].height: missing; anchors have x, y and height",
+        "points[1].x: leave it out: where a joint comes to rest is found",
+    ]
+    found = faults(
+        FILE.replace('start = "j"', 'start = "k"', 1).replace('EA = "40 MN"', ""), tmp_path
+    )
+    assert found == [
+        "lines[1].start: no such point; there are a, j, f, g",
+        "lines[0].segments[0].EA: missing; lines that meet in joints have to stretch",
+    ]
+    assert faults(FILE.replace('submerged_weight = "90', 'sumberged_weight = "90'), tmp_path) == [
+        "lines[0].segments[0].sumberged_weight: did you mean submerged_weight?"
+    ]
+    assert faults(FILE + '\n[load]\nspan = "3 m"\n', tmp_path)[0].startswith("load: ")
