@@ -148,7 +148,6 @@ def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) ->
 
 
 def _use(results: Sequence[CheckResult]) -> tuple[Column, Column, Column]:
-    """List demand, capacity and utilisation."""
     units = tuple(QUANTITY_OF[each.kind] for each in results)
     demands = tuple(each.demand for each in results)
     capacities = tuple(each.capacity for each in results)

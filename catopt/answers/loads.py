@@ -140,7 +140,6 @@ def _components(by: Iterable[Loads]) -> Iterable[LoadComponent]:
 
 
 def _notes_table(by: Sequence[Loads]) -> Table:
-    """Tabulate assumptions and warnings, each once."""
     rows = dict.fromkeys(
         (term(kind), said)
         for kind, every in (

@@ -194,7 +194,6 @@ def _lines(parts: Sequence[DynamicPart]) -> Table:
 
 
 def _runs(part: DynamicPart) -> Message:
-    """Say how the line was run."""
     history = part.runs[-1].history
     return Message(
         "motion.runs",
@@ -210,7 +209,6 @@ def _runs(part: DynamicPart) -> Message:
 
 
 def _files(found: DynamicVerification, *, with_series: bool) -> Iterator[Section]:
-    """Lay out statistics, runs, envelope and series."""
     tables = {
         "statistics": _statistics(found.parts),
         "summary": _summary(found.parts),
@@ -370,7 +368,6 @@ def _joined(arrays: Iterable[npt.NDArray[np.float64]]) -> Iterator[float]:
 
 
 def _series(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
-    """Tabulate every sample of every run."""
     pairs = [(part, run) for part in parts for run in part.runs]
     of = [run.history for _, run in pairs]
     still = (run.quasi_static for _, run in pairs)

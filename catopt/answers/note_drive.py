@@ -242,7 +242,6 @@ def _lag(response: complex) -> float:
 
 
 def _model(moved: InMotion) -> Iterator[Fact]:
-    """List what the line is run with."""
     case, dynamics = moved.found.case, moved.drive.dynamics
     part = moved.found.parts[moved.governing]
     run = part.runs[0].history

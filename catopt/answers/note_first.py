@@ -104,7 +104,6 @@ def _summary(of: FirstPage, sheet: Sheet) -> Iterator[Block]:
 
 
 def _four(*numbers: Number) -> Table:
-    """Tabulate what matters, each in its own unit."""
     return Table(
         "four",
         (

@@ -310,7 +310,6 @@ def _sinker(point: Mapping[str, Any]) -> str:
 
 
 def _neighbours(document: Mapping[str, Any], keys: Sequence[str]) -> Iterator[Table]:
-    """Tabulate what one step of a variable would do to the recommended design."""
     steps = document.get("neighbours", [])
     if not steps:
         return

@@ -238,7 +238,6 @@ def _passes(uses: Sequence[SegmentUse]) -> Column:
 
 
 def _outcome(part: DynamicPart) -> Facts:
-    """List what one load case comes to, beside the statistics."""
     slack, balance = fixed("s", 2), part.governing.history.balance
     tension = replace(_TENSION, symbol="")
     listed: list[tuple[str, Value, Quantity]] = [

@@ -65,7 +65,6 @@ def _swarm(note: Note, report: SwarmReport) -> Iterator[Block]:
 
 
 def _results(note: Note) -> Table:
-    """Tabulate each result by the swarm and in closed form."""
     assert note.swarm is not None
     pairs = [
         (one, one.value, other.value)

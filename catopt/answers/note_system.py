@@ -296,7 +296,6 @@ def _lines(note: SystemNote) -> Iterator[Block]:
 
 
 def _checks(note: SystemNote) -> Iterator[Block]:
-    """Tabulate the checks as ``catopt check`` has them; nothing where the case asks for none."""
     if note.checks.results:
         yield Text(Message("note_system.checks_about"))
         yield from checked_body(note.checks)

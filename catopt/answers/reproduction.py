@@ -51,7 +51,6 @@ def reproduction_answer(result: Reproduction) -> Answer:
 
 
 def _comparison(items: Sequence[Item]) -> Table:
-    """Tabulate printed numbers beside computed ones; each row has its own unit."""
     rounded = [each.judgement.computed_text for each in items]
     return Table(
         "reproduction",

@@ -157,7 +157,6 @@ def found_facts(solution: Solution) -> tuple[Fact, ...]:
 
 
 def _summary(solution: Solution) -> Facts:
-    """List the line as a whole."""
     found = solution.found
     opening = [
         Fact(Message("columns.title"), solution.title, only="files"),

@@ -194,7 +194,6 @@ def _grounded(solution: Solution) -> Iterator[Step]:
 
 
 def _height(solution: Solution) -> Step:
-    """State the height of the fairlead above the anchor."""
     top, foot = solution.fairlead_height, solution.anchor_height
     numbers = {"z_F": top, "z_A": foot}
     return _step("height", top - foot, _M, "{z_F} − {z_A}", symbol="h", numbers=numbers)

@@ -88,7 +88,6 @@ def front_answer(front: FrontVerification) -> Answer:
 
 
 def _part(part: StaticComparison, *, is_named: bool) -> Iterator[Block]:
-    """Say what came of one load case."""
     found = [each for each in part.quantities if each.line is None]
     yield _compared(found, _caption(part, is_named=is_named))
     if part.kind == "system":
@@ -228,7 +227,6 @@ def _lines(part: StaticComparison) -> Table:
 
 
 def _meshes_of(part: StaticComparison) -> Table:
-    """Tabulate the meshes of a load case."""
     numbers = range(len(part.meshes))
     residuals = tuple(mesh.residual for mesh in part.meshes)
     return Table(
@@ -394,7 +392,6 @@ def _meshes(parts: Sequence[_Named]) -> Table:
 
 
 def _shapes(parts: Sequence[_Named]) -> Table:
-    """Tabulate the nodes of the finest mesh beside the closed form at the same arc length."""
     pairs = [
         (name, number, pair)
         for name, part in parts

@@ -316,7 +316,6 @@ def _give(
     *,
     in_full: bool = False,
 ) -> None:
-    """Write an answer to files, print it as JSON or show it."""
     from catopt.answers.catalogue import catalogue_answer
     from catopt.cli.result_files import Asked
 

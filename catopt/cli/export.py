@@ -207,7 +207,6 @@ def _check_stiffness(
 
 
 def _sources(path: Path, design: int | None) -> tuple[Source, ...]:
-    """Name the files that the case was read from."""
     from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
     from catopt.export.exported import Source
     from catopt.notes.origin import read_source

@@ -464,7 +464,6 @@ def _sea(of: Known) -> SeaState:
 def _others(
     worst: Lying, weather: tuple[Any, ...], how: dict[str, Any], *, is_balanced: bool
 ) -> list[Loads]:
-    """Compute the loads by the other methods that apply, for comparison."""
     from catopt.loads import every_method
 
     ship = worst.afloat
@@ -488,7 +487,6 @@ def _give(
     as_json: bool,
     out: Path | None,
 ) -> None:
-    """Write the files, then print the document or the answer."""
     from catopt.answers.loads import loads_answer
     from catopt.cli.result_files import Asked
     from catopt.loads.document import loads_document

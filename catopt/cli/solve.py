@@ -112,7 +112,6 @@ def solve(
 
 
 def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
-    """Put the swarm's options in place of the case's settings."""
     from dataclasses import replace
 
     from catopt.cli.values import by_option
@@ -140,7 +139,6 @@ def _solved(case: Case, method: Method, output: Output) -> Solution:
 
 
 def _as_solved(case: Case) -> Case:
-    """Return the case with the load under which it was solved."""
     from catopt.catenary.case import under_a_load
 
     return under_a_load(case)[0]

@@ -184,7 +184,6 @@ def _answer(found: _Found) -> Answer:
 
 
 def _show(output: Output, found: _Found, dynamic: _Moved | None, language: Language) -> None:
-    """Print the line at rest, and below it the line in motion."""
     from catopt.render.terminal import show
 
     answer = _answer(found)
@@ -321,7 +320,6 @@ def _front(directory: Path, output: Output, elements: int, tolerance: float) -> 
 
 
 def _refuse(load_case: str | None, design: int | None, *, with_motion: bool) -> None:
-    """Refuse what does not go with --all."""
     from catopt.errors import InputError, Problem
 
     given = {"--load-case": load_case, "--design": design}

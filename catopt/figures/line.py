@@ -150,7 +150,6 @@ def _at(profile: Profile, s: float) -> Place:
 
 
 def _dimensions(solution: Solution, depth: float, unit: float) -> Iterator[Dimension]:
-    """Draw the span, the grounded parts, and the heights of fairlead, water and anchor."""
     row = -(_BED + _ROW - 8.0) * unit
     grounded = [each for each in grounded_ends(solution) if each[1] - each[0] > _SHORTEST * unit]
     for start, end in grounded:

@@ -112,7 +112,6 @@ def _body(solution: SystemSolution) -> Iterator[Mark]:
 
 
 def _numbers(solution: SystemSolution, size: float) -> Iterator[Mark]:
-    """Write the number of every line beyond its anchor."""
     for index, place in enumerate(beyond([line.leg.anchor for line in solution.lines], size)):
         yield _number(solution, index, place)
 

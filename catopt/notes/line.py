@@ -14,9 +14,9 @@ from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import check_case, is_of_load
 from catopt.checks.remarks import NO_CHECK
 from catopt.errors import CatoptError
-from catopt.notes.capacity import allowed_tensions
 from catopt.notes.directory import Asked, asked_in, case_path
-from catopt.notes.motion import InMotion, in_motion, motion_files, motion_warnings
+from catopt.notes.models import both_models, doubts_of_models
+from catopt.notes.motion import InMotion, allowed_tensions, in_motion, motion_files, motion_warnings
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
 from catopt.notes.sheet import Sheet, sheet_of
 from catopt.words import is_said
@@ -188,10 +188,10 @@ def note_of(
     swarm = solve_case(drawn, "pso") if asked.swarm else None
     motion = in_motion(case, checks, asked.proof, progress) if asked.motion else None
     curve, curve_warnings = _curve(drawn, solution)
-    verification, failure = _verification(drawn, load_case) if verify else (None, "")
+    verification, failure = both_models(drawn, load_case) if verify else (None, "")
     of_the_search = () if chosen is None else chosen.document["warnings"]
     warnings = (
-        *_doubts(verification, failure),
+        *doubts_of_models(verification, failure, "line"),
         *_swarm_doubts(swarm),
         *(() if motion is None else motion_warnings(motion)),
         *_warnings(case, checks, solution),
@@ -250,27 +250,6 @@ def _curve(case: Case, solution: Solution) -> tuple[CaseCurve | None, tuple[str,
     except CatoptError as error:
         return None, (Message("notes.curve_left_out", why=error.message),)
     return curve, ()
-
-
-def _verification(case: Case, load_case: str) -> tuple[Verification | None, str]:
-    """Put the truss model beside the closed form; say why where it has no answer."""
-    from catopt.verify.case import LOAD, verify_case
-
-    try:
-        found = verify_case(replace(case, load_cases=()))
-    except CatoptError as error:
-        return None, error.message
-    (part,) = found.parts
-    return replace(found, parts=(replace(part, name=load_case or LOAD),)), ""
-
-
-def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
-    """Yield what the truss model leaves in doubt."""
-    if failure:
-        yield Message("notes.line_not_verified", why=failure)
-    if verification is not None and not verification.is_settled:
-        differ = verification.verdict == "differs"
-        yield Message("notes.models_differ" if differ else "notes.models_unresolved")
 
 
 def _swarm_doubts(swarm: Solution | None) -> Iterator[str]:

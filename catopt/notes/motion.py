@@ -10,7 +10,6 @@ from catopt.catenary.case import solve_case
 from catopt.checks.criteria import criteria_of
 from catopt.checks.motion import LineInMotion, check_motion
 from catopt.mooring.solve import solve_system
-from catopt.notes.capacity import allowed_tensions
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
 from catopt.units import lasting
@@ -200,6 +199,32 @@ def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[
     every = zip(solution.segments, largest, allowed, strict=True)
     for number, (segment, carried, capacity) in enumerate(every, start=1):
         yield SegmentUse(number, segment.name, carried, segment.max_tension, capacity)
+
+
+def allowed_tensions(
+    checks: CheckReport,
+    solution: Solution,
+    load_case: str = "",
+) -> list[float | None]:
+    """Find the least tension that each segment is allowed, N.
+
+    By the checks of a load case, whose name is empty where there is only the load; without any, the
+    MBL over the safety factor; None where neither is known.
+    """
+    found: list[float | None] = []
+    for index, segment in enumerate(solution.segments, start=1):
+        checked = [
+            result.capacity
+            for result in checks.results
+            if result.kind == "tension"
+            and (result.load_case == load_case or not load_case)
+            and result.place.segment == index
+        ]
+        if checked:
+            found.append(min(checked))
+        else:
+            found.append(None if segment.MBL is None else segment.MBL / solution.safety_factor)
+    return found
 
 
 def motion_warnings(moved: InMotion) -> Iterator[str]:

@@ -20,9 +20,9 @@ from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.notes.directory import Asked, case_path
+from catopt.notes.models import both_models, doubts_of_models
 from catopt.notes.motion import Progress, motion_files
 from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
-from catopt.notes.rounding import heading_of
 from catopt.notes.sheet import Sheet, sheet_of
 from catopt.quantities import QUANTITIES
 from catopt.ties import first_largest
@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from catopt.verify.result import StaticComparison, Verification
 from catopt.words import Message, is_said
 
+_NOTHING = 1e-9
+"""Over the size of a vector: a part below it is rounding."""
 _LESS = 0.9
 """Part of the offset under the load to which a restoring curve goes where half as far again is not
 to be had."""
@@ -215,9 +217,9 @@ def system_note(
     found = _in_motion(case, asked, progress)
     report, left_out = _report(case)
     checks = check_system(case, report)
-    verification, failure = _verification(case) if verify else (None, "")
+    verification, failure = both_models(case) if verify else (None, "")
     warnings = (
-        *_doubts(verification, failure),
+        *doubts_of_models(verification, failure, "body"),
         *(() if found is None else _of_motion(found)),
         *(each for each in checks.warnings if not is_said(each, NO_CHECK)),
         *report.solution.warnings,
@@ -234,6 +236,13 @@ def system_note(
         verification_failure=failure,
         motion=found,
     )
+
+
+def heading_of(x: float, y: float) -> float:
+    """Direction of a vector, rad; a part along x or y that is rounding beside the other is 0."""
+    size = math.hypot(x, y)
+    x, y = (0.0 if abs(each) <= _NOTHING * size else each for each in (x, y))
+    return math.atan2(y, x)
 
 
 def directions_of(force: tuple[float, float]) -> tuple[float, float]:
@@ -279,20 +288,9 @@ def _curve(case: Case, solution: SystemSolution, direction: float) -> RestoringC
     return curve
 
 
-def _verification(case: Case) -> tuple[Verification | None, str]:
-    """Put the truss model beside the closed form; say why where it has no answer."""
-    from catopt.verify.case import verify_case
-
-    try:
-        return verify_case(case), ""
-    except CatoptError as error:
-        return None, error.message
-
-
 def _in_motion(
     case: Case, asked: Asked | None, progress: Progress | None
 ) -> DynamicVerification | None:
-    """Run all lines in time, where that is asked for."""
     if asked is None or not asked.motion:
         return None
     from catopt.verify.dynamic import verify_dynamic
@@ -311,12 +309,3 @@ def _of_motion(found: DynamicVerification) -> Iterator[str]:
         yield Message("notes.lines_slack", lines=", ".join(slack))
     for remark in dict.fromkeys(each for part in found.parts for each in part.remarks):
         yield Message("notes.in_motion", what=remark)
-
-
-def _doubts(verification: Verification | None, failure: str) -> Iterator[str]:
-    """Yield what the truss model leaves in doubt."""
-    if failure:
-        yield Message("notes.body_not_verified", why=failure)
-    if verification is not None and not verification.is_settled:
-        differ = verification.verdict == "differs"
-        yield Message("notes.models_differ" if differ else "notes.models_unresolved")

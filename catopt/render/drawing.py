@@ -107,7 +107,6 @@ def _curves(chart: Chart) -> Iterator[_Curve]:
 
 
 def _ends(level: Level, chart: Chart) -> tuple[Place, Place]:
-    """Return the ends of a level within the frame."""
     if level.axis == "x":
         return (level.at, chart.y.low), (level.at, chart.y.high)
     start, end = max(level.start, chart.x.low), min(level.end, chart.x.high)

@@ -236,7 +236,6 @@ def _facts(block: Facts, language: Language) -> _Table:
 
 
 def _is_other(quantity: Quantity) -> bool:
-    """Whether SI is not the unit that is printed."""
     return quantity.si_unit != quantity.field_unit
 
 

@@ -183,14 +183,12 @@ def _colour(name: str) -> str:
 
 
 def _handle(look: Look) -> Artist:
-    """Make a sample for the legend."""
     if not look.sign and not look.stroke:
         return Patch(facecolor=_colour(look.fill), alpha=look.opacity)
     return Line2D([], [], **_of_line(look._replace(size=min(look.size, 5.0))))
 
 
 def _of_line(look: Look) -> dict[str, Any]:
-    """Return the looks of a line, or of signs."""
     width = look.width * _POINTS
     if look.sign:
         return {
@@ -213,7 +211,6 @@ def _of_line(look: Look) -> dict[str, Any]:
 
 
 def _axes(axes: Axes, chart: Chart, wide: float, language: Language) -> None:
-    """Set ranges, the values along the edges, and what they are."""
     x, y = chart.x, chart.y
     field_x, field_y = x.quantity.to_field, y.quantity.to_field
     if x.foot is not None:

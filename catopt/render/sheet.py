@@ -414,7 +414,6 @@ def _look(series: Series) -> dict[str, Any]:
 
 
 def _look_of(look: Look) -> dict[str, Any]:
-    """Look as in every other drawing."""
     colour = COLOURS[look.stroke or look.fill][0]
     fill = {"color": COLOURS[look.fill][0]} if look.fill else {"none": True}
     if look.sign in _SIGNS:

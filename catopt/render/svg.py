@@ -162,7 +162,6 @@ def _most(tall: float, y: Axis) -> int:
 
 
 def _axes(chart: Chart, frame: Frame, values: _Values, language: Language) -> Iterator[Shape]:
-    """Draw the frame, its grid, the values along its edges and what they are."""
     left, right, top, bottom = frame.left, frame.right, frame.top, frame.bottom
     has_grid = chart.to_scale is None
     for value, words in values.below:
@@ -350,7 +349,6 @@ def _arrow(arrow: Arrow, frame: Frame) -> Iterator[Shape]:
 
 
 def _head(role: str, tip: tuple[float, float], towards: tuple[float, float], size: float) -> Shape:
-    """Draw the head of an arrow."""
     length = math.hypot(*towards)
     ux, uy = towards[0] / length, towards[1] / length
     x, y = tip[0] - size * ux, tip[1] - size * uy

@@ -58,7 +58,6 @@ def _swarm_pictures(solution: Solution, name: str) -> dict[str, bytes]:
 
 
 def _swarm(solution: Solution, name: str) -> dict[str, bytes]:
-    """Make the swarm's tables and figures."""
     from catopt.answers.solution import swarm_tables
 
     assert solution.swarm is not None

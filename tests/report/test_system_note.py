@@ -9,8 +9,7 @@ import pytest
 
 from catopt.answers.note_system import system_note_answer
 from catopt.errors import NotConvergedError
-from catopt.notes.rounding import heading_of
-from catopt.notes.system import SystemNote, directions_of, read_system_note
+from catopt.notes.system import SystemNote, directions_of, heading_of, read_system_note
 
 from .page_reader import ReadPage, read_page
 from .rendered import page_of
