@@ -215,6 +215,7 @@ _TABLE = (
     _length("fairlead_height", "Fairlead height", ""),
     _length("anchor_height", "Anchor height", ""),
     _length("water_depth", "Water depth", "d"),
+    _length("contact_offset", "Contact offset", ""),
     _length("length", "Length", "L"),
     _length("grounded_length", "Grounded length", ""),
     _length("suspended_length", "Suspended length", ""),

@@ -39,10 +39,16 @@ def basis_section(
         ("combination", combined or Message("note_sheet.combined_by_user")),
         (
             "datum",
-            Message("note_sheet.datum_is", depth=Measure("water_depth", site.water_depth)),
+            Message("note_sheet.datum_is", depth=Measure("water_depth", site.depth_to_seabed)),
         ),
         ("tide", _tide(levels)),
-        ("fairlead", Message("sizing.measure", value=Measure("height", case.fairlead_height))),
+        (
+            "fairlead",
+            Message(
+                "sizing.measure",
+                value=Measure("height", site.height_above_seabed(case.fairlead_height)),
+            ),
+        ),
         ("friction", Message("sizing.about", value=site.seabed_friction)),
         ("density", Message("sizing.measure", value=Measure("density", site.water_density))),
         ("life", _life(case)),

@@ -68,9 +68,12 @@ def given_facts(case: Case) -> Iterator[Fact]:
     """List what a case gives beside its line: site, heights, load and limits."""
     yield Fact(Message("columns.title"), case.title, only="files")
     yield Fact(Message("columns.source"), case.source, only="files")
-    yield fact("water_depth", case.site.water_depth)
-    yield fact("fairlead_height", case.fairlead_height)
-    yield fact("anchor_height", case.anchor_height)
+    site = case.site
+    yield fact("water_depth", site.depth_to_seabed)
+    yield fact("fairlead_height", site.height_above_seabed(case.fairlead_height))
+    yield fact("anchor_height", site.height_above_seabed(case.anchor_height))
+    if site.contact_offset:
+        yield fact("contact_offset", site.contact_offset)
     yield fact("friction", case.site.seabed_friction)
     yield fact("density", case.site.water_density, "water_density")
     yield from _load(case.load)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
@@ -68,6 +68,10 @@ def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     line = _line(table.line, site, catalogue)
     fairlead_height = _or_else(table.line.fairlead_height, site.water_depth)
     anchor_height = _or_else(table.line.anchor_height, 0.0)
+    if lift := site.contact_offset:  # a bed higher by it; an end on the bed stays on it
+        site = replace(site, water_depth=site.water_depth - lift)
+        fairlead_height = fairlead_height - lift if fairlead_height else 0.0
+        anchor_height = anchor_height - lift if anchor_height else 0.0
     return Case(
         site=site,
         line=line,

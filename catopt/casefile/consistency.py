@@ -48,6 +48,7 @@ from catopt.model.checks import NEEDS_SEVERAL_LINES
 from catopt.model.drag_method import drag_misfits
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
 from catopt.model.line import END_ROUNDING, break_test_misfits
+from catopt.model.site import LEVEL_ONLY
 from catopt.model.system import system_misfits
 from catopt.model.wear import wear_misfits
 from catopt.units import Dimension, as_written
@@ -70,6 +71,7 @@ def consistency_findings(
         *(f for place in loads for f in _weight(PointLoadTable, place)),
         *(f for place in loads for f in _drag(place)),
         *_positions(line),
+        *_contact_offset(document),
         *_load_cases(document),
         *_system(document),
         *_checks(document),
@@ -241,6 +243,26 @@ def _positions(line: dict[str, Any]) -> Iterator[Finding]:
             yield Finding(
                 (*path, "position"), found, f"must be below {total:g} m, the length of the line"
             )
+
+
+def _contact_offset(document: dict[str, Any]) -> Iterator[Finding]:
+    """Find depth and heights that are not above the axis of a line that lies on the bed."""
+    site, line = table(document, "site"), table(document, "line")
+    offset = number(SiteTable, "contact_offset", site)
+    if not offset:
+        return
+    if number(SiteTable, "seabed_slope", site):
+        yield Finding(("site", "contact_offset"), as_written(site["contact_offset"]), LEVEL_ONLY)
+    heights = (
+        (LineTable, "line", line, "fairlead_height"),
+        (LineTable, "line", line, "anchor_height"),
+    )
+    for schema, part, given, key in ((SiteTable, "site", site, "water_depth"), *heights):
+        height = number(schema, key, given)
+        if height and height <= offset:
+            allowed = f"must be above {offset:g} m, the contact_offset of the site"
+            on_bed = "; 0 is an end on the seabed" if part == "line" else ""
+            yield Finding((part, key), as_written(given[key]), allowed + on_bed)
 
 
 def _load_cases(document: dict[str, Any]) -> Iterator[Finding]:

@@ -28,7 +28,7 @@ from catopt.model.line import HIGHEST_COV
 from catopt.model.load_case import LOAD_CASE_KINDS, LOAD_CASE_STATES
 from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
 from catopt.model.network import POINT_KINDS
-from catopt.model.site import STEEPEST
+from catopt.model.site import HIGHEST, STEEPEST
 from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 from catopt.model.wear import WEAR_TABLES, WEAR_ZONES
 from catopt.units import Dimension
@@ -90,6 +90,7 @@ class Table(BaseModel):
         return {key: getattr(self, key) for key in self.model_fields_set}
 
 
+OFFSET = Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"')
 SLOPE = Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"')
 
 
@@ -106,6 +107,7 @@ class SiteTable(Table):
     seabed_friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
     water_density: Density | None = None
     seabed_slope: Annotated[float, SLOPE] | None = None
+    contact_offset: Annotated[float, OFFSET] | None = None
 
 
 DRAG_AREAS = ("D", "pi D")

@@ -111,8 +111,11 @@ def write_case(case: Case | Network) -> str:
 def _blocks(case: Case) -> Blocks:
     if head := list(_lines(CaseTable, _given(case))):
         yield head
-    yield from _tables("[site]", SiteTable, case.site)
-    yield from _tables("[line]", LineTable, case)
+    site = case.site
+    yield ["[site]", *_lines(SiteTable, _given(site) | {"water_depth": site.depth_to_seabed})]
+    ends = ("fairlead_height", "anchor_height")
+    heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
+    yield ["[line]", *_lines(LineTable, heights)]
     yield from _tables("[[line.segments]]", SegmentTable, *case.line.segments)
     yield from _tables("[[line.point_loads]]", PointLoadTable, *case.line.point_loads)
     yield from _tables("[load]", LoadTable, case.load)

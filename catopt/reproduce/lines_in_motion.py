@@ -38,6 +38,9 @@ CableCase = Literal["surge", "heave", "waves_along", "waves_at_45_deg"]
 BARS: Final = {CHAIN: 80, CABLE: 68}
 STEP: Final = 0.05
 """s."""
+RAMP_TIME: Final = 15.0
+DURATION: Final = 50.0
+"""s: of a chain's heave as it begins, and of its run; two periods of it are settled."""
 SETTLED: Final = {CHAIN: 30.0, CABLE: 40.0}
 """s from the start of a run, after which extremes are taken."""
 _SINE: Final = -0.5 * math.pi
@@ -81,10 +84,10 @@ def contact_offset() -> float:
     """
     given = published(CHAIN).inputs
     D, k = given["contact_diameter_m"], given["bed_stiffness_kN_per_m3"] * _KN
-    return 0.5 * D - segment_of(_chain(50)).submerged_weight / (k * D)
+    return 0.5 * D - segment_of(chain_of(50)).submerged_weight / (k * D)
 
 
-def _chain(depth: Depth, offset: float = 0.0) -> Published:
+def chain_of(depth: Depth, offset: float = 0.0) -> Published:
     """Take the chain in one depth as one line between its ends, on a bed higher by an offset, m.
 
     At rest there is no friction yet, as there.
@@ -101,14 +104,14 @@ def _end_tensions(offset: float) -> dict[str, float]:
     depths: tuple[Depth, ...] = get_args(Depth)
     return {
         f"{end}_tension_{depth}m_kN": getattr(line, end).tension / _KN
-        for depth, line in ((each, solve_one_line(_chain(each, offset))) for each in depths)
+        for depth, line in ((each, solve_one_line(chain_of(each, offset))) for each in depths)
         for end in ("fairlead", "anchor")
     }
 
 
 @cache
-def run_chain(depth: Depth, heave: Heave) -> History:
-    """Run a chain with its fairlead in heave (amplitude, m); friction begins from none.
+def run_chain(depth: Depth, heave: Heave, step: float = STEP) -> History:
+    """Run a chain with its fairlead in heave (amplitude, m) for 50 s; friction begins from none.
 
     The bed is a spring, under a contact radius above the bed: so the chain sinks in as it does
     in OrcaFlex. MoorDyn's axial coefficient goes with pi D, its damping is critical for each bar.
@@ -118,7 +121,7 @@ def run_chain(depth: Depth, heave: Heave) -> History:
 
     given = published(CHAIN).inputs
     D = given["contact_diameter_m"]
-    source = _chain(depth, 0.5 * D)
+    source = chain_of(depth, 0.5 * D)
     bed = Seabed(
         given["bed_stiffness_kN_per_m3"] * _KN * D,
         friction=given["friction_in_motion"],
@@ -126,7 +129,7 @@ def run_chain(depth: Depth, heave: Heave) -> History:
     )
     return run_dynamics(
         Line([segment_of(source)]),
-        TimeStepping(40.0, STEP, ramp_time=15.0, since=SETTLED[CHAIN]),
+        TimeStepping(DURATION, step, ramp_time=RAMP_TIME, since=SETTLED[CHAIN]),
         height=source.inputs["fairlead_height_m"],
         span=source.inputs["span_m"],
         motion=Harmonic(given["heave_period_s"], (0.0, 0.0, heave), (0.0, 0.0, _SINE)),

@@ -315,7 +315,8 @@ def test_a_key_with_odd_characters_is_quoted_in_its_path() -> None:
         (
             "[site]",
             "wind",
-            "allowed here: water_depth, seabed_friction, water_density, seabed_slope",
+            "allowed here: water_depth, seabed_friction, water_density, seabed_slope, "
+            "contact_offset",
         ),
         ("[load]", "xyz", "allowed here: horizontal_force, span, fairlead_tension"),
     ],

@@ -6,11 +6,7 @@ example of that name, 11.5e, in vamseeachanta/digitalmodel.
 
 from __future__ import annotations
 
-<<<<<<< HEAD
-__all__ = ["C06", "MAP", "MOORDYN", "ONTOLOGY", "TWO_SEGMENTS", "V1"]
-=======
-__all__ = ["BRIDLE", "MAP", "MAP_BRIDLE", "MOORDYN", "TWO_SEGMENTS", "V1"]
->>>>>>> joints
+__all__ = ["BRIDLE", "C06", "MAP", "MAP_BRIDLE", "MOORDYN", "ONTOLOGY", "TWO_SEGMENTS", "V1"]
 
 MOORDYN = """OC3's mooring, own deck
 --- LINE TYPES ---
@@ -106,7 +102,6 @@ Option
 outer_tol 1e-5
 """
 
-<<<<<<< HEAD
 ONTOLOGY = """\
 site:
   general: {water_depth: 200, rho_water: 1025.0, rho_air: 1.225}
@@ -196,7 +191,8 @@ Lines:
       - [Fixed, 50, 0, -1.5]
     LineType, Length:
       - [Hose, 60]
-=======
+"""
+
 MAP_BRIDLE = """---------------------- LINE DICTIONARY ----------------------
 LineType Diam MassDenInAir EA CB CIntDamp Ca Cdn Cdt
 (-) (m) (kg/m) (N) (-) (Pa-s) (-) (-) (-)
@@ -254,5 +250,4 @@ ID LineType AttachA AttachB UnstrLen NumSegs Outputs
 1025 rho
 350 WtrDpth
 --- END ---
->>>>>>> joints
 """
