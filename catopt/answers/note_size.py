@@ -305,13 +305,7 @@ def _depth() -> Quantity:
 def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     """Follow each force on the ship or on the buoy in a load case, and their sum."""
     forces = _forces(of)
-    total = Step(
-        Message("note_size.loads_total"),
-        of.horizontal_force,
-        _FORCE,
-        terms=tuple((force,) for _, force in forces),
-    )
-    steps = (*(_step(component, force) for component, force in forces), total)
+    steps = (*(_step(component, force) for component, force in forces), *_total(of, forces))
     under = Message("note_size.loads_under", load_case=term(at.load_case), title=of.title)
     yield Trail("size_load", steps, caption=under)
     rows = [(each.name, number) for each in of.components for number in each.numbers]
@@ -332,11 +326,30 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     yield Points(tuple(each for each in of.assumptions if each not in common))
 
 
-def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
-    """List each force with its size along the pull of all, N: against it, negative.
+def _total(of: Loads, forces: Sequence[tuple[LoadComponent, float]]) -> Iterator[Step]:
+    """Add the forces up: along the ship, and where there are any across it, both."""
+    sums = [
+        tuple((force,) for each, force in forces if (each.axis == "sway") == across)
+        for across in (False, True)
+    ]
+    along, across = (math.fsum(force for (force,) in terms) for terms in sums)
+    if not sums[1]:
+        yield Step(Message("note_size.loads_total"), along, _FORCE, terms=sums[0])
+        return
+    yield Step(Message("note_size.loads_along"), along, _FORCE, terms=sums[0])
+    yield Step(Message("note_size.loads_across"), across, _FORCE, terms=sums[1])
+    yield Step(
+        Message("note_size.loads_total"),
+        of.horizontal_force,
+        _FORCE,
+        formula="√({X:()}² + {Y:()}²)",
+        numbers={"X": along, "Y": across},
+        digits=_DIGITS,
+    )
 
-    Wind, current and waves of a sizing come from one side, so that all act along one axis.
-    """
+
+def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
+    """List each force with its size along the pull of all, N: against it, negative."""
     surge, along = of.along("surge"), of.along("along")
     signs = {"surge": math.copysign(1.0, surge), "along": math.copysign(1.0, along), "sway": 1.0}
     return [(each, signs[each.axis] * each.force) for each in of.components]

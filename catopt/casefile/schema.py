@@ -371,6 +371,7 @@ class SinkerChoiceTable(Table):
     density: Density
     friction: Friction
     safety_factor: Factor | None = None
+    factor_source: Annotated[str, Text(filled=True)] | None = None
 
 
 class DesignTable(Table):

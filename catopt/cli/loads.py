@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
@@ -15,10 +16,9 @@ import typer
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
 from catopt.cli.ship_form import (
     Form,
-    read_turning,
+    needs_turning,
     refuse_needless,
     ships_afloat,
-    turned_round,
     what_is_taken,
 )
 from catopt.cli.size import is_file
@@ -59,6 +59,7 @@ _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
     *("frontal_area", "lateral_area"),
     *("load_method", "wave_coefficient", "wind_mean", "ship", "dwt"),
+    *("wind_angle", "current_angle", "wave_angle", "current_yaw", "scan"),
 )
 
 
@@ -135,7 +136,6 @@ def buoy(
         for each in ("force", "reserve_buoyancy"):
             if each in of.given:
                 of.telling.add(each, f"{of[each]:g} N", "leave it out: these loads are computed")
-        of.telling.raise_if_any()
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         every = make(
             lambda own, *parts: _at_each_level(
@@ -203,21 +203,13 @@ def ship(
     midship: Annotated[
         float, typer.Option(metavar="NUMBER", help="Midship coefficient, for the midship area.")
     ] = 0.98,
-    wind_angle: Annotated[
-        str, measure("--wind-angle", "ANGLE", "From the bow to where the wind comes from.")
-    ] = "0 deg",
-    current_angle: Annotated[
-        str, measure("--current-angle", "ANGLE", "From the bow to where the current comes from.")
-    ] = "0 deg",
-    wave_angle: Annotated[
-        str, measure("--wave-angle", "ANGLE", "From the bow to where the waves come from.")
-    ] = "0 deg",
     weathervane: Annotated[
         bool,
         typer.Option(
             "--weathervane",
             help="The ship lies on one point and turns until the moments of wind, current and "
-            "waves cancel: the angles are then counted from any one line, not from the bow.",
+            "waves cancel: the angles are then counted from any one line, not from the bow. So it "
+            "does where a file has directions.",
         ),
     ] = False,
     mooring_point: Annotated[
@@ -233,20 +225,6 @@ def ship(
             "LENGTH",
             "Centre of the lateral area, forward of midships; if left out, that of the estimated "
             "area with its deckhouse at the stern, and midships of an area that is given.",
-        ),
-    ] = None,
-    current_yaw: Annotated[
-        str | None,
-        typer.Option(
-            metavar="TYPE",
-            help="Turning of the current by UFC's table 4-10: series-60 (cargo ships, tankers) or "
-            'FFG, both recalled (R), or "a, b" of your edition, b per degree.',
-        ),
-    ] = None,
-    scan: Annotated[
-        str | None,
-        measure(
-            "--scan", "ANGLE", "Step in which the current is turned right round, to find the worst."
         ),
     ] = None,
     reflection: Annotated[
@@ -279,35 +257,36 @@ def ship(
     file leaves out of wind, current and waves is 0, and what is given as an option goes before it.
     """
     from catopt.cli.values import in_si
-    from catopt.loads import METHODS, Headings, SurfaceCurrent, WaterLevels, Wind, every_lying
+    from catopt.loads import METHODS, SurfaceCurrent, WaterLevels, Wind, every_lying
+    from catopt.sizing.headings import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.read_input import estimated_dimensions
     from catopt.sizing.requests import TAKEN_FOR, of_the_wind, wind_of_30_s
     from catopt.ties import largest
     from catopt.units import Dimension
 
     given = {
-        "--wind-angle": (wind_angle, Dimension.ANGLE),
-        "--current-angle": (current_angle, Dimension.ANGLE),
-        "--wave-angle": (wave_angle, Dimension.ANGLE),
         "--waterline": (waterline, Dimension.LENGTH),
         "--mooring-point": (mooring_point, Dimension.LENGTH),
         "--wind-centre": (wind_centre, Dimension.LENGTH),
-        "--scan": (scan, Dimension.ANGLE),
     }
     needless = {
         "mooring_point": mooring_point,
         "wind_centre": wind_centre,
-        "current_yaw": current_yaw,
-        "scan": scan,
     }
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
         make = of.telling.make
         of.want("length", "breadth", "draught", "depth")
         own = make(in_si, given)
-        make(refuse_needless, {} if weathervane else needless)
-        turning = make(read_turning, current_yaw or "", own) if weathervane else None
+        turns = weathervane or any(inputs[name] is None for name in of.given & {*DIRECTIONS})
+        for name in () if turns else ("current_yaw", "scan"):
+            if name in of.given:
+                of.telling.add(name, str(inputs[name] or of[name]), needs_turning())
+        make(refuse_needless, {} if turns else needless)
         of.telling.raise_if_any()
         assert own is not None
+        point = own.get("--mooring-point")
+        turning = make(lambda: read_turning(of["current_yaw"] or "", point)) if turns else None
+        of.telling.raise_if_any()
         if file is not None:
             propeller = propeller or TAKEN_FOR[of["ship"] or "tanker"][1]
         form = Form(
@@ -319,9 +298,6 @@ def ship(
             own.get("--wind-centre"),
         )
         ships, estimated = ships_afloat(of, form)
-        directions = make(
-            Headings, *(own[f"--{each}-angle"] for each in ("wind", "current", "wave"))
-        )
         how = {
             "reflection": reflection,
             "drift": "sea state" if drift is Drift.SEA_STATE else "largest wave",
@@ -347,12 +323,12 @@ def ship(
             ),
             *weather,
             make(WaterLevels, of["low_water"] or of["depth"], of["depth"]),
-            make(turned_round, directions, own),
+            make(turned_round, make(directions_of, of), of["scan"] or math.inf),
         )
         of.telling.raise_if_any()
         assert lyings is not None
         worst = largest(lyings, lambda each: each.loads.horizontal_force)
-        others = make(lambda: _others(worst, weather, how, is_balanced=weathervane))
+        others = make(lambda: _others(worst, weather, how, is_balanced=turns))
         of.telling.raise_if_any()
     by_hs = drift is Drift.SEA_STATE and of["hs"] is not None
     no_part = _no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set()))
@@ -366,7 +342,7 @@ def ship(
         )
         for each in (worst.loads, *(others or ()))
     ]
-    shown = lyings if weathervane or len(lyings) > 1 else ()
+    shown = lyings if turns or len(lyings) > 1 else ()
     _give(context.obj, *told, lyings=shown, lang=lang, as_json=as_json, out=out)
 
 
@@ -379,17 +355,12 @@ _OF_SHIPS = {
     "midship_area": "midship",
     "kind": "kind",
     "propeller": "propeller",
-    "Headings.wind": "wind_angle",
-    "Headings.current": "current_angle",
-    "Headings.waves": "wave_angle",
     "reflection": "reflection",
     "method": "load_method",
-    "current_yaw": "current_yaw",
     "mooring_point": "mooring_point",
     "wind_centre": "wind_centre",
     "lateral_centre": "wind_centre",
     "MooredShip.deadweight": "dwt",
-    "scan": "scan",
 }
 """Options that a sizing does not have, by what they are called in Python."""
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.words import Message, term
 
 if TYPE_CHECKING:
-    from catopt.loads import Afloat, Headings, Lying, Turning
+    from catopt.loads import Afloat, Lying, Turning
     from catopt.loads.ship_estimate import Condition
     from catopt.sizing.known import Known
 
@@ -75,48 +73,20 @@ def ships_afloat(of: Known, form: Form) -> tuple[list[Afloat], tuple[Message, ..
     return ships, () if is_given else estimates()[1:]
 
 
+def needs_turning() -> str:
+    """Say what to do with what is of a ship that weathervanes."""
+    return "leave it out, or give --weathervane with it"
+
+
 def refuse_needless(options: dict[str, str | None]) -> None:
     """Refuse what is of a ship that weathervanes."""
     from catopt.errors import InputError, Problem
 
-    allowed = "leave it out, or give --weathervane with it"
-    given = [Problem(name, each, allowed) for name, each in options.items() if each is not None]
+    given = [
+        Problem(name, each, needs_turning()) for name, each in options.items() if each is not None
+    ]
     if given:
         raise InputError(given, "heading")
-
-
-def read_turning(current_yaw: str, own: dict[str, float]) -> Turning:
-    """Read what turns the ship."""
-    from catopt.errors import InputError, Problem
-    from catopt.loads import YAW_TYPES, CurrentYaw, Turning
-
-    allowed = (
-        f'one of {", ".join(YAW_TYPES)} (recalled, R) or "a, b" of UFC\'s table 4-10 is wanted'
-    )
-    if not current_yaw:
-        raise InputError([Problem("current_yaw", "", f"missing; {allowed}")], "heading")
-    if current_yaw in YAW_TYPES:
-        return Turning(YAW_TYPES[current_yaw], own.get("--mooring-point"))
-    try:
-        intercept, slope = (float(each) for each in current_yaw.split(","))
-    except ValueError:
-        raise InputError([Problem("current_yaw", f'"{current_yaw}"', allowed)], "heading") from None
-    return Turning(CurrentYaw(intercept, slope), own.get("--mooring-point"))
-
-
-def turned_round(directions: Headings, own: dict[str, float]) -> list[Headings]:
-    """Turn the current right round in the steps of a scan, if there is one."""
-    from catopt.errors import InputError, Problem
-
-    step = own.get("--scan")
-    if step is None:
-        return [directions]
-    if not math.radians(1.0) <= step <= math.pi:
-        found = f"{math.degrees(step):g} deg"
-        raise InputError([Problem("scan", found, "a step of 1 to 180 deg is wanted")], "heading")
-    count = math.ceil(2.0 * math.pi / step - 1e-9)
-    turned = (math.remainder(directions.current + k * step, 2.0 * math.pi) for k in range(count))
-    return [replace(directions, current=each) for each in turned]
 
 
 def what_is_taken(form: Form, worst: Lying, turning: Turning | None) -> Iterator[Message]:
@@ -125,10 +95,6 @@ def what_is_taken(form: Form, worst: Lying, turning: Turning | None) -> Iterator
     block = ship.displacement / (ship.length_waterline * ship.breadth * ship.draught)
     yield Message("loads.hull_form", length=form.waterline, block=block, midship=form.midship)
     if turning is not None:
-        yield Message(
-            "loads.turning_recalled" if turning.yaw.recalled else "loads.turning",
-            point=turning.lever(ship),
-            centre=ship.lateral_centre,
-            intercept=turning.yaw.intercept,
-            slope=turning.yaw.slope,
-        )
+        from catopt.sizing.headings import turning_words
+
+        yield turning_words(turning, ship)

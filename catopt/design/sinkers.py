@@ -16,6 +16,7 @@ def sinker(choice: SinkerChoice, index: int, water_density: float) -> Anchor:
         submerged_weight=weight_in_water(mass, choice.density, water_density),
         friction=choice.friction,
         safety_factor=choice.safety_factor,
+        factor_source=choice.factor_source,
         mass=mass,
     )
 

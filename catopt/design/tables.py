@@ -179,7 +179,7 @@ def tables_of(
         clump_friction=np.array([-1.0 if v.friction is None else v.friction for v in weights]),
         position=_padded([v.positions or (math.nan,) for v in weights]),
         force=np.array([state.horizontal_force for state in states]),
-        height=np.array([case.fairlead_height + each.water_level for each in states]),
+        height=np.array([case.fairlead_height + each.lift for each in states]),
         is_reference=np.array([state.kind == "reference" for state in states], dtype=np.int64),
         limit=np.array(
             [criteria.limits(state.kind, state.state) for state in states], dtype=np.float64

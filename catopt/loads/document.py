@@ -10,7 +10,7 @@ from catopt.loads.component import LoadComponent, Loads
 if TYPE_CHECKING:
     from catopt.loads.weathervane import Lying
 
-__all__ = ["SCHEMA", "loads_document"]
+__all__ = ["SCHEMA", "loads_document", "lying_document"]
 
 SCHEMA = "catopt.loads/1"
 
@@ -41,10 +41,11 @@ def loads_document(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> d
         "method": of.method,
         "others": [loads_document(each) for each in others],
     }
-    return document | ({"headings": [_lying(each) for each in lyings]} if lyings else {})
+    return document | ({"headings": [lying_document(each) for each in lyings]} if lyings else {})
 
 
-def _lying(of: Lying) -> dict[str, Any]:
+def lying_document(of: Lying) -> dict[str, Any]:
+    """Lay out how a ship lies, in SI."""
     return {
         "condition": of.afloat.condition,
         "wind_from_rad": of.directions.wind,

@@ -16,6 +16,7 @@ from catopt.words import Message, term
 
 __all__ = [
     "DENSITIES",
+    "FACTOR_SOURCE",
     "SAFETY_FACTOR",
     "SOIL_FRICTION",
     "Material",

@@ -264,7 +264,7 @@ class Case:
         return replace(
             self,
             site=replace(self.site, water_depth=depth),
-            fairlead_height=self.fairlead_height + state.water_level + state.fairlead_rise,
+            fairlead_height=self.fairlead_height + state.lift,
             load=Load(horizontal_force=state.horizontal_force),
             load_cases=(),
             find=None,

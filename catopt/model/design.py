@@ -121,15 +121,20 @@ class SinkerChoice:
         On the soil, tan(delta).
     safety_factor : float or None
         On sliding; None: that of the codes that are checked.
+    factor_source : str
+        Where the factor is from, for the checks; the user when empty.
     """
 
     masses: tuple[float, ...]
     density: float
     friction: float
     safety_factor: float | None = None
+    factor_source: str = ""
 
     def __post_init__(self) -> None:
         found = Findings("SinkerChoice")
+        if self.factor_source and self.safety_factor is None:
+            found.add("factor_source", "", "goes with safety_factor, which is missing")
         if not self.masses:
             found.add("masses", "none", "at least one mass is wanted")
         for index, value in enumerate(self.masses):

@@ -43,6 +43,11 @@ class LoadCase:
     state: LoadCaseState = "intact"
     fairlead_rise: float = 0.0
 
+    @property
+    def lift(self) -> float:
+        """How much higher the fairlead is than in the case: by the water and by its rise, m."""
+        return self.water_level + self.fairlead_rise
+
     def __post_init__(self) -> None:
         found = Findings("LoadCase")
         if not self.name.strip():

@@ -10,6 +10,7 @@ from catopt.loads.drag_anchor import DragAnchorSize, size_drag_anchor
 from catopt.loads.holding_data import DataSet
 from catopt.loads.sinker import (
     DENSITIES,
+    FACTOR_SOURCE,
     SAFETY_FACTOR,
     Material,
     SinkerSize,
@@ -75,6 +76,11 @@ class SinkerGround:
         """Density of the sinker, kg/m3."""
         return DENSITIES[self.material] if self.density is None else self.density
 
+    @property
+    def is_usual_factor(self) -> bool:
+        """Whether the factor on sliding is IALA's, which is taken unless another is given."""
+        return self.safety_factor == SAFETY_FACTOR
+
     def choice(self, *, coded: bool, heavy: bool = False) -> SinkerChoice:
         """Make the sinkers that a design chooses from.
 
@@ -90,6 +96,7 @@ class SinkerGround:
             density=self.rho,
             friction=self.mu,
             safety_factor=None if coded else self.safety_factor,
+            factor_source="" if coded or not self.is_usual_factor else FACTOR_SOURCE.text,
         )
 
     def by_other_rule(self, of: SinkerSize, water_density: float) -> SinkerSize | None:

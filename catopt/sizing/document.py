@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from catopt.checks.document import result_document
-from catopt.loads.document import loads_document
+from catopt.loads.document import loads_document, lying_document
 from catopt.units import Dimension
 
 if TYPE_CHECKING:
@@ -133,6 +133,7 @@ def _loads(of: LoadsAt) -> dict[str, Any]:
         "depth_m": of.depth,
         "horizontal_force_N": of.horizontal_force,
         "given_N": of.given,
+        "heading": None if of.lying is None else lying_document(of.lying),
         "parts": [loads_document(part) for part in of.parts],
     }
 

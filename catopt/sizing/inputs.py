@@ -241,6 +241,22 @@ INPUTS: Final = (
         "wave_coefficient", "environment.wave_coefficient", "NUMBER", 0.1, of=_TANKER,
         at_least=0.0, most="1", also=("chi",), left_out="left_out.wave_coefficient",
     ),
+    *(
+        Input(
+            f"{what}_angle", f"environment.{what}_angle", "ANGLE", "30 deg", of=_TANKER,
+            most="180 deg", called=(f"Headings.{called}",),
+            left_out="left_out.from_ahead",
+        )
+        for what, called in (("wind", "wind"), ("current", "current"), ("wave", "waves"))
+    ),
+    Input(
+        "current_yaw", "environment.current_yaw", "NAME", "series-60", of=_TANKER,
+        left_out="left_out.current_yaw",
+    ),
+    Input(
+        "scan", "environment.scan", "ANGLE", "30 deg", of=_TANKER, above=0.0, most="180 deg",
+        left_out="left_out.scan",
+    ),
     Input(
         "growth", "environment.marine_growth", "LENGTH", "50 mm", "0 mm", of=_BUOY, at_least=0.0,
         most="0.5 m", called=("marine_growth",), not_with=("force",), why=_IN_IT,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from catopt.loads.component import Loads
 from catopt.loads.drag_anchor import DragAnchorSize
+from catopt.loads.weathervane import Lying
 from catopt.model import Case
 
 __all__ = ["LoadsAt", "Posed"]
@@ -28,6 +29,8 @@ class LoadsAt:
         Force that was given instead, N.
     shared : bool
         Whether the load is that of a body with several lines, of which the case has one.
+    lying : Lying or None
+        Of a ship: how it lies under the largest force of all directions and stable headings.
     """
 
     load_case: str
@@ -35,6 +38,7 @@ class LoadsAt:
     parts: tuple[Loads, ...] = ()
     given: float = 0.0
     shared: bool = False
+    lying: Lying | None = None
 
     @property
     def horizontal_force(self) -> float:

@@ -18,6 +18,7 @@ from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
 from catopt.sizing.components import sold, unpriced_components
 from catopt.sizing.environment import Environment, usual_period
+from catopt.sizing.headings import Weathervaning, weathervaning_of
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import Known
@@ -109,6 +110,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
     shape = None if of["buoy"] is None else shape_of(of)
     line = _line(of, of["diameter_min"], _largest_size(of))
     ground = _ground(of)
+    vane = weathervaning_of(of)
     words = _taken(of, place, ground)
     if of.given.isdisjoint({"diameter_min", "diameter_max"}):
         words = (*words, Message("sizing.sizes_up_to", most=of["diameter_max"] * 1e3))
@@ -121,6 +123,7 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         clump_masses=of["clump_weight"] or (),
         load_methods=of["load_method"],
         wave_coefficient=of["wave_coefficient"],
+        weathervaning=vane or Weathervaning(),
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=words,
@@ -128,7 +131,8 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
         inputs=of.read,
     )
     is_found = of["buoy"] is None or shape is not None
-    return of.telling.make(maker, ships, place, line, ground) if is_found else None
+    is_made = is_found and vane is not None
+    return of.telling.make(maker, ships, place, line, ground) if is_made else None
 
 
 # ------------------------------------------------------------------ place and weather

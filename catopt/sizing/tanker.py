@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import lru_cache
 from typing import Final, NamedTuple
 
 from catopt.design.result import DesignPoint
@@ -11,13 +13,15 @@ from catopt.errors import NoAnswerError
 from catopt.loads.buoy import buoy_loads
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
-from catopt.loads.ship_loads import governing_loads
+from catopt.loads.weathervane import Afloat, Lying, every_lying
 from catopt.model import Buoy, Case, ClumpWeightChoice, Design, LoadCase, Site
 from catopt.sizing.alternatives import alternatives
 from catopt.sizing.anchorage import DragGround
 from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.candidates import candidates
 from catopt.sizing.components import catalogue_of, first_line, longest_useful
+from catopt.sizing.environment import Environment
+from catopt.sizing.headings import Weathervaning, turning_words
 from catopt.sizing.limits import limits
 from catopt.sizing.line_choice import Prefer
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
@@ -58,7 +62,8 @@ class _State(NamedTuple):
 def sized_tanker(request: TankerRequest) -> Sizing:
     """Size the chain and the anchor of a tanker's mooring.
 
-    The ship lies head to wind, current and waves. Of a single line the horizontal force is that of
+    The ship lies head to wind, current and waves, or as it turns to them where they come from
+    different directions. Of a single line the horizontal force is that of
     the loads. Of several lines around the body it is at first that of the rule of practice of S4;
     the mooring equilibrium then says what the most loaded line carries, and the line is sized anew
     for no less than that (`catopt.sizing.settle`).
@@ -271,19 +276,16 @@ def _fairlead(request: TankerRequest, moored: MooredShip) -> float:
 
 def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsAt:
     env = request.environment
-    parts: list[Loads] = [
-        governing_loads(
-            request.load_methods,
-            state.moored.ship,
-            env.wind,
-            env.current,
-            env.sea,
-            state.depth,
-            wind_on=state.moored.wind_on,
-            wave_coefficient=request.wave_coefficient,
-            water_density=env.water_density,
-        )
-    ]
+    moored, vane = state.moored, request.weathervaning
+    lying = _worst_lying(
+        Afloat(moored.condition, moored.ship, moored.wind_on),
+        env,
+        state.depth,
+        vane,
+        request.load_methods,
+        request.wave_coefficient,
+    )
+    parts: list[Loads] = [lying.loads]
     if request.buoy is not None:
         parts.append(
             buoy_loads(
@@ -297,7 +299,33 @@ def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsA
                 water_density=env.water_density,
             )
         )
-    return LoadsAt(state.name, state.depth, tuple(parts), shared=request.lines > 1)
+    shared = request.lines > 1
+    return LoadsAt(state.name, state.depth, tuple(parts), shared=shared, lying=lying)
+
+
+@lru_cache(maxsize=64)
+def _worst_lying(
+    afloat: Afloat,
+    env: Environment,
+    depth: float,
+    vane: Weathervaning,
+    methods: tuple[str, ...],
+    wave_coefficient: float | None,
+) -> Lying:
+    """Find how the ship lies under the largest force; the line has no part in that."""
+    every = every_lying(
+        [afloat],
+        env.wind,
+        env.current,
+        env.sea,
+        [depth],
+        vane.directions,
+        methods=methods,
+        turning=vane.turning,
+        wave_coefficient=wave_coefficient,
+        water_density=env.water_density,
+    )
+    return largest(every, lambda each: each.loads.horizontal_force)
 
 
 def _line_forces(
@@ -400,9 +428,33 @@ def _share(request: TankerRequest, settled: Settled) -> Iterator[str]:
         yield Message("sizing.share_of_reserve", **share)
 
 
+def _lies(request: TankerRequest, settled: Settled) -> Iterator[str]:
+    """Say how the ship lies: head to everything, or how under the force that governs."""
+    directions, turning = request.weathervaning
+    if turning is None:
+        yield Message("sizing.weathervanes")
+        return
+    worst = largest(settled.posed.loads, lambda each: each.horizontal_force)
+    lying = worst.lying
+    assert lying is not None
+    came = lying.directions
+    angles = {"wind": came.wind, "current": came.current, "waves": came.waves}
+    yield Message(
+        "sizing.heading_governs",
+        count=len(directions),
+        load_case=worst.load_case,
+        force=Measure("horizontal_force", worst.horizontal_force),
+        heading=math.degrees(lying.heading),
+        **{name: math.degrees(angle) for name, angle in angles.items()},
+    )
+    yield turning_words(turning, lying.afloat.ship)
+    if request.buoy is not None:
+        yield Message("sizing.buoy_from_one_side")
+
+
 def _assumptions(request: TankerRequest, settled: Settled) -> Iterator[str]:
     env = request.environment
-    yield Message("sizing.weathervanes")
+    yield from _lies(request, settled)
     if all(each.condition == "loaded" for each in request.ships):
         yield Message("sizing.loaded_alone")
     yield from request.estimates

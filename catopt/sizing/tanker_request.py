@@ -12,6 +12,7 @@ from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.components import unpriced_components
 from catopt.sizing.environment import Environment
+from catopt.sizing.headings import Weathervaning
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
 from catopt.sizing.read_input import ReadInput
@@ -117,6 +118,9 @@ class TankerRequest:
         Of the loads on the ship; of several the largest force governs.
     wave_coefficient : float or None
         chi of 22TCN 222-95, which that method wants in waves.
+    weathervaning : Weathervaning
+        Where wind, current and waves come from, and what turns the ship; of all directions and
+        stable headings the one of the largest force governs. All from one side when left out.
     title : str
         Of the case; made of the ship and the depth when left out.
     source : str
@@ -146,6 +150,7 @@ class TankerRequest:
     clump_density: float = 2400.0
     load_methods: tuple[str, ...] = (METHODS[0],)
     wave_coefficient: float | None = None
+    weathervaning: Weathervaning = field(default_factory=Weathervaning)
     title: str = ""
     source: str = ""
     defaults: tuple[str, ...] = ()

@@ -146,6 +146,7 @@ BESIDE: dict[tuple[type[Table], str], dict[str, Any]] = {
     (FindTable, "segment"): {"anchor_angle": 0.0},
     (FindTable, "point_load"): {"quantity": "clump_weight", "anchor_angle": 0.0},
     (AnchorTable, "factor_source"): {"safety_factor": 1.5},
+    (SinkerChoiceTable, "factor_source"): {"safety_factor": 1.5},
     (SegmentTable, "MBL_mean"): {"MBL_cov": 0.05},
     (SegmentTable, "MBL_cov"): {"MBL_mean": 2e5},
     (AnchorTable, "holding_capacity"): {
@@ -214,6 +215,7 @@ NARROWER = {
     (ChecksTable, "codes"),
     (CatalogueTable, "file"),
     (AnchorTable, "factor_source"),
+    (SinkerChoiceTable, "factor_source"),
     (FatigueTable, "code"),
     (FatigueTable, "sea_states_file"),
     (MotionTable, "file"),

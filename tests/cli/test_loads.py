@@ -14,6 +14,7 @@ import pytest
 
 from catopt import schemas
 from catopt.loads import METHODS, compare_tanker
+from catopt.sizing.headings import DIRECTIONS
 from catopt.sizing.inputs import Input, rows_of
 from catopt.units import as_written
 
@@ -283,6 +284,10 @@ OTHERS = {"water_density": 1010, "load_method": ["22TCN-222-95"]}
 """Values that count where the example of the table would not."""
 
 
+TURNS = {"environment.current_yaw": "series-60", "environment.current_angle": "60 deg"}
+"""Beside the directions of a ship that weathervanes."""
+
+
 def loads_of(run: Run, folder: Path, body: str, keys: dict[str, Any]) -> tuple[int, Any, str]:
     """Compute the loads of a file with these keys; status, document and what is told."""
     sections: dict[str, str] = {"": ""}
@@ -294,7 +299,8 @@ def loads_of(run: Run, folder: Path, body: str, keys: dict[str, Any]) -> tuple[i
     path = folder / "sizing.toml"
     top = sections.pop("")
     path.write_text(top + "".join(f"[{name}]\n{text}" for name, text in sections.items()))
-    ran = run("loads", body, str(path), "--json", *(ACROSS if body == "ship" else ()))
+    across = body == "ship" and "environment.current_yaw" not in keys
+    ran = run("loads", body, str(path), "--json", *(ACROSS if across else ()))
     return ran.status, json.loads(ran.out) if ran.out else None, ran.err
 
 
@@ -312,9 +318,10 @@ def test_no_key_of_a_sizing_is_ignored_in_silence(
     run: Run, tmp_path: Path, body: str, each: Input
 ) -> None:
     """It changes the loads, is refused by its name, or is said to have no part in them."""
-    _, without, _ = loads_of(run, tmp_path, body, PLACE[body])
+    first = {**PLACE[body], **(TURNS if each.name in DIRECTIONS else {})}
+    _, without, _ = loads_of(run, tmp_path, body, first)
     value = LOW[body] if each.name == "low_water" else OTHERS.get(each.name, each.example)
-    status, found, told = loads_of(run, tmp_path, body, {**PLACE[body], each.key: value})
+    status, found, told = loads_of(run, tmp_path, body, {**first, each.key: value})
     if status == 2:
         assert each.key in told or str(value) in told
         return

@@ -222,12 +222,13 @@ def test_the_examples_come_to_what_is_worked_by_hand(run: Run) -> None:
 
 def test_loads_of_a_file_are_those_of_the_same_options(run: Run, written: Path) -> None:
     written.write_text(BUOY_FILE, "utf-8")
-    by_file = run("loads", "buoy", written, "--chain", "38 mm", "--json")
     weather = BUOY[2 : BUOY.index("--soil")]
-    assert by_file.status == 0
-    assert by_file.out == run("loads", "buoy", *weather, "--chain", "38 mm", "--json").out
-    calm = run("loads", "buoy", written, "--wind", "0 m/s", "--json")
-    assert calm.out == run("loads", "buoy", *weather, "--wind", "0 m/s", "--json").out
+    for options in (("--chain", "38 mm"), ("--wind", "0 m/s")):
+        by_file = run("loads", "buoy", written, *options, "--json")
+        assert by_file.status == 0
+        found = json.loads(by_file.out)
+        found["assumptions"].remove("Given, but no part of these loads: sinker.soil.")
+        assert found == json.loads(run("loads", "buoy", *weather, *options, "--json").out)
 
 
 def test_loads_of_a_tanker_s_file_are_those_worked_by_hand(run: Run) -> None:

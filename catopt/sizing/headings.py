@@ -1,0 +1,141 @@
+"""The directions of wind, current and waves at a ship on one point, and what turns it."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+from catopt.errors import InputError, Problem
+from catopt.loads.heading import HEAD_ON, Headings
+from catopt.loads.weathervane import YAW_TYPES, CurrentYaw, Turning
+from catopt.units import as_written
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.loads.ship import Ship
+    from catopt.sizing.known import Known
+
+__all__ = [
+    "DIRECTIONS",
+    "Weathervaning",
+    "directions_of",
+    "read_turning",
+    "turned_round",
+    "turning_words",
+    "weathervaning_of",
+]
+
+DIRECTIONS: Final = ("wind_angle", "current_angle", "wave_angle", "scan")
+"""Inputs of which any makes a ship turn until it is at rest."""
+
+_LEAST_STEP: Final = math.radians(1.0)
+
+
+class Weathervaning(NamedTuple):
+    """From where a ship is pushed, and what turns it.
+
+    Attributes
+    ----------
+    directions : tuple of Headings
+        Each is one case.
+    turning : Turning or None
+        None: everything comes from one side, and the ship lies head to it.
+    """
+
+    directions: tuple[Headings, ...] = (HEAD_ON,)
+    turning: Turning | None = None
+
+
+def weathervaning_of(of: Known) -> Weathervaning | None:
+    """Make the directions that are known; None where something is wrong with them.
+
+    Parameters
+    ----------
+    of : Known
+        Inputs of a tanker.
+    """
+    make = of.telling.make
+    if of.given.isdisjoint(DIRECTIONS):
+        if "current_yaw" in of.given:
+            allowed = f"leave it out, or give one of {', '.join(map(of.telling.spell, DIRECTIONS))}"
+            of.telling.add("current_yaw", as_written(of["current_yaw"]), allowed)
+        return Weathervaning()
+    if of.values.keys().isdisjoint(DIRECTIONS):
+        return None  # what is wrong with them is told
+    turning = make(partial(read_turning, of["current_yaw"] or ""))
+    directions = make(partial(directions_of, of))
+    turned = make(turned_round, directions, of["scan"] or math.inf)
+    return make(Weathervaning, turned, turning)
+
+
+def directions_of(of: Known) -> Headings:
+    """Make where wind, current and waves come from: ahead where that is not given."""
+    return Headings(*(of[name] or 0.0 for name in DIRECTIONS[:3]))
+
+
+def read_turning(current_yaw: str, mooring_point: float | None = None) -> Turning:
+    """Read what turns a ship.
+
+    Parameters
+    ----------
+    current_yaw : str
+        A key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table 4-10, b per degree.
+    mooring_point : float, optional
+        m forward of midships; the bow when left out.
+
+    Raises
+    ------
+    InputError
+        For neither.
+    """
+    allowed = (
+        f'one of {", ".join(YAW_TYPES)} (recalled, R) or "a, b" of UFC\'s table 4-10 is wanted'
+    )
+    if not current_yaw:
+        raise InputError([Problem("current_yaw", "", f"missing; {allowed}")], "heading")
+    if current_yaw in YAW_TYPES:
+        return Turning(YAW_TYPES[current_yaw], mooring_point)
+    try:
+        intercept, slope = (float(each) for each in current_yaw.split(","))
+    except ValueError:
+        raise InputError([Problem("current_yaw", f'"{current_yaw}"', allowed)], "heading") from None
+    return Turning(CurrentYaw(intercept, slope), mooring_point)
+
+
+def turned_round(directions: Headings, step: float) -> tuple[Headings, ...]:
+    """Turn the current right round.
+
+    Parameters
+    ----------
+    directions : Headings
+        To begin with.
+    step : float
+        rad; infinity for the beginning alone.
+
+    Raises
+    ------
+    InputError
+        For a step that is none of 1 to 180 deg.
+    """
+    if step == math.inf:
+        return (directions,)
+    if not _LEAST_STEP <= step <= math.pi:
+        found = f"{math.degrees(step):g} deg"
+        raise InputError([Problem("scan", found, "a step of 1 to 180 deg is wanted")], "heading")
+    count = math.ceil(2.0 * math.pi / step - 1e-9)
+    turned = (math.remainder(directions.current + k * step, 2.0 * math.pi) for k in range(count))
+    return tuple(
+        Headings(wind=directions.wind, current=each, waves=directions.waves) for each in turned
+    )
+
+
+def turning_words(turning: Turning, ship: Ship) -> Message:
+    """Say what turns a ship."""
+    return Message(
+        "loads.turning_recalled" if turning.yaw.recalled else "loads.turning",
+        point=turning.lever(ship),
+        centre=ship.lateral_centre,
+        intercept=turning.yaw.intercept,
+        slope=turning.yaw.slope,
+    )
