@@ -138,6 +138,9 @@ class Network:
             problems.append(
                 Problem("site.seabed_slope", slope, "lines with joints lie on a level bed")
             )
+        if offset := self.site.contact_offset:
+            allowed = "leave it out of lines with joints: give depth and heights less by it"
+            problems.append(Problem("site.contact_offset", f"{offset:g} m", allowed))
         if problems:
             raise InputError(problems, "Network")
 

@@ -11,6 +11,7 @@ from catopt import solve_case, verify_case
 from catopt.answers.solution import given_facts
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
+from catopt.model.network import LineBetween, Network, Point
 
 CHAIN = """\
 [site]
@@ -113,6 +114,13 @@ def test_what_is_refused(site: str, line: str, found: str) -> None:
         parse_case(text)
     assert len(caught.value.problems) == 1
     assert found in str(caught.value)
+
+
+def test_lines_with_joints_refuse_it() -> None:
+    ends = (Point("a", "anchor", 0.0, 0.0, 0.0), Point("b", "fairlead", 400.0, 0.0, 50.0))
+    line = LineBetween(parse_case(CHAIN).line, "a", "b")
+    with pytest.raises(InputError, match=r"site\.contact_offset: found 0\.164 m; leave it out"):
+        Network(parse_case(CHAIN).site, ends, (line,))
 
 
 def test_python_refuses_the_same() -> None:
