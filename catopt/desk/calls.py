@@ -205,7 +205,8 @@ def _line(text: str) -> tuple[Section, list[Answer]]:
     from catopt.figures.line import line_in_water, tension_along
 
     case = _case(text)
-    report, solution = check_case(case), solve_case(case)
+    solution = solve_case(case)
+    report = check_case(case)
     under = under_a_load(case)[0]
     factor = solution.safety_factor
     allowed = [each.MBL and each.MBL / factor for each in solution.segments]

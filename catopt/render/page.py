@@ -40,11 +40,6 @@ from catopt.words import Language, Message, say
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-<<<<<<< HEAD
-=======
-__all__ = ["fragment", "page"]
-
->>>>>>> 432a43e (The page: a line or a moored body in the browser, and catopt app behind the same page)
 
 class _Value(NamedTuple):
     """A text with the value behind it in SI, and the length of its bar."""
