@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 import os
 import sys
+import time
 from collections.abc import Callable
 from contextlib import nullcontext
 from functools import cache
-from time import thread_time
 from typing import Any, Final, TypeVar
 
 from catopt.errors import InputError, Problem
@@ -154,16 +154,20 @@ def _compiled(function: Callable[..., Any]) -> Callable[..., Any]:
     return _fast[function]
 
 
+_now: Callable[[], float] = getattr(time, "thread_time", time.process_time)
+"""Seconds that this thread took; a browser knows those of the process alone."""
+
+
 @cache
 def _plain(function: Callable[..., Any]) -> Callable[..., Any]:
     """Wrap a function so that numpy divides by zero in it as compiled code does, without a word."""
 
     def call(*arguments: Any) -> Any:
         numpy = sys.modules.get("numpy")
-        began = thread_time()
+        began = _now()
         with nullcontext() if numpy is None else numpy.errstate(all="ignore"):
             result = function(*arguments)
-        _done[function] = _done.get(function, 0.0) + thread_time() - began
+        _done[function] = _done.get(function, 0.0) + _now() - began
         return result
 
     return call

@@ -27,7 +27,7 @@ ALL_BUT_CLI = (
     | READING
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "export", "report"}
-    | {"answers", "figures", "notes", "render"}
+    | {"answers", "figures", "notes", "render", "desk", "web"}
 )
 RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce"}
 """Parts whose results are drawn: only a type checker reads them there."""
@@ -77,6 +77,11 @@ MAY_IMPORT: dict[str, set[str]] = {
     | DESIGNING
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "_version"}
     | {"figures", "notes", "render"},
+    "desk": SOLVING
+    | READING
+    | DESIGNING
+    | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
+    "web": {"errors", "documents", "words", "desk", "render"},
     "compile_jobs": SOLVING | READING | DESIGNING | {"mooring", "fem", "waves", "verify"},
     "cli": ALL_BUT_CLI | {"compile_jobs", "_version"},
     "__main__": {"cli", "errors", "interrupt", "_version"},

@@ -26,12 +26,12 @@ def moored_in(path: str | os.PathLike[str]) -> Moored | None:
         document = parse_toml(read_text(FilePath(path), os.fspath(path)), os.fspath(path))
     except InputError:
         return None
-    return _moored(document)
+    return moored_of(document)
 
 
 def not_a_case(document: dict[str, Any]) -> Problem | None:
     """Say of a document that is no case but a file for ``catopt size``, where it belongs."""
-    moored = _moored(document)
+    moored = moored_of(document)
     if moored is None:
         return None
     key = next(key for key in ("ship", "environment", "buoy") if key in document)
@@ -42,7 +42,8 @@ def not_a_case(document: dict[str, Any]) -> Problem | None:
     return Problem(key, f"[{key}]", allowed)
 
 
-def _moored(document: dict[str, Any]) -> Moored | None:
+def moored_of(document: dict[str, Any]) -> Moored | None:
+    """Say what a document of a file is to find the mooring of; None for that of a case."""
     has_line = "segments" in table(document, "line")
     if has_line or any(key in document for key in OF_A_CASE):
         return None

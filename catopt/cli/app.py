@@ -26,6 +26,7 @@ from catopt.cli.solve import solve
 from catopt.cli.system import system
 from catopt.cli.units_option import in_units
 from catopt.cli.verify import verify
+from catopt.cli.web import page_app, web
 
 # Without rich markup the help imports no rich, and its text is the same on every terminal.
 app = typer.Typer(
@@ -71,6 +72,8 @@ for _command in (
 ):  # fmt: skip
     app.command()(_command if _command in (export, new, reproduce) else in_units(_command))
 app.command("import")(import_deck)
+app.command()(web)
+app.command("app")(page_app)
 app.command("compile")(compile_all)
 app.add_typer(catalog)
 app.add_typer(loads)

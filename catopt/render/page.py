@@ -82,7 +82,30 @@ def page(answer: Answer, language: Language = "en") -> bytes:
     file and to no network.
     """
     answer, script = as_wanted(answer), _file("script.js")
-    sections = [
+    made = _environment().get_template("page.html").render(
+        language=language,
+        version=__version__,
+        title=say(answer.title, language),
+        kind=say(answer.kind, language),
+        sections=_sections(answer, language),
+        footer=say(Message("page.footer", version=__version__), language),
+        hover=say(Message("page.hover"), language),
+        style=stylesheet() + _file("style.css"),
+        script=script,
+        script_hash=_hash(script),
+    )  # fmt: skip
+    return made.encode()
+
+
+def fragment(answer: Answer, language: Language = "en") -> str:
+    """Render the sections of an answer that show something, to be put into another page."""
+    sections = [each for each in _sections(as_wanted(answer), language) if each["blocks"]]
+    template = _environment().get_template("sections.html")
+    return template.render(sections=sections, hover=say(Message("page.hover"), language))
+
+
+def _sections(answer: Answer, language: Language) -> list[dict[str, Any]]:
+    return [
         {
             "name": section.name,
             "title": say(section.title, language),
@@ -91,19 +114,6 @@ def page(answer: Answer, language: Language = "en") -> bytes:
         for section in answer.sections
         if section.name
     ]
-    made = _environment().get_template("page.html").render(
-        language=language,
-        version=__version__,
-        title=say(answer.title, language),
-        kind=say(answer.kind, language),
-        sections=sections,
-        footer=say(Message("page.footer", version=__version__), language),
-        hover=say(Message("page.hover"), language),
-        style=stylesheet() + _file("style.css"),
-        script=script,
-        script_hash=_hash(script),
-    )  # fmt: skip
-    return made.encode()
 
 
 @cache

@@ -29,7 +29,7 @@ from catopt.sizing.schema import schema_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.sizing.telling import Spelling, as_keyword
 
-__all__ = ["SizingFile", "read_file", "read_sizing", "size_file"]
+__all__ = ["SizingFile", "parse_file", "read_file", "read_sizing", "size_file"]
 
 _NOTHING: Final[Mapping[str, object]] = MappingProxyType({})
 
@@ -177,7 +177,30 @@ def read_file(path: str | os.PathLike[str], moored: Moored) -> SizingFile:
         stands in its ``findings``.
     """
     source = os.fspath(path)
-    document = parse_toml(read_text(FilePath(path), source), source)
+    text = read_text(FilePath(path), source)
+    return parse_file(text, moored, source, folder=str(FilePath(path).parent))
+
+
+def parse_file(text: str, moored: Moored, source: str = "", *, folder: str = "") -> SizingFile:
+    """Read the text of a file.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    moored : {"buoy", "tanker"}
+        Which of the two kinds of file it is.
+    source : str
+        Name of the file, for messages.
+    folder : str
+        That paths in it count from; the working directory when left out.
+
+    Raises
+    ------
+    InputError
+        As for `read_file`.
+    """
+    document = parse_toml(text, source)
     other = _of_another_kind(document, moored)
     if other:
         raise InputError([other.as_problem()], source)
@@ -190,7 +213,7 @@ def read_file(path: str | os.PathLike[str], moored: Moored) -> SizingFile:
     if moored == "tanker" and "anchor" in document and "sinker" in document:
         advice = "leave out [sinker] or [anchor]: the line is held by one of them"
         findings.append(Finding(("sinker",), "[anchor] beside it", advice))
-    return SizingFile(moored, source, str(FilePath(path).parent), document, tuple(findings))
+    return SizingFile(moored, source, folder, document, tuple(findings))
 
 
 def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:

@@ -124,8 +124,14 @@ def composed_in_code() -> Iterator[re.Pattern[str]]:
                     yield re.compile("".join(parts))
 
 
+def keys_in_the_shell() -> Iterator[str]:
+    """Yield the keys that the template of the page asks for."""
+    shell = (PACKAGE / "desk" / "shell.html").read_text("utf-8")
+    yield from (f"desk.{name}" for name in re.findall(r'say\("(\w+)"\)', shell))
+
+
 def test_every_text_is_used() -> None:
-    code = {*QUANTITIES, *keys_in_code()}
+    code = {*QUANTITIES, *keys_in_code(), *keys_in_the_shell()}
     code |= {key.replace("-", "_") for key in code}
     data = [
         tomllib.loads(path.read_text("utf-8"))

@@ -1,0 +1,315 @@
+"""The questions of the page, and their answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Final, cast
+
+from catopt.answers.blocks import Answer, Block, Facts, Figure, Section, Text, Verdict, Warnings
+from catopt.casefile.reading import parse_case
+from catopt.desk.fields import DOORS, Door
+from catopt.desk.text import door_of, text_of, values_of
+from catopt.documents import parse_toml
+from catopt.errors import CatoptError, InputError
+from catopt.render.units import UNITS
+from catopt.words import LANGUAGES, Language, Message, say
+
+if TYPE_CHECKING:
+    from catopt.model import Case
+    from catopt.quantities import Units
+    from catopt.sizing import Sizing
+
+__all__ = ["CALLS", "ask"]
+
+Question = Mapping[str, Any]
+Reply = dict[str, Any]
+
+NAMES: Final[dict[Door, str]] = {
+    "line": "case.toml", "body": "case.toml", "buoy": "sizing.toml", "tanker": "sizing.toml",
+}  # fmt: skip
+
+
+def ask(call: str, question: Question) -> Reply:
+    """Answer a question.
+
+    Parameters
+    ----------
+    call : str
+        One of `CALLS`.
+    question : mapping of str to object
+        ``text``: a case file or a file for ``catopt size``; or ``door``, ``values`` by key and
+        ``base``, of which it is made. Also ``lang`` and ``units``, as the command line has them.
+
+    Returns
+    -------
+    dict
+        What was asked for; or ``problems``, each with key, found and allowed, ``message`` and
+        ``status``, the command's exit status, when there is no answer.
+
+    Examples
+    --------
+    >>> ask("solve", {"text": ""})["status"]
+    2
+    """
+    wrong = _wrong(call, question)
+    if wrong:
+        return {"problems": [], "message": wrong, "status": 2}
+    language = cast("Language", question.get("lang", "en"))
+    before = UNITS.set(cast("Units", question.get("units", "")))
+    try:
+        text = question["text"] if "text" in question else _made(question)
+        return CALLS[call](text, language)
+    except CatoptError as error:
+        return _failed(error, language)
+    finally:
+        UNITS.reset(before)
+
+
+def _wrong(call: str, question: Question) -> str:
+    """Say what is wrong with a question in itself; empty when nothing is."""
+    allowed = {"lang": LANGUAGES, "units": ("", "tf", "kN", "si"), "door": DOORS}
+    if call not in CALLS:
+        return f"no such question: {call}"
+    for key, words in allowed.items():
+        if key in question and question[key] not in words:
+            return f"{key}: {question[key]!r} is none of {', '.join(words)}"
+    is_text = all(isinstance(question.get(key, ""), str) for key in ("text", "base"))
+    values = question.get("values", {})
+    is_form = isinstance(values, Mapping) and all(isinstance(each, str) for each in values.values())
+    return "" if is_text and is_form else "text, base and values are texts"
+
+
+def _made(question: Question) -> str:
+    return text_of(
+        question.get("door", "line"), question.get("values", {}), question.get("base", "")
+    )
+
+
+def _failed(error: CatoptError, language: Language) -> Reply:
+    """Lay an error out; its words are the command's."""
+    problems = [
+        {"key": each.key, "found": each.found, "allowed": say(each.allowed, language)}
+        for each in (error.problems if isinstance(error, InputError) else ())
+    ]
+    return {
+        "problems": problems,
+        "message": "" if problems else say(error.message, language),
+        "status": error.exit_status,
+    }
+
+
+def _case(text: str) -> Case:
+    from catopt.checks.profiles import profiles_of
+
+    case = parse_case(text)
+    profiles_of(case.checks)
+    return case
+
+
+def _sizing(text: str, door: Door) -> Sizing:
+    from catopt.sizing.file import parse_file
+    from catopt.sizing.requests import size
+
+    file = parse_file(text, cast("Any", door))
+    with file.telling():
+        return size(file.known())
+
+
+# ------------------------------------------------------------------ the commands' documents
+
+
+def _solve(text: str, language: Language) -> Reply:  # noqa: ARG001 - as all calls are
+    from catopt.catenary.case import solve_case
+
+    return solve_case(_case(text)).to_dict()
+
+
+def _check(text: str, language: Language) -> Reply:  # noqa: ARG001
+    from catopt.checks.case import check_case
+
+    return check_case(_case(text)).to_dict()
+
+
+def _curve(text: str, language: Language) -> Reply:  # noqa: ARG001
+    from catopt.catenary.case_curve import curve_case
+
+    return curve_case(_case(text)).to_dict()
+
+
+def _system(text: str, language: Language) -> Reply:  # noqa: ARG001
+    from catopt.checks.document import verdict_document
+    from catopt.checks.system import check_system
+    from catopt.mooring.case import report_system
+
+    case = _case(text)
+    report = report_system(case)
+    return report.to_dict() | {"checks": verdict_document(check_system(case, report))}
+
+
+def _size(text: str, language: Language) -> Reply:  # noqa: ARG001
+    return _sizing(text, door_of(parse_toml(text, ""))).to_dict()
+
+
+# ------------------------------------------------------------------ what the page shows
+
+
+def _live(text: str, language: Language) -> Reply:
+    """Draw the answer: verdict, figures and results, for every step of a slider."""
+    return _page(text, language, is_whole=False)
+
+
+def _whole(text: str, language: Language) -> Reply:
+    """Lay the answer out with every table of the command."""
+    return _page(text, language, is_whole=True)
+
+
+def _page(text: str, language: Language, *, is_whole: bool) -> Reply:
+    from catopt.render.page import fragment
+
+    answer = _answer(text, is_whole=is_whole)
+    door = door_of(parse_toml(text, ""))
+    return {
+        "html": fragment(answer, language),
+        "text": text,
+        "door": door,
+        "values": values_of(door, text),
+    }
+
+
+def _answer(text: str, *, is_whole: bool) -> Answer:
+    door = door_of(parse_toml(text, ""))
+    if door == "line":
+        first, others = _line(text)
+    elif door == "body":
+        first, others = _body(text)
+    else:
+        first, others = _sized(text, door)
+    sections = (first, *(each for other in others for each in other.sections if is_whole))
+    named = tuple(
+        Section(each.title, _once(each.blocks), f"part-{number}")
+        for number, each in enumerate(sections)
+    )
+    return Answer("desk", others[0].title, named, Message("desk.kind"))
+
+
+def _once(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Leave out the results of a line that stand beside its drawing already."""
+    return tuple(each for each in blocks if not isinstance(each, Facts) or each.name != "summary")
+
+
+def _line(text: str) -> tuple[Section, list[Answer]]:
+    from catopt.answers.check import check_answer, governing_sentence, verdict_sentence
+    from catopt.answers.solution import result_facts, solution_answer
+    from catopt.catenary.case import solve_case, under_a_load
+    from catopt.checks.case import check_case
+    from catopt.figures.line import line_in_water, tension_along
+
+    case = _case(text)
+    solution = solve_case(case)
+    report = check_case(case)
+    under = under_a_load(case)[0]
+    factor = solution.safety_factor
+    allowed = [each.MBL and each.MBL / factor for each in solution.segments]
+    basis = Message("figures.MBL_over", factor=factor)
+    first = Section(
+        Message("desk.answer"),
+        (
+            Verdict(verdict_sentence(report), report.passes if report.results else None),
+            *((Text(governing_sentence(report)),) if report.results else ()),
+            Warnings((*solution.warnings, *report.warnings)),
+            Figure(line_in_water(solution, under.site.water_depth)),
+            Facts("results", result_facts(solution), Message("captions.result")),
+            Figure(tension_along(solution, allowed, basis)),
+        ),
+    )
+    return first, [solution_answer(case, solution), check_answer(report)]
+
+
+def _body(text: str) -> tuple[Section, list[Answer]]:
+    from catopt.answers.check import verdict_sentence
+    from catopt.answers.system import system_answer
+    from catopt.checks.system import check_system
+    from catopt.figures.mooring import near, plan
+    from catopt.mooring.case import report_system
+
+    case = _case(text)
+    report = report_system(case)
+    checks = check_system(case, report)
+    around = near(report.solution)
+    first = Section(
+        Message("desk.answer"),
+        (
+            Verdict(verdict_sentence(checks), checks.passes if checks.results else None),
+            Figure(plan(report.solution)),
+            *(() if around is None else (Figure(around),)),
+        ),
+    )
+    return first, [system_answer(report, checks)]
+
+
+def _sized(text: str, door: Door) -> tuple[Section, list[Answer]]:
+    from catopt.answers.size import size_answer
+    from catopt.figures.line import line_in_water
+
+    of = _sizing(text, door)
+    name, solution = of.hardest
+    state = next(each for each in of.case.load_cases if each.name == name)
+    depth = of.case.site.water_depth + state.water_level
+    first = Section(Message("desk.answer"), (Figure(line_in_water(solution, depth)),))
+    return first, [size_answer(of)]
+
+
+def _open(text: str, language: Language) -> Reply:  # noqa: ARG001
+    door = door_of(parse_toml(text, ""))
+    return {"door": door, "values": values_of(door, text), "text": text}
+
+
+def _file(text: str, language: Language) -> Reply:  # noqa: ARG001
+    return {"name": NAMES[door_of(parse_toml(text, ""))], "text": text}
+
+
+def _note(text: str, language: Language) -> Reply:
+    """Make the calculation note, without the truss model, which catopt report puts beside it."""
+    import hashlib
+
+    from catopt.notes.origin import SourceFile
+    from catopt.render.page import page
+
+    door = door_of(parse_toml(text, ""))
+    file = SourceFile(NAMES[door], text, hashlib.sha256(text.encode()).hexdigest())
+    made = page(_of_body(text, file) if door == "body" else _noted(text, door, file), language)
+    return {"name": f"{door}.html", "html": made.decode()}
+
+
+def _noted(text: str, door: Door, file: Any) -> Answer:
+    if door == "line":
+        from catopt.answers.note_line import line_note_answer
+        from catopt.notes.line import note_of
+
+        return line_note_answer(note_of(_case(text), (file,), verify=False))
+    from catopt.answers.note_size import size_note_answer
+    from catopt.notes.size import Given, size_note
+
+    return size_note_answer(size_note(_sizing(text, door), Given(file), verify=False))
+
+
+def _of_body(text: str, file: Any) -> Answer:
+    from catopt.answers.note_system import system_note_answer
+    from catopt.notes.system import system_note
+
+    return system_note_answer(system_note(_case(text), (file,), verify=False))
+
+
+CALLS: Final[Mapping[str, Callable[[str, Language], Reply]]] = {
+    "solve": _solve,
+    "check": _check,
+    "curve": _curve,
+    "system": _system,
+    "size": _size,
+    "live": _live,
+    "whole": _whole,
+    "open": _open,
+    "file": _file,
+    "note": _note,
+}
+"""What can be asked."""

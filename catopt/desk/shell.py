@@ -1,0 +1,67 @@
+"""The page around the answers: doors, forms and buttons, in one language."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache, partial
+from typing import TYPE_CHECKING
+
+from catopt._version import __version__
+from catopt.desk.fields import DOORS, START, Door, fields_of
+from catopt.words import Language, Message, say
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+__all__ = ["shell"]
+
+
+def shell(language: Language = "en", doors: Sequence[Door] = DOORS) -> str:
+    """Render the body of the page.
+
+    Parameters
+    ----------
+    language : {"en", "vi"}
+        Of every word.
+    doors : sequence of str
+        That can be answered there: all with native Python.
+
+    Returns
+    -------
+    str
+        HTML.
+
+    Examples
+    --------
+    >>> 'data-key="site.water_depth"' in shell("vi", ["line"])
+    True
+    """
+    words = partial(say, language=language)
+    return (
+        _environment()
+        .get_template("shell.html")
+        .render(
+            language=language,
+            doors=doors,
+            is_native=set(doors) == set(DOORS),
+            fields={door: fields_of(door) for door in doors},
+            start=START,
+            say=lambda key: say(Message(f"desk.{key}"), language),
+            words=words,
+            slider=lambda label: Message("desk.slider", label=label),
+            footer=say(Message("page.footer", version=__version__), language),
+        )
+    )
+
+
+@cache
+def _environment() -> Environment:
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    return Environment(
+        loader=PackageLoader("catopt.desk", ""),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )

@@ -1,0 +1,146 @@
+"""Builds the page that runs catopt in a browser: pinned parts, and catopt itself."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import io
+import json
+import tarfile
+import tomllib
+import zipfile
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Final
+
+from catopt.errors import InputError, Problem
+
+__all__ = ["Part", "fetched", "parts", "pieces", "site"]
+
+Read = Callable[["Part"], bytes]
+
+_LOADER: Final = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
+_WITHOUT: Final = ("cli", "fem", "reproduce", "decks", "export")
+"""Parts of catopt that nothing asks for in a browser."""
+_WHEN: Final = (1980, 1, 1, 0, 0, 0)
+_WAIT: Final = 120.0
+"""Seconds that a server may take to answer."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A file from a package registry, with the SHA-256 of its bytes."""
+
+    name: str
+    url: str
+    sha256: str
+
+
+@cache
+def parts() -> tuple[Part, ...]:
+    """List what a browser needs beside catopt; Pyodide comes first."""
+    table = tomllib.loads(files("catopt.web").joinpath("parts.toml").read_text("utf-8"))
+    return tuple(Part(**each) for each in table["parts"])
+
+
+def fetched(part: Part, folder: Path | None = None) -> bytes:
+    """Read a part from a folder, or where none is given from its registry.
+
+    Parameters
+    ----------
+    part : Part
+        Which.
+    folder : Path, optional
+        That has the file under its name; nothing is fetched then.
+
+    Raises
+    ------
+    InputError
+        It is not there, cannot be fetched, or is another file than the pinned one.
+    """
+    from urllib.request import urlopen
+
+    way = f"put it into the folder of --from; it is at {part.url}"
+    try:
+        if folder is not None:
+            data = (folder / part.name).read_bytes()
+        else:
+            with urlopen(part.url, timeout=_WAIT) as answer:
+                data = answer.read()
+    except OSError as error:
+        raise InputError([Problem(part.name, str(error), way)], "web") from error
+    found = hashlib.sha256(data).hexdigest()
+    if found != part.sha256:
+        wanted = f"must be {part.sha256}; {way}"
+        raise InputError([Problem(part.name, f"SHA-256 {found}", wanted)], "web")
+    return data
+
+
+def pieces(read: Read) -> dict[str, bytes]:
+    """Make what the worker of the page takes, each compressed by gzip.
+
+    The same parts and the same catopt give the same bytes.
+
+    Parameters
+    ----------
+    read : callable
+        Gives the bytes of a part.
+
+    Returns
+    -------
+    dict of str to bytes
+        By name.
+    """
+    pyodide, *others = parts()
+    loader = _unpacked(read(pyodide))
+    made = {name: loader[f"package/{name}"] for name in _LOADER}
+    lock = json.loads(loader["package/pyodide-lock.json"]) | {"packages": {}}
+    made["pyodide-lock.json"] = json.dumps(lock).encode()
+    made["site.zip"] = site([read(each) for each in others])
+    return {name: gzip.compress(data, 9, mtime=0) for name, data in made.items()}
+
+
+def site(archives: Sequence[bytes]) -> bytes:
+    """Pack Python packages and catopt into one archive.
+
+    Parameters
+    ----------
+    archives : sequence of bytes
+        Wheels, or source archives with a folder ``src``.
+    """
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as packed:
+        for name, data in (*_packages(archives), *_own()):
+            packed.writestr(zipfile.ZipInfo(name, _WHEN), data)
+    return made.getvalue()
+
+
+def _packages(archives: Sequence[bytes]) -> Iterator[tuple[str, bytes]]:
+    for archive in archives:
+        for name, data in sorted(_unpacked(archive).items()):
+            place = name.partition("/src/")[2] if "/src/" in name else name
+            is_source = place != name or not archive.startswith(b"\x1f\x8b")
+            if is_source and place.endswith((".py", ".so", "METADATA")):
+                yield place, data
+
+
+def _own() -> Iterator[tuple[str, bytes]]:
+    """Yield catopt's own files, but for what no browser asks for."""
+    root = Path(str(files("catopt")))
+    for path in sorted(root.rglob("*")):
+        inside = path.relative_to(root)
+        if path.is_file() and path.suffix != ".pyc" and inside.parts[0] not in (*_WITHOUT, "web"):
+            yield f"catopt/{inside.as_posix()}", path.read_bytes()
+
+
+def _unpacked(archive: bytes) -> dict[str, bytes]:
+    """Read the files of a wheel or of a compressed tar archive."""
+    if not archive.startswith(b"\x1f\x8b"):
+        with zipfile.ZipFile(io.BytesIO(archive)) as packed:
+            return {name: packed.read(name) for name in packed.namelist() if name[-1] != "/"}
+    with tarfile.open(fileobj=io.BytesIO(archive)) as packed_tar:
+        found = ((each.name, packed_tar.extractfile(each)) for each in packed_tar.getmembers())
+        return {name: data.read() for name, data in found if data is not None}

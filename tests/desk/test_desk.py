@@ -1,0 +1,144 @@
+"""What the page is answered: the command's digits, its errors, and forms made of the tables."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from functools import partial
+from html.parser import HTMLParser
+from typing import Any
+
+import pytest
+
+from catopt.desk import ask, shell
+from catopt.desk.fields import DOORS, START, Door, fields_of
+from catopt.desk.text import text_of, values_of
+from catopt.sizing.inputs import rows_of
+from catopt.words import LANGUAGES, Language, Message, say
+from tests.cli.conftest import CASES, Run, run
+
+__all__ = ["run"]
+
+slow = partial(pytest.param, marks=pytest.mark.slow)
+
+
+@pytest.mark.parametrize(
+    ("call", "command", "case"),
+    [
+        ("solve", "solve", "buoy-9.5m/case.toml"),
+        ("solve", "solve", "ship-200m-sinker/case.toml"),
+        ("check", "check", "tanker-20m/case.toml"),
+        ("curve", "curve", "buoy-9.5m/case.toml"),
+        ("system", "system", "fso-rang-dong/case.toml"),
+        slow("size", "size buoy", "size-buoy/sizing.toml"),
+        slow("size", "size tanker", "size-tanker/sizing.toml"),
+    ],
+)
+def test_the_document_is_the_commands(run: Run, call: str, command: str, case: str) -> None:
+    printed = run(*command.split(), CASES / case, "--json").out
+    text = (CASES / case).read_text("utf-8")
+    assert json.loads(json.dumps(ask(call, {"text": text}))) == json.loads(printed)
+
+
+def test_a_form_is_the_file_that_says_the_same() -> None:
+    values = {"site.water_depth": "9,5", "load.horizontal_force": "3", "checks.safety_factor": "2"}
+    made = tomllib.loads(text_of("line", values))
+    assert made == {
+        "site": {"water_depth": "9.5 m"},
+        "load": {"horizontal_force": "3 kN"},
+        "checks": {"safety_factor": 2},
+    }
+
+
+@pytest.mark.parametrize("case", ["buoy-9.5m", "ship-200m-sinker", "fso-rang-dong", "size-tanker"])
+def test_a_file_that_is_opened_and_saved_says_the_same(case: str) -> None:
+    name = "sizing.toml" if case.startswith("size") else "case.toml"
+    text = (CASES / case / name).read_text("utf-8")
+    opened = ask("open", {"text": text})
+    door, values = opened["door"], opened["values"]
+    saved = ask("file", {"door": door, "values": values, "base": text})["text"]
+    assert tomllib.loads(saved) == tomllib.loads(text)
+
+
+def test_every_error_is_told_at_once_by_the_key_of_its_field() -> None:
+    values = START["line"] | {"site.water_depth": "-3 m", "line.segments[0].length": "20 kg"}
+    reply = ask("live", {"door": "line", "values": values})
+    found = {each["key"]: each["found"] for each in reply["problems"]}
+    assert found.keys() == {"site.water_depth", "line.segments[0].length"}
+    assert "-3 m" in found["site.water_depth"]
+    assert "20 kg" in found["line.segments[0].length"]
+    assert reply["status"] == 2
+
+
+def test_a_line_that_is_too_short_is_refused_in_the_command_s_words(
+    run: Run, tmp_path: Any
+) -> None:
+    values = {
+        "site.water_depth": "20 m",
+        "line.segments[0].length": "15 m",
+        "line.segments[0].submerged_weight": "360 N/m",
+        "load.horizontal_force": "150 kN",
+    }
+    case = tmp_path / "case.toml"
+    case.write_text(text_of("line", values))
+    reply = ask("live", {"door": "line", "values": values})
+    printed = run("solve", case)
+    assert (reply["status"], printed.status) == (3, 3)
+    assert " ".join(reply["message"].split()) in " ".join(printed.err.split())
+
+
+@pytest.mark.parametrize(
+    "question",
+    [{"lang": "de"}, {"units": "lb"}, {"door": "plane"}, {"text": 3}, {"values": {"title": 1}}],
+)
+def test_a_question_that_is_none_is_refused(question: dict[str, Any]) -> None:
+    assert ask("live", question)["status"] == 2
+
+
+def test_an_unknown_call_is_refused() -> None:
+    assert ask("eval", {"text": "1"})["message"] == "no such question: eval"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_answer_is_in_the_language_and_the_units_asked_for(language: Language) -> None:
+    question = {"door": "line", "values": START["line"], "lang": language, "units": "tf"}
+    html = ask("live", question)["html"]
+    assert say(Message("desk.answer"), language) in html
+    assert "<svg" in html
+    assert " kN" not in html
+
+
+class _Fields(HTMLParser):
+    """Labels and fields of a page by their ids."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.labels: set[str] = set()
+        self.fields: dict[str, str] = {}
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        told = dict(attrs)
+        if tag == "label" and told.get("for"):
+            self.labels.add(str(told["for"]))
+        if tag == "input" and told.get("data-key"):
+            self.fields[str(told["id"])] = str(told["data-key"])
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_field_has_a_label(language: Language) -> None:
+    page = _Fields()
+    page.feed(shell(language))
+    assert page.fields.keys() == page.labels
+    assert len(page.fields) == sum(len(fields_of(door)) for door in DOORS)
+
+
+@pytest.mark.parametrize("moored", ["buoy", "tanker"])
+def test_the_form_of_a_sizing_has_every_row_of_the_table(moored: Door) -> None:
+    rows = [each.key for each in rows_of(moored) if each.takes != "FILE"]
+    assert [each.key for each in fields_of(moored)] == rows
+
+
+@pytest.mark.parametrize("door", DOORS)
+def test_a_form_begins_with_values_of_its_own_fields(door: Door) -> None:
+    text = text_of(door, START[door])
+    assert values_of(door, text) == START[door]

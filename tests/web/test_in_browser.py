@@ -1,0 +1,161 @@
+"""The page in Chromium, from disk and from a server: displayed digits are the command's."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import pytest
+
+from catopt.desk import ask
+from catopt.desk.fields import START
+from catopt.errors import InputError
+from catopt.web.build import fetched, parts, pieces
+from catopt.web.document import document
+from tests.report.browser import CHROMIUM, Tab, chromium
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not CHROMIUM, reason="no chromium on this machine"),
+]
+
+MOST = 14_000_000
+"""Bytes that the single file may have, to be mailed."""
+
+
+@pytest.fixture(scope="module")
+def made() -> dict[str, bytes]:
+    """Parts from a folder of one's own (CATOPT_PAGE_PARTS), or from their registries."""
+    own = os.environ.get("CATOPT_PAGE_PARTS")
+    folder = Path(own) if own else None
+    try:
+        read = {each: fetched(each, folder) for each in parts()}
+    except InputError as error:
+        pytest.skip(f"the parts of the page cannot be had: {error}")
+    return pieces(read.__getitem__)
+
+
+@pytest.fixture
+def tab(tmp_path: Path) -> Iterator[Tab]:
+    with chromium(tmp_path) as opened:
+        yield opened
+
+
+def wait(tab: Tab, wanted: str = "ready") -> None:
+    """Wait until the page says how a calculation went."""
+    until = time.monotonic() + 120.0
+    said = ""
+    while time.monotonic() < until:
+        said = tab.value("document.querySelector('.status').dataset.now")
+        if said not in ("", "starting", "working"):
+            break
+        time.sleep(0.1)
+    assert said == wanted, (said, tab.value("document.querySelector('.status').textContent"))
+
+
+def displayed(tab: Tab) -> str:
+    found: str = tab.value("document.querySelector('[data-key=results]').textContent")
+    return " ".join(found.split())
+
+
+def expected(**question: str) -> str:
+    """Make the same table by Python outside of the browser."""
+    from html.parser import HTMLParser
+
+    class Read(HTMLParser):
+        text = ""
+        inside = False
+
+        def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+            self.inside |= tag == "table" and ("data-key", "results") in attrs
+
+        def handle_endtag(self, tag: str) -> None:
+            self.inside &= tag != "table"
+
+        def handle_data(self, data: str) -> None:
+            self.text += data if self.inside else ""
+
+    reader = Read()
+    reply = ask("whole", {"door": "line", "values": START["line"], **question})
+    reader.feed(reply["html"])
+    return " ".join(reader.text.split())
+
+
+def choose(tab: Tab, name: str, value: str) -> None:
+    """Choose among language, units or doors as a hand does, and wait for the answer."""
+    tab.value(f"document.querySelector('input[name={name}][value=\"{value}\"]').click()")
+    time.sleep(1.0)
+    wait(tab)
+
+
+def test_from_disk_both_languages_show_the_digits_of_the_command(
+    tab: Tab, made: dict[str, bytes], tmp_path: Path
+) -> None:
+    page = tmp_path / "catopt.html"
+    page.write_text(document(made), encoding="utf-8")
+    assert page.stat().st_size <= MOST
+    tab.open(page, 1280)
+    wait(tab)
+    assert displayed(tab) == expected() != ""
+    choose(tab, "lang", "vi")
+    assert displayed(tab) == expected(lang="vi")
+    choose(tab, "units", "tf")
+    assert displayed(tab) == expected(lang="vi", units="tf")
+    choose(tab, "door", "body")
+    asked = [each for each in tab.requests if not each.startswith(("file:", "data:", "blob:"))]
+    assert asked == []
+    assert tab.messages == []
+
+
+def test_from_disk_an_error_stands_at_its_field(
+    tab: Tab, made: dict[str, bytes], tmp_path: Path
+) -> None:
+    page = tmp_path / "catopt.html"
+    page.write_text(document(made), encoding="utf-8")
+    tab.open(page, 390)
+    wait(tab)
+    tab.value("""(() => { const field = document.getElementById("line-site.water_depth");
+      field.value = "-3 m"; field.dispatchEvent(new Event("change", { bubbles: true })); })()""")
+    time.sleep(1.0)
+    wait(tab, "failed")
+    values = START["line"] | {"site.water_depth": "-3 m"}
+    (problem,) = ask("live", {"door": "line", "values": values})["problems"]
+    said = tab.value("document.getElementById('line-site.water_depth-wrong').textContent")
+    assert said == f"{problem['found']}: {problem['allowed']}"
+    assert tab.value("document.documentElement.scrollWidth") <= 390
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_: Any) -> None:
+        pass
+
+
+def test_from_a_server_it_asks_for_its_own_files_alone(
+    tab: Tab, made: dict[str, bytes], tmp_path: Path
+) -> None:
+    folder = tmp_path / "site"
+    (folder / "pack").mkdir(parents=True)
+    (folder / "index.html").write_text(document(list(made)), encoding="utf-8")
+    for name, data in made.items():
+        (folder / "pack" / f"{name}.gz").write_bytes(data)
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder))) as server:
+        thread = Thread(target=server.serve_forever)
+        thread.start()
+        try:
+            here = f"http://127.0.0.1:{server.server_port}/"
+            tab.call("Page.navigate", url=here)
+            time.sleep(2.0)
+            wait(tab)
+            assert displayed(tab) == expected()
+            asked = [each for each in tab.requests if each.startswith("http")]
+            assert asked
+            assert all(each.startswith(here) for each in asked)
+        finally:
+            server.shutdown()
+            thread.join()

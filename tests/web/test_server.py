@@ -1,0 +1,101 @@
+"""``catopt app`` answers its own page, and nothing else."""
+
+from __future__ import annotations
+
+import http.client
+import json
+from collections.abc import Iterator
+from threading import Thread
+
+import pytest
+
+from catopt.desk import ask
+from catopt.desk.fields import START
+from catopt.web.server import PageServer
+
+QUESTION = {"door": "line", "values": START["line"]}
+
+
+@pytest.fixture
+def server() -> Iterator[PageServer]:
+    with PageServer() as made:
+        thread = Thread(target=made.serve_forever)
+        thread.start()
+        yield made
+        made.shutdown()
+        thread.join()
+
+
+def reply(
+    server: PageServer, method: str, path: str, body: str = "", **headers: str
+) -> tuple[int, bytes]:
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=30)
+    connection.putrequest(method, path, skip_host=True)
+    told = {"Host": server.host, "Content-Length": str(len(body)), **headers}
+    for name, value in told.items():
+        connection.putheader(name, value)
+    connection.endheaders(body.encode() or None)
+    answer = connection.getresponse()
+    found = answer.status, answer.read()
+    connection.close()
+    return found
+
+
+def test_it_gives_the_page_and_answers_its_questions(server: PageServer) -> None:
+    status, page = reply(server, "GET", f"/{server.token}/")
+    assert status == 200
+    assert b'data-transport="app"' in page
+    status, answer = reply(server, "POST", f"/{server.token}/ask/solve", json.dumps(QUESTION))
+    assert status == 200
+    assert json.loads(answer) == json.loads(json.dumps(ask("solve", QUESTION)))
+
+
+def test_it_listens_on_this_machine_alone(server: PageServer) -> None:
+    assert server.server_address[0] == "127.0.0.1"
+
+
+@pytest.mark.parametrize("method", ["GET", "POST"])
+@pytest.mark.parametrize(
+    "headers",
+    [
+        {"Host": "example.org"},
+        {"Host": "127.0.0.1"},
+        {"Origin": "http://example.org"},
+        {"Origin": "null"},
+    ],
+)
+def test_another_host_or_origin_is_refused(
+    server: PageServer, method: str, headers: dict[str, str]
+) -> None:
+    path = f"/{server.token}/" + ("ask/solve" if method == "POST" else "")
+    assert reply(server, method, path, json.dumps(QUESTION), **headers)[0] == 403
+
+
+@pytest.mark.parametrize("path", ["/", "/wrong/", "/wrong/ask/solve", "//", "/%00/"])
+@pytest.mark.parametrize("method", ["GET", "POST"])
+def test_another_token_is_refused(server: PageServer, method: str, path: str) -> None:
+    assert reply(server, method, path, "{}")[0] == 403
+
+
+def test_two_servers_have_two_tokens(server: PageServer) -> None:
+    with PageServer() as other:
+        assert other.token != server.token
+        assert len(other.token) >= 32
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "headers", "status"),
+    [
+        ("ask/eval", "{}", {}, 404),
+        ("other", "{}", {}, 404),
+        ("ask/solve", "{", {}, 400),
+        ("ask/solve", "[]", {}, 400),
+        ("ask/solve", "", {"Content-Length": "99999999999"}, 413),
+        ("ask/solve", "", {"Content-Length": "-1"}, 413),
+    ],
+)
+def test_what_is_no_question_is_refused(
+    server: PageServer, path: str, body: str, headers: dict[str, str], status: int
+) -> None:
+    assert reply(server, "POST", f"/{server.token}/{path}", body, **headers)[0] == status
+    assert reply(server, "GET", f"/{server.token}/")[0] == 200
