@@ -38,6 +38,17 @@ def _template(name: str) -> Case:
     return parse_case(template(name))
 
 
+_ONE_MOORING = """
+[design]
+lines = [6]
+
+[[design.segments]]
+component = "chain studless R3"
+diameter = "76 mm"
+lengths = ["200 m"]
+"""
+
+
 def _lines() -> None:
     """Many lines of one kind."""
     from catopt.catenary.batch import solve_many
@@ -56,14 +67,17 @@ def _bodies() -> None:
 
 
 def _designs() -> None:
-    """Designs, and the front of two and of three objectives."""
+    """Designs of a line and of a mooring, and the front of two and of three objectives."""
     import numpy as np
 
+    from catopt.casefile import parse_case
+    from catopt.casefile.new_case import template
     from catopt.design.front import non_dominated
     from catopt.design.hypervolume import hypervolume
     from catopt.design.search import design_case
 
     design_case(_template("design"))
+    design_case(parse_case(template("system") + _ONE_MOORING))
     front = np.array([[1.0, 2.0, 3.0], [2.0, 1.0, 3.0], [3.0, 2.0, 1.0]])
     non_dominated(front)
     hypervolume(front, np.full(3, 4.0))

@@ -15,6 +15,7 @@ from catopt import Line, PointLoad, Segment, read_case, solve_many
 from catopt.design.evaluation import DesignProblem
 from catopt.design.front import non_dominated
 from catopt.design.hypervolume import hypervolume
+from catopt.design.mooring import MooringProblem
 from catopt.fem import (
     Bed,
     Harmonic,
@@ -91,6 +92,15 @@ def designs() -> None:
             problem.assess(problem.space.genes_of(numbers), stops_early=stops_early)
 
 
+def moorings() -> None:
+    """Whole moorings, in all their states and up to the first that fails."""
+    problem = MooringProblem.of(read_case(CASES / "design-mooring-30m" / "case.toml"))
+    numbers = np.random.default_rng(1).integers(0, problem.space.count, 30)
+    for best in (None, np.array([[2e5, 10.0]])):
+        genes = problem.space.genes_of(numbers)
+        problem.assess(genes, stops_early=best is not None, best=best)
+
+
 CHAIN = Line([Segment(300.0, 1000.0, EA=5e8, mass=117.0)], [PointLoad(100.0, 1e4, mass=1200.0)])
 
 
@@ -130,6 +140,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     lines: {"fill"},
     systems: {"static_equilibria"},
     designs: {"assess"},
+    moorings: {"assess_moorings"},
     series: {"_fill_values"},
     bars: {"bar_loads", "newton_step", "take_step"},
     motion: {
