@@ -132,7 +132,8 @@ def _own() -> Iterator[tuple[str, bytes]]:
     root = Path(str(files("catopt")))
     for path in sorted(root.rglob("*")):
         inside = path.relative_to(root)
-        if path.is_file() and path.suffix != ".pyc" and inside.parts[0] not in (*_WITHOUT, "web"):
+        is_asked_for = inside.parts[0] not in (*_WITHOUT, "web")
+        if path.is_file() and is_asked_for and "__pycache__" not in inside.parts:
             yield f"catopt/{inside.as_posix()}", path.read_bytes()
 
 

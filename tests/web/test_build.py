@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import io
 import re
+import shutil
 import zipfile
 from pathlib import Path
 
 import pytest
 
+import catopt
 from catopt.errors import InputError
+from catopt.web import build
 from catopt.web.build import Part, fetched, parts, site
 from catopt.web.document import document
 
@@ -54,7 +57,15 @@ def wheel(**files: str) -> bytes:
     return made.getvalue()
 
 
-def test_catopt_goes_in_without_its_command_line_and_the_same_bytes_come_again() -> None:
+def test_catopt_goes_in_without_its_command_line_and_the_same_bytes_come_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Machine code that numba keeps beside the sources stays outside."""
+    own = tmp_path / "catopt"
+    shutil.copytree(Path(catopt.__file__).parent, own, ignore=shutil.ignore_patterns("*.nb?"))
+    (own / "design" / "__pycache__").mkdir(exist_ok=True)
+    (own / "design" / "__pycache__" / "assess.nbi").write_bytes(b"code")
+    monkeypatch.setattr(build, "files", lambda _: own)
     archive = wheel(tool__a_py="1", tool__notes="no code")
     made = site([archive])
     assert made == site([archive])
@@ -63,7 +74,7 @@ def test_catopt_goes_in_without_its_command_line_and_the_same_bytes_come_again()
     assert {"tool/a.py", "catopt/desk/calls.py", "catopt/words/texts/desk.toml"} <= names
     assert "tool/notes" not in names
     assert not any(each.startswith(("catopt/cli/", "catopt/web/")) for each in names)
-    assert not any(each.endswith(".pyc") for each in names)
+    assert not any("__pycache__" in each for each in names)
 
 
 @pytest.mark.parametrize("pieces", [None, ["a"], {"a": b"abc"}])
