@@ -277,8 +277,8 @@ def test_random_spaces_agree_with_another_route() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(20))
-def test_twenty_large_random_spaces_agree_with_another_route(seed: int) -> None:
-    compare(seed, 10_000)
+def test_twenty_random_spaces_agree_with_another_route(seed: int) -> None:
+    compare(seed, 300)
 
 
 # ------------------------------------------------------------------ the answer
