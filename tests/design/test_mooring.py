@@ -188,29 +188,32 @@ def test_no_bound_excludes_what_is_on_the_front_of_random_spaces(seed: int) -> N
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("fairlead_radius", [0.0, 5.0])
-def test_with_bounds_the_front_of_large_spaces_is_the_same(fairlead_radius: float) -> None:
-    """10^4 and 10^5 designs; the number of threads changes nothing, either."""
-    for lengths, size in ((28, 10_000), (278, 100_000)):
-        case = mooring_case(
-            fairlead_radius=fairlead_radius,
-            lines=(4, 6, 8),
-            anchor_radii=tuple(np.arange(550.0, 670.0, 10.0).tolist()),
-            segments=(
-                SegmentChoice(
-                    tuple(np.linspace(560.0, 720.0, lengths).tolist()),
-                    ("chain studless R3", "chain studless R4"),
-                    (0.07, 0.081, 0.09, 0.1, 0.12),
-                ),
+@pytest.mark.parametrize(
+    ("fairlead_radius", "lengths", "size"), [(0.0, 278, 100_000), (5.0, 28, 10_000)]
+)
+def test_with_bounds_the_front_of_large_spaces_is_the_same(
+    fairlead_radius: float, lengths: int, size: int
+) -> None:
+    """The number of threads changes nothing, either."""
+    case = mooring_case(
+        fairlead_radius=fairlead_radius,
+        lines=(4, 6, 8),
+        anchor_radii=tuple(np.arange(550.0, 670.0, 10.0).tolist()),
+        segments=(
+            SegmentChoice(
+                tuple(np.linspace(560.0, 720.0, lengths).tolist()),
+                ("chain studless R3", "chain studless R4"),
+                (0.07, 0.081, 0.09, 0.1, 0.12),
             ),
-        )
-        problem = MooringProblem.of(case)
-        assert problem.space.count >= size
-        one, two = (enumerate_designs(problem, workers=workers) for workers in (1, 2))
-        assert same(one, two)
-        assert one.excluded == two.excluded
-        assert same(one, enumerate_designs(problem, bounds=False, workers=2))
-        assert all(count > 0 for count in one.excluded)
+        ),
+    )
+    problem = MooringProblem.of(case)
+    assert problem.space.count >= size
+    one, two = (enumerate_designs(problem, workers=workers) for workers in (1, 2))
+    assert same(one, two)
+    assert one.excluded == two.excluded
+    assert same(one, enumerate_designs(problem, bounds=False, workers=2))
+    assert all(count > 0 for count in one.excluded)
 
 
 # ------------------------------------------------------------------ another route
