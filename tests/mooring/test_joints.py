@@ -12,6 +12,7 @@ from catopt.errors import FloatsUpError
 from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring.held import NetworkAtRest, hold
+from catopt.mooring.joints import TOLERANCE
 from catopt.reproduce.bridle import network_of
 from catopt.reproduce.published import published
 
@@ -116,11 +117,13 @@ def test_stiffness_is_minus_the_derivative_of_the_load(name: str) -> None:
     assert name == "bridle" or "grounded-between" in regimes
     stiffness = found.body.stiffness
     scale = [max(map(abs, row)) for row in stiffness]
+    # What may be left over at a joint, N, is missing in the load; a fairlead is some 30 m away.
+    left = TOLERANCE * max(forces(found))
     for j, step in enumerate((1e-3,) * 3 + (1e-5,) * 3):
         by_difference = slope(network, at, j, step)
         for i in range(6):
-            own = stiffness[i][j]
-            assert own == pytest.approx(by_difference[i], abs=2e-6 * scale[i]), (i, j)
+            own, lost = stiffness[i][j], left / step * (1.0 if i < 3 else 30.0)
+            assert own == pytest.approx(by_difference[i], abs=2e-6 * scale[i] + lost), (i, j)
 
 
 def forces(found: NetworkAtRest) -> list[float]:
