@@ -181,6 +181,7 @@ def test_with_bounds_the_front_is_the_same_bit_for_bit(changes: dict[str, Any]) 
     assert with_bounds.evaluations < problem.space.count
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_no_bound_excludes_what_is_on_the_front_of_random_spaces(seed: int) -> None:
     problem = MooringProblem.of(random_case(100 + seed, 150))
