@@ -61,7 +61,7 @@ class Settled:
     @cached_property
     def result(self) -> DesignResult:
         """The whole answer of the design search for that case; computed when it is first asked."""
-        return design_case(self.posed.case)
+        return _whole(self.posed.case)
 
     @property
     def index(self) -> int:
@@ -175,7 +175,7 @@ def _best(case: Case, choice: LineChoice) -> DesignPoint:
     problem = DesignProblem.of(case)
     assert case.design is not None
     if problem.space.count > case.design.max_enumerated:
-        front = design_case(case).front
+        front = _whole(case).front
         keys = [OBJECTIVE_KEYS[name] for name in problem.names]
         objectives = np.array([[point.objectives[key] for key in keys] for point in front])
         return front[_preferred(objectives, choice)]
@@ -186,6 +186,19 @@ def _best(case: Case, choice: LineChoice) -> DesignPoint:
         raise no_feasible_design(problem, outcome)
     best = _preferred(outcome.objectives, choice)
     return design_point(problem, tuple(outcome.genes[best].tolist()))
+
+
+def _whole(case: Case) -> DesignResult:
+    """Search a case to its end: of a search that was stopped a sizing has no use."""
+    try:
+        result = design_case(case)
+    except NoFeasibleDesignError as error:
+        if error.interrupted:
+            raise KeyboardInterrupt from error
+        raise
+    if result.interrupted:
+        raise KeyboardInterrupt
+    return result
 
 
 def _advised(error: NoFeasibleDesignError) -> NoFeasibleDesignError:
