@@ -62,14 +62,21 @@ def front(document: Document, chosen: int | None = None) -> Chart:
         marks.append(Mark("end", across[end], up[end], label))
     recommended = Message("figures.recommended", number=best + 1)
     marks.append(Mark("recommended", across[best], up[best], recommended))
+    present = document.get("present")
+    if present and None not in (present[first], present[second]):
+        label = present["change"]
+        if not present["feasible"]:
+            label = Message("figures.present_fails", what=label)
+        marks.append(Mark("present", present[first], present[second], label))
     if chosen is not None:
         label = Message("figures.chosen", number=chosen)
         marks.append(Mark("chosen", across[chosen - 1], up[chosen - 1], label))
+    x, y = [mark.x for mark in marks] + across, [mark.y for mark in marks] + up
     return Chart(
         "front",
         _title(document),
-        axis(OBJECTIVES[first].key, span_of(across), objective_name(first, document)),
-        axis(OBJECTIVES[second].key, span_of(up), objective_name(second, document)),
+        axis(OBJECTIVES[first].key, span_of(x), objective_name(first, document)),
+        axis(OBJECTIVES[second].key, span_of(y), objective_name(second, document)),
         marks=tuple(marks),
         points=tuple(
             Point(across[k], up[k], _said(k + 1, point, document)) for k, point in enumerate(points)

@@ -106,6 +106,7 @@ LOOKS: Mapping[str, Look] = {
     "highest": Look(fill="ink", sign="square", size=5.0),
     "end": Look("ink", 1.6, sign="circle", size=7.0),
     "recommended": Look("green", 2.4, sign="circle", size=10.0),
+    "present": Look("ink", 1.4, fill="orange", sign="square", size=5.0),
     "chosen": Look("bad", 2.4, sign="circle", size=7.0),
     # A body from above.
     "leg": Look("ink", 1.6),
