@@ -59,6 +59,7 @@ def test_a_note_is_fresh(name: str) -> None:
         assert found == [], "write them anew: python -m tests.reports"
 
 
+@pytest.mark.slow
 def test_the_swarms_figures_are_fresh() -> None:
     """What is drawn of a search ends where rounding begins to decide it."""
     made = reproduction_pictures(reproduce("buoy_9p5m"))

@@ -359,6 +359,7 @@ def test_all_other_words_are_messages(answer: Answer) -> None:
         assert plain_words(table, OWN) == []
 
 
+@pytest.mark.slow
 def test_all_other_words_of_notes_are_messages(note: str) -> None:
     for table in tables(made(note)):
         if table.name != "pieces":  # the equations that they are by

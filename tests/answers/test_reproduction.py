@@ -15,6 +15,8 @@ from catopt.reproduce import Item, Reproduction, fso_rang_dong_dynamic, names, r
 from catopt.reproduce.fso_rang_dong_dynamic import Maxima
 from catopt.words import Language, say
 
+pytestmark = pytest.mark.slow  # every study is recomputed
+
 PROPER = {
     "catopt", "MOORING_2017", "OrcaFlex", "MOORING_2017, Pierson-Moskowitz",
     "MOORING_2017, JONSWAP", "MoorDyn-C", "S4, PM", "S4, JONSWAP",

@@ -117,6 +117,7 @@ def test_shapes_stand_beside_each_other(found: Verification) -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_figure_for_every_load_case(found: Verification) -> None:
     drawn = verification_pictures(found)
     assert {name for name in drawn if name.endswith("png")} == {"comparison.png"}

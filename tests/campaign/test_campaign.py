@@ -169,6 +169,7 @@ def test_a_clean_campaign_writes_nothing(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_table_and_exit_status(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Ordinary lines only: they were right from the start."""
     assert main(["--lines", "3", "--first", "48", "--out", str(tmp_path)]) == 0

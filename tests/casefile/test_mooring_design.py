@@ -106,6 +106,7 @@ def small() -> Case:
     return replace(case, design=design)
 
 
+@pytest.mark.slow
 def test_a_design_of_the_front_is_a_case_that_passes(tmp_path: Path) -> None:
     result = design_case(small())
     (tmp_path / DESIGN_CASE).write_text(write_case(result.case), encoding="utf-8")

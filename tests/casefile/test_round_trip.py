@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -429,6 +430,7 @@ def cases(draw: st.DrawFn) -> Case:
     )
 
 
+@pytest.mark.slow
 @given(cases())
 @settings(deadline=None)  # the first example builds the schema and reads the catalogue
 def test_a_written_case_is_read_back_exactly(case: Case) -> None:

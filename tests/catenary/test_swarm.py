@@ -494,6 +494,7 @@ print(f"{solution.span:.3f}")
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("log_cfg", [None, "/no/such/folder/logging.yaml", "broken.yaml"])
 def test_nothing_of_pyswarms_reaches_the_user(tmp_path: Path, log_cfg: str | None) -> None:
     """No file opened for writing, no logging set up, no output, no use of the global random state.

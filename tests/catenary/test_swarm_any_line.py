@@ -342,6 +342,7 @@ def test_300_lines_as_they_are_built() -> None:
             assert one.quadrature < 100.0 * one.f + ROUNDING
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("buoyant", [False, True])
 def test_lines_of_every_kind(buoyant: bool) -> None:
     """Weights of neighbours 1 to 1000 apart, EA down to a few times the weight, slack and steep.

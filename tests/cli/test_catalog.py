@@ -130,6 +130,7 @@ def test_search_is_from_the_lightest(run: Run) -> None:
 # ------------------------------------------------------------------ the document and the files
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("question", QUESTIONS, ids=" ".join)
 def test_the_document_is_valid(run: Run, question: tuple[str, ...]) -> None:
     document = document_of(run, "catalog", *question)

@@ -146,6 +146,7 @@ def first_of_each() -> Iterator[Any]:
         yield pytest.param(command, marks=marks, id=" ".join(map(str, command)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", list(first_of_each()))
 def test_languages_differ_in_words_alone(
     run: Run, command: Sequence[object], tmp_path: Path
@@ -242,6 +243,7 @@ SAID: list[tuple[Sequence[object], tuple[str, ...]]] = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("command", "parts"), [pytest.param(*each, id=str(each[0][0])) for each in SAID]
 )

@@ -197,6 +197,7 @@ def test_json_tells_of_a_moored_body(run: Run) -> None:
     assert document["sections"] == list(read_page(Path(document["path"]).read_bytes()).sections)
 
 
+@pytest.mark.slow
 def test_json_tells_which_line_of_a_body_governs(run: Run, tmp_path: Path) -> None:
     path = system_path(tmp_path, "pulled")
     document = json.loads(run("report", path, "--json").out)
@@ -205,6 +206,7 @@ def test_json_tells_which_line_of_a_body_governs(run: Run, tmp_path: Path) -> No
     assert document["governing"] == "tension, segment 1 (line 1, line 2 out)"
 
 
+@pytest.mark.slow
 def test_what_catopt_system_wrote_has_a_note(run: Run) -> None:
     """The same as that of its case file."""
     assert run("system", TURRET, "--out", "fso").status == 0

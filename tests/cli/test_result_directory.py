@@ -199,6 +199,7 @@ def test_a_directory_of_two_cases_is_refused(run: Run, chain: Path) -> None:
 # ------------------------------------------------------------------ a case file that stays
 
 
+@pytest.mark.slow
 def test_a_case_of_the_users_own_is_never_replaced(run: Run) -> None:
     own = BUOY.read_text("utf-8")
     Path("case.toml").write_text(own, encoding="utf-8")

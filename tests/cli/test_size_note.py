@@ -145,6 +145,7 @@ def test_without_a_file_the_note_has_the_options_as_typed(run: Run) -> None:
     assert chain == document["chain"]["nominal_diameter_m"]
 
 
+@pytest.mark.slow
 def test_options_beside_a_file_are_named_as_going_before_it(run: Run) -> None:
     arguments = ("size", "tanker", SIZE_TANKER, "--lines", 6, "--out", "out", "--json")
     assert run(*arguments).status == 0

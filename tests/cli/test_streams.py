@@ -31,6 +31,7 @@ def test_an_answer_that_cannot_be_written_is_2_and_says_so(where: str, rest: str
     assert ran.stderr.count("\n") == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("where", ["2> /dev/full", "2>&-"])
 def test_the_answer_is_the_same_where_no_message_can_be_written(
     run: Run, where: str, tmp_path: Path

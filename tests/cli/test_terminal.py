@@ -116,6 +116,7 @@ def drawn(bar: Progress) -> str:
     return line.rstrip()
 
 
+@pytest.mark.slow
 @needs_pty
 @pytest.mark.parametrize("no_color", ["", "1"])
 def test_a_search_shows_its_progress_and_clears_it_away(no_color: str) -> None:
@@ -162,6 +163,7 @@ def test_every_command_keeps_to_the_width(
     assert max(map(len, ran.out.splitlines())) <= 132
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii", "utf-8"])
 def test_a_console_without_the_letters_does_not_stop_the_answer(
     tmp_path: Path, encoding: str

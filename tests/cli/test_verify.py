@@ -173,6 +173,7 @@ def front(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return directory
 
 
+@pytest.mark.slow
 def test_every_design_of_a_front(run: Run, front: Path) -> None:
     designs = json.loads((front / "design.json").read_text("utf-8"))["front"]
     ran = run("verify", front, "--all", "--strict", "--elements", 40)
@@ -191,6 +192,7 @@ def test_one_design_in_all_its_load_cases(run: Run, front: Path) -> None:
     assert len(parts) == 3
 
 
+@pytest.mark.slow
 def test_a_design_that_does_not_converge_is_4_and_the_others_are_shown(
     run: Run, front: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -243,6 +245,7 @@ def test_out_of_a_front(run: Run, front: Path, tmp_path: Path) -> None:
 # ------------------------------------------------------------------ cold start
 
 
+@pytest.mark.slow
 def test_the_truss_model_is_loaded_by_verify_alone() -> None:
     """With the compiler, which may have its machine code on disk."""
     assert "numba" in loaded("verify", str(BUOY), "--json")

@@ -189,6 +189,7 @@ SNAPPING = (
 )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_maximum_that_hangs_on_the_bars_ends_with_4(run: Run, tmp_path: Path) -> None:
     path = tmp_path / "snapping.toml"
     path.write_text(SNAPPING, encoding="utf-8")

@@ -93,6 +93,7 @@ def test_the_widest_gap() -> None:
 # ------------------------------------------------------------------ one design
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fairlead_radius", [0.0, 5.0])
 def test_a_design_is_worth_what_checking_the_body_says(fairlead_radius: float) -> None:
     """Mass by hand; offset and excess from `check_system` and `one_line_out` at every heading."""
@@ -275,6 +276,7 @@ def compare(seed: int, designs: int) -> int:
     return len(feasible)
 
 
+@pytest.mark.slow
 def test_random_spaces_agree_with_another_route() -> None:
     assert sum(compare(seed, 100) for seed in range(3)) > 0
 
@@ -288,6 +290,7 @@ def test_twenty_random_spaces_agree_with_another_route(seed: int) -> None:
 # ------------------------------------------------------------------ the answer
 
 
+@pytest.mark.slow
 def test_the_answer_says_what_governs_and_what_was_excluded() -> None:
     result = design_case(mooring_case(headings=4, lines=(4, 6)))
     assert result.is_exact
@@ -321,6 +324,7 @@ def test_when_no_mooring_passes_the_nearest_one_is_named() -> None:
     assert caught.value.near_miss.failing
 
 
+@pytest.mark.slow
 def test_nsga2_finds_designs_of_the_exact_front() -> None:
     case = mooring_case(headings=2)
     exact = design_case(case)

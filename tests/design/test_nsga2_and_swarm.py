@@ -74,6 +74,7 @@ def test_same_seed_same_front(search: Search) -> None:
     assert not np.array_equal(first.objectives, other.objectives)
 
 
+@pytest.mark.slow
 @both
 def test_leaves_the_process_as_it_was(
     search: Search,

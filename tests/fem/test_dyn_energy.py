@@ -46,6 +46,7 @@ def test_work_of_the_ends_is_stored_as_strain() -> None:
     assert balance.numerical_part < 1e-5
 
 
+@pytest.mark.slow
 def test_line_damping_takes_what_a_dashpot_does() -> None:
     """A string stretched evenly, a sin(w t): pi c w a^2 in every cycle, c = C/L."""
     period, a, C, cycles = 8.0, 0.1, 2e5, 10

@@ -127,6 +127,7 @@ def test_led_body_and_led_line_are_the_same() -> None:
     assert three.fairlead_tension[:, 1] == pytest.approx(three.fairlead_tension[:, 2], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_waves_on_a_taut_line() -> None:
     """Reactions of a string that hardly moves: the integral of Morison's load over it."""
     depth, length, EA = 60.0, 50.0, 1e9

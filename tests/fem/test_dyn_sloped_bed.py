@@ -92,6 +92,7 @@ def test_a_grounded_line_against_its_integration(
     assert at.tension[0] == pytest.approx(anchor, abs=2.0 * W * bar)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("degrees", [-8.0, 8.0])
 def test_without_friction_tension_differs_by_the_weight_of_the_height(degrees: float) -> None:
     """Virtual work of a line that slips along itself, wherever it is supported."""
@@ -133,6 +134,7 @@ def test_a_line_that_hangs_on_the_slope(state: State, sense: float) -> None:
     assert simulation.state.tension == pytest.approx(expected, abs=2e-3 * expected[-1])
 
 
+@pytest.mark.slow
 def test_a_line_dragged_up_and_let_down_the_slope() -> None:
     """Slowly: w (sin a + mu cos a) L at the upper end going up, w (sin a - mu cos a) L going down.
 

@@ -39,6 +39,7 @@ def fitted(series: list[Array], time: float, duration: float) -> TailFit:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("longer", [1.0, 18.0])
 @pytest.mark.parametrize("shape", [2.0, 1.3])
 def test_the_largest_of_weibulls_peaks(shape: float, longer: float) -> None:
@@ -62,6 +63,7 @@ def test_the_largest_of_weibulls_peaks(shape: float, longer: float) -> None:
     assert found.extreme.low < probable < found.extreme.high
 
 
+@pytest.mark.slow
 def test_the_interval_holds_the_truth_as_often_as_it_says() -> None:
     """200 draws of 400 peaks, three of ten of them above the threshold, carried 20 times as far."""
     draw = np.random.default_rng(3)
@@ -131,6 +133,7 @@ def test_gumbels_mode_moves_with_the_duration() -> None:
     assert gumbel([3.0] * 9, 600.0, 10800.0) is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("runs", [5, 20])
 def test_gumbels_interval_holds_the_truth_as_often_as_it_says(runs: int) -> None:
     draw = np.random.default_rng(8)

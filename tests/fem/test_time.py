@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import time
 
+import pytest
+
 from catopt.fem import solve_line
 from catopt.model import Line, Segment
 
@@ -20,6 +22,7 @@ def _seconds_an_iteration(elements: int) -> float:
     return best
 
 
+@pytest.mark.slow
 def test_time_of_an_iteration_is_linear_in_the_bars() -> None:
     """8 times the bars take 8 times as long; 12 leaves room for caches and a busy machine."""
     _seconds_an_iteration(50)

@@ -108,6 +108,7 @@ def slope(network: Network, at: tuple[float, ...], j: int, step: float) -> list[
     return [-(a - b) / (2.0 * step) for a, b in zip(plus, minus, strict=True)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["bridle", "two joints"])
 def test_stiffness_is_minus_the_derivative_of_the_load(name: str) -> None:
     network = network_of(published("bridle")) if name == "bridle" else two_joints()

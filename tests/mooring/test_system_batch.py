@@ -13,6 +13,7 @@ from catopt.mooring.batch import solve_system_many
 from tests.mooring.layouts import CHAIN, fso
 
 
+@pytest.mark.slow
 def test_500_random_loads_of_the_fso_all_converge() -> None:
     """Up to 9,824 kN, the largest force that S4 prints, from every side."""
     random = np.random.default_rng(20)

@@ -42,6 +42,7 @@ def test_joints_and_forces(tmp_path: Path) -> None:
         assert sorted([line.TA, line.TB]) == pytest.approx(tensions, rel=1e-6)
 
 
+@pytest.mark.slow
 def test_stiffness_by_differences_of_their_forces(tmp_path: Path) -> None:
     """Over half a metre either way the force bends by some 1e-3 of its slope."""
     place = tmp_path / "bridle.txt"

@@ -87,6 +87,7 @@ def test_what_is_said_is_in_the_picture_in_both_languages(chart: Chart) -> None:
     assert english.axes[0].get_title("left") != vietnamese.axes[0].get_title("left")
 
 
+@pytest.mark.slow
 def test_a_picture_is_the_same_bytes_each_time() -> None:
     charts = [made(name) for name in ("plan", "restoring")]
     first, second = (pictures("a", charts, "$T$", columns=2) for _ in range(2))

@@ -162,6 +162,7 @@ def test_the_recommended_design_is_taken_unless_another_is_named(tmp_path: Path)
     assert len(page.styled("chosen", "front")) == 2  # in the figure and in its legend
 
 
+@pytest.mark.slow
 def test_a_long_front_is_shown_in_part_and_says_so(tmp_path: Path) -> None:
     page = read_page(page_of(read_note(design_directory(tmp_path, 12))))
     assert len(page.table("front").rows) == 12

@@ -242,6 +242,7 @@ def test_each_segment_is_held_against_what_it_is_allowed(name: str) -> None:
     assert largest == found.found.parts[found.governing].max_tension
 
 
+@pytest.mark.slow
 def test_more_than_is_allowed_is_told_at_the_top(tmp_path: Path) -> None:
     path = tmp_path / "weak.toml"
     path.write_text(HARMONIC.replace('"3000 kN"', '"1100 kN"'), encoding="utf-8")
@@ -364,6 +365,7 @@ def test_every_way_of_driving_it_is_told(tmp_path: Path, driven: str, told: dict
     assert drive | told == drive
 
 
+@pytest.mark.slow
 def test_the_file_of_the_motion_is_among_the_sources() -> None:
     names = [file.name for file in further_note("random").origin.files]
     assert names == ["random.toml", "rao.csv"]
@@ -530,6 +532,7 @@ def run(capsys: pytest.CaptureFixture[str], *arguments: object) -> tuple[int, st
     return status, said.out, said.err
 
 
+@pytest.mark.slow
 def test_the_document_and_the_note_of_a_result_directory(
     capsys: pytest.CaptureFixture[str], folder: Path
 ) -> None:

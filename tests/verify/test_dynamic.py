@@ -346,6 +346,7 @@ def test_the_figure_draws_the_peaks_where_there_is_a_tail() -> None:
     assert chart.marks[-1][:3] == ("probable", tail.extreme.most_probable, 1.0)
 
 
+@pytest.mark.slow
 def test_gumbel_is_fitted_from_five_runs_on() -> None:
     assert storm(2).of("anchor_tension").gumbel is None
     part = storm(5)

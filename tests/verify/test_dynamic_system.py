@@ -431,6 +431,7 @@ def silence(tmp_path: Path) -> str:
     return str(path)
 
 
+@pytest.mark.slow
 def test_a_body_without_a_line_comes_to_where_statics_have_it(tmp_path: Path) -> None:
     """6.5 m away; the closed form is met to 2 mm with 40 bars and to 0.3 mm with 80."""
     dynamics = Dynamics(

@@ -116,6 +116,7 @@ def sharp(length: float, height: float) -> tuple[Moored, Solution]:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("length", "height"), SHARP)
 def test_a_bend_of_6_mm_is_resolved(length: float, height: float) -> None:
     given, closed = sharp(length, height)

@@ -52,6 +52,7 @@ def test_the_digits_are_those_of_one_after_the_other() -> None:
     assert told[-1] == 1.0
 
 
+@pytest.mark.slow
 def test_what_is_whole_is_kept_when_it_is_stopped() -> None:
     """Stopped when two of six are through: none is short, and the answer says how many."""
 
@@ -68,6 +69,7 @@ def test_what_is_whole_is_kept_when_it_is_stopped() -> None:
     assert f"after {len(part.runs)} of 6 runs; what was computed" in stopped_sentence(found)
 
 
+@pytest.mark.slow
 def test_one_stopped_run_is_kept_when_none_is_whole() -> None:
     def stop(at: int, end: int) -> None:
         if at / end > 0.2:  # one of the two at least is beyond its ramp, a tenth of the run
@@ -115,6 +117,7 @@ def test_every_problem_of_an_input_comes_through() -> None:
     assert (problem.key, problem.found) == ("workers", "0")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", ["fails", "ends"])
 def test_nothing_shared_outlives_an_error(task: str) -> None:
     """A semaphore that a collection of garbage takes away may come in the way of a new one."""
@@ -196,6 +199,7 @@ def test_ctrl_c_ends_all_in_order(tmp_path: Path) -> None:
     assert "Line in motion" in out
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks in /proc")
 def test_runs_end_with_the_process_that_started_them(tmp_path: Path) -> None:
     script = tmp_path / "script.py"

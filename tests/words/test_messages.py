@@ -130,6 +130,7 @@ def keys_in_the_shell() -> Iterator[str]:
     yield from (f"desk.{name}" for name in re.findall(r'say\("(\w+)"\)', shell))
 
 
+@pytest.mark.slow
 def test_every_text_is_used() -> None:
     code = {*QUANTITIES, *keys_in_code(), *keys_in_the_shell()}
     code |= {key.replace("-", "_") for key in code}
