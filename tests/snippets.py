@@ -3,9 +3,10 @@
 A fenced block marked ``sh run`` or ``python run`` is run in a folder of its own that holds a copy
 of ``cases/`` and what ``catopt new`` wrote in the blocks of the page before. So is what follows
 ``&& `` in README's install line. A ``text`` block that comes next, with nothing but blank lines or
-the beginning of a fold between, is the output, character for character.
+the beginning of a fold between, is the output, character for character; a line ``...`` in it stands
+for lines left out.
 
-``python -m tests.snippets`` writes every such output anew.
+``python -m tests.snippets`` writes every such output anew, but for those with lines left out.
 """
 
 from __future__ import annotations
@@ -23,7 +24,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["FENCE", "PAGES", "README", "ROOT", "Block", "blocks", "produce", "shown"]
+__all__ = [
+    "ELLIPSIS",
+    "FENCE",
+    "PAGES",
+    "README",
+    "ROOT",
+    "Block",
+    "blocks",
+    "produce",
+    "shown",
+    "shows",
+]
 
 ROOT = Path(__file__).parents[1]
 README = ROOT / "README.md"
@@ -34,6 +46,7 @@ FENCE = re.compile(r"^```(?P<info>[^\n`]*)\n(?P<body>.*?)^```$", re.MULTILINE | 
 FOLD = re.compile(r"</?details>|<summary>.*?</summary>", re.DOTALL)
 """What folds a long output away; it may stand between a block and what it prints."""
 INSTALL = "pip install . && "
+ELLIPSIS = "..."
 
 
 @dataclass(frozen=True)
@@ -107,6 +120,14 @@ def produce(block: Block, folder: Path) -> str:
     return printed.getvalue()
 
 
+def shows(excerpt: str, printed: str) -> bool:
+    """Whether what a page shows is what is printed, `ELLIPSIS` standing for any lines."""
+    parts = [
+        re.escape(part) for part in re.split(r"^\.\.\.$\n?", excerpt.strip("\n") + "\n", flags=re.M)
+    ]
+    return re.fullmatch("(?:.*\n)*?".join(parts), printed.strip("\n") + "\n") is not None
+
+
 def _run(command: str, folder: Path) -> str:
     """Run one line ``catopt ...`` as somebody with a terminal of 80 columns would."""
     program, *arguments = shlex.split(command, comments=True)
@@ -129,7 +150,7 @@ def _refresh(page: Path) -> None:
     """Write the outputs that a page shows anew."""
     text = page.read_text(encoding="utf-8")
     for block in reversed(list(blocks(page))):
-        if block.output is not None:
+        if block.output is not None and ELLIPSIS not in block.output.splitlines():
             with tempfile.TemporaryDirectory() as folder:
                 output = produce(block, Path(folder)).strip("\n")
             start, end = block.output_span

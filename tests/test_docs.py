@@ -9,7 +9,7 @@ from typing import get_args
 import pytest
 
 from catopt.catenary.state import Regime
-from tests.snippets import FENCE, PAGES, README, ROOT, Block, blocks, produce, shown
+from tests.snippets import FENCE, PAGES, README, ROOT, Block, blocks, produce, shown, shows
 
 
 def _of_readme() -> list[Block]:
@@ -21,8 +21,7 @@ def check(block: Block, folder: Path) -> None:
     """Run a block and compare what it prints with what the page shows, if it shows any."""
     printed = produce(block, folder)
     if block.output is not None:
-        fresh = "write it anew: python -m tests.snippets"
-        assert block.output.strip("\n") == printed.strip("\n"), fresh
+        assert shows(block.output, printed), "write it anew: python -m tests.snippets"
 
 
 @pytest.mark.parametrize("block", _of_readme(), ids=str)
@@ -39,7 +38,7 @@ def test_what_every_page_shows_runs_and_prints_it(block: Block, tmp_path: Path) 
 def test_readme_shows_what_the_first_command_prints_and_python_that_runs() -> None:
     """The tests above have these to do."""
     install, *others = blocks(README)
-    assert install.code == "catopt reproduce buoy_9p5m\n"
+    assert install.code == 'catopt size tanker --dwt "50000 t" --depth "20 m" --out mooring\n'
     assert install.output is not None
     assert {"sh", "python"} <= {block.language for block in others}
 
@@ -47,7 +46,7 @@ def test_readme_shows_what_the_first_command_prints_and_python_that_runs() -> No
 def test_readme_gives_exactly_the_two_commands() -> None:
     lines = [line for line in README.read_text("utf-8").splitlines() if line.startswith("pip ")]
     assert lines == [
-        "pip install . && catopt reproduce buoy_9p5m",
+        'pip install . && catopt size tanker --dwt "50000 t" --depth "20 m" --out mooring',
         'pip install ".[test]" && pytest',
     ]
 
@@ -62,6 +61,26 @@ def test_a_wrong_output_and_a_failing_command_are_caught(tmp_path: Path) -> None
     assert (wrong.output, produce(wrong, tmp_path / "a")) == ("43\n", "42\n")
     with pytest.raises(AssertionError, match=r"catopt solve gone\.toml ended with 2"):
         produce(failing, tmp_path / "b")
+
+
+@pytest.mark.parametrize(
+    ("excerpt", "is_shown"),
+    [
+        ("a\nb\nc", True),
+        ("a\n...\nc", True),
+        ("...\nc", True),
+        ("a\n...", True),
+        ("a\nc", False),
+        ("b\n...", False),
+        ("...\nb", False),
+        ("a\n...\nd\n...", False),
+        ("...\n.\nc", False),
+    ],
+)
+def test_lines_left_out_stand_for_any_and_the_others_for_themselves(
+    excerpt: str, is_shown: bool
+) -> None:
+    assert shows(excerpt, "a\nb\nc\n") is is_shown
 
 
 LINK = re.compile(r"(?<!!)\[[^\]]*\]\((?P<target>[^)\s]+)\)")

@@ -1,4 +1,4 @@
-"""The tables of docs/validation.md: what is held against what, from the data that the tests use.
+"""The tables of docs/validation.md: what is compared with what, from the data that the tests use.
 
 ``python -m tests.validation_page`` brings the page up to date.
 """
@@ -239,7 +239,7 @@ def _tests() -> str:
             path = ROOT / "tests" / f"{module}.py"
             lines.append((shown, first_words(path), f"[{module}](../tests/{module}.py)"))
             shown = ""
-    return _table(("Held against", "What", "Test"), lines)
+    return _table(("Compared with", "What", "Test"), lines)
 
 
 def first_words(path: Path) -> str:

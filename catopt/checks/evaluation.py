@@ -70,7 +70,7 @@ def evaluate(
     load_case, kind : str
         Name and kind of the load case.
     place : Place
-        Which line of a body it is, and in which state; then nothing is held against the reserve of
+        Which line of a body it is, and in which state; then nothing is compared with the reserve of
         buoyancy, which all lines share. An intact line by itself when left out.
 
     Returns

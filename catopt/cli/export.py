@@ -132,7 +132,7 @@ def export(
 def _settings(
     to: Target, stiffness: str | None, elements: int | None, *, true_depth: bool
 ) -> float | None:
-    """Check the options and return EA; everything that is wrong with them is told at once."""
+    """Check the options and return EA; everything that is wrong with them is reported at once."""
     from catopt.cli.values import in_si
     from catopt.errors import InputError, Problem
     from catopt.model.validity import Findings

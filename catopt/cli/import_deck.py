@@ -91,7 +91,7 @@ def import_deck(
 
 
 def _asked(gravity: str | None, density: str | None, depth: str | None, line: int | None) -> Asked:
-    """Read the options; all that is wrong with them is told at once."""
+    """Read the options; all that is wrong with them is reported at once."""
     from catopt.cli.values import in_si
     from catopt.decks.reading import Asked
     from catopt.errors import InputError

@@ -120,7 +120,7 @@ def verify(
     as_json: JsonOption = False,
     out: OutOption = None,
 ) -> None:
-    """Hold the closed form against a truss model that shares nothing with it.
+    """Compare the closed form with a truss model that shares nothing with it.
 
     Prints every quantity by both models, with the order by which the truss model closes up over
     three meshes and the difference before and after extrapolation. A line on which they differ is

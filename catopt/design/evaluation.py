@@ -110,7 +110,7 @@ class DesignProblem:
         """Make the problem of a case; what the case seeks of its own line is left alone.
 
         InputError: the case has no design or no known horizontal force, or lacks what its
-        objectives or checks need; all that can be told at once.
+        objectives or checks need; all errors of that kind are reported at once.
         """
         states = load_cases_of(case)
         case = replace(case, find=None)

@@ -62,8 +62,7 @@ class MooringProblem(DesignProblem):
         """Make the problem of a case with a body.
 
         InputError: a figure that objectives or checks need is missing, anchors are
-        nearer than fairleads, or a line might be made that does not stretch at all; all that can be
-        told at once.
+        nearer than fairleads, or a line might be made that does not stretch at all; all at once.
         """
         design, system = case.design, case.system
         assert design is not None

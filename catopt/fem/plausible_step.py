@@ -17,7 +17,7 @@ _WANTED: Final = 20.0
 _FEWEST_SAMPLES: Final = 4.0
 """Samples in a period below which a cubic spline makes its own acceleration of it."""
 _FASTEST_PART: Final = 0.01
-"""Part of the waves' energy that may be faster than what the steps are held against."""
+"""Part of the waves' energy that may be faster than what the steps are compared with."""
 
 
 def step_warnings(

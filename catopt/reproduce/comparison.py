@@ -78,7 +78,7 @@ def item_of(
 
 
 def set_aside(source: Published, method: str, reason: str) -> tuple[Item, ...]:
-    """Tell of every number in the table of a method that nothing computed can be held against."""
+    """Tell of every number in the table of a method that nothing computed can be compared with."""
     return tuple(
         item_of(source, method, quantity, printed, not_reproducible(reason))
         for quantity, printed in source.printed[method].items()

@@ -56,5 +56,5 @@ def by_order(printed: Printed, computed: float, limit: float, unit: str) -> Judg
 
 
 def not_reproducible(reason: str) -> Judgement:
-    """Judge a number that nothing computed here can be held against."""
+    """Judge a number that nothing computed here can be compared with."""
     return Judgement("not reproducible", "", term(reason))

@@ -319,7 +319,7 @@ def _line(of: Known, least: float | None, most: float | None) -> LineChoice | No
         "allow_recalled": bool(of["recalled"]),
     }
     make = of.telling.make
-    # With the usual code, so that a wrong code and a wrong chain are told at once.
+    # With the usual code, so that a wrong code and a wrong chain are reported at once.
     usual_code = usual("code", of.moored)
     usual_line = make(lambda: LineChoice(of["chain"], usual_code, **choice))
     is_known = make(lambda each: bool(sold(each, of["water_density"])), usual_line)

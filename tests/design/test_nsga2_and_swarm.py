@@ -1,4 +1,4 @@
-"""What both searches promise, whatever the space: held against a record of every evaluation."""
+"""What both searches promise, whatever the space: compared with a record of every evaluation."""
 
 from __future__ import annotations
 

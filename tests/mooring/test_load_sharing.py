@@ -1,4 +1,4 @@
-"""S4's rule for sharing a force, held against its own sum written out and against catenaries."""
+"""S4's rule for sharing a force, beside its own sum written out and against catenaries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""S1, Tables 1 to 3, held against the article's closed form written out here once more."""
+"""S1, Tables 1 to 3, beside the article's closed form written out here once more."""
 
 from __future__ import annotations
 

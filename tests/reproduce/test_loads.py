@@ -1,4 +1,4 @@
-"""S3's and S4's forces by every method, each sum held against arithmetic written out here."""
+"""S3's and S4's forces by every method, each sum beside arithmetic written out here."""
 
 from __future__ import annotations
 

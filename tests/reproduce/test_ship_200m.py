@@ -1,4 +1,4 @@
-"""S2's worked example, held against S2's formulas written out here."""
+"""S2's worked example, beside S2's formulas written out here."""
 
 from __future__ import annotations
 

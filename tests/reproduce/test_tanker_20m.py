@@ -1,4 +1,4 @@
-"""S3, Table 1, held against the closed form of a line with its touchdown written out here."""
+"""S3, Table 1, beside the closed form of a line with its touchdown written out here."""
 
 from __future__ import annotations
 
