@@ -191,7 +191,7 @@ def test_no_bound_excludes_what_is_on_the_front_of_random_spaces(seed: int) -> N
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("fairlead_radius", "lengths", "size"), [(0.0, 278, 100_000), (5.0, 28, 10_000)]
+    ("fairlead_radius", "lengths", "size"), [(0.0, 84, 30_000), (5.0, 28, 10_000)]
 )
 def test_with_bounds_the_front_of_large_spaces_is_the_same(
     fairlead_radius: float, lengths: int, size: int
