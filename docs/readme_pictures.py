@@ -1,4 +1,4 @@
-"""Draws the two pictures of README: ``python docs/readme_pictures.py`` writes them beside it."""
+"""Draws README's and the home page's pictures: ``python docs/readme_pictures.py``."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CASES = HERE.parent / "cases"
 
 
 def main() -> None:
-    """Draw the line of S3's tanker, and the front of its design."""
+    """Draw the line of S3's tanker, the front of its design, and a buoy on its chain."""
     case = catopt.read_case(CASES / "tanker-20m" / "case.toml")
     line = line_in_water(catopt.solve_case(case), case.site.water_depth)
     found = catopt.design_case(catopt.read_case(CASES / "design-tanker-20m" / "case.toml"))
@@ -23,7 +23,10 @@ def main() -> None:
     charts = (front(document), front_lines(found, document))
     files = pictures("picture-line", line, case.title)
     files |= pictures("picture-front", charts, found.case.title)
-    for name in ("picture-line.png", "picture-front.png"):
+    buoy = catopt.size_buoy("pillar 1.8 m", depth="12 m")
+    solution = buoy.point.checks.solutions[0][1]
+    files |= pictures("picture-buoy", line_in_water(solution, 12.0), "Pillar 1.8 m, 12 m of water")
+    for name in ("picture-line.png", "picture-front.png", "picture-buoy.png"):
         (HERE / name).write_bytes(files[name])
 
 

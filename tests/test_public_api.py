@@ -6,6 +6,7 @@ import inspect
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -94,3 +95,8 @@ def test_solving_one_line_loads_nothing_heavy() -> None:
         "catopt.solve(line, height=9.5, horizontal_force=3363.68).to_dict()"
     )
     assert loaded_by(code) & HEAVY == set()
+
+
+def test_the_version_to_cite_is_that_of_the_program() -> None:
+    cited = (Path(__file__).parents[1] / "CITATION.cff").read_text("utf-8")
+    assert f"\nversion: {catopt.__version__}\n" in cited

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.options import JsonOption, ReportLanguage
+from catopt.cli.options import LANGUAGE_VARIABLE, JsonOption, ReportLanguage
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
@@ -40,7 +40,12 @@ def import_deck(
     ] = None,
     lang: Annotated[
         ReportLanguage,
-        typer.Option("--lang", metavar="LANGUAGE", help="Of the remarks: en, or vi."),
+        typer.Option(
+            "--lang",
+            metavar="LANGUAGE",
+            envvar=LANGUAGE_VARIABLE,
+            help="Of the remarks: en, or vi.",
+        ),
     ] = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: Annotated[

@@ -16,6 +16,9 @@ class ReportLanguage(StrEnum):
     VIETNAMESE = "vi"
 
 
+LANGUAGE_VARIABLE = "CATOPT_LANG"
+"""Environment variable with the language of a user who does not type it each time."""
+
 JsonOption = Annotated[
     bool,
     typer.Option(
@@ -76,6 +79,7 @@ LangOption = Annotated[
     typer.Option(
         "--lang",
         metavar="LANGUAGE",
+        envvar=LANGUAGE_VARIABLE,
         help="Language of the tables and of the workbook: en, or vi for Vietnamese. JSON and CSV "
         "are the same in both.",
     ),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption, OnceOption, ReportLanguage
+from catopt.cli.options import LANGUAGE_VARIABLE, JsonOption, OnceOption, ReportLanguage
 from catopt.cli.solve import Method
 from catopt.cli.verify import INTERRUPTED, stop_if_not_converged
 
@@ -47,6 +47,7 @@ def report(
         ReportLanguage,
         typer.Option(
             metavar="LANGUAGE",
+            envvar=LANGUAGE_VARIABLE,
             help="Language of page and workbook: en, or vi for Vietnamese.",
         ),
     ] = ReportLanguage.ENGLISH,

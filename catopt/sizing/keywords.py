@@ -17,16 +17,17 @@ from catopt.sizing.tanker_request import TankerRequest
 __all__ = ["size_buoy", "size_tanker"]
 
 
-def size_buoy(request: BuoyRequest | None = None, /, **inputs: Any) -> Sizing:
+def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Any) -> Sizing:
     """Size the chain and the sinker of a buoy.
 
     Parameters
     ----------
-    request : BuoyRequest, optional
-        Buoy, place, weather and line as objects, or what `catopt.read_sizing` made of a file.
+    request : str or BuoyRequest, optional
+        Name of a buoy; or buoy, place, weather and line as objects, or what `catopt.read_sizing`
+        made of a file.
     **inputs
-        In place of it, what is known, by the names in docs/sizing.md: numbers in SI, or texts with
-        units. What is left out is taken, and said in ``defaults``.
+        Beside a name or nothing, what is known, by the names in docs/sizing.md: numbers in SI, or
+        texts with units. What is left out is taken, and said in ``defaults``.
 
     Returns
     -------
@@ -39,7 +40,16 @@ def size_buoy(request: BuoyRequest | None = None, /, **inputs: Any) -> Sizing:
         With every mistake, each by its keyword.
     NoFeasibleDesignError
         Nothing that is sold passes every check.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> sizing = catopt.size_buoy("pillar 1.8 m", depth="12 m")
+    >>> [segment.name for segment in sizing.point.line.segments]
+    ['chain open-link 4D Q2 20 mm']
     """
+    if isinstance(request, str) and "buoy" not in inputs:
+        return _sized("buoy", None, {"buoy": request, **inputs})
     return _sized("buoy", request, inputs)
 
 

@@ -27,21 +27,20 @@ from tests.campaign.run import run
 from tests.campaign.shrinking import shrunk
 from tests.campaign.tally import Tally
 
+pytestmark = pytest.mark.slow  # the harness of the long campaigns, with them
 
-@pytest.mark.slow
+
 def test_no_line_fails() -> None:
     tally = run(300, seed=1)
     assert tally.failures == 0, tally.table()
     assert tally.lines == 300
 
 
-@pytest.mark.slow
 def test_no_line_fails_in_many() -> None:
     tally = run(9_000, seed=2, workers=2)
     assert tally.failures == 0, tally.table()
 
 
-@pytest.mark.slow
 def test_the_number_of_processes_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tests.campaign.run.BLOCK", 7)
     assert run(20, seed=3, workers=2) == run(20, seed=3)
@@ -154,7 +153,6 @@ def test_a_failing_line_is_made_simple() -> None:
     assert len(f"{small.line.segments[0].length:g}".replace(".", "").strip("0")) == 1
 
 
-@pytest.mark.slow
 def test_the_simplest_failing_line_is_a_case_file(tmp_path: Path) -> None:
     tally = Tally()
     trials = [replace(draw(1, index), known="horizontal_force", value=1e6) for index in (5, 40)]
@@ -169,7 +167,6 @@ def test_a_clean_campaign_writes_nothing(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.slow
 def test_table_and_exit_status(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Ordinary lines only: they were right from the start."""
     assert main(["--lines", "3", "--first", "48", "--out", str(tmp_path)]) == 0

@@ -220,3 +220,15 @@ def test_a_code_that_is_none_is_refused_by_every_command(
     ran = run(*command.split(), case)
     assert ran.status == 2
     assert 'checks.codes[0]: found "NONSENSE"; there are break/5, IALA-CALMAR' in ran.err
+
+
+def test_the_language_may_be_set_once_for_all(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    case = "cases/buoy-9.5m/case.toml"
+    english, vietnamese = run("solve", case).out, run("solve", case, "--lang", "vi").out
+    monkeypatch.setenv("CATOPT_LANG", "vi")
+    assert run("solve", case).out == vietnamese
+    assert run("solve", case, "--lang", "en").out == english
+    monkeypatch.setenv("CATOPT_LANG", "fr")
+    refused = run("solve", case)
+    assert refused.status == 2
+    assert "CATOPT_LANG" in refused.err

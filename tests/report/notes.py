@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import pytest
 
 from catopt.answers.blocks import Answer
 from catopt.cli.note_kind import answer_of
@@ -24,8 +27,13 @@ FURTHER = ("swarm", "harmonic", "random")
 OF_A_BODY = ("arms", "raised", "idle", "pulled", "lone")
 SIZINGS = ("size-buoy", "given", "hawser", "six", "sinker")
 NOTES = (*OF_A_LINE, *FURTHER, *OF_A_BODY, *SIZINGS)
-IN_MOTION = ("harmonic", "random")
-"""They run the truss model, which is compiled for it."""
+LONG = ("leg", "states", "harmonic", "random", "arms", "raised", "pulled", "hawser", "six")
+"""They take seconds each; in motion, and verified under many loads."""
+
+
+def each_note(names: Sequence[str] = NOTES) -> list[Any]:
+    """List notes, with those that take long among the slow tests."""
+    return [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in names]
 
 
 @cache

@@ -33,9 +33,14 @@ def test_the_figure_shows_front_and_three_lines(result: DesignResult) -> None:
     places = [(each.objectives[first], each.objectives[second]) for each in result.front]
     assert drawn[: len(places)] == places
     chosen = [result.recommended, *ends(document)]
-    assert [mark.label.split()[-1] for mark in above.marks[len(places) :]] == [
-        str(k + 1) for k in (*ends(document), result.recommended)
-    ]
+    numbers = [str(k + 1) for k in (*ends(document), result.recommended)]
+    signs = {mark.role: mark for mark in above.marks[len(places) :]}
+    assert [mark.label.split()[-1] for mark in above.marks[len(places) :]][:3] == numbers
+    present = result.present.point
+    assert present is not None
+    own = present.objectives
+    assert (signs["present"].x, signs["present"].y) == (own[first], own[second])
+    assert ("fails" in str(signs["present"].label)) is not present.checks.passes
     named = [str(series.label).split(":")[0] for series in below.series]
     assert named == [f"design {k + 1}" for k in chosen]
     spans = [max(solution.span for _, solution in result.front[k].checks.solutions) for k in chosen]

@@ -19,7 +19,7 @@ from openpyxl.utils import range_boundaries
 from catopt.answers.blocks import Figure, Table
 from catopt.words import LANGUAGES, Language
 
-from .notes import answer_named, note_named
+from .notes import answer_named, each_note, note_named
 from .rendered import workbook_of
 
 NOTES = ("leg", "slack", "states", "designed", "swarm", "harmonic", "arms", "idle", "six", "given")
@@ -31,7 +31,7 @@ def made(name: str, language: Language = "en") -> bytes:
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("name", NOTES)
+@pytest.mark.parametrize("name", each_note(NOTES))
 def test_every_sheet_is_laid_out_for_a_reader(name: str, language: Language) -> None:
     sheet: Any
     for sheet in openpyxl.load_workbook(BytesIO(made(name, language))):
@@ -42,7 +42,7 @@ def test_every_sheet_is_laid_out_for_a_reader(name: str, language: Language) -> 
         assert sheet.print_area
 
 
-@pytest.mark.parametrize("name", NOTES)
+@pytest.mark.parametrize("name", each_note(NOTES))
 def test_formulas_give_what_stands_beside_them(name: str) -> None:
     """No cell is an error, and a formula's own value is that of the cells that it names."""
     values = openpyxl.load_workbook(BytesIO(made(name)), data_only=True)
@@ -64,7 +64,7 @@ def test_formulas_give_what_stands_beside_them(name: str) -> None:
     assert count == sum(value is not None for each in computed for value in each.values)
 
 
-@pytest.mark.parametrize("name", NOTES)
+@pytest.mark.parametrize("name", each_note(NOTES))
 def test_charts_are_native_and_lie_within_the_print_area(name: str) -> None:
     wanted = sum(isinstance(block, Figure) for block in answer_named(name).blocks)
     with zipfile.ZipFile(BytesIO(made(name))) as package:

@@ -16,14 +16,12 @@ from catopt.notes.system import SystemNote
 from catopt.quantities import QUANTITIES
 from catopt.units import UNITS
 
-from .notes import IN_MOTION, NOTES, note_named, page_named
+from .notes import each_note, note_named, page_named
 from .page_reader import ReadCell, ReadPage, read_page
 from .rendered import page_of
 
 
-@pytest.fixture(
-    params=[pytest.param(k, marks=pytest.mark.slow) if k in IN_MOTION else k for k in NOTES]
-)
+@pytest.fixture(params=each_note())
 def page(request: pytest.FixtureRequest) -> ReadPage:
     return page_named(request.param)
 
@@ -75,7 +73,7 @@ def shown_in_si(cell: ReadCell, heading: str) -> tuple[float, float]:
     return float(match["number"]) * factor, half
 
 
-@pytest.mark.parametrize("name", [name for name in NOTES if name not in IN_MOTION])
+@pytest.mark.parametrize("name", each_note())
 def test_every_number_is_the_rounding_of_the_value_behind_it(name: str) -> None:
     """Within half of its last digit, and 1e-9 of itself, to which SI values are written."""
     count = 0

@@ -278,3 +278,10 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
 def test_a_duration_is_said_in_the_unit_that_reads_well(seconds: float, said: str) -> None:
     mean = next(each for each in INPUTS if each.name == "wind_mean")
     assert ReadInput(mean, seconds, "given").said == said
+
+
+def test_a_buoy_may_be_named_before_the_keywords() -> None:
+    named = catopt.size_buoy("pillar 1.8 m", depth=12.0)
+    assert named == catopt.size_buoy(buoy="pillar 1.8 m", depth="12 m")
+    with pytest.raises(InputError, match="or keywords, not both"):
+        catopt.size_buoy("pillar 1.8 m", buoy="pillar 2.4 m", depth=12.0)
