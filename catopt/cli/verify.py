@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.cli.output import Output
     from catopt.model import Case
+    from catopt.notes.front_in_motion import FrontInMotion
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.front import Design, FrontVerification
     from catopt.verify.proof import Proof
@@ -49,6 +50,11 @@ class _Moved(NamedTuple):
     found: DynamicVerification
     checks: CheckReport
 
+    def to_dict(self) -> dict[str, Any]:
+        from catopt.checks.document import motion_document
+
+        return self.found.to_dict() | {"checks": motion_document(self.checks)}
+
 
 def verify(
     context: typer.Context,
@@ -67,7 +73,7 @@ def verify(
         typer.Option(
             "--all",
             help="Verify every design of the front in the result directory CASE, each in the load "
-            "case that governs it.",
+            "case that governs it; with --dynamic each in motion under every load case.",
         ),
     ] = False,
     elements: Annotated[
@@ -136,11 +142,14 @@ def verify(
     )
     check_settings(elements, tolerance, source="options", prefix="--")
     found: _Found
-    dynamic: _Moved | None = None
+    dynamic: _Moved | FrontInMotion | None = None
+    proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
     if every:
-        _refuse(load_case, design, with_motion=with_motion)
+        _refuse(load_case, design)
         found = _front(case, output, elements, tolerance)
         read = _case_of_front(case)
+        if with_motion:
+            dynamic = _front_in_motion(case, output, proof, workers)
     else:
         read = _read(case, design, with_motion=with_motion)
         if with_motion and read.site.seabed_slope != 0.0:
@@ -149,7 +158,6 @@ def verify(
             found = Verification(read, ())  # there is no closed form to compare with
         else:
             found = _case(read, output, load_case, elements, tolerance)
-        proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
         if with_motion:
             dynamic = _dynamic(read, output, load_case, proof, workers)
     if out is not None:
@@ -161,17 +169,12 @@ def verify(
         output.json(_document(found, dynamic))
     else:
         _show(output, found, dynamic, lang.value)
-    _end(output, found, None if dynamic is None else dynamic.found, lang, strict=strict)
+    _stop_in_motion(output, dynamic, lang)
+    _end(output, found, strict=strict)
 
 
-def _document(found: _Found, dynamic: _Moved | None) -> dict[str, Any]:
-    document = found.to_dict()
-    if dynamic is None:
-        return document
-    from catopt.checks.document import motion_document
-
-    checks = motion_document(dynamic.checks)
-    return document | {"dynamic": dynamic.found.to_dict() | {"checks": checks}}
+def _document(found: _Found, dynamic: _Moved | FrontInMotion | None) -> dict[str, Any]:
+    return found.to_dict() | ({} if dynamic is None else {"dynamic": dynamic.to_dict()})
 
 
 def _answer(found: _Found) -> Answer:
@@ -183,19 +186,31 @@ def _answer(found: _Found) -> Answer:
     return verification_answer(found)
 
 
-def _show(output: Output, found: _Found, dynamic: _Moved | None, language: Language) -> None:
+def _answer_in_motion(dynamic: _Moved | FrontInMotion, *, with_series: bool = False) -> Answer:
+    if isinstance(dynamic, _Moved):
+        from catopt.answers.motion import motion_answer
+
+        return motion_answer(dynamic.found, dynamic.checks, with_series=with_series)
+    from catopt.answers.front_in_motion import front_in_motion_answer
+
+    return front_in_motion_answer(dynamic)
+
+
+def _show(
+    output: Output, found: _Found, dynamic: _Moved | FrontInMotion | None, language: Language
+) -> None:
     from catopt.render.terminal import show
 
     answer = _answer(found)
     if dynamic is not None:
-        from catopt.answers.motion import motion_answer
-
-        moved = motion_answer(dynamic.found, dynamic.checks)
+        moved = _answer_in_motion(dynamic)
         answer = replace(answer, sections=(*answer.sections, *moved.sections))
     show(output, answer, language)
 
 
-def _files(found: _Found, dynamic: _Moved | None, language: Language) -> dict[str, bytes]:
+def _files(
+    found: _Found, dynamic: _Moved | FrontInMotion | None, language: Language
+) -> dict[str, bytes]:
     """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
     from catopt.render.files import files_of
     from catopt.render.plain import document_bytes
@@ -210,32 +225,36 @@ def _files(found: _Found, dynamic: _Moved | None, language: Language) -> dict[st
     if isinstance(found, Verification):
         files |= verification_pictures(found)
     if dynamic is not None:
-        from catopt.answers.motion import motion_answer
-
-        moved = motion_answer(dynamic.found, dynamic.checks, with_series=True)
-        files |= files_of(moved, None, language) | motion_pictures(dynamic.found)
+        files |= files_of(_answer_in_motion(dynamic, with_series=True), None, language)
+    if isinstance(dynamic, _Moved):
+        files |= motion_pictures(dynamic.found)
     return files
 
 
-def _end(
-    output: Output,
-    found: _Found,
-    dynamic: DynamicVerification | None,
-    lang: ReportLanguage,
-    *,
-    strict: bool,
+def _stop_in_motion(
+    output: Output, dynamic: _Moved | FrontInMotion | None, lang: ReportLanguage
 ) -> None:
-    """Leave with the exit status that the answer asks for."""
+    """Leave with 130 where a run was stopped, with 4 where one has not converged."""
+    if isinstance(dynamic, _Moved):
+        if not dynamic.found.is_complete:
+            from catopt.verify.motion_words import stopped_sentence
+
+            output.note(f"catopt: {say(stopped_sentence(dynamic.found), lang.value)}")
+            raise typer.Exit(INTERRUPTED)
+        stop_if_not_converged(output, dynamic.found, lang)
+    elif dynamic is not None:
+        if not dynamic.is_complete:
+            raise typer.Exit(INTERRUPTED)
+        if not dynamic.has_converged:
+            output.note("catopt: for a design in motion a solver did not converge")
+            raise typer.Exit(STOPPED)
+
+
+def _end(output: Output, found: _Found, *, strict: bool) -> None:
+    """Leave with the exit status that the comparison at rest asks for."""
     from catopt.answers.verification import front_sentence, verdict_sentence
     from catopt.verify.front import FrontVerification
 
-    if dynamic is not None and not dynamic.is_complete:
-        from catopt.verify.motion_words import stopped_sentence
-
-        output.note(f"catopt: {say(stopped_sentence(dynamic), lang.value)}")
-        raise typer.Exit(INTERRUPTED)
-    if dynamic is not None:
-        stop_if_not_converged(output, dynamic, lang)
     if isinstance(found, FrontVerification) and not found.has_converged:
         output.note("catopt: for a design a solver did not converge")
         raise typer.Exit(STOPPED)
@@ -265,13 +284,17 @@ def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
 
     case = with_known_codes(read_case_or_design(path, design))
     if with_motion:
-        from catopt.checks.motion import check_strengths
-        from catopt.verify.dynamic_setup import check_for_motion, read_drive
-
-        check_for_motion(case)
-        read_drive(case)
-        check_strengths(case)
+        _check_for_motion(case)
     return case
+
+
+def _check_for_motion(case: Case) -> None:
+    from catopt.checks.motion import check_strengths
+    from catopt.verify.dynamic_setup import check_for_motion, read_drive
+
+    check_for_motion(case)
+    read_drive(case)
+    check_strengths(case)
 
 
 def _case(
@@ -319,7 +342,29 @@ def _front(directory: Path, output: Output, elements: int, tolerance: float) -> 
         return verify_front(title, designs, elements=elements, tolerance=tolerance, progress=tell)
 
 
-def _refuse(load_case: str | None, design: int | None, *, with_motion: bool) -> None:
+def _front_in_motion(
+    directory: Path, output: Output, proof: Proof, workers: int | None
+) -> FrontInMotion:
+    from catopt.casefile.design_directory import read_design_document
+    from catopt.notes.front_in_motion import front_in_motion
+
+    document, designs = read_design_document(directory), _designs(directory)
+    for each in designs:
+        _check_for_motion(each.case)
+    objectives = [
+        tuple(entry[key] for key in document["objectives"]) for entry in document["front"]
+    ]
+    with output.progress("Designs in motion") as tell:
+        return front_in_motion(
+            [(d.number, d.case, own) for d, own in zip(designs, objectives, strict=True)],
+            document["recommended"] + 1,
+            proof=proof,
+            workers=workers,
+            progress=tell,
+        )
+
+
+def _refuse(load_case: str | None, design: int | None) -> None:
     from catopt.errors import InputError, Problem
 
     given = {"--load-case": load_case, "--design": design}
@@ -329,9 +374,6 @@ def _refuse(load_case: str | None, design: int | None, *, with_motion: bool) -> 
         for option, value in given.items()
         if value is not None
     ]  # fmt: skip
-    if with_motion:
-        allowed = "does not go with --all: run one design by --design"
-        problems.append(Problem("--dynamic", "", allowed))
     if problems:
         raise InputError(problems, "options")
 

@@ -121,7 +121,7 @@ def in_motion(
 
 
 def checks_in_motion(
-    found: DynamicVerification, at_rest: Sequence[Solution] | None = None
+    found: DynamicVerification, at_rest: Sequence[Solution | None] | None = None
 ) -> CheckReport:
     """Check what came of a case in motion, by `check_motion`.
 
@@ -133,7 +133,7 @@ def checks_in_motion(
     InputError, NoEquilibriumError, NotConvergedError
         As for `check_case`.
     """
-    solved = _at_rest(found) if at_rest is None else at_rest
+    solved = lines_at_rest(found) if at_rest is None else at_rest
     lines = []
     for part, solution in zip(found.parts, solved, strict=True):
         line = found.case.line if solution is None else solution.line
@@ -164,7 +164,7 @@ def _beyond_the_runs(parts: Sequence[DynamicPart]) -> Iterator[Message]:
             )
 
 
-def _at_rest(found: DynamicVerification) -> Sequence[Solution | None]:
+def lines_at_rest(found: DynamicVerification) -> Sequence[Solution | None]:
     """Solve every line at rest, in closed form; none on a bed that slopes."""
     case = found.case
     if case.site.seabed_slope != 0.0:

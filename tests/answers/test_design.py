@@ -19,8 +19,10 @@ from catopt.answers.design import (
     segment_words,
     shown_designs,
 )
+from catopt.checks.criterion import CHECK_KINDS
 from catopt.design.result import DesignResult
 from catopt.render.workbook import workbook
+from catopt.words import Message
 
 from .tables import tables_of
 
@@ -113,3 +115,8 @@ def test_which_designs_of_a_front_people_see() -> None:
     assert shown_designs(26, 7) == (0, 2, 4, 6, 7, *range(8, 26, 2), 25)
     assert {0, 41, 998, 999} <= set(shown_designs(1000, 41, 998))
     assert len(shown_designs(1000, 41, 998)) <= 25 + 3
+
+
+def test_every_check_that_a_design_can_pass_has_its_column() -> None:
+    for kind in set(CHECK_KINDS) - {"equilibrium"}:  # which no design of a front lacks
+        assert Message(f"columns.{kind}_utilisation")

@@ -34,6 +34,7 @@ from catopt.answers.check import check_answer
 from catopt.answers.curve import curve_answer
 from catopt.answers.design import design_answer
 from catopt.answers.fatigue import fatigue_answer
+from catopt.answers.front_in_motion import front_in_motion_answer
 from catopt.answers.loads import loads_answer
 from catopt.answers.motion import motion_answer
 from catopt.answers.reproduction import reproduction_answer
@@ -48,6 +49,7 @@ from catopt.catenary.case_curve import curve_case
 from catopt.design.search import design_case
 from catopt.loads import Headings, SeaState, Ship, SurfaceCurrent, Wind, ship_loads
 from catopt.mooring.case import report_system
+from catopt.notes.front_in_motion import front_in_motion
 from catopt.render.csv import csv_files
 from catopt.render.terminal import show
 from catopt.render.trail import in_numbers, in_symbols
@@ -202,6 +204,15 @@ def _body_in_motion() -> Answer:
     return motion_answer(verify_dynamic(parse_case(MOVING + ON_THREE)), with_series=True)
 
 
+def _front_in_motion() -> Answer:
+    """Two designs, of which one has no answer."""
+    strong = MOVING.replace('mass = "130 kg/m"', 'mass = "130 kg/m"\nMBL = "3000 kN"')
+    moving = strong + _LOADED + "[checks]\nsafety_factor = 2.0\n"
+    case, too_short = parse_case(moving), parse_case(moving.replace("120 m", "19 m"))
+    designs = [(1, case, (1.0, 2.0)), (2, too_short, (2.0, 1.0))]
+    return front_in_motion_answer(front_in_motion(designs, 2, proof="none"))
+
+
 ANSWERS: dict[str, Callable[[], Answer]] = {
     "solution": _solution, "check": _check, "checks of a body": _checks_of_a_body,
     "curve": _curve, "system": _system, "loads": _loads,
@@ -209,7 +220,7 @@ ANSWERS: dict[str, Callable[[], Answer]] = {
     "list": _list, "design": _design, "reproduction": _reproduction, "size": _size,
     "size by force": _size_by_force, "verification": _verification,
     "verified body": _verified_body, "verified front": _front, "motion": _motion,
-    "body in motion": _body_in_motion, "fatigue": _fatigue,
+    "body in motion": _body_in_motion, "fatigue": _fatigue, "front in motion": _front_in_motion,
 }  # fmt: skip
 
 
@@ -218,7 +229,7 @@ def made(kind: str) -> Answer:
     return answer_named(kind) if kind in NOTES else ANSWERS[kind]()
 
 
-BY_TRUSS = ("verified body", "motion", "body in motion", "fatigue", *LONG)
+BY_TRUSS = ("verified body", "motion", "body in motion", "front in motion", "fatigue", *LONG)
 """They run the truss model, or take seconds each."""
 
 

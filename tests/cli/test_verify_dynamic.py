@@ -123,12 +123,6 @@ def test_a_case_at_rest_says_what_it_lacks(run: Run) -> None:
     assert "line.segments[0].drag_normal: missing" in ran.err
 
 
-def test_a_front_is_not_run_in_time(run: Run, tmp_path: Path) -> None:
-    ran = run("verify", tmp_path, "--all", "--dynamic")
-    assert ran.status == 2
-    assert "--dynamic: does not go with --all" in ran.err
-
-
 @pytest.fixture
 def stopped(monkeypatch: pytest.MonkeyPatch) -> None:
     """Press Ctrl-C in the middle of the run."""
@@ -292,3 +286,45 @@ def test_extremes_are_in_every_form_with_their_duration_and_interval(
     vietnamese = " ".join(run("verify", path, "--dynamic", "--once", "--lang", "vi").out.split())
     assert "Trong 90 min, cực đại khả dĩ nhất của lực căng tại điểm treo là" in vietnamese
     assert f"(khoảng tin cậy 90% từ {low} đến {high} kN)" in vietnamese
+
+
+def test_a_front_in_motion_names_what_fails_there_alone(run: Run, tmp_path: Path) -> None:
+    """With a factor of 12 both pass at rest; in motion 12 times the tension breaks the first."""
+    path, out = tmp_path / "design.toml", tmp_path / "front"
+    text = CHAIN_IN_MOTION.replace('[load]\nhorizontal_force = "300 kN"', "") + DESIGN
+    path.write_text(text.replace("safety_factor = 2.0", "safety_factor = 12.0"), "utf-8")
+    assert run("design", path, "--out", out).status == 0
+    alone = [
+        document(run("verify", out, "--design", str(k), "--dynamic", "--json").out)["dynamic"]
+        for k in (1, 2)
+    ]
+    used = [
+        12.0 * max(part["max_tension_N"] for part in each["load_cases"])
+        / read_case_or_design(out, k).line.segments[0].MBL
+        for k, each in enumerate(alone, start=1)
+    ]  # fmt: skip
+    assert used[0] > 1.0 > used[1]
+    ran = run("verify", out, "--all", "--dynamic", "--out", tmp_path / "moved")
+    assert ran.status == 0
+    assert "but in motion fail or have no answer that can be relied on: 1." in " ".join(
+        ran.out.split()
+    )
+    assert "Recommended: design 2, the knee of those that pass in motion" in " ".join(
+        ran.out.split()
+    )
+    found = document((tmp_path / "moved" / "verify.json").read_text("utf-8"))["dynamic"]
+    assert (found["recommended_by_search"], found["recommended"]) == (1, 2)
+    assert [each["passes"] for each in found["designs"]] == [False, True]
+    checks = [each["checks"]["checks"][0]["utilisation"] for each in found["designs"]]
+    assert checks == pytest.approx(used, rel=1e-12)
+    assert "front_in_motion.csv" in {each.name for each in (tmp_path / "moved").iterdir()}
+
+
+def test_a_front_in_motion_needs_a_limit_of_the_tension(run: Run, tmp_path: Path) -> None:
+    path, out = tmp_path / "design.toml", tmp_path / "front"
+    text = CHAIN_IN_MOTION.replace('[load]\nhorizontal_force = "300 kN"', "") + DESIGN
+    path.write_text(text.replace("safety_factor = 2.0", 'max_span = "200 m"'), "utf-8")
+    assert run("design", path, "--out", out).status == 0
+    ran = run("verify", out, "--all", "--dynamic")
+    assert ran.status == 2
+    assert "codes or a safety_factor are wanted" in " ".join(ran.err.split())
