@@ -13,17 +13,12 @@ from catopt.model.validity import Findings
 from catopt.words import Message, term
 
 __all__ = [
-    "SLENDEREST",
     "DriftWave",
-    "cylinder_drift",
     "depth_factor",
     "flat_side_drift",
     "ship_drift",
     "width_across",
 ]
-
-SLENDEREST: Final = 0.4
-"""ka below which the long-wave formula of the cylinder is within 10 % (C)."""
 
 DriftWave = Literal["sea state", "largest wave"]
 """The mean over an irregular sea of height Hs, or that under regular waves of the height Hmax."""
@@ -90,43 +85,6 @@ def _half_mean_square(sea: SeaState, depth: float, of: DriftWave) -> float:
     if of == "sea state":
         return sea.hs**2 / 16.0
     return (0.5 * sea.height_in(depth)) ** 2 / 2.0
-
-
-def cylinder_drift(sea: SeaState, radius: float, depth: float, *, water_density: float) -> float:
-    """Mean force on a floating vertical cylinder in long waves, N.
-
-    (5 pi^2/16) rho g a^2 r (k r)^3 (Eatock Taylor and others 1990, as DTOcean has it, C), the mean
-    over the sea state: a^2 = Hs^2/8.
-
-    Parameters
-    ----------
-    sea : SeaState
-        Height and period.
-    radius : float
-        r, m.
-    depth : float
-        Of the water, m.
-    water_density : float
-        kg/m3.
-
-    Raises
-    ------
-    InputError
-        When k r is above 0.4: the waves are too short, or the cylinder too wide.
-    """
-    found = Findings("wave drift")
-    found.number("radius", radius, "m", above=0.0)
-    found.number("depth", depth, "m", above=0.0)
-    found.raise_if_any()
-    slender = sea.wave_number(depth) * radius
-    if slender > SLENDEREST:
-        found.add(
-            "radius", f"k r = {slender:.2f}", f"the long-wave formula holds up to {SLENDEREST:g}"
-        )
-    found.raise_if_any()
-    square = sea.hs**2 / 8.0
-    front = 5.0 * math.pi**2 / 16.0 * water_density * STANDARD_GRAVITY
-    return front * square * radius * slender**3
 
 
 _MEAN_SQUARE: Final = {

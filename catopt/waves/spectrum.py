@@ -156,10 +156,6 @@ class Spectrum:
         r = np.asarray(omega, dtype=float) / self.peak_frequency
         return self._scale / self.peak_frequency * _plain(r) * np.exp(self._log_peak(r))
 
-    def density_by_frequency(self, frequency: npt.ArrayLike) -> Array:
-        """S(f) = 2 pi S(omega) in m²/Hz; `frequency` in Hz, of any shape, above 0."""
-        return 2.0 * math.pi * self.density(2.0 * math.pi * np.asarray(frequency, dtype=float))
-
     def energy_below(self, omega: npt.ArrayLike) -> Array:
         """Integral of S from 0 to each of `omega` (rad/s, above 0), m²: exact to rounding.
 

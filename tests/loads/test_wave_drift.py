@@ -8,7 +8,7 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads import SeaState
-from catopt.loads.wave_drift import cylinder_drift, depth_factor, flat_side_drift, ship_drift
+from catopt.loads.wave_drift import depth_factor, flat_side_drift, ship_drift
 
 RHO, G = 1025.0, 9.80665
 ROUNDING = 1e-12
@@ -53,19 +53,6 @@ def test_a_breaking_wave_pushes_no_more_than_its_breaking_height() -> None:
     """In 2 m of water a wave is 1.56 m high."""
     by_hand = 0.5 * RHO * G * 0.78**2 * depth_factor(SEA.wave_number(2.0), 2.0)
     assert drift(depth=2.0, of="largest wave") == pytest.approx(by_hand, rel=ROUNDING)
-
-
-def test_cylinder_by_hand() -> None:
-    """Of r = 1 m, T = 8 s in deep water: k = omega^2/g = 0.0628994 1/m, a^2 = Hs^2/8 = 0.5 m2.
-
-    5 pi^2/16 x 1025 x 9.80665 x 0.5 x 1 x 0.0628994^3 = 3.8574 N.
-    """
-    assert cylinder_drift(SEA, 1.0, DEEP, water_density=RHO) == pytest.approx(3.8574, abs=1e-3)
-
-
-def test_a_cylinder_too_wide_for_its_waves_is_refused() -> None:
-    with pytest.raises(InputError, match=r"holds up to 0\.4"):
-        cylinder_drift(SEA, 10.0, DEEP, water_density=RHO)
 
 
 def test_a_ship_shows_its_breadth_and_its_length() -> None:

@@ -52,16 +52,6 @@ def test_jonswap_of_gamma_1_is_pierson_moskowitz(ratio: float) -> None:
     assert pierson_moskowitz(HS, TP).density(omega) == pytest.approx(alone, rel=1e-14)
 
 
-def test_density_by_frequency_is_two_pi_times_that_by_omega() -> None:
-    spectrum = jonswap(HS, TP)
-    f = np.array([0.05, 0.08, 0.2])
-    np.testing.assert_allclose(
-        spectrum.density_by_frequency(f) / (2.0 * math.pi), spectrum.density(2.0 * math.pi * f)
-    )
-    by_frequency, _ = quad(spectrum.density_by_frequency, 0.02, 2.0, points=[1.0 / TP], limit=200)
-    assert 4.0 * math.sqrt(by_frequency) == pytest.approx(HS, rel=1e-5)  # the tail beyond 2 Hz
-
-
 def test_pierson_moskowitz_moments_have_closed_forms() -> None:
     """m0 = Hs²/16, m2 = (Hs²/16) omega_p² sqrt(5 pi/4), m_-4 = 0.8 m0/omega_p⁴; rounding only."""
     spectrum = pierson_moskowitz(HS, TP)
