@@ -35,9 +35,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     no_args_is_help=True,
     context_settings={"help_option_names": ["-h", "--help"]},
-    help="Sizes catenary mooring lines: closed form, particle swarm, published figures.",
+    help="Sizes mooring lines, checks them by named codes, and writes the note for the checker.",
     epilog="Exit status: 0 done; 2 the input is wrong; 3 the input is right but no equilibrium "
-    "exists; 4 a solver did not converge; 1 a fault of catopt's own.",
+    "exists; 4 a solver did not converge; 130 interrupted; 1 a fault of catopt's own.",
 )
 
 
@@ -67,17 +67,28 @@ def catopt(
     output.tell_of_decks()
 
 
-for _command in (
-    solve, curve, design, check, verify, fatigue, system, report, export, reproduce, new,
-):  # fmt: skip
-    app.command()(_command if _command in (export, new, reproduce) else in_units(_command))
-app.command("import")(import_deck)
-app.command()(web)
-app.command("app")(page_app)
-app.command("compile")(compile_all)
-app.add_typer(catalog)
-app.add_typer(loads)
-app.add_typer(size)
+# Each in one line, groups last as typer has them; the own help of each says more.
+for _name, _command, _short in (
+    ("new", new, "Write a commented file to start from."),
+    ("solve", in_units(solve), "Solve a mooring line at rest."),
+    ("curve", in_units(curve), "The forces of a line over its span."),
+    ("check", in_units(check), "Check a line, or all lines of a body, by named codes."),
+    ("design", in_units(design), "Search the best lines, or moorings, that can be bought."),
+    ("system", in_units(system), "Find where a body on several lines comes to rest."),
+    ("verify", in_units(verify), "Compare with the truss model, at rest or in motion."),
+    ("fatigue", in_units(fatigue), "Damage of each segment in a year of sea states."),
+    ("report", in_units(report), "Write the calculation note."),
+    ("export", export, "Write lines for another program, or as a drawing."),
+    ("import", import_deck, "Read another program's file, write it as a case."),
+    ("reproduce", reproduce, "Recompute published figures, number by number."),
+    ("app", page_app, "Open the page in the browser, for buoy, ship and lines."),
+    ("web", web, "Write that page as a file or a folder."),
+    ("compile", compile_all, "Compile everything now, once for this machine."),
+):
+    app.command(_name, short_help=_short)(_command)
+app.add_typer(size, short_help="Size the mooring of a buoy or a ship.")
+app.add_typer(loads, short_help="Wind, current and waves on a buoy or a ship.")
+app.add_typer(catalog, short_help="Look up chain, wire and rope, each figure with its source.")
 
 command = typer.main.get_command(app)
 """The command line, built once: that takes longer than most answers."""

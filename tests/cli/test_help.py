@@ -10,6 +10,7 @@ import typer
 from catopt.cli.app import command as catopt_command
 
 from .command_page import PAGE, blocks, commands, help_of
+from .conftest import Run
 
 WRITTEN_WITH = "0.29"
 """typer whose layout the page shows; another one may set brackets and spaces otherwise."""
@@ -55,3 +56,10 @@ def test_every_option_and_its_help_is_on_the_page(command: str) -> None:
 def test_a_changed_help_is_noticed() -> None:
     changed = PAGE.read_text("utf-8").replace("--seed N", "--sead N")
     assert words(blocks(changed)["catopt solve"]) != words(help_of("catopt solve"))
+
+
+def test_every_command_has_its_line(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    shown = run("--help").out
+    assert "..." not in shown.partition("Commands:")[2]
+    assert max(map(len, shown.splitlines())) <= 80
