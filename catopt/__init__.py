@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from importlib import import_module
 
+from catopt import shown
 from catopt._version import __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    import pandas as pd
 
     from catopt.casefile import read_case
     from catopt.catenary.batch import solve_many
@@ -123,6 +126,22 @@ if not TYPE_CHECKING:  # so that a type checker still finds a misspelt name
         value = getattr(import_module(_HOME_OF[name]), name)
         globals()[name] = value
         return value
+
+
+def _as_html(result: object) -> str:
+    from catopt.answers.of_result import answer_of
+    from catopt.render.page import fragment
+
+    return fragment(answer_of(result))
+
+
+def _as_table(result: object) -> pd.DataFrame:
+    from catopt.answers.of_result import table_of
+
+    return table_of(result)
+
+
+shown.faces |= {"html": _as_html, "table": _as_table}
 
 
 def __dir__() -> list[str]:

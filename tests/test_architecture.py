@@ -17,7 +17,7 @@ PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
     "errors", "constants", "documents", "numerals", "units", "quantities", "words",
-    "compiled", "interrupt", "ties",
+    "compiled", "interrupt", "ties", "shown",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
 READING = {"catalogue", "casefile", "decks"}
@@ -45,6 +45,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "machine_code": {"interrupt"},
     "interrupt": set(),
     "ties": set(),
+    "shown": set(),
     "schemas": {"errors", "documents"},
     "model": BASE,
     "catalogue": BASE | {"model"},
@@ -88,7 +89,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "__init__": SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "verify", "sizing", "_version"},
+    | {"mooring", "loads", "verify", "sizing", "answers", "render", "_version"},
 }
 """What each part may import beside itself; a part is a module or a folder of catopt."""
 

@@ -41,7 +41,7 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
     People see the shape, too, `with_profile`.
     """
     inputs = Facts("inputs", tuple(given_facts(case)), Message("captions.given"))
-    results: list[Block] = [_summary(solution), segments_table(solution)]
+    results: list[Block] = [summary(solution), segments_table(solution)]
     if solution.safety_factor != 1.0 and any(each.MBL is not None for each in solution.segments):
         results.append(Text(Message("solution.utilisation", factor=solution.safety_factor)))
     if solution.point_loads:
@@ -159,7 +159,8 @@ def found_facts(solution: Solution) -> tuple[Fact, ...]:
     return (_force("horizontal_force", value, "found_horizontal_force"),)
 
 
-def _summary(solution: Solution) -> Facts:
+def summary(solution: Solution) -> Facts:
+    """List forces, tensions and lengths of a line."""
     found = solution.found
     opening = [
         Fact(Message("columns.title"), solution.title, only="files"),

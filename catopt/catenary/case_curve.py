@@ -18,6 +18,7 @@ from catopt.catenary.solve import solve
 from catopt.catenary.surface import check_buoys
 from catopt.errors import FloatsUpError, InputError, NoAnswerError, Problem
 from catopt.model import Case
+from catopt.shown import Shown
 from catopt.words import Measure, Message
 
 __all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]
@@ -30,8 +31,8 @@ LEAST = 0.01
 """A range that is not given runs from this part of a force to that, which shows its mark."""
 
 
-@dataclass(frozen=True)
-class CaseCurve:
+@dataclass(frozen=True, repr=False)
+class CaseCurve(Shown):
     """The load curve of a case's line.
 
     Attributes

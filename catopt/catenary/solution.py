@@ -9,6 +9,7 @@ from catopt.catenary.document import solution_document
 from catopt.catenary.layout import Profile, Stretch, sample
 from catopt.catenary.state import Regime
 from catopt.model import Line
+from catopt.shown import Shown
 
 __all__ = [
     "EndState",
@@ -156,8 +157,8 @@ class FoundQuantity:
         return "m" if self.quantity == "length" else "N"
 
 
-@dataclass(frozen=True)
-class Solution:
+@dataclass(frozen=True, repr=False)
+class Solution(Shown):
     """Equilibrium of one line.
 
     Attributes

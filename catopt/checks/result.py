@@ -11,6 +11,7 @@ from catopt.checks.document import check_document, result_document
 from catopt.checks.excess import ROUNDING
 from catopt.checks.state import Place
 from catopt.model import LoadCase
+from catopt.shown import Shown
 from catopt.ties import largest
 from catopt.words import Message
 
@@ -118,8 +119,8 @@ class CheckResult:
         return self.excess <= ROUNDING
 
 
-@dataclass(frozen=True)
-class CheckReport:
+@dataclass(frozen=True, repr=False)
+class CheckReport(Shown):
     """All checks of a line under all its load cases, or of a body with lines in all its states.
 
     Attributes

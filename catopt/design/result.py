@@ -10,12 +10,13 @@ from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.document import design_document
 from catopt.design.mooring_point import MooringPoint
 from catopt.model import Anchor, Case, Line
+from catopt.shown import Shown
 
 __all__ = ["DesignPoint", "DesignResult", "NearMiss", "Neighbour"]
 
 
-@dataclass(frozen=True)
-class DesignPoint:
+@dataclass(frozen=True, repr=False)
+class DesignPoint(Shown):
     """One line of the front.
 
     Attributes
@@ -87,8 +88,8 @@ class NearMiss:
     reason: str = ""
 
 
-@dataclass(frozen=True)
-class DesignResult:
+@dataclass(frozen=True, repr=False)
+class DesignResult(Shown):
     """The front and how it was found.
 
     Attributes

@@ -20,12 +20,13 @@ from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import of_line, solve_system
 from catopt.mooring.watch_circle import WatchCircle, watch_circle
 from catopt.mooring.water_level import AtLevel, at_levels
+from catopt.shown import Shown
 
 CURVE_POINTS = 41
 
 
-@dataclass(frozen=True)
-class SystemReport:
+@dataclass(frozen=True, repr=False)
+class SystemReport(Shown):
     """What was asked of a moored body.
 
     Attributes

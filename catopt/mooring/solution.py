@@ -9,6 +9,7 @@ from typing import Any
 from catopt.catenary.solution import Solution
 from catopt.model.system import Leg, System
 from catopt.mooring.document import system_document
+from catopt.shown import Shown
 from catopt.ties import first_largest
 
 __all__ = ["LegState", "Position", "SystemResidual", "SystemSolution"]
@@ -91,8 +92,8 @@ class LegState:
         return max(known) if known else None
 
 
-@dataclass(frozen=True)
-class SystemSolution:
+@dataclass(frozen=True, repr=False)
+class SystemSolution(Shown):
     """Equilibrium of a moored body.
 
     Attributes

@@ -15,6 +15,7 @@ from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.loads.source import CALMAR
 from catopt.model import Case
+from catopt.shown import Shown
 from catopt.sizing.alternatives import Alternative, trade
 from catopt.sizing.candidates import Candidate
 from catopt.sizing.document import sizing_document
@@ -54,8 +55,8 @@ class SwingRadius:
         return math.fsum(length for _, length in self.parts)
 
 
-@dataclass(frozen=True)
-class Sizing:
+@dataclass(frozen=True, repr=False)
+class Sizing(Shown):
     """A mooring sized for its place and its weather.
 
     Attributes

@@ -19,6 +19,7 @@ from catopt.fem.history import History
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
 from catopt.model import Case
 from catopt.model.dynamics import InitialFriction
+from catopt.shown import Shown
 from catopt.ties import largest
 from catopt.verify.proof import LEAST_TENSION, LIMIT, Again, Change, Proof, added, largest_changes
 from catopt.words import Message
@@ -389,8 +390,8 @@ class DynamicPart:
         return gumbel_of(maxima, whole[0].duration, self.duration_of_interest)
 
 
-@dataclass(frozen=True)
-class DynamicVerification:
+@dataclass(frozen=True, repr=False)
+class DynamicVerification(Shown):
     """A case in motion.
 
     `case`: what was run; `parts`: one a load case; of a body with several lines, one a line;

@@ -11,6 +11,7 @@ import numpy as np
 from catopt.catenary.solution import Solution
 from catopt.fem import TrussSolution
 from catopt.model import Case
+from catopt.shown import Shown
 from catopt.ties import largest
 from catopt.verify.compared import ROUNDING, Compared, worst_of
 from catopt.verify.shape import Array, closed_form_at, flat
@@ -187,8 +188,8 @@ def least_agreeing(parts: Sequence[StaticComparison]) -> StaticComparison:
     return largest(parts, lambda part: part.worst.severity, resolved)
 
 
-@dataclass(frozen=True)
-class Verification:
+@dataclass(frozen=True, repr=False)
+class Verification(Shown):
     """A case by both models.
 
     Attributes

@@ -1,0 +1,64 @@
+"""The answer of a result that came by itself, as Python has it: what a notebook shows of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from catopt.answers.blocks import Answer, Section, Table
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from catopt.catenary.solution import Solution
+
+
+_MAIN = {"Sizing": "sizing"}
+"""Name of the main table where that is not the first."""
+
+
+def answer_of(result: Any) -> Answer:
+    """Lay out a result; TypeError for what is none."""
+    from catopt.answers.check import check_answer
+    from catopt.answers.curve import curve_answer
+    from catopt.answers.design import design_answer
+    from catopt.answers.motion import motion_answer
+    from catopt.answers.size import size_answer
+    from catopt.answers.verification import verification_answer
+
+    layouts = {
+        "CaseCurve": curve_answer,
+        "CheckReport": check_answer,
+        "DesignResult": design_answer,
+        "DynamicVerification": motion_answer,
+        "Sizing": size_answer,
+        "Solution": _solution,
+        "Verification": verification_answer,
+    }
+    name = type(result).__name__
+    if name not in layouts:
+        raise TypeError(f"a {name} has no tables; those of {', '.join(layouts)} are known")
+    layout: Any = layouts[name]
+    answer: Answer = layout(result)
+    sections = [
+        replace(each, name=each.name or f"{name}-{number}")  # those with a name are on a page
+        for number, each in enumerate(answer.sections)
+    ]
+    return replace(answer, sections=tuple(sections))
+
+
+def table_of(result: Any) -> pd.DataFrame:
+    """Return the main table of a result: the one of its kind, or the first."""
+    blocks = [block for section in answer_of(result).sections for block in section.blocks]
+    tables = [each for each in blocks if isinstance(each, Table) and each.only != "workbook"]
+    wanted = _MAIN.get(type(result).__name__, tables[0].name)
+    return next(each for each in tables if each.name == wanted).to_dataframe()
+
+
+def _solution(solution: Solution) -> Answer:
+    from catopt.answers.solution import segments_table, summary
+
+    blocks = (summary(solution), segments_table(solution))
+    title = Message("captions.mooring_line")
+    return Answer("solution", title, (Section(Message("captions.results"), blocks),))

@@ -1,0 +1,57 @@
+"""Results as one line in Python, and as their tables in a notebook."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    import pandas as pd
+
+__all__ = ["Shown"]
+
+LONGEST = 60
+"""Letters of a text that still go into a line."""
+
+faces: dict[str, Callable[[Any], Any]] = {}
+"""What shows a result, by ``"html"`` and ``"table"``; `catopt` itself puts them in."""
+
+
+class Shown:
+    """A result, a dataclass, that says its own numbers in a line and leaves what they hold out."""
+
+    def __repr__(self) -> str:
+        said = (f"{name}={_short(value)}" for name, value in _own(self) if _is_short(value))
+        return f"{type(self).__name__}({', '.join(said)})"
+
+    def _repr_html_(self) -> str:
+        """Lay out all that the command prints, for a notebook."""
+        html: str = faces["html"](self)
+        return html
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """Return the main table of what the command writes, with the unit in each heading."""
+        table: pd.DataFrame = faces["table"](self)
+        return table
+
+
+def _own(value: Any) -> list[tuple[str, Any]]:
+    from dataclasses import fields
+
+    return [(each.name, getattr(value, each.name)) for each in fields(value)]
+
+
+def _is_short(value: Any) -> bool:
+    """Whether it is a number, a short text, or a few numbers under one name."""
+    if isinstance(value, str):
+        return 0 < len(value) <= LONGEST
+    if hasattr(value, "__dataclass_fields__"):
+        return all(isinstance(each, float) for _, each in _own(value))
+    return isinstance(value, (bool, int, float))
+
+
+def _short(value: Any) -> str:
+    if hasattr(value, "__dataclass_fields__"):
+        return f"({', '.join(f'{name}={each:.6g}' for name, each in _own(value))})"
+    return f"{value:.6g}" if isinstance(value, float) else repr(value)

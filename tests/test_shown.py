@@ -1,0 +1,81 @@
+"""Results in Python: a line of text, the tables of the command in a notebook, a data frame."""
+
+from __future__ import annotations
+
+import io
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import pytest
+
+import catopt
+from catopt.answers.design import design_answer
+from catopt.render.csv import csv_files
+from catopt.verify.case import verify_case
+
+CASES = Path("cases")
+
+
+@cache
+def results() -> dict[str, Any]:
+    buoy = catopt.read_case(CASES / "buoy-9.5m" / "case.toml")
+    body = catopt.read_case(CASES / "fso-rang-dong" / "case.toml")
+    assert body.system is not None
+    return {
+        "solution": catopt.solve_case(buoy),
+        "curve": catopt.curve_case(buoy),
+        "checks": catopt.check_case(body),
+        "design": catopt.design_case(catopt.read_case(CASES / "design-buoy-9.5m" / "case.toml")),
+        "sizing": catopt.size_tanker(dwt="50000 t", depth=20.0),
+        "verification": verify_case(buoy, elements=20),
+        "system": catopt.solve_system(body.system),
+    }
+
+
+NAMES = ["solution", "curve", "checks", "design", "sizing", "verification"]
+
+
+@pytest.mark.parametrize("name", [*NAMES, "system"])
+def test_a_result_is_a_line_or_two(name: str) -> None:
+    """They were up to 650,000 letters."""
+    said = repr(results()[name])
+    assert said.startswith(type(results()[name]).__name__ + "(")
+    assert len(said) < 600
+
+
+def test_the_line_has_the_numbers() -> None:
+    assert "span=17.43" in repr(results()["solution"])
+    assert "position=(x=-21.738" in repr(results()["system"])
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("solution", "chain"), ("curve", "kN"), ("checks", "line 1 out"),
+        ("design", "sliding of the sinker"), ("sizing", "Stevpris"), ("verification", "agree"),
+    ],
+)  # fmt: skip
+def test_a_notebook_shows_what_the_command_prints(name: str, words: str) -> None:
+    html = results()[name]._repr_html_()
+    assert "<table" in html
+    assert words in html
+
+
+def test_the_data_frame_is_that_of_the_files() -> None:
+    found = results()["design"].to_dataframe()
+    written = csv_files(design_answer(results()["design"]))["front.csv"]
+    read = pd.read_csv(io.BytesIO(written))
+    assert list(found.columns) == list(read.columns)
+    assert len(found) == len(results()["design"].front) == len(read)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_result_has_a_data_frame(name: str) -> None:
+    assert len(results()[name].to_dataframe())
+
+
+def test_what_has_no_tables_says_which_have() -> None:
+    with pytest.raises(TypeError, match="a SystemSolution has no tables; those of CaseCurve"):
+        results()["system"]._repr_html_()
