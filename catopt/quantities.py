@@ -79,11 +79,6 @@ class Quantity:
         """Label with the field unit: ``Tension T (kN)``."""
         return f"{self.label} ({self.field_unit})"
 
-    @property
-    def si_heading(self) -> str:
-        """Label with the SI unit: ``Tension T (N)``."""
-        return f"{self.label} ({self.si_unit})"
-
     def to_field(self, si: float) -> float:
         """Convert a value (or an array) in SI to the field unit."""
         return si / self.factor

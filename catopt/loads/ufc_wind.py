@@ -15,11 +15,10 @@ from catopt.model.validity import Findings
 from catopt.words import Message
 
 __all__ = [
+    "RECALLED_LONGITUDINAL",
     "Superstructure",
     "UfcWind",
     "longitudinal_shape",
-    "recalled_longitudinal_coefficient",
-    "recalled_transverse_coefficient",
     "transverse_shape",
     "ufc_wind_loads",
 ]
@@ -27,7 +26,9 @@ __all__ = [
 Superstructure = Literal["single", "distributed"]
 """Case I, a single distinct superstructure or a ship dominated by its hull; case II."""
 
-_REFERENCE_HEIGHT: Final = 10.0
+RECALLED_LONGITUDINAL: Final = 0.70
+"""Cxw of a ship that is not dominated by its hull, recalled (R)."""
+
 _ALONG: Final = 1e-9
 _LONGITUDINAL = LoadSource(UFC, "eq. 6 and 7, page 77; the coefficient is the user's", "A")
 _RECALLED = LoadSource(UFC, "eq. 2, page 65; Cyw and fyw on pages that were not read", "R")
@@ -112,55 +113,6 @@ def transverse_shape(angle: float, *, allow_recalled: bool = False) -> float:
     """
     refuse_recalled("transverse_shape", "fyw", "the shape function", _GIVE, allowed=allow_recalled)
     return (math.sin(angle) - 0.05 * math.sin(5.0 * angle)) / 0.95
-
-
-def recalled_transverse_coefficient(
-    hull: tuple[float, float],
-    superstructure: tuple[float, float],
-    *,
-    allow_recalled: bool = False,
-) -> float:
-    """Cyw from the heights and lateral areas of hull and superstructure, recalled (R).
-
-    0.92 [((hS + hH)/(2 hR))^(2/7) AS + (hH/(2 hR))^(2/7) AH]/(AS + AH), hR = 10 m.
-
-    Parameters
-    ----------
-    hull, superstructure : tuple of float
-        Height of its top above the water, m, and its lateral area, m2.
-    allow_recalled : bool
-        Must be set.
-    """
-    where = "recalled_transverse_coefficient"
-    refuse_recalled(where, "Cyw", "its formula", _GIVE, allowed=allow_recalled)
-    found = Findings(where)
-    for name, pair in (("hull", hull), ("superstructure", superstructure)):
-        found.number(f"{name} height", pair[0], "m", above=0.0)
-        found.number(f"{name} area", pair[1], "m2", at_least=0.0)
-    if not found.problems and hull[1] + superstructure[1] <= 0.0:
-        found.add("hull area", "0 m2", "an area is wanted")
-    found.raise_if_any()
-    (h_hull, a_hull), (h_super, a_super) = hull, superstructure
-    of_super = (0.5 * (h_super + h_hull) / _REFERENCE_HEIGHT) ** (2.0 / 7.0)
-    of_hull = (0.5 * h_hull / _REFERENCE_HEIGHT) ** (2.0 / 7.0)
-    return float(0.92 * (of_super * a_super + of_hull * a_hull) / (a_super + a_hull))
-
-
-def recalled_longitudinal_coefficient(
-    hull_dominated: bool, *, allow_recalled: bool = False
-) -> float:
-    """Cxw: 0.40 for a ship dominated by its hull, 0.70 for others, recalled (R).
-
-    Parameters
-    ----------
-    hull_dominated : bool
-        Such as an aircraft carrier.
-    allow_recalled : bool
-        Must be set.
-    """
-    where = "recalled_longitudinal_coefficient"
-    refuse_recalled(where, "Cxw", "its table", _GIVE, allowed=allow_recalled)
-    return 0.40 if hull_dominated else 0.70
 
 
 def ufc_wind_loads(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import pytest
 
@@ -13,8 +12,6 @@ from catopt.loads.blendermann import TYPES, blendermann_loads, coefficients
 from catopt.loads.ufc_wind import (
     Superstructure,
     longitudinal_shape,
-    recalled_longitudinal_coefficient,
-    recalled_transverse_coefficient,
     transverse_shape,
     ufc_wind_loads,
 )
@@ -111,25 +108,9 @@ def test_the_recalled_transverse_shape_is_1_on_the_beam() -> None:
     assert transverse_shape(0.0, allow_recalled=True) == 0.0
 
 
-def test_the_recalled_transverse_coefficient_by_hand() -> None:
-    """Hull to 20 m, alone: (10/10)^(2/7) = 1, so 0.92."""
-    only_hull = recalled_transverse_coefficient((20.0, 500.0), (20.0, 0.0), allow_recalled=True)
-    assert only_hull == pytest.approx(0.92, rel=ROUNDING)
-    low = recalled_transverse_coefficient((10.0, 500.0), (10.0, 0.0), allow_recalled=True)
-    assert low == pytest.approx(0.92 * 0.5 ** (2.0 / 7.0), rel=ROUNDING)
-
-
 def test_recalled_figures_are_refused_unless_asked_for() -> None:
-    calls: tuple[Callable[[], float], ...] = (
-        lambda: transverse_shape(1.0),
-        lambda: recalled_transverse_coefficient((10.0, 500.0), (20.0, 100.0)),
-        lambda: recalled_longitudinal_coefficient(True),
-    )
-    for call in calls:
-        with pytest.raises(InputError, match="recalled \\(R\\), read in no document"):
-            call()
-    assert recalled_longitudinal_coefficient(True, allow_recalled=True) == 0.40
-    assert recalled_longitudinal_coefficient(False, allow_recalled=True) == 0.70
+    with pytest.raises(InputError, match="recalled \\(R\\), read in no document"):
+        transverse_shape(1.0)
 
 
 OWN = UfcWind(0.9, 0.5, 0.6, math.radians(100.0), "distributed")
