@@ -104,12 +104,7 @@ def longitudinal_shape(angle: float, zero_angle: float, superstructure: Superstr
 def transverse_shape(angle: float, *, allow_recalled: bool = False) -> float:
     """Shape of the transverse force, [sin(theta) - sin(5 theta)/20]/0.95, recalled (R).
 
-    Parameters
-    ----------
-    angle : float
-        rad; the same counted from the bow or from the stern.
-    allow_recalled : bool
-        Must be set.
+    The angle in rad is the same counted from the bow or from the stern.
     """
     refuse_recalled("transverse_shape", "fyw", "the shape function", _GIVE, allowed=allow_recalled)
     return (math.sin(angle) - 0.05 * math.sin(5.0 * angle)) / 0.95
