@@ -38,16 +38,7 @@ class Table:
     ) -> tuple[Table, Findings]:
         """Read the text of a file of one schema; note what is wrong with its top.
 
-        Parameters
-        ----------
-        text : str
-            TOML.
-        source : str
-            Name of the file, for messages.
-        schema : str
-            What stands under its key ``schema``.
-        keys : sequence of str
-            That may stand beside it.
+        The keys are those that may stand beside ``schema``; the source names the file in messages.
         """
         findings = Findings(source)
         table = cls(parse_toml(text, source), "", findings)

@@ -126,21 +126,10 @@ class Criteria:
         kinds: Collection[LoadCaseKind],
         states: Collection[State] = _INTACT,
     ) -> tuple[Strength, ...]:
-        """Find the strength of every segment of a line; reports all that is missing at once.
+        """Find the strength of every segment of a line, from the anchor to the fairlead.
 
-        Parameters
-        ----------
-        line : Line
-            Its segments from the anchor to the fairlead.
-        kinds : collection of {"extreme", "reference"}
-            Kinds of load case that there are.
-        states : collection of {"intact", "one_line_out", "transient"}
-            In which the mooring is looked at.
-
-        Raises
-        ------
-        InputError
-            A criterion needs a strength or a diameter that is not known.
+        InputError names at once all strengths and diameters that a criterion needs and that are not
+        known.
         """
         problems: dict[Problem, None] = {}
         found = []
@@ -210,14 +199,7 @@ class Criteria:
     ) -> Iterator[Problem]:
         """Yield a problem for every strength of a segment that is wanted and not known.
 
-        Parameters
-        ----------
-        strength : Strength
-            Of the segment.
-        kinds, states
-            As for `strengths`.
-        key : str
-            Of the segment: ``line.segments[0]``.
+        The key is that of the segment: ``line.segments[0]``.
         """
         told = set()
         for criterion in self.all:
@@ -255,21 +237,9 @@ def allowed_by(
 ) -> float:
     """Tension that one criterion allows: strength at the end of life over its factor; N.
 
-    Parameters
-    ----------
-    criterion : Criterion
-        On a tension.
-    strength : Strength
-        Of the segment.
-    key : str
-        Of the segment, for messages.
-    mean_share : float
-        Mean tension over the whole, from 0 to 1, where the criterion has a factor on the mean.
-
-    Raises
-    ------
-    InputError
-        The strength is not known.
+    `mean_share` is the mean tension over the whole, from 0 to 1, where the criterion has a factor
+    on the mean; the key is that of the segment, for messages. Refused when the strength is not
+    known.
     """
     assert criterion.of != ""
     wanted_by = "safety_factor" if criterion.of == "MBL" else "proof_load_factor"

@@ -57,26 +57,9 @@ def evaluate(
 ) -> tuple[CheckResult, ...]:
     """Check a line at rest by every criterion that is for its load case and its state.
 
-    Parameters
-    ----------
-    solution : Solution
-        The line in this load case.
-    criteria : Criteria
-        What it has to keep.
-    strengths : sequence of Strength
-        Of its segments, from the anchor to the fairlead.
-    anchor : Anchor or None
-        What holds it.
-    load_case, kind : str
-        Name and kind of the load case.
-    place : Place
-        Which line of a body it is, and in which state; then nothing is compared with the reserve of
-        buoyancy, which all lines share. An intact line by itself when left out.
-
-    Returns
-    -------
-    tuple of CheckResult
-        In the order of `CHECK_KINDS`; tensions by segment.
+    Strengths are those of its segments, from the anchor to the fairlead; results come in the order
+    of `CHECK_KINDS`, tensions by segment. By `place` it is a line of a body, in a state; then
+    nothing is compared with the reserve of buoyancy, which all lines share.
 
     Raises
     ------
@@ -105,27 +88,8 @@ def evaluate_tension(
 ) -> CheckResult:
     """Check the tension of one segment by one criterion.
 
-    Parameters
-    ----------
-    criterion : Criterion
-        On a tension.
-    segment : Segment
-        The segment, and by `place` its number.
-    strength : Strength
-        Of the segment.
-    tension : float
-        The largest, N.
-    mean_share : float
-        The mean tension over the largest, from 0 to 1.
-    load_case : str
-        Its name.
-    place : Place
-        Line, state and segment.
-
-    Raises
-    ------
-    InputError
-        The strength is not known.
+    The tension is the largest, N, and `mean_share` the mean over it, from 0 to 1. Place says line,
+    state and number of the segment. Refused when the strength is not known.
     """
     assert place.segment is not None
     index = place.segment - 1
@@ -225,14 +189,9 @@ def _tension(
 
 
 def segment_words(segment: Segment, index: int) -> Message:
-    """Name a segment: ``segment 2 (chain studless R3 76 mm)``.
+    """Name a segment: ``segment 2 (chain studless R3 76 mm)``; the index is from 0 at the anchor.
 
-    Parameters
-    ----------
-    segment : Segment
-        Called by its own name, else by its component and nominal diameter.
-    index : int
-        Counted from 0 at the anchor.
+    Its own name goes before component and nominal diameter.
     """
     diameter = segment.nominal_diameter
     size = "" if diameter is None else f"{diameter * 1e3:.4g} mm"

@@ -56,17 +56,7 @@ class Cycles:
 def count_cycles(values: Array, time: float) -> Cycles:
     """Count the cycles of a series by rainflow, ASTM E1049; what is left over counts half.
 
-    Parameters
-    ----------
-    values : ndarray
-        The series.
-    time : float
-        That it lasts, s.
-
-    Raises
-    ------
-    InputError
-        The package rainflow is missing.
+    The time is that which the series lasts, s. Refused when the package rainflow is missing.
 
     Examples
     --------

@@ -46,17 +46,9 @@ def least_diameters(
 ) -> tuple[LeastDiameter, ...]:
     """Find the diameter of every segment at which a check of its tension no longer passes.
 
-    Tensions stay those of the new line: a worn one weighs less and pulls no more. A fibre rope,
-    a segment without a diameter and one whose tension nothing limits have none.
-
-    Parameters
-    ----------
-    report : CheckReport
-        Of the line, or of a body on lines like it.
-    criteria : Criteria
-        That it was checked by.
-    line : Line
-        Its segments from the anchor to the fairlead.
+    Tensions stay those of the new line: a worn one weighs less and pulls no more. A fibre rope, a
+    segment without a diameter and one whose tension nothing limits have none. The report is of the
+    line, or of a body on lines like it.
     """
     return tuple(_of_each(report, criteria, line))
 

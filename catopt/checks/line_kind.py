@@ -29,17 +29,6 @@ _WORDS: dict[LineKind, tuple[str, ...]] = {
 
 
 def line_kind(component: str) -> LineKind | None:
-    """Tell the kind of line from the name of a component.
-
-    Parameters
-    ----------
-    component : str
-        Family and grade, such as ``"chain studless R3"``; may be empty.
-
-    Returns
-    -------
-    str or None
-        None when the name does not tell it.
-    """
+    """Tell the kind of line from the name of a component; None when it does not tell it."""
     name = component.casefold()
     return next((kind for kind, words in _WORDS.items() if any(w in name for w in words)), None)

@@ -81,15 +81,7 @@ def check_motion(case: Case, lines: Sequence[LineInMotion]) -> CheckReport:
 def check_strengths(case: Case) -> None:
     """Refuse, before lines are run in time, a case whose tensions cannot be judged.
 
-    Parameters
-    ----------
-    case : Case
-        With its checks.
-
-    Raises
-    ------
-    InputError
-        As for `check_motion`.
+    Raises what `check_motion` raises.
     """
     criteria = criteria_of(case, analysis="dynamic")
     legs = () if case.system is None else case.system.legs

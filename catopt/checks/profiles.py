@@ -114,20 +114,7 @@ def _refused(name: str, found: Profile | None, allow_recalled: bool) -> str:
 
 
 def parse_profiles(text: str, source: str = "") -> tuple[Profile, ...]:
-    """Read the text of a file of profiles.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str
-        Name of the file, for messages.
-
-    Raises
-    ------
-    InputError
-        With every problem of the text.
-    """
+    """Read the text of a TOML file of profiles; every problem of it is told at once."""
     document, findings = Table.of_file(text, source, SCHEMA, ("profile",))
     found = tuple(_profile(table) for table in document.tables("profile"))
     findings.raise_if_any()

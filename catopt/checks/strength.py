@@ -59,19 +59,8 @@ class Strength:
     def need(self, kind: StrengthKind, key: str, wanted_by: str) -> float:
         """Return the MBL or the proof load, which a criterion needs.
 
-        Parameters
-        ----------
-        kind : {"MBL", "proof_load"}
-            Which.
-        key : str
-            Of the segment, for the message: ``line.segments[0]``.
-        wanted_by : str
-            Which criterion, for the message.
-
-        Raises
-        ------
-        InputError
-            It is not known; the message names the way out.
+        InputError when it is not known; it names the segment by the key, which criterion wants it,
+        and the way out.
         """
         value = self.of(kind)
         if value is None:

@@ -62,24 +62,11 @@ _SOURCE = LoadSource(BLENDERMANN, "CX and CY", "C")
 
 
 def coefficients(kind: WindType, angle: float, frontal_over_lateral: float) -> tuple[float, float]:
-    """CX on the frontal and CY on the lateral area.
+    """CX on the frontal and CY on the lateral area; CX is negative from ahead.
 
     D = 1 - (delta/2) (1 - CDl/CDt) sin^2(2 gamma) with CDl = CDlAF AF/AL;
-    CX = -CDlAF cos(gamma)/D; CY = CDt sin(gamma)/D.
-
-    Parameters
-    ----------
-    kind : WindType
-        See `TYPES`.
-    angle : float
-        gamma, from the bow to where the wind comes from, rad: 0 from ahead.
-    frontal_over_lateral : float
-        AF/AL.
-
-    Returns
-    -------
-    tuple of float
-        CX, negative from ahead, and CY.
+    CX = -CDlAF cos(gamma)/D; CY = CDt sin(gamma)/D. The angle gamma is from the bow to where the
+    wind comes from, rad: 0 from ahead.
     """
     along = kind.bow if math.cos(angle) >= 0.0 else kind.stern
     ratio = along * frontal_over_lateral / kind.transverse
@@ -90,34 +77,14 @@ def coefficients(kind: WindType, angle: float, frontal_over_lateral: float) -> t
 def pressure_centre(angle: float, length: float, lateral_centre: float) -> float:
     """Return where the wind across the ship acts, m forward of midships: Loa CN/CY.
 
-    CN = (sL/Loa - 0.18 (gamma - 90 deg)) CY with gamma in rad: 0.28 Loa forward of the centre of
-    the lateral area in a head wind, at that centre on the beam.
-
-    Parameters
-    ----------
-    angle : float
-        gamma, from the bow to where the wind comes from, rad; either side.
-    length : float
-        Loa, m.
-    lateral_centre : float
-        sL, of the lateral area, m forward of midships.
+    CN = (sL/Loa - 0.18 (gamma - 90 deg)) CY with gamma in rad, from the bow, either side: 0.28 Loa
+    forward of the centre of the lateral area, sL, in a head wind, at that centre on the beam.
     """
     return lateral_centre - 0.18 * (abs(angle) - 0.5 * math.pi) * length
 
 
 def wind_type(kind: str) -> WindType:
-    """Look a kind of ship up.
-
-    Parameters
-    ----------
-    kind : str
-        A key of `TYPES`.
-
-    Raises
-    ------
-    InputError
-        For an unknown kind.
-    """
+    """Look a kind of ship up by its key in `TYPES`; an unknown one is refused."""
     if kind not in TYPES:
         found = Findings("wind after Blendermann")
         found.add("kind", repr(kind), "one of " + ", ".join(TYPES))

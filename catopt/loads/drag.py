@@ -12,32 +12,12 @@ __all__ = ["drag", "drag_component", "pressure"]
 
 
 def pressure(density: float, speed: float) -> float:
-    """Stagnation pressure 1/2 rho V^2, Pa.
-
-    Parameters
-    ----------
-    density : float
-        kg/m3.
-    speed : float
-        m/s.
-    """
+    """Stagnation pressure 1/2 rho V^2, Pa, of kg/m3 and m/s."""
     return 0.5 * density * speed * speed
 
 
 def drag(density: float, speed: float, area: float, coefficient: float) -> float:
-    """Drag 1/2 rho C A V^2, N.
-
-    Parameters
-    ----------
-    density : float
-        kg/m3.
-    speed : float
-        m/s.
-    area : float
-        m2.
-    coefficient : float
-        Referred to that area.
-    """
+    """Drag 1/2 rho C A V^2, N, of kg/m3, m/s and m2, which the coefficient is referred to."""
     return pressure(density, speed) * coefficient * area
 
 
@@ -55,16 +35,8 @@ def drag_component(
 ) -> LoadComponent:
     """Make the component of a drag.
 
-    Parameters
-    ----------
-    name, kind, source, axis, note
-        As of `LoadComponent`.
-    stream : tuple of float
-        Density, kg/m3, and speed, m/s.
-    area, coefficient : Number
-        m2, and what is referred to it.
-    sign : float
-        1 or -1: the force along its axis.
+    The stream is its density, kg/m3, and its speed, m/s; the coefficient is referred to the area,
+    m2; the sign is that of the force along its axis. The rest is as of `LoadComponent`.
     """
     density, speed = stream
     force = sign * drag(density, speed, area.value, coefficient.value)

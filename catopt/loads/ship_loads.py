@@ -15,7 +15,7 @@ from catopt.loads.heading import HEAD_ON, Headings
 from catopt.loads.ship import Ship
 from catopt.loads.tcn_222_95 import tcn_loads
 from catopt.loads.ufc_current import FASTEST_SHALLOW, longitudinal_loads, transverse_load
-from catopt.loads.ufc_wind import UfcWind, recalled_longitudinal_coefficient, ufc_wind_loads
+from catopt.loads.ufc_wind import RECALLED_LONGITUDINAL, UfcWind, ufc_wind_loads
 from catopt.loads.wave_drift import DriftWave, ship_drift
 from catopt.model.validity import Findings
 from catopt.ties import largest
@@ -189,8 +189,8 @@ def governing_loads(methods: Sequence[str], *on: Any, **how: Any) -> Loads:
 
 _RECALLED_WIND: Final = UfcWind(
     transverse=0.92,
-    from_ahead=recalled_longitudinal_coefficient(False, allow_recalled=True),
-    from_astern=recalled_longitudinal_coefficient(False, allow_recalled=True),
+    from_ahead=RECALLED_LONGITUDINAL,
+    from_astern=RECALLED_LONGITUDINAL,
     zero_angle=0.5 * math.pi,
     superstructure="distributed",
     recalled=True,

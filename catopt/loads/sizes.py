@@ -33,22 +33,7 @@ _ROUNDING = 1e-9
 
 
 def next_size(needed: float, series: Sequence[float], what: str) -> float:
-    """Pick the smallest of a series that is enough.
-
-    Parameters
-    ----------
-    needed : float
-        kg.
-    series : sequence of float
-        Rising, kg.
-    what : str
-        For the message.
-
-    Raises
-    ------
-    NoAnswerError
-        When the largest is not enough.
-    """
+    """Pick the smallest of a rising series that is enough, kg; `NoAnswerError` when none is."""
     _check(series)
     for size in series:
         if size >= needed * (1.0 - _ROUNDING):
@@ -65,15 +50,7 @@ def next_size(needed: float, series: Sequence[float], what: str) -> float:
 
 
 def neighbours(size: float, series: Sequence[float]) -> tuple[float | None, float | None]:
-    """Pick the next smaller and the next larger of a series; None beyond its ends.
-
-    Parameters
-    ----------
-    size : float
-        kg.
-    series : sequence of float
-        Rising, kg.
-    """
+    """Pick the next smaller and the next larger of a rising series, kg; None beyond its ends."""
     smaller = [each for each in series if each < size]
     larger = [each for each in series if each > size]
     return (smaller[-1] if smaller else None, larger[0] if larger else None)

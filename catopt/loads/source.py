@@ -66,23 +66,9 @@ def joined(sources: Iterable[LoadSource], document: str, clause: str) -> LoadSou
 
 
 def refuse_recalled(where: str, key: str, what: str, instead: str, *, allowed: bool) -> None:
-    """Raise unless recalled figures were asked for.
+    """Raise InputError unless the caller asked for recalled figures.
 
-    Parameters
-    ----------
-    where, key : str
-        Function and argument, for the message.
-    what : str
-        What was read in no document.
-    instead : str
-        The way out.
-    allowed : bool
-        Whether the caller asked for recalled figures.
-
-    Raises
-    ------
-    InputError
-        When they were not asked for.
+    The message names function and argument, what was read in no document, and the way out.
     """
     if allowed:
         return

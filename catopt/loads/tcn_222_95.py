@@ -38,27 +38,18 @@ _WAVE = LoadSource(TCN_222_95, "5.4", "R")
 
 
 def silhouette_factor(size: float) -> float:
-    """Return xi by the largest horizontal size of what the wind sees (5.2, R).
+    """Return xi by the largest horizontal size of what the wind sees, m (5.2, R).
 
-    1.0 up to 25 m, 0.80 at 50, 0.65 at 100, 0.50 from 200 m, linear between.
-
-    Parameters
-    ----------
-    size : float
-        m: the breadth for wind along the ship, the length for wind across it.
+    1.0 up to 25 m, 0.80 at 50, 0.65 at 100, 0.50 from 200 m, linear between. The size is the
+    breadth for wind along the ship, the length for wind across it.
     """
     return _between(_SILHOUETTE, size)
 
 
 def wave_length_factor(length_over_wave: float) -> float:
-    """Return gamma1 by ship's length over wave length (5.4, R).
+    """Return gamma1 by ship's length over wave length, a_l/lambda (5.4, R).
 
     1 up to 0.5, 0.73 at 1, 0.50 at 2, 0.42 at 3, 0.40 from 4, linear between.
-
-    Parameters
-    ----------
-    length_over_wave : float
-        a_l/lambda.
     """
     return _between(_WAVE_LENGTH, length_over_wave)
 

@@ -52,30 +52,15 @@ _PROPELLER = LoadSource(UFC, "eq. 21 to 23, pages 90 to 92", "A")
 
 
 def ship_parameter(length: float, midship_area: float, breadth: float, volume: float) -> float:
-    """Dimensionless chi = LwL^2 Am/(B V) (eq. 13, page 85, A).
-
-    Parameters
-    ----------
-    length, breadth : float
-        At the waterline, m.
-    midship_area : float
-        m2.
-    volume : float
-        Displaced, m3.
-    """
+    """Dimensionless chi = LwL^2 Am/(B V), in m, m2 and m3 (eq. 13, page 85, A)."""
     return length * length * midship_area / (breadth * volume)
 
 
 def deep_coefficient(parameter: float) -> float:
-    """C0 = 0.22 sqrt(chi) (eq. 12, page 85, B).
+    """C0 = 0.22 sqrt(chi), chi of `ship_parameter` (eq. 12, page 85, B).
 
     The root is lost in the copy that was read; without it C0 of the FFG-7 would be 3.3, above C1,
     and table 4-6 asks for 0.849, which is that of chi = 14.9.
-
-    Parameters
-    ----------
-    parameter : float
-        chi, see `ship_parameter`.
     """
     return 0.22 * math.sqrt(parameter)
 
@@ -89,19 +74,7 @@ def transverse_coefficient(
 ) -> float:
     """Cyc = C0 + (C1 - C0) (T/d)^K (B: the form is recalled, and gives table 4-6 again).
 
-    Parameters
-    ----------
-    draught_over_depth : float
-        T/d, 0 to 1.
-    deep, shallow : float
-        C0 and C1.
-    exponent : float
-        K.
-
-    Raises
-    ------
-    InputError
-        For T/d outside 0 to 1, or C0 above C1.
+    `deep` and `shallow` are C0 and C1. Refused for T/d outside 0 to 1, or C0 above C1.
     """
     found = Findings("transverse current")
     found.number("T/d", draught_over_depth, "", at_least=0.0, at_most=1.0)
@@ -168,25 +141,14 @@ def transverse_load(
 
 
 def wetted_surface(draught: float, length: float, volume: float) -> float:
-    """S = 1.7 T LwL + V/T (eq. 18, page 90, A), m2.
-
-    Parameters
-    ----------
-    draught, length : float
-        m.
-    volume : float
-        Displaced: the weight over the weight density of the water, m3.
-    """
+    """S = 1.7 T LwL + V/T, m2; V is the volume displaced, m3 (eq. 18, page 90, A)."""
     return 1.7 * draught * length + volume / draught
 
 
 def friction_coefficient(reynolds: float) -> float:
     """Cxca = 0.075/(log10 Rn - 2)^2 (eq. 19, page 90, A); 0 below Rn = 1e5, where it ends.
 
-    Parameters
-    ----------
-    reynolds : float
-        Rn, 0 or more: nearly 0 for a current on the beam, where the formula has its pole.
+    Rn is nearly 0 for a current on the beam, where the formula has its pole.
     """
     if reynolds < _LEAST_REYNOLDS:
         return 0.0
@@ -196,16 +158,8 @@ def friction_coefficient(reynolds: float) -> float:
 def propeller_area(length: float, breadth: float, ratio: float, pitch: float = 1.0) -> float:
     """Give the expanded blade area of a ship's propellers, m2 (eq. 22 and 23, A).
 
-    Ap = ATpp/(1.067 - 0.229 p/d) with ATpp = LwL B/AR.
-
-    Parameters
-    ----------
-    length, breadth : float
-        At the waterline, m.
-    ratio : float
-        AR, see `PROPELLER_AREA_RATIOS`.
-    pitch : float
-        p/d, pitch over diameter.
+    Ap = ATpp/(1.067 - 0.229 p/d) with ATpp = LwL B/AR: length and breadth at the waterline, m; AR,
+    the ratio, of `PROPELLER_AREA_RATIOS`; p/d the pitch over the diameter.
     """
     return length * breadth / ratio / (1.067 - 0.229 * pitch)
 
@@ -293,16 +247,8 @@ def yaw_moment(
 ) -> float:
     """Moment of the current about the vertical, N m: Fyc (a + b theta) LwL (eq. 24 and 25, A).
 
-    Parameters
-    ----------
-    transverse_force : float
-        Fyc, N.
-    length : float
-        At the waterline, m.
-    intercept, slope : float
-        a, and b per degree, of table 4-10, which was not read: they are the user's.
-    angle : float
-        theta as UFC counts it, deg, 0 to 360.
+    The intercept a and the slope b per degree are of table 4-10, which was not read: they are the
+    user's. The angle theta is in degrees, 0 to 360, as UFC counts it.
     """
     theta = angle if angle <= 180.0 else 360.0 - angle
     return transverse_force * (intercept + slope * theta) * length

@@ -15,16 +15,19 @@ from catopt.model.validity import Findings
 from catopt.words import Message
 
 __all__ = [
+    "RECALLED_LONGITUDINAL",
     "Superstructure",
     "UfcWind",
     "longitudinal_shape",
-    "recalled_longitudinal_coefficient",
     "transverse_shape",
     "ufc_wind_loads",
 ]
 
 Superstructure = Literal["single", "distributed"]
 """Case I, a single distinct superstructure or a ship dominated by its hull; case II."""
+
+RECALLED_LONGITUDINAL: Final = 0.70
+"""Cxw of a ship that is not dominated by its hull, recalled (R)."""
 
 _ALONG: Final = 1e-9
 _LONGITUDINAL = LoadSource(UFC, "eq. 6 and 7, page 77; the coefficient is the user's", "A")
@@ -101,32 +104,10 @@ def longitudinal_shape(angle: float, zero_angle: float, superstructure: Superstr
 def transverse_shape(angle: float, *, allow_recalled: bool = False) -> float:
     """Shape of the transverse force, [sin(theta) - sin(5 theta)/20]/0.95, recalled (R).
 
-    Parameters
-    ----------
-    angle : float
-        rad; the same counted from the bow or from the stern.
-    allow_recalled : bool
-        Must be set.
+    The angle in rad is the same counted from the bow or from the stern.
     """
     refuse_recalled("transverse_shape", "fyw", "the shape function", _GIVE, allowed=allow_recalled)
     return (math.sin(angle) - 0.05 * math.sin(5.0 * angle)) / 0.95
-
-
-def recalled_longitudinal_coefficient(
-    hull_dominated: bool, *, allow_recalled: bool = False
-) -> float:
-    """Cxw: 0.40 for a ship dominated by its hull, 0.70 for others, recalled (R).
-
-    Parameters
-    ----------
-    hull_dominated : bool
-        Such as an aircraft carrier.
-    allow_recalled : bool
-        Must be set.
-    """
-    where = "recalled_longitudinal_coefficient"
-    refuse_recalled(where, "Cxw", "its table", _GIVE, allowed=allow_recalled)
-    return 0.40 if hull_dominated else 0.70
 
 
 def ufc_wind_loads(

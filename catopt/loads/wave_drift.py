@@ -30,14 +30,7 @@ def depth_factor(wave_number: float, depth: float) -> float:
     """1 + 2 k h/sinh(2 k h): what shallow water adds; 1 in deep water, 2 in shallow (C).
 
     DTOcean has it for a fixed cylinder. It is the ratio of twice the group to the phase velocity,
-    which the momentum in any wave is multiplied with.
-
-    Parameters
-    ----------
-    wave_number : float
-        k, rad/m.
-    depth : float
-        h, m.
+    which the momentum in any wave is multiplied with. k in rad/m, h in m.
     """
     double = 2.0 * wave_number * depth
     return 1.0 + (double / math.sinh(double) if double < 700.0 else 0.0)
@@ -94,15 +87,7 @@ _MEAN_SQUARE: Final = {
 
 
 def width_across(length: float, breadth: float, angle: float) -> float:
-    """Width of a box across the waves, L |sin| + B |cos|, m.
-
-    Parameters
-    ----------
-    length, breadth : float
-        m.
-    angle : float
-        From the bow to where the waves come from, rad.
-    """
+    """Width of a box across the waves, L |sin| + B |cos|, m; the angle is from the bow, rad."""
     return length * abs(math.sin(angle)) + breadth * abs(math.cos(angle))
 
 

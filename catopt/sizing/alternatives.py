@@ -50,16 +50,10 @@ class Alternative:
 def alternatives(
     own: Prefer, sized: Callable[[Prefer], tuple[Settled, float]], *, priced: bool
 ) -> tuple[Alternative, ...]:
-    """Settle the lines of the other preferences.
+    """Settle the lines of the preferences other than that of the recommended line.
 
-    Parameters
-    ----------
-    own : {"cheapest", "lightest", "balanced", "least-swing"}
-        Of the recommended line.
-    sized : callable
-        Settles a line by a preference, and gives its swing radius, m.
-    priced : bool
-        Whether every price is known, so that one is the cheapest.
+    `sized` settles a line by a preference, and gives its swing radius, m; where not every price is
+    known, none is the cheapest.
     """
     others = (each for each in PREFERENCES if each != own)
     return tuple(_alternative(each, sized) for each in others if priced or each != "cheapest")

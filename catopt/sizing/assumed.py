@@ -44,15 +44,7 @@ class Assumed:
 
 
 def rounded_up(value: float, digits: int = 2) -> float:
-    """Round a positive number up to so many digits: 4231 becomes 4300.
-
-    Parameters
-    ----------
-    value : float
-        0 or more.
-    digits : int
-        Digits kept.
-    """
+    """Round a positive number up to so many digits: 4231 becomes 4300."""
     if value <= 0.0:
         return 0.0
     unit = 10.0 ** (math.floor(math.log10(value)) - digits + 1)

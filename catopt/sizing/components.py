@@ -28,17 +28,7 @@ def catalogue_of(choice: LineChoice) -> CatalogueChoice:
 def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
     """List a metre of everything that is sold within the bounds, component by component.
 
-    Parameters
-    ----------
-    choice : LineChoice
-        Components and bounds.
-    water_density : float
-        kg/m3.
-
-    Raises
-    ------
-    InputError
-        There is no such component, or no size of any of them is sold within the bounds.
+    Refused when there is no such component, or no size of any of them is sold within the bounds.
     """
     limits = (choice.diameter_min or 0.0, choice.diameter_max or math.inf)
     catalogue = chosen(catalogue_of(choice), water_density)
@@ -53,15 +43,7 @@ def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
 
 
 def unpriced_components(choice: LineChoice, water_density: float) -> tuple[str, ...]:
-    """List the components of which the price of a size that may be taken is not known.
-
-    Parameters
-    ----------
-    choice : LineChoice
-        Components and bounds.
-    water_density : float
-        kg/m3.
-    """
+    """List the components of which the price of a size that may be taken is not known."""
     every = sold(choice, water_density)
     return tuple(dict.fromkeys(each.component for each in every if each.price is None))
 
@@ -70,17 +52,8 @@ def longest_useful(choice: LineChoice, water_density: float, height: float) -> f
     """Return the length beyond which more line only lies on the bed, m.
 
     At its breaking load a line of weight w hangs over s = sqrt(2 h MBL/w - h^2) of its length, as a
-    catenary that leaves the bed horizontally. Of what is sold the longest counts; some 30 m may
-    have to lie on the bed (UFC asks for a shot).
-
-    Parameters
-    ----------
-    choice : LineChoice
-        Components and bounds.
-    water_density : float
-        kg/m3.
-    height : float
-        That the line spans, m.
+    catenary that leaves the bed horizontally, h the height that it spans, m. Of what is sold the
+    longest counts; some 30 m may have to lie on the bed (UFC asks for a shot).
     """
     ratios = (
         each.MBL / each.submerged_weight
@@ -92,15 +65,5 @@ def longest_useful(choice: LineChoice, water_density: float, height: float) -> f
 
 
 def first_line(choice: LineChoice, water_density: float, length: float) -> Line:
-    """Make a line to begin with: a case has to have one before the search has found any.
-
-    Parameters
-    ----------
-    choice : LineChoice
-        Of which components.
-    water_density : float
-        kg/m3.
-    length : float
-        m.
-    """
+    """Make a line to begin with: a case has to have one before the search has found any."""
     return Line([replace(sold(choice, water_density)[0], length=length)])

@@ -161,20 +161,10 @@ class SizingFile:
 
 
 def read_file(path: str | os.PathLike[str], moored: Moored) -> SizingFile:
-    """Read a file.
+    """Read a TOML file in UTF-8 for one of the two kinds of moored body.
 
-    Parameters
-    ----------
-    path : str or path
-        The file, TOML in UTF-8.
-    moored : {"buoy", "tanker"}
-        Which of the two kinds of file it is.
-
-    Raises
-    ------
-    InputError
-        When it cannot be read, is no TOML or a file for something else. What else is wrong
-        stands in its ``findings``.
+    One that cannot be read, is no TOML or is for something else is refused. What else is wrong
+    stands in its ``findings``.
     """
     source = os.fspath(path)
     text = read_text(FilePath(path), source)
@@ -182,23 +172,10 @@ def read_file(path: str | os.PathLike[str], moored: Moored) -> SizingFile:
 
 
 def parse_file(text: str, moored: Moored, source: str = "", *, folder: str = "") -> SizingFile:
-    """Read the text of a file.
+    """Read the text of a file, as `read_file` does.
 
-    Parameters
-    ----------
-    text : str
-        TOML.
-    moored : {"buoy", "tanker"}
-        Which of the two kinds of file it is.
-    source : str
-        Name of the file, for messages.
-    folder : str
-        That paths in it count from; the working directory when left out.
-
-    Raises
-    ------
-    InputError
-        As for `read_file`.
+    `source` names the file in messages; `folder` is what paths in it count from, the working
+    directory when left out.
     """
     document = parse_toml(text, source)
     other = _of_another_kind(document, moored)

@@ -48,13 +48,7 @@ class Weathervaning(NamedTuple):
 
 
 def weathervaning_of(of: Known) -> Weathervaning | None:
-    """Make the directions that are known; None where something is wrong with them.
-
-    Parameters
-    ----------
-    of : Known
-        Inputs of a tanker.
-    """
+    """Make the directions that are known; None where something is wrong with them."""
     make = of.telling.make
     if of.given.isdisjoint(DIRECTIONS):
         if "current_yaw" in of.given:
@@ -75,19 +69,10 @@ def directions_of(of: Known) -> Headings:
 
 
 def read_turning(current_yaw: str, mooring_point: float | None = None) -> Turning:
-    """Read what turns a ship.
+    """Read what turns a ship; anything else is refused.
 
-    Parameters
-    ----------
-    current_yaw : str
-        A key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table 4-10, b per degree.
-    mooring_point : float, optional
-        m forward of midships; the bow when left out.
-
-    Raises
-    ------
-    InputError
-        For neither.
+    `current_yaw` is a key of `catopt.loads.YAW_TYPES`, or "a, b" of UFC's table 4-10, b per degree;
+    the mooring point is in m forward of midships, the bow when left out.
     """
     allowed = (
         f'one of {", ".join(YAW_TYPES)} (recalled, R) or "a, b" of UFC\'s table 4-10 is wanted'
@@ -104,19 +89,9 @@ def read_turning(current_yaw: str, mooring_point: float | None = None) -> Turnin
 
 
 def turned_round(directions: Headings, step: float) -> tuple[Headings, ...]:
-    """Turn the current right round.
+    """Turn the current right round from where it is, in steps of 1 to 180 deg, in rad.
 
-    Parameters
-    ----------
-    directions : Headings
-        To begin with.
-    step : float
-        rad; infinity for the beginning alone.
-
-    Raises
-    ------
-    InputError
-        For a step that is none of 1 to 180 deg.
+    A step of infinity gives the beginning alone; any other is refused.
     """
     if step == math.inf:
         return (directions,)

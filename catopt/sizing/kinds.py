@@ -16,13 +16,7 @@ __all__ = ["default_of", "from_text", "kind_of", "usual"]
 
 @cache
 def kind_of(each: Input) -> Kind:
-    """Make the kind that reads a value of an input, or each of several.
-
-    Parameters
-    ----------
-    each : Input
-        Of the table.
-    """
+    """Make the kind that reads a value of an input, or each of several."""
     example: Any = each.example[0] if isinstance(each.example, tuple) else each.example
     match each.takes:
         case "TEXT":
@@ -40,39 +34,17 @@ def kind_of(each: Input) -> Kind:
 
 
 def from_text(each: Input, text: str) -> object:
-    """Take a text as an option or an answer has it: a number without a unit is one.
-
-    Parameters
-    ----------
-    each : Input
-        That it is of.
-    text : str
-        As it was typed.
-    """
+    """Take a text as an option or an answer has it: a number without a unit is one."""
     return bare_number(text) if each.is_measure or each.takes == "COUNT" else text
 
 
 @cache
 def default_of(each: Input) -> Any:
-    """Read what is taken of an input when it is left out; in SI.
-
-    Parameters
-    ----------
-    each : Input
-        One that has a default.
-    """
+    """Read what is taken of an input when it is left out; in SI."""
     value = kind_of(each).read(from_text(each, each.default))
     return (value,) if each.several else value
 
 
 def usual(name: str, moored: Moored = "buoy") -> Any:
-    """Return the default of an input by its name; in SI.
-
-    Parameters
-    ----------
-    name : str
-        Of one that has a default.
-    moored : {"buoy", "tanker"}
-        Of which.
-    """
+    """Return the default of an input by its name; in SI."""
     return default_of(inputs_of(moored)[name])

@@ -77,15 +77,7 @@ class Known:
 
 
 def is_needless(each: Input, given: Collection[str]) -> bool:
-    """Say whether others that are given stand in the place of an input.
-
-    Parameters
-    ----------
-    each : Input
-        In question.
-    given : collection of str
-        Names of what is given.
-    """
+    """Say whether others that are given stand in the place of an input."""
     follows = each.name == "hs" and "hmax" in given
     return follows or any(other in given for other in (*each.not_with, each.estimated_from))
 

@@ -179,11 +179,5 @@ class LineChoice:
 
 
 def round_step(height: float) -> float:
-    """Pick a round step of length near a 25th of the height that a line spans, m.
-
-    Parameters
-    ----------
-    height : float
-        m.
-    """
+    """Pick a round step of length near a 25th of the height that a line spans, m."""
     return next((step for step in _STEPS if step >= height / _STEPS_A_HEIGHT), _STEPS[-1])

@@ -154,17 +154,10 @@ class Pattern:
 
 
 def shared_force(force: float, lines: int) -> float:
-    """Estimate the horizontal force of the most loaded of several lines, N.
+    """Estimate the horizontal force of the most loaded of 3 or more lines, N.
 
     The rule of practice of S4, F = FT/(N/4), where it applies; for other numbers of lines F =
     4 FT/N, and never more than all of it. It is where the sizing begins: the equilibrium decides.
-
-    Parameters
-    ----------
-    force : float
-        On the body, N.
-    lines : int
-        3 or more.
     """
     rule = _rule(force, lines)
     return min(force, 4.0 * force / lines) if rule is None else rule
@@ -181,25 +174,8 @@ def pattern(
 ) -> Pattern:
     """Solve the body at rest in every load case, under forces from the sides that count.
 
-    Parameters
-    ----------
-    line : Line
-        Of which each line is made.
-    lines : int
-        How many, evenly spaced.
-    states : sequence of BodyState
-        Load cases.
-    pretension : float
-        Horizontal force under no load, N.
-    still_height : float
-        Height of the fairlead at which the pretension is set, m.
-    seabed_friction : float
-        Of the line on the bed.
-
-    Raises
-    ------
-    NoEquilibriumError, NotConvergedError
-        As for `solve_system`.
+    The lines are evenly spaced; the pretension is the horizontal force under no load, N, with the
+    fairlead at `still_height`, m. Raises what `solve_system` raises.
     """
     reach = solve(
         line, height=still_height, horizontal_force=pretension, seabed_friction=seabed_friction
@@ -228,15 +204,7 @@ def pattern(
 
 
 def system_case(case: Case, of: Pattern) -> Case:
-    """Make the case of the whole pattern, for ``catopt system``.
-
-    Parameters
-    ----------
-    case : Case
-        Of one line.
-    of : Pattern
-        Its equilibrium; the hardest load case is that of the system.
-    """
+    """Make the case of the whole pattern, for ``catopt system``; it has the hardest load case."""
     state = of.hardest
     rise = state.fairlead_height - case.fairlead_height
     return replace(

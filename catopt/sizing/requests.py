@@ -48,17 +48,7 @@ WIND_MEAN: Final = 30.0
 def size(of: Known) -> Sizing:
     """Size what is known; what is wrong is told as the caller spells it.
 
-    Parameters
-    ----------
-    of : Known
-        Inputs.
-
-    Raises
-    ------
-    InputError
-        With every mistake.
-    NoAnswerError, NotConvergedError
-        As for `catopt.size_buoy` and `size_tanker`.
+    Raises what `catopt.size_buoy` and `catopt.size_tanker` raise.
     """
     maker: Callable[..., Sizing] = sized_buoy if of.moored == "buoy" else sized_tanker
     found = of.telling.make(maker, request_of(of))
@@ -68,18 +58,7 @@ def size(of: Known) -> Sizing:
 
 
 def request_of(of: Known) -> BuoyRequest | TankerRequest:
-    """Make the request for a buoy or a tanker.
-
-    Parameters
-    ----------
-    of : Known
-        Inputs.
-
-    Raises
-    ------
-    InputError
-        With every mistake.
-    """
+    """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
     of.telling.raise_if_any()
     assert request is not None
@@ -141,23 +120,14 @@ def _of_a_tanker(of: Known) -> TankerRequest | None:
 def wind_of_30_s(of: Known) -> float | None:
     """Convert the wind to the mean that loads on a ship are computed for, m/s.
 
-    Parameters
-    ----------
-    of : Known
-        Inputs; a wind whose averaging time is not known is taken for a mean of 30 s.
+    A wind whose averaging time is not known is taken for a mean of 30 s.
     """
     mean = of["wind_mean"] or WIND_MEAN
     return of.telling.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], mean)
 
 
 def of_the_wind(of: Known) -> tuple[Message, ...]:
-    """Say to which speed the wind was converted.
-
-    Parameters
-    ----------
-    of : Known
-        Inputs.
-    """
+    """Say to which speed the wind was converted."""
     speed = wind_of_30_s(of)
     if speed is None or of["wind_mean"] in (None, WIND_MEAN):
         return ()
@@ -210,13 +180,7 @@ def _body(of: Known) -> BuoyShape | GivenBuoy | None:
 
 
 def shape_of(of: Known) -> BuoyShape | None:
-    """Look a buoy up by its name, in the library and in a file of the user's own.
-
-    Parameters
-    ----------
-    of : Known
-        Inputs.
-    """
+    """Look a buoy up by its name, in the library and in a file of the user's own."""
     own = of["buoys"]
     among = (*buoys(), *(() if own is None else read_buoys(own)))
     return of.telling.make(lambda name: look_up(name, among), of["buoy"])
@@ -255,16 +219,7 @@ first lacks bulk carriers; a tanker's bow has the largest coefficient."""
 def ship_at(of: Known, condition: Condition, name: str, propeller: str = "tanker") -> Ship:
     """Estimate the ship at one of its draughts.
 
-    Parameters
-    ----------
-    of : Known
-        Inputs. Areas that are given are those of the loaded ship, which rises by the difference.
-    condition : {"loaded", "ballast"}
-        Which draught.
-    name : str
-        Of the ship.
-    propeller : str
-        As of `catopt.loads.Ship`.
+    Areas that are given are those of the loaded ship, which rises by the difference.
     """
     loaded = of["draught"]
     draught = loaded if condition == "loaded" else of["ballast_draught"]

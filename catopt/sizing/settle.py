@@ -85,18 +85,8 @@ def settle(
     From the start, or from no chain at all, each round computes the loads for the largest chain
     and pull that any round before came to. When a round comes to no more than it assumed, that is
     the answer, on the safe side; when it comes to less, the loads of just that line are tried, and
-    it is taken if it holds itself.
-
-    Parameters
-    ----------
-    pose : callable
-        Makes the case out of what is assumed.
-    needed : callable
-        Says what a design comes to.
-    choice : LineChoice
-        Which design of a front is recommended.
-    start : Assumed, optional
-        Where to begin; the nearer to what comes out, the fewer rounds.
+    it is taken if it holds itself. The nearer the start to what comes out, the fewer rounds; what
+    is assumed only rises, so that it comes to an end before `MOST_ROUNDS`.
 
     Raises
     ------
@@ -105,7 +95,7 @@ def settle(
     NoFeasibleDesignError
         Nothing that is sold passes every check.
     NotConvergedError
-        After `MOST_ROUNDS`; what is assumed only rises, so that it comes to an end before.
+        After `MOST_ROUNDS`.
     """
     assumed = start or Assumed()
     for rounds in range(1, MOST_ROUNDS + 1):

@@ -62,20 +62,7 @@ class MooredShip:
 
 
 def check_deadweight(deadweight: float, ship: Ship) -> None:
-    """Hold a deadweight against the displacement, from both sides.
-
-    Parameters
-    ----------
-    deadweight : float
-        kg.
-    ship : Ship
-        Loaded.
-
-    Raises
-    ------
-    InputError
-        When it cannot be that of the ship.
-    """
+    """Hold a deadweight, kg, against the loaded ship's displacement, from both sides."""
     found = Findings("MooredShip")
     found.number("deadweight", deadweight, "kg", above=0.0)
     displaced = ship.displacement * 1025.0
