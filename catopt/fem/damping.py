@@ -57,10 +57,7 @@ class LineDamping:
     def per_bar(self, length: Array, EA: Array, mass: Array) -> Array:
         """Axial force per rate of strain of each bar, N s, Rayleigh's share included.
 
-        Parameters
-        ----------
-        length, EA, mass : ndarray, shape (bars,)
-            Unstretched length, m, axial stiffness, N, and mass, kg/m.
+        Every bar has its unstretched length, m, axial stiffness, N, and mass, kg/m.
         """
         of = length if self.critical_length is None else self.critical_length
         critical = self.critical_ratio * of * np.sqrt(EA * mass)

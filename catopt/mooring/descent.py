@@ -115,14 +115,7 @@ class Rest(NamedTuple):
 def freedom_of(arrangement: Arrangement, in_yaw: bool, arm: float) -> Freedom:
     """Set the lengths and forces by which steps and residuals of these lines are judged.
 
-    Parameters
-    ----------
-    arrangement : Arrangement
-        The lines.
-    in_yaw : bool
-        Whether the body turns.
-    arm : float
-        Largest distance of a fairlead from the body's origin, m.
+    `arm` is the largest distance of a fairlead from the body's origin, m.
     """
     spare, weight, longest = math.inf, 0.0, 0.0
     for k in range(len(arrangement.anchor_x)):

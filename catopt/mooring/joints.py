@@ -111,16 +111,7 @@ def _from_other_end(load: PointLoad, length: float) -> PointLoad:
 
 
 def joints_at_rest(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> JointsAtRest:
-    """Bring the joints of a network to rest.
-
-    Parameters
-    ----------
-    network : Network
-        Its lines; `runs` are they, laid out.
-    runs : sequence of Run
-        As `runs_of` has them.
-    held : dict of int to (float, float, float)
-        Place of every anchor and fairlead, m.
+    """Bring the joints of a network to rest: `held` has the place of its anchors and fairleads, m.
 
     Raises
     ------

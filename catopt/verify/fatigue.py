@@ -271,22 +271,10 @@ def verify_fatigue(
         With `fatigue`, `dynamics`, `waves` and `service`.
     load_case : str, optional
         Name of the load case under which the line lies; needed where there are several.
-    proof, workers, progress
-        As for `verify_dynamic`.
     announce : callable, optional
         Told beforehand, in words, what all sea states take, where that is minutes.
 
-    Returns
-    -------
-    FatigueReport
-        Damage and life by segment.
-
-    Raises
-    ------
-    InputError
-        For what a case lacks, or what is wrong in its files.
-    NoEquilibriumError, NotConvergedError
-        As for `verify_dynamic`.
+    The other parameters, and what is raised, are as for `verify_dynamic`.
     """
     if case.fatigue is None:
         raise InputError([Problem("fatigue", "", "[fatigue] is missing; the sea states are there")])

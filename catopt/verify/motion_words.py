@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
 from catopt.verify.proof import LIMIT
+from catopt.verify.truss_words import named
 from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
@@ -17,20 +17,15 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 
 
-def _named(key: str, name: str, symbol: str | None = None) -> Quantity:
-    of = QUANTITIES[key]
-    return replace(of, name=name, symbol=of.symbol if symbol is None else symbol)
-
-
 DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
     {
-        "fairlead_tension": _named("tension", "Fairlead tension"),
-        "anchor_tension": _named("tension", "Anchor tension", "TA"),
+        "fairlead_tension": named("tension", "Fairlead tension"),
+        "anchor_tension": named("tension", "Anchor tension", "TA"),
         "grounded_length": QUANTITIES["grounded_length"],
-        "offset": _named("offset", "Fairlead offset"),
-        "body_x": _named("offset", "Body x", ""),
-        "body_y": _named("offset", "Body y", ""),
-        "body_offset": _named("offset", "Body's way from rest", ""),
+        "offset": named("offset", "Fairlead offset"),
+        "body_x": named("offset", "Body x", ""),
+        "body_y": named("offset", "Body y", ""),
+        "body_offset": named("offset", "Body's way from rest", ""),
     }
 )
 """What each quantity of a line in motion is in tables."""

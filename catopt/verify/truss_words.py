@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from catopt.verify.result import StaticComparison
 
 
-def _named(key: str, name: str, symbol: str | None = None) -> Quantity:
+def named(key: str, name: str, symbol: str | None = None) -> Quantity:
+    """Return a quantity under another name, and symbol where one is given."""
     of = QUANTITIES[key]
     return replace(of, name=name, symbol=of.symbol if symbol is None else symbol)
 
@@ -25,17 +26,17 @@ QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
     {
         "span": QUANTITIES["span"],
         "horizontal_force": QUANTITIES["horizontal_force"],
-        "fairlead_tension": _named("tension", "Fairlead tension"),
-        "fairlead_vertical_force": _named("vertical_force", "Fairlead vertical force"),
-        "fairlead_angle": _named("angle", "Fairlead inclination", ""),
-        "anchor_tension": _named("tension", "Anchor tension", "TA"),
-        "anchor_vertical_force": _named("vertical_force", "Anchor vertical force", "VA"),
-        "anchor_angle": _named("angle", "Anchor inclination", ""),
+        "fairlead_tension": named("tension", "Fairlead tension"),
+        "fairlead_vertical_force": named("vertical_force", "Fairlead vertical force"),
+        "fairlead_angle": named("angle", "Fairlead inclination", ""),
+        "anchor_tension": named("tension", "Anchor tension", "TA"),
+        "anchor_vertical_force": named("vertical_force", "Anchor vertical force", "VA"),
+        "anchor_angle": named("angle", "Anchor inclination", ""),
         "grounded_length": QUANTITIES["grounded_length"],
-        "shape": _named("length", "Distance of the shapes", ""),
-        "position_x": _named("offset", "Position of the body", "x"),
-        "position_y": _named("offset", "Position of the body", "y"),
-        "moment_of_lines": _named("moment", "Moment of the lines", ""),
+        "shape": named("length", "Distance of the shapes", ""),
+        "position_x": named("offset", "Position of the body", "x"),
+        "position_y": named("offset", "Position of the body", "y"),
+        "moment_of_lines": named("moment", "Moment of the lines", ""),
     }
 )
 """What each compared quantity is in tables."""
