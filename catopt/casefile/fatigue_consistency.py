@@ -19,8 +19,6 @@ from catopt.constants import YEAR
 from catopt.documents import Path
 from catopt.model.fatigue import curve_misfits, fatigue_misfits, sections_misfits, share_misfits
 
-__all__ = ["fatigue_findings", "share_of_year"]
-
 _NEEDED = ("dynamics", "waves", "service")
 
 

@@ -14,8 +14,6 @@ from catopt.errors import InputError, Problem
 from catopt.model import Line, PointLoad, Segment, Site
 from catopt.model.network import LineBetween, Network, Point
 
-__all__ = ["is_network", "parse_network"]
-
 
 def is_network(document: dict[str, Any]) -> bool:
     """Whether a document is of lines that meet in joints."""

@@ -24,8 +24,6 @@ from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Anchor, Case, Line, Load, LoadCase
 from catopt.words import Message
 
-__all__ = ["LOAD", "check_case", "check_line", "is_of_load"]
-
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
 

@@ -18,8 +18,6 @@ from catopt.model.checks import Checks
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Cited, Message
 
-__all__ = ["AllowedTension", "Criteria", "Limits", "criteria_of"]
-
 USER = CheckSource("user")
 """A number of the case file."""
 

@@ -10,8 +10,6 @@ from catopt.checks.result import CheckSource
 from catopt.checks.state import STATES, Analysis, State
 from catopt.model.load_case import LoadCaseKind
 
-__all__ = ["CHECK_KINDS", "LOAD_KINDS", "STRENGTHS", "CheckKind", "Criterion", "StrengthKind"]
-
 CheckKind = Literal[
     "tension",
     "uplift_angle",

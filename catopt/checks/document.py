@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     from catopt.checks.state import Place
     from catopt.model import LoadCase
 
-__all__ = ["check_document", "motion_document", "result_document", "verdict_document"]
-
 
 def check_document(report: CheckReport) -> dict[str, Any]:
     """Build the document of a report."""

@@ -26,8 +26,6 @@ from catopt.model.anchor import sinker_needed
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Measure, Message, Several
 
-__all__ = ["evaluate", "evaluate_tension", "segment_words"]
-
 _STRENGTHS = {"MBL": "checks.MBL", "proof_load": "checks.proof_load"}
 _BY_ITSELF = Place()
 

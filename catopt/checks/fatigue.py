@@ -20,16 +20,6 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case, CatalogueChoice, Segment, SegmentCurve, Service
 from catopt.words import Message
 
-__all__ = [
-    "CURVES",
-    "Cycles",
-    "FatigueCurve",
-    "FatigueStrength",
-    "count_cycles",
-    "design_factor",
-    "fatigue_strengths",
-]
-
 Array = npt.NDArray[np.float64]
 
 

@@ -12,8 +12,6 @@ from catopt.checks.state import State
 from catopt.model import Line, Segment, Service
 from catopt.model.load_case import LoadCaseKind
 
-__all__ = ["LeastDiameter", "least_diameters"]
-
 _STEPS = 60
 """Halvings of the diameter: down to the last digit of double precision."""
 

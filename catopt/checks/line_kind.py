@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Literal, get_args
 
-__all__ = ["LINE_KINDS", "LineKind", "line_kind"]
-
 LineKind = Literal["chain", "wire", "rope"]
 """Chain, steel wire rope of any make, fibre rope."""
 

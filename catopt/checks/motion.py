@@ -13,8 +13,6 @@ from catopt.model import Case, Line
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Listed, Message
 
-__all__ = ["LineInMotion", "check_motion", "check_strengths"]
-
 
 @dataclass(frozen=True)
 class LineInMotion:

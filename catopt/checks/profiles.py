@@ -26,8 +26,6 @@ from catopt.model.validity import Findings
 from catopt.units import as_written
 from catopt.words import Cited
 
-__all__ = ["SCHEMA", "Profile", "parse_profiles", "profiles", "profiles_of"]
-
 Word = TypeVar("Word", bound=str)
 
 _OF_TENSION = ("of", "part", "mean_factor", "lines", "analysis")

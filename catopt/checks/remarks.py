@@ -16,17 +16,6 @@ from catopt.model.load_case import LoadCaseKind
 from catopt.ties import largest
 from catopt.words import Listed, Measure, Message, term
 
-__all__ = [
-    "IN_LOAD_CASE",
-    "NO_CHECK",
-    "Lifted",
-    "in_load_case",
-    "of_criteria",
-    "of_other_states",
-    "of_transient",
-    "of_uplift",
-]
-
 NO_CHECK: Final = "checks.none"
 """Key of the warning that nothing is checked."""
 

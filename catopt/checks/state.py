@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-__all__ = ["ANALYSES", "STATES", "Analysis", "Place", "State"]
-
 State = Literal["intact", "one_line_out", "transient"]
 STATES: tuple[State, ...] = get_args(State)
 """Whole, at rest anew without a line, and on the way there after it parted."""

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from catopt.catalogue import Component
     from catopt.catalogue.choice import ChosenCatalogue
 
-__all__ = ["Strength", "strength_of"]
-
 _NOT_KNOWN = "missing; give it, or a component of the catalogue with its diameter"
 
 

@@ -20,8 +20,6 @@ from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.solution import SystemSolution
 from catopt.words import Message
 
-__all__ = ["InState", "check_state", "check_system"]
-
 
 @dataclass(frozen=True)
 class InState:

@@ -7,8 +7,6 @@ from dataclasses import dataclass, replace
 
 from catopt.decks.deck import Deck, Notes, Piece, Point
 
-__all__ = ["Chain", "chains_of", "check_meeting"]
-
 
 @dataclass(frozen=True)
 class Chain:

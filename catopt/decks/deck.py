@@ -10,8 +10,6 @@ from typing import Literal, TypeVar
 from catopt.errors import InputError, Problem
 from catopt.words.message import Message
 
-__all__ = ["Deck", "End", "LineType", "Notes", "Piece", "Point", "Row"]
-
 T = TypeVar("T")
 End = Literal["fixed", "coupled", "free"]
 

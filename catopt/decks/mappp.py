@@ -8,8 +8,6 @@ from dataclasses import replace
 
 from catopt.decks.deck import Deck, End, LineType, Notes, Piece, Point, Row
 
-__all__ = ["parse_mappp"]
-
 _SECTIONS = ("types", "points", "lines", "options")
 _HEADINGS = 2
 """Lines below the one with dashes that are not read."""

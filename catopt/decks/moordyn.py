@@ -13,8 +13,6 @@ from types import MappingProxyType
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.decks.deck import Deck, LineType, Notes, Piece, Point, Row
 
-__all__ = ["parse_moordyn", "settled"]
-
 _SECTIONS = (
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),
     (r"LINE\s+(TYPES|DICTIONARY)", "types"),

@@ -14,8 +14,6 @@ from catopt.decks.moordyn import settled
 from catopt.decks.strung import Hung, Section, strung
 from catopt.decks.tree import Table, parse_yaml
 
-__all__ = ["parse_ontology"]
-
 _UNREAD = {
     "unread_weather": "metocean|resource|RAFT|[Ww]aves|marine_growth|_air$",
     "unread_elsewhere": "array|cable|topside|turbine|substation|members|Jtubes|boundaries|"

@@ -15,8 +15,6 @@ from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
 from catopt.decks.strung import Hung, Section, strung
 from catopt.decks.tree import Table, parse_yaml
 
-__all__ = ["parse_orcaflex"]
-
 TONNE, KILO = 1e3, 1e3
 """kg and N of OrcaFlex's units of mass and force."""
 

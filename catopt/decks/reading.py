@@ -13,8 +13,6 @@ from catopt.model import Case
 from catopt.model.network import Network
 from catopt.words.message import Message
 
-__all__ = ["NOT_FOR_THIS", "Asked", "Imported", "is_deck", "read_any_deck", "read_deck"]
-
 NOT_FOR_THIS: Final = (
     "lines that meet in joints are taken by catopt system and catopt import alone; a case for "
     "other commands has a [line]"

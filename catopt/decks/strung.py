@@ -7,8 +7,6 @@ from dataclasses import dataclass, replace
 
 from catopt.decks.deck import Piece, Point
 
-__all__ = ["Hung", "Section", "strung"]
-
 
 @dataclass(frozen=True)
 class Section:

@@ -16,8 +16,6 @@ from catopt.decks.chains import Chain
 from catopt.decks.deck import Deck, LineType, Notes, Point
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
 
-__all__ = ["case_of", "check_depth", "friction_of", "height_of", "say_type", "weight_of"]
-
 ROUNDING = 5e-5
 """Of a line's length, by which ends may lie off equal lines around a body: 4 cm of 800 m."""
 

@@ -9,8 +9,6 @@ from catopt.errors import InputError
 from catopt.model import Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
 
-__all__ = ["has_joints", "network_of"]
-
 _KIND: dict[str, PointKind] = {"fixed": "anchor", "coupled": "fairlead", "free": "joint"}
 
 

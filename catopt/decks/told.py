@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-__all__ = ["tell", "when_read"]
-
 _when_read: list[Callable[[Sequence[str]], None]] = []
 
 

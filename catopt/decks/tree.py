@@ -14,8 +14,6 @@ from catopt.errors import InputError, Problem
 if TYPE_CHECKING:
     import yaml
 
-__all__ = ["Item", "Table", "parse_yaml"]
-
 
 @dataclass(frozen=True)
 class Item:

@@ -22,8 +22,6 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.design.mooring import MooringProblem
 
-__all__ = ["MooringPoint", "mooring_point"]
-
 
 @dataclass(frozen=True)
 class MooringPoint:

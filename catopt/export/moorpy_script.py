@@ -7,8 +7,6 @@ from collections.abc import Iterable, Iterator
 from catopt.decks.deck import Deck
 from catopt.export.text import exact
 
-__all__ = ["moorpy_lines"]
-
 _KINDS = {"fixed": 1, "coupled": -1, "free": 0}
 
 _SOLVED = """\

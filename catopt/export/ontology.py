@@ -10,8 +10,6 @@ from catopt.decks.deck import Deck, Notes
 from catopt.errors import InputError, Problem
 from catopt.export.text import exact
 
-__all__ = ["ontology_lines"]
-
 
 def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     """Yield the lines of the file; `said`: what it says of itself.

@@ -12,8 +12,6 @@ from catopt.decks.chains import Chain, chains_of
 from catopt.decks.deck import Deck, LineType, Notes, Point
 from catopt.export.text import exact
 
-__all__ = ["orcaflex_lines"]
-
 SINKING = 1e-3
 """How deep the heaviest line sinks into the bed, m."""
 

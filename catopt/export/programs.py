@@ -21,8 +21,6 @@ from catopt.export.ontology import ontology_lines
 from catopt.export.orcaflex import orcaflex_lines
 from catopt.words.message import Message
 
-__all__ = ["PROGRAMS", "Program", "ProgramFormat", "program_input"]
-
 ProgramFormat = Literal["map", "moorpy", "ontology", "orcaflex"]
 
 

@@ -14,8 +14,6 @@ from catopt.loads.source import BLENDERMANN, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Message, term
 
-__all__ = ["TYPES", "WindType", "blendermann_loads", "coefficients", "pressure_centre", "wind_type"]
-
 
 @dataclass(frozen=True)
 class WindType:

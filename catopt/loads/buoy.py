@@ -14,17 +14,6 @@ from catopt.loads.source import CALMAR, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Measure, Message, Several, term
 
-__all__ = [
-    "AIR_DENSITY",
-    "CHAIN_WIDTH",
-    "DEEPEST",
-    "DRAG_COEFFICIENT",
-    "FASTEST",
-    "ChainSpeed",
-    "buoy_loads",
-    "surface_speed",
-]
-
 AIR_DENSITY: Final = 1.29
 """kg/m3; CALMAR prints "129", a misprint."""
 

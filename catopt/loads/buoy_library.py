@@ -15,8 +15,6 @@ from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.validity import Findings
 
-__all__ = ["SCHEMA", "buoy", "buoys", "parse_buoys", "read_buoys"]
-
 SCHEMA = "catopt.buoys/1"
 """What a file of buoys has under its key ``schema``."""
 

@@ -9,8 +9,6 @@ from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = ["BuoyShape", "Floating"]
-
 
 @dataclass(frozen=True)
 class BuoyShape:

@@ -8,8 +8,6 @@ from typing import Literal
 
 from catopt.loads.source import LoadSource
 
-__all__ = ["Axis", "LoadComponent", "Loads", "Number"]
-
 Axis = Literal["along", "surge", "sway"]
 """Along the one direction of everything; along a ship, positive forwards; across it, positive away
 from the side that wind, current and waves come from."""

@@ -10,8 +10,6 @@ from catopt.loads.component import LoadComponent, Loads
 if TYPE_CHECKING:
     from catopt.loads.weathervane import Lying
 
-__all__ = ["SCHEMA", "loads_document", "lying_document"]
-
 SCHEMA = "catopt.loads/1"
 
 

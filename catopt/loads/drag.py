@@ -8,8 +8,6 @@ from catopt.loads.component import Axis, LoadComponent, Number
 from catopt.loads.source import LoadSource
 from catopt.words import Message
 
-__all__ = ["drag", "drag_component", "pressure"]
-
 
 def pressure(density: float, speed: float) -> float:
     """Stagnation pressure 1/2 rho V^2, Pa, of kg/m3 and m/s."""

@@ -14,15 +14,6 @@ from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.validity import Findings
 from catopt.words import Measure, Message, Several, term
 
-__all__ = [
-    "FACTOR_SOURCE",
-    "DragAnchorSize",
-    "HoldingCapacity",
-    "default_factor",
-    "holding_capacity",
-    "size_drag_anchor",
-]
-
 FACTOR_SOURCE: Final = LoadSource(UFC, "table 3-7, page 26", "A")
 """Of the safety factors."""
 

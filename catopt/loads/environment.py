@@ -9,8 +9,6 @@ from typing import Final
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.validity import Findings
 
-__all__ = ["HMAX_OVER_HS", "SeaState", "SurfaceCurrent", "WaterLevels", "Wind"]
-
 HMAX_OVER_HS: Final = 1.85
 """Largest wave over significant wave height, as IALA's CALMAR has it."""
 

@@ -8,8 +8,6 @@ from typing import Final
 
 from catopt.model.validity import Findings
 
-__all__ = ["HEAD_ON", "Headings"]
-
 _ALONG: Final = 1e-9
 
 

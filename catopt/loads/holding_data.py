@@ -13,8 +13,6 @@ from typing import Final, Literal, TypeAlias
 from catopt.constants import STANDARD_GRAVITY
 from catopt.loads.source import DTOCEAN, MOORPY, UFC, LoadSource
 
-__all__ = ["ANCHORS", "CURVES", "DATA_SETS", "SOILS", "DataSet", "HoldingCurve", "Soil"]
-
 Soil = Literal["soft clay", "medium clay", "sand"]
 SOILS: Final = ("soft clay", "medium clay", "sand")
 

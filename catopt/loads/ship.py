@@ -7,8 +7,6 @@ from types import MappingProxyType
 
 from catopt.model.validity import Findings
 
-__all__ = ["PROPELLER_AREA_RATIOS", "Ship"]
-
 PROPELLER_AREA_RATIOS = MappingProxyType(
     {
         "destroyer": 100.0,

@@ -9,8 +9,6 @@ from typing import Final, Literal, NamedTuple, TypeAlias, get_args
 
 from catopt.model.validity import Findings
 
-__all__ = ["DIMENSIONS_SOURCE", "ShipDimensions", "ShipKind", "ship_dimensions"]
-
 ShipKind = Literal["tanker", "bulk carrier", "general cargo"]
 
 DIMENSIONS_SOURCE: Final = "PIANC 2002 / ROM 3.1 [R]"

@@ -9,8 +9,6 @@ from catopt.loads.ship import Ship
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = ["BLOCK", "MIDSHIP", "MOULDED", "WATERLINE", "Condition", "estimated_tanker", "estimates"]
-
 Condition = Literal["loaded", "ballast"]
 
 WATERLINE: Final = 0.97

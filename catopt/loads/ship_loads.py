@@ -21,8 +21,6 @@ from catopt.model.validity import Findings
 from catopt.ties import largest
 from catopt.words import Measure, Message, Several
 
-__all__ = ["AIR_DENSITY", "METHODS", "every_method", "governing_loads", "ship_loads"]
-
 UFC_BLENDERMANN: Final = "UFC-Blendermann"
 UFC_ALONE: Final = "UFC-4-159-03"
 TCN: Final = "22TCN-222-95"

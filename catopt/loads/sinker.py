@@ -14,20 +14,6 @@ from catopt.model.anchor import sinker_needed
 from catopt.model.validity import Findings
 from catopt.words import Message, term
 
-__all__ = [
-    "DENSITIES",
-    "FACTOR_SOURCE",
-    "SAFETY_FACTOR",
-    "SOIL_FRICTION",
-    "Material",
-    "SinkerSize",
-    "SoilFriction",
-    "friction_of",
-    "holding_force",
-    "size_sinker",
-    "submerged_weight",
-]
-
 Material = Literal["concrete", "steel"]
 
 DENSITIES: Final = MappingProxyType({"concrete": 2400.0, "steel": 7850.0})

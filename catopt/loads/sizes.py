@@ -9,8 +9,6 @@ from catopt.errors import NoAnswerError
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = ["ANCHOR_MASSES", "SINKER_MASSES", "neighbours", "next_size"]
-
 ANCHOR_MASSES: Final = tuple(
     1e3 * tonnes
     for tonnes in (

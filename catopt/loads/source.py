@@ -8,20 +8,6 @@ from dataclasses import dataclass
 from catopt.catalogue.figure import RECALLED, Confidence, weakest
 from catopt.model.validity import Findings
 
-__all__ = [
-    "BLENDERMANN",
-    "CALMAR",
-    "DTOCEAN",
-    "MOORPY",
-    "NAVFAC",
-    "OWN",
-    "TCN_222_95",
-    "UFC",
-    "LoadSource",
-    "joined",
-    "refuse_recalled",
-]
-
 CALMAR = "IALA CALMAR technical reference, 27 February 2014"
 UFC = "UFC 4-159-03 Design: Moorings, 3 October 2005 (superseded by the edition of 12 March 2020)"
 TCN_222_95 = "22TCN 222-95, after SNiP 2.06.04-82, section 5"

@@ -17,18 +17,6 @@ from catopt.loads.ship_loads import METHODS, ship_loads
 from catopt.loads.wave_drift import DriftWave
 from catopt.words import Message, Sentence
 
-__all__ = [
-    "AGREEMENT",
-    "CURRENT",
-    "PRINTED_FORCE",
-    "SEA",
-    "WATER_DEPTH",
-    "WIND",
-    "TankerComparison",
-    "compare_tanker",
-    "tanker",
-]
-
 PRINTED_FORCE: Final = 450e3
 """N, from wind, waves and current; S3 prints no derivation."""
 

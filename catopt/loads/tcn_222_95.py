@@ -19,8 +19,6 @@ from catopt.loads.source import TCN_222_95, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = ["silhouette_factor", "tcn_loads", "wave_height", "wave_length_factor"]
-
 WIND_ACROSS: Final = 0.736
 WIND_ALONG: Final = 0.490
 """N s2/m4: 73.6e-5 and 49.0e-5 of the standard, which counts in kN (5.2, R)."""

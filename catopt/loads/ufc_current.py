@@ -12,21 +12,6 @@ from catopt.loads.source import UFC, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Message, term
 
-__all__ = [
-    "FASTEST_SHALLOW",
-    "SHALLOW_COEFFICIENT",
-    "VISCOSITY",
-    "deep_coefficient",
-    "friction_coefficient",
-    "longitudinal_loads",
-    "propeller_area",
-    "ship_parameter",
-    "transverse_coefficient",
-    "transverse_load",
-    "wetted_surface",
-    "yaw_moment",
-]
-
 SHALLOW_COEFFICIENT: Final = 3.2
 """C1, at T/d = 1, for currents up to 1.5 m/s (page 85, A)."""
 

@@ -14,15 +14,6 @@ from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = [
-    "RECALLED_LONGITUDINAL",
-    "Superstructure",
-    "UfcWind",
-    "longitudinal_shape",
-    "transverse_shape",
-    "ufc_wind_loads",
-]
-
 Superstructure = Literal["single", "distributed"]
 """Case I, a single distinct superstructure or a ship dominated by its hull; case II."""
 

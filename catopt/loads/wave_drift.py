@@ -12,14 +12,6 @@ from catopt.loads.source import DTOCEAN, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Message, term
 
-__all__ = [
-    "DriftWave",
-    "depth_factor",
-    "flat_side_drift",
-    "ship_drift",
-    "width_across",
-]
-
 DriftWave = Literal["sea state", "largest wave"]
 """The mean over an irregular sea of height Hs, or that under regular waves of the height Hmax."""
 

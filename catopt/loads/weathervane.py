@@ -23,16 +23,6 @@ from catopt.loads.wave_drift import DriftWave, flat_side_drift, width_across
 from catopt.model.validity import Findings
 from catopt.words import Message
 
-__all__ = [
-    "YAW_TYPES",
-    "Afloat",
-    "CurrentYaw",
-    "Lying",
-    "Turning",
-    "equilibrium_headings",
-    "every_lying",
-]
-
 _STEPS: Final = 720
 _HALVINGS: Final = 60
 

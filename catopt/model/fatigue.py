@@ -9,18 +9,6 @@ from typing import Any, Final
 from catopt.errors import Problem
 from catopt.model.validity import Findings
 
-__all__ = [
-    "CURVE_NAMES",
-    "FATIGUE_CODES",
-    "Fatigue",
-    "FatigueSeaState",
-    "SegmentCurve",
-    "curve_misfits",
-    "fatigue_misfits",
-    "sections_misfits",
-    "share_misfits",
-]
-
 FATIGUE_CODES: Final = ("DNV-OS-E301-2008", "API-RP-2SK")
 """Codes of which catopt has curves."""
 

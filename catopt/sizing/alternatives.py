@@ -12,8 +12,6 @@ from catopt.sizing.line_choice import PREFERENCES, Prefer
 from catopt.sizing.settle import Settled
 from catopt.words import Measure, Message
 
-__all__ = ["Alternative", "alternatives", "trade"]
-
 
 @dataclass(frozen=True)
 class Alternative:

@@ -22,8 +22,6 @@ from catopt.model import Anchor, SinkerChoice
 from catopt.model.validity import Findings
 from catopt.sizing.kinds import usual
 
-__all__ = ["HEAVY_SINKERS", "DragGround", "SinkerGround"]
-
 HEAVY_SINKERS: Final = (
     *SINKER_MASSES,
     *(1e3 * tonnes for tonnes in (80, 100, 125, 150, 200, 250, 300, 400, 500, 600, 800, 1000)),

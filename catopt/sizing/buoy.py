@@ -23,8 +23,6 @@ from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.words import Measure, Message
 
-__all__ = ["HIGH", "LOW", "pose_buoy", "sized_buoy"]
-
 HIGH = "storm, high water"
 LOW = "storm, low water"
 """Load cases of a buoy."""

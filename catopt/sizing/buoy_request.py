@@ -12,8 +12,6 @@ from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
 from catopt.sizing.read_input import ReadInput
 
-__all__ = ["BuoyRequest", "GivenBuoy"]
-
 
 @dataclass(frozen=True)
 class GivenBuoy:

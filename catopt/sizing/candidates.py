@@ -12,8 +12,6 @@ from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.words import Message, Several
 
-__all__ = ["Candidate", "candidates", "why_none"]
-
 Role = Literal["smaller", "recommended", "larger"]
 
 _SAME_SIZE = 1e-6

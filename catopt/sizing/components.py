@@ -13,8 +13,6 @@ from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Line, Segment
 from catopt.sizing.line_choice import LineChoice
 
-__all__ = ["catalogue_of", "first_line", "longest_useful", "sold", "unpriced_components"]
-
 _ON_THE_BED: Final = 30.0
 """m."""
 

@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from catopt.sizing.read_input import ReadInput
     from catopt.sizing.result import Sizing
 
-__all__ = ["SCHEMA", "sizing_document"]
-
 SCHEMA = "catopt.size/1"
 
 

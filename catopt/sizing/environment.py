@@ -10,11 +10,6 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.sizing.kinds import usual
 
-__all__ = [
-    "Environment",
-    "usual_period",
-]
-
 _PERIOD_OF_HEIGHT: Final = 3.6
 """s per root of m: 2 pi Hs/(g T^2) is then 1/20, the steepness of a growing sea; catopt's own."""
 

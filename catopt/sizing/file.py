@@ -29,8 +29,6 @@ from catopt.sizing.schema import schema_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.sizing.telling import Spelling, as_keyword
 
-__all__ = ["SizingFile", "parse_file", "read_file", "read_sizing", "size_file"]
-
 _NOTHING: Final[Mapping[str, object]] = MappingProxyType({})
 
 

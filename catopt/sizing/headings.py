@@ -16,16 +16,6 @@ if TYPE_CHECKING:
     from catopt.loads.ship import Ship
     from catopt.sizing.known import Known
 
-__all__ = [
-    "DIRECTIONS",
-    "Weathervaning",
-    "directions_of",
-    "read_turning",
-    "turned_round",
-    "turning_words",
-    "weathervaning_of",
-]
-
 DIRECTIONS: Final = ("wind_angle", "current_angle", "wave_angle", "scan")
 """Inputs of which any makes a ship turn until it is at rest."""
 

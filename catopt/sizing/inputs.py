@@ -17,8 +17,6 @@ from typing import TYPE_CHECKING, Any, Final
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
 
-__all__ = ["INPUTS", "SINKER", "Input", "inputs_of", "rows_of"]
-
 SINKER: Final = "sinker"
 """As the anchor of a tanker: held by its weight."""
 

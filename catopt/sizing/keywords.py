@@ -14,8 +14,6 @@ from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import TankerRequest
 
-__all__ = ["size_buoy", "size_tanker"]
-
 
 def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Any) -> Sizing:
     """Size the chain and the sinker of a buoy.

@@ -11,8 +11,6 @@ from catopt.numerals import bare_number
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.units import Dimension, as_written
 
-__all__ = ["default_of", "from_text", "kind_of", "usual"]
-
 
 @cache
 def kind_of(each: Input) -> Kind:

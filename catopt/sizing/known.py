@@ -17,8 +17,6 @@ from catopt.sizing.telling import Spelling, Telling, as_keyword
 from catopt.units import as_written
 from catopt.words import Cited
 
-__all__ = ["Known", "is_needless", "known"]
-
 
 @dataclass(frozen=True)
 class Known:

@@ -9,8 +9,6 @@ from catopt.design.evaluation import DesignProblem
 from catopt.design.neighbours import neighbour, steps
 from catopt.sizing.settle import Settled
 
-__all__ = ["Limit", "limits"]
-
 
 @dataclass(frozen=True)
 class Limit:

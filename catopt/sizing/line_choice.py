@@ -14,8 +14,6 @@ from catopt.model.validity import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message
 
-__all__ = ["PREFERENCES", "LineChoice", "Prefer"]
-
 Prefer = Literal["cheapest", "lightest", "balanced", "least-swing"]
 PREFERENCES: tuple[Prefer, ...] = get_args(Prefer)
 

@@ -17,16 +17,6 @@ from catopt.mooring.solve import solve_system
 from catopt.ties import largest
 from catopt.words import Message, Sentence
 
-__all__ = [
-    "BodyState",
-    "Pattern",
-    "PatternState",
-    "WithoutLine",
-    "pattern",
-    "shared_force",
-    "system_case",
-]
-
 _DIRECTIONS: Final = 3
 """From against a line to half way to the next one; the rest follows by symmetry."""
 

@@ -10,8 +10,6 @@ from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.weathervane import Lying
 from catopt.model import Case
 
-__all__ = ["LoadsAt", "Posed"]
-
 
 @dataclass(frozen=True)
 class LoadsAt:

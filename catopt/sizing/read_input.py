@@ -10,8 +10,6 @@ from catopt.sizing.inputs import Input
 from catopt.units import UNITS, Dimension
 from catopt.words import Measure, Message, Several, term
 
-__all__ = ["Origin", "ReadInput", "estimated_dimensions"]
-
 Origin = Literal["given", "taken", "estimated"]
 
 _FIELD = {"LENGTH": "m", "MASS": "t", "AREA": "m^2", "DENSITY": "kg/m^3", "NUMBER": ""}

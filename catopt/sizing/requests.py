@@ -30,17 +30,6 @@ from catopt.sizing.wind_mean import mean_over
 from catopt.units import lasting
 from catopt.words import Message, term
 
-__all__ = [
-    "TAKEN_FOR",
-    "WIND_MEAN",
-    "of_the_wind",
-    "request_of",
-    "shape_of",
-    "ship_at",
-    "size",
-    "wind_of_30_s",
-]
-
 WIND_MEAN: Final = 30.0
 """s: the wind that loads on a ship are computed for is a mean over this (UFC 3-8.1, page 42)."""
 

@@ -28,8 +28,6 @@ from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Sentence, Several
 
-__all__ = ["SHOT", "Sizing", "SwingRadius"]
-
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
 

@@ -16,8 +16,6 @@ from catopt.casefile.sizing_file import Moored
 from catopt.sizing.inputs import Input, rows_of
 from catopt.sizing.kinds import kind_of
 
-__all__ = ["schema_of"]
-
 
 @cache
 def schema_of(moored: Moored) -> type[Table]:

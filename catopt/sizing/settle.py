@@ -25,8 +25,6 @@ from catopt.sizing.line_choice import LineChoice
 from catopt.sizing.posed import Posed
 from catopt.words import Message, Several
 
-__all__ = ["MOST_ROUNDS", "Settled", "point_diameter", "point_pull", "settle"]
-
 MOST_ROUNDS: Final = 40
 
 _ADVICE: Final = ("buoyancy", "tension", "uplift_angle", "sliding", "grounded_length", "span")

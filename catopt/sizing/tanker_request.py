@@ -17,13 +17,6 @@ from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice
 from catopt.sizing.read_input import ReadInput
 
-__all__ = [
-    "MooredShip",
-    "TankerRequest",
-    "check_deadweight",
-]
-
-
 _LEAST_CARGO: Final = 0.4
 """Deadweight over displacement of a loaded ship at least; catopt's own. Merchant ships have 0.55 to
 0.86."""

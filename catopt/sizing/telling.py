@@ -9,8 +9,6 @@ from typing import Any, Protocol, TypeVar
 from catopt.errors import InputError, Problem
 from catopt.sizing.inputs import Input
 
-__all__ = ["Spelling", "Telling", "as_keyword"]
-
 Made = TypeVar("Made")
 
 

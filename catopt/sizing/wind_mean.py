@@ -7,8 +7,6 @@ from typing import Final
 
 from catopt.model.validity import Findings
 
-__all__ = ["LONGEST_MEAN", "mean_over"]
-
 LONGEST_MEAN: Final = 3600.0
 """s: the mean that the profile starts from."""
 
