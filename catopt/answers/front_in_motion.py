@@ -45,6 +45,8 @@ def _blocks(found: FrontInMotion) -> Iterator[Block]:
             yield Text(Message("truss.design_failed", number=each.number, why=each.failure))
     if not found.is_complete:
         yield Verdict(Message("motion.front_stopped", count=len(found.designs)), passes=False)
+    if any(each.found is not None and each.found.verdict == "not proven" for each in found.designs):
+        yield Verdict(Message("motion.not_proven"), passes=False)
     only_in_motion = [each.number for each in found.designs if not each.passes]
     if only_in_motion:
         numbers = _in_ranges(only_in_motion)

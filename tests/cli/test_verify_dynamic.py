@@ -317,6 +317,9 @@ def test_a_front_in_motion_names_what_fails_there_alone(run: Run, tmp_path: Path
     assert [each["passes"] for each in found["designs"]] == [False, True]
     checks = [each["checks"]["checks"][0]["utilisation"] for each in found["designs"]]
     assert checks == pytest.approx(used, rel=1e-12)
+    assert "NOT PROVEN" not in ran.out
+    once = run("verify", out, "--all", "--dynamic", "--once").out
+    assert "NOT PROVEN: it was run once" in once
     assert "front_in_motion.csv" in {each.name for each in (tmp_path / "moved").iterdir()}
 
 
