@@ -37,19 +37,8 @@ class Chain:
 def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
     """Follow the pieces of a deck; what is no chain is noted.
 
-    Parameters
-    ----------
-    deck : Deck
-        What was read.
-    notes : Notes
-        Takes problems and remarks.
-    only : int, optional
-        The one line that is wanted, counted from 1.
-
-    Raises
-    ------
-    InputError
-        With everything that is no line between two ends.
+    `only`: the one line that is wanted, counted from 1. Raises InputError with everything that is
+    no line between two ends.
     """
     meeting = check_meeting(deck, notes)
     _refuse_joints(deck, meeting, notes)

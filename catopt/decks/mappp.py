@@ -34,14 +34,8 @@ _GIVEN = {
 def parse_mappp(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """Read a deck; what is wrong with it is noted.
 
-    Parameters
-    ----------
-    text : str
-        Of the file.
-    notes : Notes
-        Takes problems and remarks.
-    given : mapping of str to float
-        ``gravity``, ``density`` and ``depth``, SI: MAP++ has none of them in its file.
+    `given`: ``gravity``, ``density`` and ``depth`` where the user gives them, SI: MAP++ has none of
+    them in its file.
     """
     missing = [option for key, option in _GIVEN.items() if key not in given]
     if missing:

@@ -70,14 +70,7 @@ _COLUMNS_1, _COLUMNS_2 = 9, (10, 11, 13)
 def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """Read a deck; what is wrong with it is noted.
 
-    Parameters
-    ----------
-    text : str
-        Of the file.
-    notes : Notes
-        Takes problems and remarks.
-    given : mapping of str to float
-        ``gravity``, ``density`` and ``depth`` where the user gives them, SI.
+    `given`: ``gravity``, ``density`` and ``depth`` where the user gives them, SI.
     """
     sections = _sections(text, notes)
     for name, allowed in _REFUSED.items():

@@ -44,14 +44,7 @@ _KEYS = ("gravity", "g"), ("density", "rho_water"), ("depth", "water_depth")
 def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """Read a file; what is wrong with it is noted.
 
-    Parameters
-    ----------
-    text : str
-        Of the file.
-    notes : Notes
-        Takes problems and remarks.
-    given : mapping of str to float
-        ``gravity``, ``density`` and ``depth`` where the user gives them, SI.
+    `given`: ``gravity``, ``density`` and ``depth`` where the user gives them, SI.
     """
     top = parse_yaml(text, notes)
     site = top.table("site")

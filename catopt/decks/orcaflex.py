@@ -39,14 +39,7 @@ ROUNDING = 1e-6
 def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     """Read a file; what is wrong with it is noted.
 
-    Parameters
-    ----------
-    text : str
-        Of the file.
-    notes : Notes
-        Takes problems and remarks.
-    given : mapping of str to float
-        What the user gives beside it: nothing, since OrcaFlex has its own gravity.
+    `given`: what the user gives beside it: nothing, since OrcaFlex has its own gravity.
     """
     for key, value in given.items():
         allowed = "OrcaFlex has 9.80665 m/s^2, and the file the rest; leave the option out"

@@ -31,16 +31,9 @@ class Hung:
 def strung(
     name: str, ends: tuple[Point, Point], parts: Sequence[Section | Hung]
 ) -> tuple[dict[str, Point], list[Piece]]:
-    """Turn a line into points and pieces.
+    """Turn a line into points ``NAME.1`` and so on and pieces, both from its first end.
 
-    Parameters
-    ----------
-    name : str
-        Of the line; its points are ``NAME.1`` and so on, from the first end.
-    ends : (Point, Point)
-        Where it is held; their own names do not count.
-    parts : sequence of Section or Hung
-        From the first end to the second.
+    `ends`: where it is held; their own names do not count.
     """
     first, last = ends
     total = sum(part.length for part in parts if isinstance(part, Section)) or 1.0

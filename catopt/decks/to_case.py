@@ -26,10 +26,7 @@ BALANCED = 1e-3
 def case_of(deck: Deck, chains: Sequence[Chain], notes: Notes, title: str) -> Case:
     """Make the case: of one line between its ends, of several lines around a body.
 
-    Raises
-    ------
-    InputError
-        With everything that a case cannot say, by the lines of the file.
+    Raises InputError with everything that a case cannot say, by the lines of the file.
     """
     used = {piece.type for chain in chains for piece in chain.pieces}
     friction = friction_of(deck, used, notes)

@@ -22,10 +22,7 @@ def has_joints(deck: Deck) -> bool:
 def network_of(deck: Deck, notes: Notes, title: str) -> Network:
     """Make every point and every line one of its own; free points are joints.
 
-    Raises
-    ------
-    InputError
-        With everything that a file of lines with joints cannot say, by the lines of the deck.
+    Raises InputError with everything that a file of lines with joints cannot say.
     """
     meeting = check_meeting(deck, notes)
     used = {piece.type for piece in deck.pieces}

@@ -8,13 +8,7 @@ _when_read: list[Callable[[Sequence[str]], None]] = []
 
 
 def when_read(told: Callable[[Sequence[str]], None]) -> None:
-    """Have the remarks told.
-
-    Parameters
-    ----------
-    told : callable
-        Takes the place of an earlier one.
-    """
+    """Have the remarks told by this, in place of an earlier one."""
     _when_read[:] = [told]
 
 

@@ -147,10 +147,7 @@ class Table:
     def say_unread(self, groups: Mapping[str, str]) -> None:
         """Name every key of the file that was not read, by the group that says why.
 
-        Parameters
-        ----------
-        groups : mapping of str to str
-            Pattern of the keys of a group, by the key of its remark; the first that fits is said.
+        `groups`: pattern of a group's keys, by the key of its remark; the first that fits is said.
         """
         found: dict[str, dict[str, list[int]]] = {}
         told = {id(t.items[key]) for t in self.opened for key in t.read if key in t.items}
@@ -172,12 +169,9 @@ def _lines(rows: list[int]) -> str:
 
 
 def parse_yaml(text: str, notes: Notes) -> Table:
-    """Read a YAML file whose top is a mapping; what is wrong with it is raised.
+    """Read a YAML file whose top is a mapping.
 
-    Raises
-    ------
-    InputError
-        It is no YAML, a key stands twice, or PyYAML is not installed.
+    Raises InputError for what is no YAML, and where PyYAML is not installed.
     """
     try:
         import yaml

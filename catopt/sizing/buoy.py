@@ -110,15 +110,7 @@ def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:
 
 
 def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
-    """Make the case of a buoy whose chain and pull are assumed.
-
-    Parameters
-    ----------
-    request : BuoyRequest
-        Buoy, place and weather.
-    assumed : Assumed
-        Size of chain and pull that the loads are computed for.
-    """
+    """Make the case of a buoy whose size of chain and pull are assumed."""
     env, line = request.environment, request.line
     keel = request.keel_depth(min(assumed.pull, request.reserve_buoyancy))
     levels = env.levels

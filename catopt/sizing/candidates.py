@@ -43,19 +43,10 @@ class Candidate:
 
 
 def candidates(settled: Settled, of_size: Callable[[str, float], Settled]) -> tuple[Candidate, ...]:
-    """Size the neighbours of a recommended line.
+    """Size the neighbours of a recommended line, by rising size.
 
-    Parameters
-    ----------
-    settled : Settled
-        The recommended line and its loads.
-    of_size : callable
-        Settles loads and line for one size (m) of one component.
-
-    Returns
-    -------
-    tuple of Candidate
-        By rising size; less than three where no smaller or no larger one is sold.
+    `of_size` settles loads and line for one size (m) of one component. They are less than three
+    where no smaller or no larger one is sold.
     """
     component = settled.point.line.segments[0].component
     diameter = point_diameter(settled.point)

@@ -23,13 +23,7 @@ SCHEMA = "catopt.size/1"
 
 
 def sizing_document(of: Sizing) -> dict[str, Any]:
-    """Lay a sizing out for JSON, in SI.
-
-    Parameters
-    ----------
-    of : Sizing
-        Of a buoy or a tanker.
-    """
+    """Lay a sizing out for JSON, in SI."""
     segment = of.point.line.segments[0]
     governing = of.point.governing
     settled = of.settled

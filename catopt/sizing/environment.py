@@ -15,13 +15,7 @@ _PERIOD_OF_HEIGHT: Final = 3.6
 
 
 def usual_period(significant_height: float) -> float:
-    """Period of a sea that is still growing: 3.6 sqrt(Hs), s; catopt's own rule.
-
-    Parameters
-    ----------
-    significant_height : float
-        m.
-    """
+    """Period of a sea that is still growing: 3.6 sqrt(Hs), s; catopt's own rule. Hs in m."""
     return max(1.0, round(_PERIOD_OF_HEIGHT * math.sqrt(significant_height), 1))
 
 

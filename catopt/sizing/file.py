@@ -66,15 +66,9 @@ class SizingFile:
     ) -> Known:
         """Read what the file gives.
 
-        Parameters
-        ----------
-        before : mapping of str to object
-            Inputs by name that go before those of the file: before their own, and before what
-            stands in their place.
-        spell : Spelling
-            How those are written; the others are told by their keys.
-        defaults, called
-            As for `catopt.sizing.known.known`.
+        `before`: inputs by name, written as `spell`, that go before those of the file: before their
+        own, and before what stands in their place; `defaults`, `called`: as for
+        `catopt.sizing.known.known`.
         """
         inputs = self.inputs(before)
 

@@ -337,13 +337,7 @@ INPUTS: Final = (
 
 @cache
 def rows_of(moored: Moored) -> tuple[Input, ...]:
-    """List the rows of a buoy or a tanker.
-
-    Parameters
-    ----------
-    moored : {"buoy", "tanker"}
-        What is to be moored.
-    """
+    """List the rows of a buoy or a tanker."""
     rows = [each for each in INPUTS if moored in each.of]
     if moored == "buoy":
         return tuple(rows)
@@ -355,12 +349,7 @@ def rows_of(moored: Moored) -> tuple[Input, ...]:
 def inputs_of(moored: Moored, *, held_by: str = "") -> Mapping[str, Input]:
     """List the inputs of a buoy or a tanker by name.
 
-    Parameters
-    ----------
-    moored : {"buoy", "tanker"}
-        What is to be moored.
-    held_by : str
-        Of a tanker: its anchor, which says what else counts; empty: all that may count.
+    `held_by`: of a tanker: its anchor, which says what else counts; empty: all that may count.
     """
     is_open = moored == "buoy" or not held_by
     other = "-" if is_open else "anchor" if held_by == SINKER else "sinker"

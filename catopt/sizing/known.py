@@ -92,16 +92,9 @@ def known(
 ) -> Known:
     """Read what is given, and take what is not.
 
-    Parameters
-    ----------
-    moored : {"buoy", "tanker"}
-        What is to be moored.
-    given : mapping of str to object
-        By name: numbers in SI, or texts with units; None: left out.
-    spell, source, told, called
-        As for `Telling`.
-    defaults : mapping of str to object, optional
-        What is taken of what is left out, in place of the defaults of the table.
+    `given`: by name: numbers in SI, or texts with units; None: left out. `spell`, `source`, `told`,
+    `called`: as for `Telling`. `defaults`: what is taken of what is left out, in place of the
+    defaults of the table.
     """
     given = {name: value for name, value in given.items() if value is not None}
     inputs = inputs_of(moored, held_by=_held_by(moored, given))

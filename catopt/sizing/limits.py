@@ -37,13 +37,7 @@ class Limit:
 
 
 def limits(settled: Settled) -> tuple[Limit, ...]:
-    """List the steps to less that fail, each with its worst check.
-
-    Parameters
-    ----------
-    settled : Settled
-        The line and its case, under whose loads the steps are checked.
-    """
+    """List the steps to less that fail under the settled loads, each with its worst check."""
     problem = DesignProblem.of(settled.posed.case)
     found = []
     for step in steps(problem.space, settled.point.genes):

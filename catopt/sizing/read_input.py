@@ -78,13 +78,7 @@ class ReadInput:
 
 
 def estimated_dimensions(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:
-    """Say which dimensions an answer rests on that were estimated.
-
-    Parameters
-    ----------
-    inputs : iterable of ReadInput
-        What was read.
-    """
+    """Say which dimensions an answer rests on that were estimated."""
     found = [each for each in inputs if each.origin == "estimated"]
     if not found:
         return ()

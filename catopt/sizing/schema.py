@@ -19,13 +19,7 @@ from catopt.sizing.kinds import kind_of
 
 @cache
 def schema_of(moored: Moored) -> type[Table]:
-    """Make the schema of a file.
-
-    Parameters
-    ----------
-    moored : {"buoy", "tanker"}
-        What it is to find the mooring of.
-    """
+    """Make the schema of a file."""
     inputs = rows_of(moored)
     sections = dict.fromkeys(each.section for each in inputs)
     tables = {

@@ -138,15 +138,8 @@ def _by(request: TankerRequest, prefer: Prefer, own: Settled) -> tuple[Settled, 
 def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None = None) -> Posed:
     """Make the case of one line of a tanker's mooring.
 
-    Parameters
-    ----------
-    request : TankerRequest
-        Ship, place and weather.
-    assumed : Assumed
-        Chain and pull that the loads on the buoy are computed for, and the least horizontal force
-        of the line in each load case.
-    reserve : float, optional
-        What the line may pull down on a buoy, N.
+    `assumed`: chain and pull that the loads on the buoy are computed for, and the least horizontal
+    force of the line in each load case; `reserve`: what the line may pull down on a buoy, N.
     """
     env, line = request.environment, request.line
     states = tuple(_states(request))

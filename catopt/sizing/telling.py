@@ -83,12 +83,7 @@ class Telling:
     def make(self, maker: Callable[..., Made], *parts: Any) -> Made | None:
         """Make a value out of others; None when it cannot be made, or one of them was not.
 
-        Parameters
-        ----------
-        maker : callable
-            May raise InputError, which is kept.
-        *parts
-            What it is called with; None among them means that it was not made.
+        `maker` may raise InputError, which is kept; None among `parts` means that it was not made.
         """
         if any(part is None for part in parts):
             return None
