@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Literal
 
 from catopt.catenary.find import find_case
@@ -10,7 +11,7 @@ from catopt.catenary.result import under_case
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, Problem
-from catopt.model import Case
+from catopt.model import Case, Load
 from catopt.words import Message
 
 Method = Literal["closed-form", "pso"]
@@ -39,6 +40,15 @@ def solve_case(
     case.site.check_level()
     case, warnings = under_a_load(case)
     return _solved(case, method, progress).with_warnings(warnings)
+
+
+def as_found(case: Case) -> Case:
+    """Put what a case seeks in its place, so that it is an ordinary case."""
+    if case.find is None:
+        return case
+    solution = solve_case(case)
+    load = Load(horizontal_force=solution.horizontal_force)
+    return replace(case, line=solution.line, load=load, find=None)
 
 
 def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 
-from catopt.catenary.case import solve_case
+from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import criteria_of
 from catopt.checks.evaluation import evaluate
@@ -21,7 +21,7 @@ from catopt.checks.remarks import (
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.state import Place
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
-from catopt.model import Anchor, Case, Line, Load, LoadCase
+from catopt.model import Anchor, Case, Line, LoadCase
 from catopt.words import Message
 
 LOAD = "load"
@@ -73,7 +73,7 @@ def check_case(case: Case) -> CheckReport:
         from catopt.checks.system import check_system
 
         return check_system(case)
-    case = _found(case)
+    case = as_found(case)
     criteria = criteria_of(case)
     states = case.load_cases or (LoadCase(LOAD, 1.0),)
     kinds, of_mooring = {each.kind for each in states}, {each.state for each in states}
@@ -103,15 +103,6 @@ def check_case(case: Case) -> CheckReport:
         ),
         load_cases=case.load_cases,
     )
-
-
-def _found(case: Case) -> Case:
-    """Put what a case seeks in its place, so that it is an ordinary case."""
-    if case.find is None:
-        return case
-    solution = solve_case(case)
-    load = Load(horizontal_force=solution.horizontal_force)
-    return replace(case, line=solution.line, load=load, find=None)
 
 
 @contextmanager

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from catopt.decks.chains import Chain, chains_of
 from catopt.decks.deck import Deck, LineType, Notes, Point
+from catopt.decks.to_case import weight_of
 from catopt.export.text import exact
 
 SINKING = 1e-3
@@ -25,10 +26,7 @@ _ATTACHMENT = "AttachmentType, Attachmentx, Attachmenty, Attachmentz, Attachment
 def orcaflex_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     """Yield the lines of the file; `said`: what it says of itself."""
     contact = max(kind.diameter for kind in deck.types.values())
-    weights = (
-        (kind.mass - 0.25 * math.pi * kind.diameter**2 * deck.density) * deck.gravity
-        for kind in deck.types.values()
-    )
+    weights = (weight_of(deck, kind) for kind in deck.types.values())
     stiffness = exact(max(1.0, *weights) / (contact * SINKING) / 1e3)
     yield "%YAML 1.1"
     for line in said:

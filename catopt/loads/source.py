@@ -15,7 +15,6 @@ BLENDERMANN = "Blendermann 1994, as the MSS toolbox has it (blendermann94.m)"
 DTOCEAN = "DTOcean moorings, loads.py and its database"
 MOORPY = "MoorPy, fit to Vryhof's figures"
 NAVFAC = "NAVFAC DM 7.02 (1986), table 1 of chapter 3"
-OWN = "catopt's own"
 
 
 @dataclass(frozen=True)

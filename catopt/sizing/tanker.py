@@ -32,7 +32,6 @@ from catopt.sizing.tanker_request import MooredShip, TankerRequest
 from catopt.ties import largest
 from catopt.words import Measure, Message
 
-EVERYDAY: Final = "everyday"
 EVERYDAY_SHARE: Final = 0.1
 """Of the largest force: the state that the excursion of a single line starts from; catopt's own."""
 

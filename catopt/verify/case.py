@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
-from catopt.catenary.case import solve_case
+from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.surface import check_buoys, named_line
 from catopt.errors import InputError, Problem
-from catopt.model import Case, Load
+from catopt.model import Case
 from catopt.units import as_written
 from catopt.verify.line import Moored, verify_line
 from catopt.verify.result import StaticComparison, Verification
@@ -100,20 +99,11 @@ def load_states(case: Case, wanted: str | None) -> list[tuple[str, Case]]:
 
 
 def _named(case: Case) -> Iterator[tuple[str, Case]]:
-    found = _found(case)
+    found = as_found(case)
     if not case.load_cases:
         yield LOAD, found
     for state in case.load_cases:
         yield state.name, found.under(state)
-
-
-def _found(case: Case) -> Case:
-    """Put what a case seeks in its place."""
-    if case.find is None:
-        return case
-    solution = solve_case(case)
-    load = Load(horizontal_force=solution.horizontal_force)
-    return replace(case, line=solution.line, load=load, find=None)
 
 
 def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticComparison:
@@ -121,7 +111,7 @@ def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticC
         part = verify_system(case.system, elements=elements, tolerance=tolerance, name=name)
         _check_buoys(part, case.site.water_depth)
         return part
-    case = _found(case)
+    case = as_found(case)
     assert case.load is not None
     moored = Moored(
         line=case.line,
