@@ -26,7 +26,7 @@ ALL_BUT_CLI = (
     SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "export", "report"}
+    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
     | {"answers", "figures", "notes", "render", "desk", "web"}
 )
 RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce"}
@@ -60,6 +60,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "design": SOLVING | {"catalogue", "mooring", "checks"},
     "verify": SOLVING | {"mooring", "checks", "fem", "waves"},
     "sizing": SOLVING | DESIGNING | {"catalogue", "casefile", "loads", "mooring", "waves"},
+    "study": SOLVING | READING | {"checks", "mooring", "verify", "sizing", "notes", "_version"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
     "export": SOLVING | {"mooring", "decks", "_version"},
     "notes": SOLVING
@@ -69,7 +70,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "answers": SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "catalogue", "fem", "verify", "reproduce", "sizing", "notes", "figures"},
+    | {"mooring", "loads", "catalogue", "fem", "verify", "reproduce", "sizing", "study"}
+    | {"notes", "figures"},
     "render": BASE | {"answers", "figures", "_version"},
     "figures": BASE | RESULTS,
     "report": SOLVING

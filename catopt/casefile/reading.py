@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 from pydantic import ValidationError
 
@@ -106,7 +107,11 @@ def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
     InputError
         With every problem of the text, in its order.
     """
-    document = parse_toml(text, source)
+    return case_of(parse_toml(text, source), source, folder=folder)
+
+
+def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> Case:
+    """Make the case of a document, as the TOML reader returns it; as `parse_case`."""
     findings: list[Finding] = []
     table: CaseTable | None = None
     try:

@@ -23,6 +23,7 @@ from catopt.cli.report import report
 from catopt.cli.reproduce import reproduce
 from catopt.cli.size import size
 from catopt.cli.solve import solve
+from catopt.cli.study import study
 from catopt.cli.system import system
 from catopt.cli.units_option import in_units
 from catopt.cli.verify import verify
@@ -77,6 +78,7 @@ for _name, _command, _short in (
     ("system", in_units(system), "Find where a body on several lines comes to rest."),
     ("verify", in_units(verify), "Compare with the truss model, at rest or in motion."),
     ("fatigue", in_units(fatigue), "Damage of each segment in a year of sea states."),
+    ("study", in_units(study), "Compute a case again and again, with what varies in it."),
     ("report", in_units(report), "Write the calculation note."),
     ("export", export, "Write lines for another program, or as a drawing."),
     ("import", import_deck, "Read another program's file, write it as a case."),

@@ -27,6 +27,8 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
         "broken_line": (1, 100),
         "lines": (1, 100),
         "headings": (1, 360),
+        "samples": (1, 10_000_000),
+        "count": (2, 100_000),
     }
 )
 """Fewest and most of everything that a user may ask a number of. The most is what still answers

@@ -169,7 +169,13 @@ def parse_file(text: str, moored: Moored, source: str = "", *, folder: str = "")
     `source` names the file in messages; `folder` is what paths in it count from, the working
     directory when left out.
     """
-    document = parse_toml(text, source)
+    return file_of(parse_toml(text, source), moored, source, folder=folder)
+
+
+def file_of(
+    document: dict[str, Any], moored: Moored, source: str = "", *, folder: str = ""
+) -> SizingFile:
+    """Take the document of a file, as the TOML reader returns it, as `parse_file` does."""
     other = _of_another_kind(document, moored)
     if other:
         raise InputError([other.as_problem()], source)
@@ -225,7 +231,11 @@ def size_file(path: str | os.PathLike[str], moored: Moored) -> Sizing:
     NoAnswerError, NotConvergedError
         As for `size_buoy` and `size_tanker`.
     """
-    file = read_file(path, moored)
+    return sized(read_file(path, moored))
+
+
+def sized(file: SizingFile) -> Sizing:
+    """Size what is known from a file; errors as for `size_file`."""
     with file.telling():
         return size(file.known())
 

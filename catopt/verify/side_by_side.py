@@ -51,7 +51,7 @@ def side_by_side(
     try:
         with pool:
             try:
-                with _no_script():
+                with no_script():
                     futures = [pool.submit(_do, task, number) for number in range(count)]
                 waiting = set(futures)
                 while waiting:
@@ -105,7 +105,7 @@ def _do(task: Callable[[int, Progress], T], number: int) -> T:
 
 
 @contextmanager
-def _no_script() -> Iterator[None]:
+def no_script() -> Iterator[None]:
     """Keep new processes from running the calling script again, guarded or not."""
     script = sys.modules["__main__"]
     sys.modules["__main__"] = ModuleType("__main__")

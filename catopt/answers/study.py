@@ -1,0 +1,231 @@
+"""What a study consists of: its plan, its members, and what came of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Fact,
+    Facts,
+    Section,
+    Table,
+    Text,
+    Verdict,
+    texts,
+)
+from catopt.constants import YEAR
+from catopt.quantities import Quantity
+from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.study.plan import Plan
+    from catopt.study.result import Statistic, StudyResult
+    from catopt.study.store import Computed
+    from catopt.study.study import Study
+
+_SHARE = Quantity("share", "Share", "", "-", "-", 1.0, 4, "significant")
+_HOURS = Quantity("hours", "Hours", "", "s", "h", 3600.0, 2)
+_TIME = Quantity("time", "Time", "", "s", "s", 1.0, 3, "significant")
+_DISK = Quantity("disk", "Disk", "", "byte", "MB", 1e6, 3, "significant")
+
+
+def study_answer(result: StudyResult) -> Answer:
+    """Lay out what came of a study."""
+    return Answer(
+        "study",
+        result.study.title or Message("study.title"),
+        (Section(Message("study.results"), tuple(_blocks(result))),),
+    )
+
+
+def _blocks(result: StudyResult) -> Iterator[Block]:
+    yield _state(result)
+    if result.statistics:
+        yield _statistics(result)
+        if any(each.limit is not None for each in result.statistics):
+            yield _limits(result)
+        yield _worst(result)
+    if result.influences:
+        yield _influences(result)
+        yield Text(Message("study.influence_note"), is_small=True)
+    for name, counted in result.counted().items():
+        if counted:
+            yield _counts(name, counted)
+    if result.reasons:
+        yield _failures(result)
+    base = result.study.base
+    if base.compute == "motion" and base.proof == "none":
+        yield Verdict(Message("study.once"), passes=False)
+
+
+def _state(result: StudyResult) -> Verdict:
+    values = {"members": len(result.study), "failed": len(result.reasons)}
+    if result.is_complete:
+        return Verdict(Message("study.done", **values), passes=True if not result.reasons else None)
+    return Verdict(Message("study.not_done", done=result.done, **values), passes=False)
+
+
+def _of_rows(name: str, values: Iterator[Any], found: tuple[Statistic, ...], **said: Any) -> Column:
+    units = tuple(replace(each.kept.measure, symbol="") for each in found)
+    return Column(Message(f"study.{name}", **said), tuple(values), units=units)
+
+
+def _statistics(result: StudyResult) -> Table:
+    found = result.statistics
+    shares = result.levels
+    return Table(
+        "study",
+        (
+            Column(Message("study.quantity"), tuple(each.kept.words for each in found)),
+            Column(Message("study.members"), tuple(each.count for each in found), priority=3),
+            _of_rows("mean", (each.mean for each in found), found),
+            replace(_of_rows("deviation", (e.deviation for e in found), found), priority=1),
+            _of_rows("least", (each.least for each in found), found),
+            *(
+                replace(
+                    _of_rows("level", (each.levels[k] for each in found), found, share=share),
+                    priority=2 if share < 0.9 else 0,
+                )
+                for k, share in enumerate(shares)
+            ),
+            _of_rows("largest", (each.largest for each in found), found),
+        ),
+        Message("study.statistics"),
+    )
+
+
+def _limits(result: StudyResult) -> Table:
+    found = tuple(each for each in result.statistics if each.limit is not None)
+    shares = tuple(each.beyond for each in found)
+    hours = tuple(None if each is None else each * YEAR for each in shares)
+    return Table(
+        "study_limits",
+        (
+            Column(Message("study.quantity"), tuple(each.kept.words for each in found)),
+            _of_rows("limit", (each.limit for each in found), found),
+            Column(Message("study.share_beyond"), shares, _SHARE),
+            Column(Message("study.hours_beyond"), hours, _HOURS),
+        ),
+        Message("study.limits"),
+    )
+
+
+def _worst(result: StudyResult) -> Table:
+    rows = [
+        (each, key, value)
+        for each in result.statistics
+        if each.least < each.largest
+        for key, value in result.study.values_of(each.worst).items()
+    ]
+    return Table(
+        "study_worst",
+        (
+            Column(Message("study.at"), tuple(each.kept.words for each, _, _ in rows)),
+            Column(Message("study.member"), tuple(each.worst + 1 for each, _, _ in rows)),
+            Column(Message("study.key"), tuple(key for _, key, _ in rows)),
+            Column(
+                Message("study.value"),
+                tuple(result.study.written(key, value) for _, key, value in rows),
+            ),
+        ),
+        Message("study.worst_members"),
+    )
+
+
+def _influences(result: StudyResult) -> Table:
+    found = result.influences
+    of = replace(result.statistics[0].kept.measure, symbol="")
+    return Table(
+        "study_influences",
+        (
+            texts_of_keys([each.keys for each in found]),
+            Column(Message("study.share"), tuple(each.share for each in found), _SHARE),
+            Column(Message("study.least_mean"), tuple(each.low for each in found), of),
+            Column(Message("study.largest_mean"), tuple(each.high for each in found), of),
+        ),
+        Message("study.influences"),
+    )
+
+
+def texts_of_keys(rows: list[tuple[str, ...]]) -> Column:
+    """Make a column of key paths that vary together."""
+    return Column(Message("study.key"), tuple(", ".join(keys) for keys in rows))
+
+
+def _counts(name: str, counted: list[tuple[str, int]]) -> Table:
+    return Table(
+        f"study_{name}",
+        (
+            Column(Message(f"study.{name}"), tuple(text for text, _ in counted)),
+            Column(Message("study.members"), tuple(n for _, n in counted)),
+        ),
+        Message("study.counts"),
+    )
+
+
+def _failures(result: StudyResult) -> Table:
+    found = result.failures()
+    return Table(
+        "study_failures",
+        (
+            Column(Message("study.reason"), tuple(why for why, _, _ in found)),
+            Column(Message("study.members"), tuple(n for _, n, _ in found)),
+            Column(Message("study.first"), tuple(first + 1 for _, _, first in found)),
+        ),
+        Message("study.failures"),
+    )
+
+
+def members_table(study: Study, found: Computed) -> Table:
+    """Tabulate the members of a piece: what varies, what came of each, and why there is none."""
+    first = study.piece_start(found.number)
+    count = len(found.numbers)
+    values = study.values(first, first + count)
+    kept = study.base.kept
+    measured = [each for each in kept if each.quantity]
+    named = [each for each in kept if not each.quantity]
+    columns = [texts("no", range(first + 1, first + count + 1))]
+    for key, column in values.items():
+        plain = column if isinstance(column, list) else getattr(column, "tolist", list)()
+        columns.append(Column(key, tuple(plain), study.quantity_of(key)))
+    for at, each in enumerate(measured):
+        numbers = found.numbers[:, at].tolist()
+        quantity = replace(each.measure, symbol="")
+        columns.append(Column(each.words, tuple(numbers), quantity))
+    for at, each in enumerate(named):
+        words = tuple(row[at] for row in found.words)
+        columns.append(Column(each.words, words))
+    reasons = tuple(found.reasons.get(member, "") for member in range(count))
+    columns.append(Column(Message("study.reason"), reasons))
+    return Table("members", tuple(columns))
+
+
+def plan_answer(plan: Plan) -> Answer:
+    """Lay out how much a study asks for."""
+    study = plan.study
+    axes = study.axes
+    varied = Table(
+        "study_axes",
+        (
+            texts_of_keys([tuple(axis.columns) for axis in axes]),
+            Column(Message("study.values"), tuple(len(axis) for axis in axes)),
+            Column(
+                Message("study.drawn"),
+                tuple(Message("answers.yes" if a.is_drawn else "answers.no") for a in axes),
+            ),
+        ),
+    )
+    facts = (
+        Fact(Message("study.members"), len(study)),
+        Fact(Message("study.sample"), plan.timed),
+        Fact(Message("study.time"), plan.seconds, _TIME),
+        Fact(Message("study.disk"), plan.size, _DISK),
+    )
+    blocks = (varied, Facts("study_plan", facts))
+    title = study.title or Message("study.title")
+    return Answer("study_plan", title, (Section(Message("study.plan"), blocks),))

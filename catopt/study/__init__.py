@@ -1,0 +1,1 @@
+"""Studies: one case, what varies in it, and what is computed of each of its members."""

@@ -1,0 +1,69 @@
+"""The document of a study, as ``catopt study --json`` prints it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from catopt.study.result import LEVELS
+
+if TYPE_CHECKING:
+    from catopt.study.result import Statistic, StudyResult
+
+
+def study_document(result: StudyResult) -> dict[str, Any]:
+    """Build the document (schema catopt.study/1); values in SI, members counted from 1."""
+    study = result.study
+    return {
+        "schema": "catopt.study/1",
+        "title": study.title,
+        "compute": study.base.compute,
+        "members": len(study),
+        "done": result.done,
+        "without_answer": len(result.reasons),
+        "varied": [
+            {"keys": list(axis.columns), "values": len(axis), "drawn": axis.is_drawn}
+            for axis in study.axes
+        ],
+        "digest": study.digest,
+        "statistics": [_statistic(each, result) for each in result.statistics],
+        "influences": [
+            {
+                "keys": list(each.keys),
+                "share_of_variance": each.share,
+                "least_mean": each.low,
+                "largest_mean": each.high,
+            }
+            for each in result.influences
+        ],
+        "counts": {
+            name: [{"text": text, "members": n} for text, n in counted]
+            for name, counted in result.counted().items()
+        },
+        "failures": [
+            {"reason": reason, "members": n, "first": first + 1}
+            for reason, n, first in result.failures()
+        ],
+    }
+
+
+def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
+    study = result.study
+    return {
+        "name": each.kept.name,
+        "unit": each.kept.measure.si_unit,
+        "members": each.count,
+        "mean": each.mean,
+        "deviation": each.deviation,
+        "least": each.least,
+        "largest": each.largest,
+        "levels": [
+            {"share": share, "value": value}
+            for share, value in zip(LEVELS, each.levels, strict=True)
+        ],
+        "worst": {
+            "member": each.worst + 1,
+            "values": study.values_of(each.worst),
+        },
+        "limit": each.limit,
+        "share_beyond": each.beyond,
+    }

@@ -1,0 +1,262 @@
+"""From a study file to a study, with every error at once."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from catopt.casefile.fields import Measured
+from catopt.casefile.location import in_order_of
+from catopt.casefile.sizing_file import moored_of
+from catopt.casefile.structure import structure_findings
+from catopt.documents import parse_toml, read_text
+from catopt.errors import InputError, Problem
+from catopt.study.axis import Array, Axis
+from catopt.study.base import Base
+from catopt.study.keys import kind_of_key
+from catopt.study.member import read_member
+from catopt.study.schema import StudyTable, VaryTable
+from catopt.study.study import Study
+from catopt.study.table import read_table
+from catopt.units import Dimension, to_si
+
+_MOST = 100_000_000
+"""Members of a study: more is a slip of a count, or work for weeks."""
+
+
+def read_study(path: str | os.PathLike[str]) -> Study:
+    """Read a study file.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, TOML in UTF-8; paths in it count from where it is.
+
+    Returns
+    -------
+    Study
+        With its case and its tables read.
+
+    Raises
+    ------
+    InputError
+        With every problem of the file, of its case or of its tables.
+    """
+    source = os.fspath(path)
+    document = parse_toml(read_text(Path(path), source, kind="study file"), source)
+    try:
+        table = StudyTable.model_validate(document)
+    except ValidationError as error:
+        findings = structure_findings(error.errors(include_url=False), StudyTable)
+        ordered = in_order_of(document, list(dict.fromkeys(findings)))
+        raise InputError([each.as_problem() for each in ordered], source) from None
+    problems: list[Problem] = []
+    folder = Path(path).parent
+    base = _base(table, folder, source)
+    axes = list(_axes(table, base, folder, problems))
+    limits = _limits(table, base, problems)
+    if problems:
+        raise InputError(problems, source)
+    study = Study(table.title or "", base, tuple(axes), limits)
+    if len(study) > _MOST:
+        allowed = f"{_MOST:,} members are the most; give fewer values"
+        raise InputError([Problem("vary", f"{len(study):,} members", allowed)], source)
+    read_member(base, study.piece(0).changes(0))
+    return study
+
+
+def _base(table: StudyTable, folder: Path, source: str) -> Base:
+    place = folder / table.case
+    document, compute = _document(place), table.compute
+    moored = moored_of(document)
+    if (compute == "sizing") != (moored is not None):
+        wanted = "a file for catopt size is" if compute == "sizing" else "a case file is"
+        raise InputError([Problem("case", f'"{table.case}"', f"{wanted} wanted here")], source)
+    if table.proof is not None and compute != "motion":
+        problem = Problem("proof", f'"{table.proof}"', 'goes with compute = "motion"')
+        raise InputError([problem], source)
+    return Base(document, str(place), str(place.parent), compute, moored, table.proof or "step")  # type: ignore[arg-type]
+
+
+def _document(place: Path) -> dict[str, Any]:
+    """Document of a case file; of another program's input file, that of its case."""
+    if place.suffix.lower() != ".toml":
+        from catopt.casefile import read_case, write_case
+
+        return parse_toml(write_case(read_case(place)), str(place))
+    return parse_toml(read_text(place, str(place)), str(place))
+
+
+def _axes(table: StudyTable, base: Base, folder: Path, problems: list[Problem]) -> Iterator[Axis]:
+    """Yield what varies, in the order of the file; what is drawn is one axis, the last."""
+    drawn: list[tuple[str, VaryTable]] = []
+    seen: set[str] = set()
+    for number, each in enumerate(table.vary):
+        place = f"vary[{number}]"
+        with _gathered(problems, place):
+            _check_form(each)
+            if each.distribution is not None:
+                drawn.append((place, each))
+                axis = None
+                keys = {each.key or ""}
+            else:
+                axis = _listed(each, base) if each.key else _of_table(each, base, folder)
+                keys = set(axis.columns)
+            for key in sorted(keys & seen):
+                raise InputError([Problem("key", f'"{key}"', "varies already above")])
+            seen |= keys
+            if axis is not None:
+                yield axis
+    if drawn:
+        yield from _drawn(table, base, drawn, problems)
+    elif table.samples is not None or table.seed is not None:
+        key = "samples" if table.samples is not None else "seed"
+        problems.append(Problem(key, "", "nothing is drawn: no [[vary]] has a distribution"))
+
+
+@contextmanager
+def _gathered(problems: list[Problem], place: str) -> Iterator[None]:
+    """Note what is wrong in the body, by its place in the study file."""
+    try:
+        yield
+    except InputError as error:
+        of = f" of {error.source}" if error.source else ""
+        problems += [replace(each, key=f"{place}.{each.key}{of}") for each in error.problems]
+
+
+_FORMS = (
+    ({"key", "values"}, set()),
+    ({"key", "min", "max", "count"}, set()),
+    ({"key", "distribution", "mean", "deviation"}, set()),
+    ({"key", "distribution", "min", "max"}, set()),
+    ({"table"}, {"columns", "weight"}),
+)  # type: tuple[tuple[set[str], set[str]], ...]
+"""Keys of a [[vary]] that go together: those that are wanted, and those that may be there."""
+
+
+def _check_form(each: VaryTable) -> None:
+    given = set(each.given())
+    if not any(wanted <= given <= wanted | more for wanted, more in _FORMS):
+        forms = "; ".join(
+            " and ".join(sorted(wanted, key=list(VaryTable.model_fields).index))
+            for wanted, _ in _FORMS
+        )
+        raise InputError([Problem("", ", ".join(each.given()), f"one of these is wanted: {forms}")])
+    if each.distribution is not None and (each.distribution == "uniform") != ("min" in given):
+        wanted = "min and max" if each.distribution == "uniform" else "mean and deviation"
+        problem = Problem("distribution", f'"{each.distribution}"', f"{wanted} are wanted with it")
+        raise InputError([problem])
+
+
+def _listed(each: VaryTable, base: Base) -> Axis:
+    assert each.key is not None
+    kind = kind_of_key(base, each.key)
+    if each.values is not None:
+        found = []
+        problems = []
+        for at, value in enumerate(each.values):
+            try:
+                found.append(kind.read(value))
+            except InputError as error:
+                problems += [replace(p, key=f"values[{at}]") for p in error.problems]
+        if problems:
+            raise InputError(problems)
+        values = np.array(found) if isinstance(kind, Measured) else found
+        return Axis({each.key: values})
+    low, high = (_number(base, each, name) for name in ("min", "max"))
+    assert each.count is not None
+    return Axis({each.key: np.linspace(low, high, each.count)})
+
+
+def _number(base: Base, each: VaryTable, name: str, *, spread: bool = False) -> float:
+    """Read a value of a key that is measured; `spread` is a width, which has no range."""
+    assert each.key is not None
+    kind = kind_of_key(base, each.key)
+    if not isinstance(kind, Measured):
+        raise InputError([Problem("key", f'"{each.key}"', "it is no number with a range")])
+    value = getattr(each, name)
+    try:
+        number = to_si(value, kind.dimension, bare=kind.bare) if spread else kind.read(value)
+    except InputError as error:
+        raise InputError([replace(p, key=name) for p in error.problems]) from None
+    if spread and not number > 0.0:
+        raise InputError([Problem(name, f"{value}", "must be above 0")])
+    return number
+
+
+def _of_table(each: VaryTable, base: Base, folder: Path) -> Axis:
+    assert each.table is not None
+    return read_table(base, folder / each.table, each.columns or {}, each.weight)
+
+
+_EULER = 0.5772156649015329
+
+
+def _normal(rng: np.random.Generator, mean: float, deviation: float, n: int) -> Array:
+    return rng.normal(mean, deviation, n)
+
+
+def _lognormal(rng: np.random.Generator, mean: float, deviation: float, n: int) -> Array:
+    width = np.sqrt(np.log1p((deviation / mean) ** 2))
+    return rng.lognormal(np.log(mean) - width**2 / 2.0, width, n)
+
+
+def _gumbel(rng: np.random.Generator, mean: float, deviation: float, n: int) -> Array:
+    scale = deviation * np.sqrt(6.0) / np.pi
+    return rng.gumbel(mean - _EULER * scale, scale, n)
+
+
+_DRAWS: dict[str, Callable[[np.random.Generator, float, float, int], Array]] = {
+    "normal": _normal,
+    "lognormal": _lognormal,
+    "gumbel": _gumbel,
+}
+"""How values are drawn by mean and standard deviation of the value itself."""
+
+
+def _drawn(
+    table: StudyTable, base: Base, drawn: list[tuple[str, VaryTable]], problems: list[Problem]
+) -> Iterator[Axis]:
+    """Draw all keys with a distribution together; the numbers hang on nothing but the seed."""
+    if table.samples is None:
+        problems.append(Problem("samples", "", "missing; how many are to be drawn"))
+        return
+    rng = np.random.default_rng(table.seed or 0)
+    columns: dict[str, Array] = {}
+    for place, each in drawn:
+        with _gathered(problems, place):
+            assert each.key is not None
+            if each.distribution == "uniform":
+                low, high = (_number(base, each, name) for name in ("min", "max"))
+                columns[each.key] = rng.uniform(low, high, table.samples)
+                continue
+            mean = _number(base, each, "mean")
+            deviation = _number(base, each, "deviation", spread=True)
+            if each.distribution == "lognormal" and not mean > 0.0:
+                raise InputError([Problem("mean", f"{each.mean}", "must be above 0")])
+            draw = _DRAWS[each.distribution or ""]
+            columns[each.key] = draw(rng, mean, deviation, table.samples)
+    if columns:
+        yield Axis(columns, is_drawn=True)
+
+
+def _limits(table: StudyTable, base: Base, problems: list[Problem]) -> dict[str, float]:
+    measured = {each.name: each for each in base.kept if each.quantity}
+    found = {}
+    for name, value in (table.limits or {}).items():
+        if name not in measured:
+            allowed = f"one of {', '.join(measured)} is wanted"
+            problems.append(Problem(f"limits.{name}", "an unknown quantity", allowed))
+            continue
+        unit = measured[name].measure.si_unit
+        dimension = next(d for d in Dimension if d.si_unit == ("" if unit == "-" else unit))
+        with _gathered(problems, "limits"):
+            found[name] = to_si(value, dimension, name)
+    return found

@@ -1,0 +1,237 @@
+"""What came of a study: statistics over its members, the worst of them, and what matters."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Final
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.study.axis import Array
+from catopt.study.quantities import Kept
+from catopt.study.store import Store
+from catopt.study.study import Study
+
+LEVELS: Final = (0.05, 0.5, 0.95, 0.99)
+"""Shares of the members below which a value is that is given."""
+
+_BINS = 20
+"""Into which values are parted that are drawn, or are too many to be looked at one by one."""
+
+_MOST_SHOWN = 10
+"""Reasons, and texts, that are given."""
+
+
+@dataclass(frozen=True)
+class Statistic:
+    """One quantity over all members that have it, each by what it counts.
+
+    Attributes
+    ----------
+    kept : Kept
+        Which.
+    count : int
+        Members that have it.
+    mean, deviation : float
+        Of it, in SI.
+    least, largest : float
+        Of all members, in SI.
+    levels : tuple of float
+        Values that a share of `LEVELS` does not exceed.
+    worst : int
+        Member at its bad end, from 0.
+    limit, beyond : float or None
+        A limit, and the share of the members beyond it.
+    """
+
+    kept: Kept
+    count: int
+    mean: float
+    deviation: float
+    least: float
+    largest: float
+    levels: tuple[float, ...]
+    worst: int
+    limit: float | None = None
+    beyond: float | None = None
+
+
+@dataclass(frozen=True)
+class Influence:
+    """How much of the spread of a quantity one of the things that vary explains.
+
+    Attributes
+    ----------
+    keys : tuple of str
+        Key paths that vary together.
+    share : float
+        Of the variance, what would go if they were known (first-order index, by parts of equal
+        count where there are many values).
+    low, high : float
+        Least and largest mean of the quantity over their values, in SI.
+    """
+
+    keys: tuple[str, ...]
+    share: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, eq=False)
+class StudyResult:
+    """A study and what was computed of it, whole or as far as it went.
+
+    Attributes
+    ----------
+    study : Study
+        What was asked.
+    store : Store
+        What was computed.
+    """
+
+    study: Study
+    store: Store
+
+    @cached_property
+    def done(self) -> int:
+        """Members that were computed, with an answer or without."""
+        start = self.study.piece_start
+        return sum(start(k + 1) - start(k) for k in self.store.done())
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all were."""
+        return self.done == len(self.study)
+
+    @property
+    def levels(self) -> tuple[float, ...]:
+        """Shares whose values the statistics give."""
+        return LEVELS
+
+    @property
+    def measured(self) -> tuple[Kept, ...]:
+        """Numbers that are kept."""
+        return tuple(each for each in self.study.base.kept if each.quantity)
+
+    @cached_property
+    def reasons(self) -> dict[int, str]:
+        """Why members have no answer, by their numbers from 0."""
+        return self.store.reasons()
+
+    @cached_property
+    def statistics(self) -> tuple[Statistic, ...]:
+        """Of every quantity that any member has."""
+        shares = self.study.shares()
+        found = (
+            self._statistic(each, self.store.column(at), shares)
+            for at, each in enumerate(self.measured)
+        )
+        return tuple(each for each in found if each is not None)
+
+    def _statistic(self, kept: Kept, values: Array, shares: Array) -> Statistic | None:
+        there = np.flatnonzero(np.isfinite(values) & (shares > 0.0))
+        if not there.size:
+            return None
+        values, shares = values[there], shares[there] / shares[there].sum()
+        mean = float(shares @ values)
+        order = np.argsort(values, kind="stable")
+        reached = np.cumsum(shares[order])
+        places = np.searchsorted(reached, np.array(LEVELS) * (1.0 - 1e-12))
+        levels = values[order][np.minimum(places, values.size - 1)]
+        worst = np.argmax(values) if kept.high_is_worse else np.argmin(values)
+        limit = self.study.limits.get(kept.name)
+        beyond = None
+        if limit is not None:
+            is_beyond = values > limit if kept.high_is_worse else values < limit
+            beyond = float(shares[is_beyond].sum())
+        return Statistic(
+            kept,
+            int(there.size),
+            mean,
+            float(np.sqrt(shares @ (values - mean) ** 2)),
+            float(values.min()),
+            float(values.max()),
+            tuple(levels.tolist()),
+            int(there[worst]),
+            limit,
+            beyond,
+        )
+
+    @cached_property
+    def influences(self) -> tuple[Influence, ...]:
+        """What the first quantity hangs on, the most first."""
+        if not self.statistics:
+            return ()
+        at = self.measured.index(self.statistics[0].kept)
+        values, shares = self.store.column(at), self.study.shares()[: self.done]
+        if self.done < len(self.study):
+            return ()
+        there = np.isfinite(values)
+        found = [
+            _influence(keys, code[there], values[there], shares[there])
+            for keys, code in self._groups()
+        ]
+        return tuple(sorted(found, key=lambda each: -each.share))
+
+    def _groups(self) -> Iterator[tuple[tuple[str, ...], npt.NDArray[np.int64]]]:
+        """Yield keys with the group of each member by their values."""
+        study = self.study
+        for axis, places in zip(study.axes, study.places(0, len(study)), strict=True):
+            if len(axis) == 1:
+                continue
+            if not axis.is_drawn and len(axis) <= _BINS:
+                yield tuple(axis.columns), places
+                continue
+            for key, column in axis.columns.items():
+                yield (key,), _parted(column)[places]
+
+    def counted(self) -> dict[str, list[tuple[str, int]]]:
+        """Count the texts that are kept, by name, the most frequent first."""
+        names = [each.name for each in self.study.base.kept if not each.quantity]
+        if not names:
+            return {}
+        rows = [row for piece in self.store.pieces() for row in piece.words]
+        counts = {name: Counter(row[at] for row in rows) for at, name in enumerate(names)}
+        return {
+            name: [each for each in count.most_common(_MOST_SHOWN) if each[0]]
+            for name, count in counts.items()
+        }
+
+    def failures(self) -> list[tuple[str, int, int]]:
+        """Return why members have no answer, how many, and the first of them, from 0."""
+        counts = Counter(self.reasons.values())
+        first = {reason: member for member, reason in reversed(self.reasons.items())}
+        return [(why, n, first[why]) for why, n in counts.most_common(_MOST_SHOWN)]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt study --json`` prints (schema catopt.study/1)."""
+        from catopt.study.document import study_document
+
+        return study_document(self)
+
+
+def _parted(column: Sequence[Any] | Array) -> npt.NDArray[np.int64]:
+    """Part values into groups of equal count, or by value where they are few or no numbers."""
+    values, code = np.unique(np.asarray(column), return_inverse=True)
+    if len(values) <= _BINS or values.dtype.kind != "f":
+        return np.asarray(code, dtype=np.int64)
+    ranks = np.argsort(np.argsort(np.asarray(column), kind="stable"), kind="stable")
+    return np.asarray(ranks * _BINS // len(ranks), dtype=np.int64)
+
+
+def _influence(
+    keys: tuple[str, ...], code: npt.NDArray[np.int64], values: Array, shares: Array
+) -> Influence:
+    total = shares.sum()
+    mean = shares @ values / total
+    variance = shares @ (values - mean) ** 2 / total
+    weight = np.bincount(code, shares)
+    used = weight > 0.0
+    means = np.bincount(code, shares * values)[used] / weight[used]
+    between = weight[used] @ (means - mean) ** 2 / total
+    share = float(between / variance) if variance > 0.0 else 0.0
+    return Influence(keys, share, float(means.min()), float(means.max()))

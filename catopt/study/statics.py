@@ -1,0 +1,234 @@
+"""Members at rest, many at a time: only their loads differ within a group of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.casefile.fields import Measured
+from catopt.catenary.batch import Solutions, solve_many
+from catopt.catenary.case import solve_case
+from catopt.catenary.solution import Solution
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
+from catopt.model import Case, Load, System
+from catopt.mooring.batch import SystemSolutions, solve_system_many
+from catopt.mooring.case import report_system
+from catopt.study.axis import Array
+from catopt.study.base import Base
+from catopt.study.keys import kind_of_key
+from catopt.study.member import read_member
+from catopt.study.study import Piece
+
+_LOADS: Final = ("horizontal_force", "span", "fairlead_tension")
+LOADS: Final = frozenset(
+    [
+        *(f"load.{name}" for name in _LOADS),
+        "system.force[0]",
+        "system.force[1]",
+        "system.moment",
+    ]
+)
+"""Keys that differ within a group."""
+
+
+class Group(NamedTuple):
+    """Members of a piece that differ in their loads alone.
+
+    `at`: which they are, within the piece; `changes`: values of the first of them.
+    """
+
+    at: npt.NDArray[np.int64]
+    changes: dict[str, Any]
+
+
+class AtRest(NamedTuple):
+    """Members at rest: `values`, by name, nan where there is no answer; `reasons` for those."""
+
+    values: dict[str, Array]
+    reasons: dict[int, str]
+
+
+def at_rest(base: Base, piece: Piece) -> AtRest:
+    """Solve the members of a piece."""
+    names = [each.name for each in base.kept]
+    found = AtRest({name: np.full(len(piece), np.nan) for name in names}, {})
+    for group in _groups(piece):
+        try:
+            _solve(base, piece, group, found)
+        except (InputError, NoAnswerError, NotConvergedError) as error:
+            found.reasons.update(dict.fromkeys(group.at.tolist(), error.message))
+    return found
+
+
+def _groups(piece: Piece) -> Iterator[Group]:
+    """Part a piece by all but the loads."""
+    slow = {key: column for key, column in piece.columns.items() if key not in LOADS}
+    if not slow:
+        yield Group(np.arange(len(piece)), piece.changes(0))
+        return
+    codes = np.zeros(len(piece), dtype=np.int64)
+    for column in slow.values():
+        values, code = np.unique(np.asarray(column), return_inverse=True)
+        codes = np.unique(codes * len(values) + code, return_inverse=True)[1]
+    order = np.argsort(codes, kind="stable")
+    for at in np.split(order, np.flatnonzero(np.diff(codes[order])) + 1):
+        yield Group(at, piece.changes(int(at[0])))
+
+
+def _solve(base: Base, piece: Piece, group: Group, found: AtRest) -> None:
+    loads = {key: np.asarray(piece.columns[key])[group.at] for key in piece.columns if key in LOADS}
+    within = np.ones(len(group.at), dtype=bool)
+    for key, values in loads.items():
+        wrong = _beyond(base, key, values)
+        within &= ~wrong
+        for member in np.flatnonzero(wrong).tolist():
+            found.reasons[int(group.at[member])] = _refusal(base, key, values[member])
+    if not within.any():
+        return
+    at = group.at[within]
+    loads = {key: values[within] for key, values in loads.items()}
+    first = {key: values[0].item() for key, values in loads.items()}
+    case = read_member(base, {**group.changes, **first})
+    assert isinstance(case, Case)
+    case.site.check_level()
+    if any(each.submerged_weight < 0.0 for each in case.line.point_loads):
+        solved = _one_by_one(case, loads, len(at))
+    elif case.system is not None:
+        solved = _bodies(case.system, loads, len(at))
+    else:
+        solved = _lines(case, loads, len(at))
+    for name, column in solved[0].items():
+        found.values[name][at] = column
+    found.reasons.update({int(at[member]): reason for member, reason in solved[1].items()})
+
+
+def _beyond(base: Base, key: str, values: Array) -> npt.NDArray[np.bool_]:
+    """Which loads the key does not take."""
+    kind = kind_of_key(base, key)
+    assert isinstance(kind, Measured)
+    lowest, least = kind.above, kind.at_least
+    wrong = np.zeros(values.shape, dtype=bool)
+    if lowest is not None:
+        wrong |= values <= lowest
+    if least is not None:
+        wrong |= values < least
+    return wrong
+
+
+def _refusal(base: Base, key: str, value: float) -> str:
+    try:
+        kind_of_key(base, key).read(float(value))
+    except InputError as error:
+        return f"{key}: {error.problems[0].allowed}"
+    raise AssertionError(key)
+
+
+Loads = Mapping[str, Array]
+"""Values in SI by key path."""
+
+Solved = tuple[dict[str, Array], dict[int, str]]
+"""Values by name, and the reason of each that has none."""
+
+_WANTED = 'a case with [load] or [system] is wanted; compute = "checks" takes load cases'
+
+
+def _lines(case: Case, loads: Loads, count: int) -> Solved:
+    """Solve one line under many loads."""
+    if case.load is None:
+        raise InputError([Problem("case", "", _WANTED)])
+    given: dict[str, Any] = {name: getattr(case.load, name) for name in _LOADS}
+    given |= {key.removeprefix("load."): values for key, values in loads.items()}
+    wanted: dict[str, Any] = {
+        name: np.broadcast_to(value, (count,)) for name, value in given.items() if value is not None
+    }
+    wanted |= case.place
+    solved = solve_many(case.line, **wanted)
+    values = {
+        "fairlead_tension": solved.tension,
+        "anchor_tension": solved.anchor_tension,
+        "anchor_uplift": solved.anchor_vertical_force,
+        "grounded_length": solved.grounded_length,
+        "span": solved.span,
+    }
+    return values, _reasons(solved)
+
+
+def _bodies(system: System, loads: Loads, count: int) -> Solved:
+    """Bring one body to rest under many loads."""
+    solved = solve_system_many(
+        system,
+        force=np.column_stack(
+            [
+                loads.get(f"system.force[{k}]", np.full(count, own))
+                for k, own in enumerate(system.force)
+            ]
+        ),
+        moment=loads.get("system.moment", np.full(count, system.moment)),
+    )
+    values = {
+        "fairlead_tension": solved.tension.max(axis=1),
+        "anchor_tension": solved.anchor_tension.max(axis=1),
+        "anchor_uplift": solved.anchor_vertical_force.max(axis=1),
+        "grounded_length": solved.grounded_length.min(axis=1),
+        "offset": np.hypot(solved.offset[:, 0], solved.offset[:, 1]),
+    }
+    return values, _reasons(solved)
+
+
+def _reasons(solved: Solutions | SystemSolutions) -> dict[int, str]:
+    failed = np.flatnonzero(~solved.converged).tolist()
+    return {member: solved.reason(member) or "" for member in failed}
+
+
+def _one_by_one(case: Case, loads: Loads, count: int) -> Solved:
+    """Solve a line with buoys, which must not rise above the water, load by load."""
+    values: dict[str, Array] = {}
+    reasons = {}
+    for member in range(count):
+        try:
+            found = one_at_rest(_under(case, {k: float(v[member]) for k, v in loads.items()}))
+        except (NoAnswerError, NotConvergedError) as error:
+            reasons[member] = error.message
+            continue
+        for name, value in found.items():
+            values.setdefault(name, np.full(count, np.nan))[member] = value
+    return values, reasons
+
+
+def _under(case: Case, loads: Mapping[str, float]) -> Case:
+    if case.system is None:
+        (name, value), *_ = [*loads.items(), ("", 0.0)]
+        return replace(case, load=Load(**{name.removeprefix("load."): value})) if name else case
+    x, y = case.system.force
+    force = (loads.get("system.force[0]", x), loads.get("system.force[1]", y))
+    moment = loads.get("system.moment", case.system.moment)
+    return replace(case, system=replace(case.system, force=force, moment=moment))
+
+
+def one_at_rest(case: Case) -> dict[str, float]:
+    """Solve one case at rest, as ``catopt solve`` and ``catopt system`` do.
+
+    Raises what they raise.
+    """
+    if case.system is None:
+        solution = solve_case(case)
+        return {**_of_ends([solution]), "span": solution.span}
+    body = report_system(case).solution
+    return {
+        **_of_ends([each.solution for each in body.lines]),
+        "offset": math.hypot(*body.offset),
+    }
+
+
+def _of_ends(lines: Sequence[Solution]) -> dict[str, float]:
+    return {
+        "fairlead_tension": max(each.fairlead.tension for each in lines),
+        "anchor_tension": max(each.anchor.tension for each in lines),
+        "anchor_uplift": max(each.anchor.vertical_force for each in lines),
+        "grounded_length": min(each.grounded_length for each in lines),
+    }

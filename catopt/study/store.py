@@ -1,0 +1,140 @@
+"""What a study has computed, piece by piece, in a file that survives being killed at any moment."""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from catopt.errors import InputError, Problem
+from catopt.study.axis import Array
+from catopt.study.study import Study
+
+STORE: Final = "study.sqlite"
+"""Name of the file within the directory of a study."""
+
+_TABLES = """
+CREATE TABLE IF NOT EXISTS study (digest TEXT NOT NULL, members INTEGER NOT NULL);
+CREATE TABLE IF NOT EXISTS pieces (
+    number INTEGER PRIMARY KEY, numbers BLOB NOT NULL, words TEXT NOT NULL, reasons TEXT NOT NULL
+);
+"""
+
+
+@dataclass(frozen=True, eq=False)
+class Computed:
+    """What came of the members of a piece.
+
+    Attributes
+    ----------
+    number : int
+        Of the piece, from 0.
+    numbers : ndarray, shape (members, quantities)
+        In SI, nan where there is none; in the order of what is kept.
+    words : tuple of tuple of str
+        Texts, by member.
+    reasons : dict of int to str
+        Why there is no answer, by member within the piece.
+    """
+
+    number: int
+    numbers: Array
+    words: tuple[tuple[str, ...], ...]
+    reasons: dict[int, str]
+
+
+class Store:
+    """Pieces of one study, each written whole or not at all.
+
+    Parameters
+    ----------
+    study : Study
+        Whose they are.
+    directory : Path, optional
+        Where they are kept; in memory when left out.
+
+    Raises
+    ------
+    InputError
+        The directory has the pieces of another study, or cannot be written.
+    """
+
+    def __init__(self, study: Study, directory: Path | None = None) -> None:
+        self._study = study
+        self._file = ":memory:" if directory is None else str(directory / STORE)
+        try:
+            if directory is not None:
+                directory.mkdir(parents=True, exist_ok=True)
+            self._database = sqlite3.connect(self._file)
+            self._database.executescript(_TABLES)
+            self._check()
+        except (OSError, sqlite3.Error) as error:
+            raise InputError([Problem("--out", str(directory), str(error))], "options") from error
+
+    def _check(self) -> None:
+        wanted = (self._study.digest, len(self._study))
+        found = self._database.execute("SELECT digest, members FROM study").fetchone()
+        if found is None:
+            with self._database:
+                self._database.execute("INSERT INTO study VALUES (?, ?)", wanted)
+        elif tuple(found) != wanted:
+            allowed = "holds another study, or this one before its files were changed; give another"
+            self._database.close()
+            raise InputError([Problem("--out", self._file, allowed)], "options")
+
+    def done(self) -> set[int]:
+        """Return the numbers of the pieces that are there."""
+        return {number for (number,) in self._database.execute("SELECT number FROM pieces")}
+
+    def put(self, found: Computed) -> None:
+        """Write a piece."""
+        row = (
+            found.number,
+            np.ascontiguousarray(found.numbers, dtype="<f8").tobytes(),
+            json.dumps(found.words, ensure_ascii=False),
+            json.dumps({str(k): v for k, v in sorted(found.reasons.items())}, ensure_ascii=False),
+        )
+        with self._database:
+            self._database.execute("INSERT OR REPLACE INTO pieces VALUES (?, ?, ?, ?)", row)
+
+    def pieces(self) -> Iterator[Computed]:
+        """Yield the pieces that are there, by their numbers."""
+        width = sum(1 for each in self._study.base.kept if each.quantity)
+        rows = self._database.execute("SELECT * FROM pieces ORDER BY number")
+        for number, numbers, words, reasons in rows:
+            yield Computed(
+                number,
+                np.frombuffer(numbers, dtype="<f8").reshape(-1, width),
+                tuple(tuple(each) for each in json.loads(words)),
+                {int(k): v for k, v in json.loads(reasons).items()},
+            )
+
+    def column(self, at: int) -> Array:
+        """Return the numbers of one quantity of all members."""
+        parts = [piece.numbers[:, at] for piece in self.pieces()]
+        return np.concatenate(parts) if parts else np.empty(0)
+
+    def reasons(self) -> dict[int, str]:
+        """Return why members have no answer, by their numbers from 0."""
+        found: dict[int, str] = {}
+        for piece in self.pieces():
+            first = self._study.piece_start(piece.number)
+            found |= {first + member: reason for member, reason in piece.reasons.items()}
+        return found
+
+    def words(self, members: Sequence[int]) -> list[tuple[str, ...]]:
+        """Return the texts of some members."""
+        wanted: dict[int, tuple[str, ...]] = {}
+        for piece in self.pieces():
+            first = self._study.piece_start(piece.number)
+            wanted |= {first + k: words for k, words in enumerate(piece.words)}
+        return [wanted.get(member, ()) for member in members]
+
+    def close(self) -> None:
+        """Close the file."""
+        self._database.close()

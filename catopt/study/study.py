@@ -1,0 +1,164 @@
+"""A study: a case, what varies in it, and what is computed of each member."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from catopt._version import __version__
+from catopt.casefile.fields import Measured
+from catopt.quantities import Quantity
+from catopt.study.axis import Array, Axis
+from catopt.study.base import Base
+from catopt.study.keys import kind_of_key
+
+PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "sizing": 4})
+"""Members that are computed, and stored, together: some seconds of work."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Members that are computed together.
+
+    Attributes
+    ----------
+    number, first : int
+        Of the piece, and of its first member, from 0.
+    columns : mapping
+        Values of each member by key path.
+    """
+
+    number: int
+    first: int
+    columns: Mapping[str, Sequence[Any] | Array]
+
+    def __len__(self) -> int:
+        return len(next(iter(self.columns.values())))
+
+    def changes(self, member: int) -> dict[str, Any]:
+        """Return the values of a member, counted within the piece, by key path."""
+        return {key: _plain(column[member]) for key, column in self.columns.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """A study, ready to be run.
+
+    Attributes
+    ----------
+    title : str
+        Of the study.
+    base : Base
+        What all members have in common.
+    axes : tuple of Axis
+        What varies; the last one varies fastest.
+    limits : mapping of str to float
+        Values in SI, by quantity, beyond which the share of the members is asked for.
+    """
+
+    title: str
+    base: Base
+    axes: tuple[Axis, ...]
+    limits: Mapping[str, float] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return math.prod(len(axis) for axis in self.axes)
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """Key paths that vary."""
+        return tuple(key for axis in self.axes for key in axis.columns)
+
+    def values(self, first: int, end: int) -> dict[str, Sequence[Any] | Array]:
+        """Return the values of a range of members by key path."""
+        found: dict[str, Sequence[Any] | Array] = {}
+        for axis, at in zip(self.axes, self.places(first, end), strict=True):
+            found |= axis.take(at)
+        return found
+
+    def values_of(self, member: int) -> dict[str, Any]:
+        """Return the values of one member, from 0, by key path."""
+        return {key: _plain(column[0]) for key, column in self.values(member, member + 1).items()}
+
+    def quantity_of(self, key: str) -> Quantity | None:
+        """Return what the values of a key are, in the unit of SI; None for words and counts."""
+        kind = kind_of_key(self.base, key)
+        if not isinstance(kind, Measured):
+            return None
+        unit = kind.dimension.si_unit or "-"
+        return Quantity(key, key, "", unit, unit, 1.0, 6, "significant")
+
+    def written(self, key: str, value: Any) -> str:
+        """Write a value of a key with its unit in SI."""
+        quantity = self.quantity_of(key)
+        return str(value) if quantity is None else quantity.format(value, unit=True)
+
+    def places(self, first: int, end: int) -> list[np.ndarray[Any, np.dtype[np.int64]]]:
+        """Return, of a range of members, the place of each on every axis."""
+        sizes = [len(axis) for axis in self.axes]
+        return list(np.unravel_index(np.arange(first, end), sizes))
+
+    def shares(self) -> Array:
+        """Return what each member counts, in all 1."""
+        shares = np.ones(1)
+        for axis in self.axes:
+            shares = np.multiply.outer(shares, axis.shares).ravel()
+        return shares
+
+    @property
+    def pieces(self) -> int:
+        """How many pieces there are."""
+        return math.ceil(len(self) / PIECE[self.base.compute])
+
+    def piece(self, number: int) -> Piece:
+        """Return a piece by its number from 0."""
+        first, end = self.piece_start(number), self.piece_start(number + 1)
+        return Piece(number, first, self.values(first, end))
+
+    def piece_start(self, number: int) -> int:
+        """Return the first member of a piece, from 0; that after the last for the next piece."""
+        return min(number * PIECE[self.base.compute], len(self))
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 of all that decides its numbers: case, files, axes, version."""
+        base = self.base
+        own = [__version__, base.compute, base.moored, base.proof, base.document]
+        digest = sha256(json.dumps(own, sort_keys=True, default=str).encode())
+        for path in _files(base.document, base.folder):
+            digest.update(path.read_bytes())
+        for axis in self.axes:
+            for key, column in axis.columns.items():
+                digest.update(key.encode())
+                is_array = isinstance(column, np.ndarray)
+                said = np.asarray(column).tobytes() if is_array else json.dumps(column).encode()
+                digest.update(said)
+        return digest.hexdigest()
+
+
+def _files(table: Any, folder: str) -> Iterator[Path]:
+    """Files that a document names and that are there."""
+    if isinstance(table, list):
+        for each in table:
+            yield from _files(each, folder)
+    elif isinstance(table, dict):
+        for key, value in table.items():
+            if isinstance(value, str) and (key == "file" or key.endswith("_file")):
+                path = Path(folder) / value
+                if path.is_file():
+                    yield path
+            else:
+                yield from _files(value, folder)
+
+
+def _plain(value: Any) -> Any:
+    return value.item() if isinstance(value, np.generic) else value

@@ -1,0 +1,201 @@
+"""Tables of values for a study: CSV, a column a key, a row a member."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from io import StringIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from catopt.casefile.fields import Kind, Measured, Whole
+from catopt.documents import MOST_BYTES_OF_DATA, read_text
+from catopt.errors import InputError, Problem
+from catopt.study.axis import Array, Axis
+from catopt.study.base import Base
+from catopt.study.keys import kind_of_key
+from catopt.units import as_written, to_si
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+_HEADING = re.compile(r"\s*(?P<name>[^()]*?)\s*(\((?P<unit>.*)\))?\s*")
+_SHOWN = 10
+"""Faulty cells that are told of one column."""
+
+
+def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str | None) -> Axis:
+    """Read a table as an axis.
+
+    Parameters
+    ----------
+    base : Base
+        Whose keys vary.
+    path : Path
+        CSV with a row of headings, such as ``load.horizontal_force (kN)``. Where the headings are
+        parted by semicolons, numbers have a decimal comma.
+    columns : mapping of str to str
+        Key by heading, for headings that are no keys.
+    weight : str, optional
+        Heading of the column that says what each row counts, such as hours.
+
+    Raises
+    ------
+    InputError
+        With every heading, and the first cells of each column, that are wrong.
+    """
+    frame = _read(path)
+    problems: list[Problem] = []
+    found: dict[str, Any] = {}
+    weights: Array | None = None
+    for at, head in enumerate(frame.columns):
+        match = _HEADING.fullmatch(str(head))
+        name, unit = (match["name"], match["unit"] or "") if match else (str(head), "")
+        cells = frame.iloc[:, at]
+        try:
+            if name == weight:
+                weights = _weights(cells, name)
+                continue
+            key = columns.get(name, name)
+            if key in found:
+                raise InputError([Problem("headings", f'"{key}"', "twice")])
+            found[key] = _values(_kind(base, key, columns), cells, name, unit)
+        except InputError as error:
+            problems += error.problems
+    known = [str(head).split("(")[0].strip() for head in frame.columns]
+    for name in columns:
+        if name not in known:
+            problems.append(Problem("columns", f'"{name}"', "the table has no such heading"))
+    if weight is not None and weight not in known:
+        problems.append(Problem("weight", f'"{weight}"', "the table has no such heading"))
+    if not problems and not found:
+        problems.append(Problem("headings", "", "none of them is a key that varies"))
+    if problems:
+        raise InputError(problems, str(path))
+    return Axis(found, weights)
+
+
+def _read(path: Path) -> pd.DataFrame:
+    import pandas as pd
+
+    text = read_text(path, str(path), kind="table of values", most=MOST_BYTES_OF_DATA)
+    is_parted = ";" in text.split("\n", 1)[0]
+    try:
+        frame = pd.read_csv(
+            StringIO(text),
+            sep=";" if is_parted else ",",
+            decimal="," if is_parted else ".",
+            comment="#",
+            skipinitialspace=True,
+            keep_default_na=False,
+        )
+    except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
+        raise InputError([Problem("table", "", f"it is no table: {error}")], str(path)) from None
+    if frame.empty:
+        raise InputError([Problem("table", "no rows", "one row a member is wanted")], str(path))
+    return frame
+
+
+def _kind(base: Base, key: str, columns: Mapping[str, str]) -> Kind:
+    try:
+        return kind_of_key(base, key)
+    except InputError as error:
+        (problem,) = error.problems
+        wanted = problem.allowed
+        if key not in columns.values():
+            wanted += "; name its key under columns, or leave the column out"
+        raise InputError([Problem("headings", f'"{key}"', wanted)]) from None
+
+
+def _values(kind: Kind, cells: pd.Series[Any], name: str, unit: str) -> Sequence[Any] | Array:
+    if isinstance(kind, Measured):
+        return in_range(kind, _numbers(cells, name) * _size(kind, name, unit), name)
+    if unit:
+        raise InputError([Problem("headings", f'"{name} ({unit})"', "it has no unit")])
+    return list(_words(kind, cells, name))
+
+
+def _size(kind: Measured, name: str, unit: str) -> float:
+    """SI units in one of the unit that a heading names."""
+    dimension = kind.dimension
+    if not unit and dimension.si_unit:
+        wanted = f"its unit in brackets is wanted, such as {name} ({dimension.si_unit})"
+        raise InputError([Problem("headings", f'"{name}"', wanted)])
+    if unit in ("", "-"):
+        return 1.0
+    try:
+        return to_si(f"1 {unit}", dimension)
+    except InputError as error:
+        found = f'"{name} ({unit})"'
+        raise InputError([Problem("headings", found, error.problems[0].allowed)]) from None
+
+
+def _numbers(cells: pd.Series[Any], name: str) -> Array:
+    import pandas as pd
+
+    numbers = pd.to_numeric(cells, errors="coerce").to_numpy(dtype=np.float64)
+    wrong = np.flatnonzero(~np.isfinite(numbers))
+    _refuse(name, wrong.tolist(), cells, "a number is wanted")
+    return numbers
+
+
+def _weights(cells: pd.Series[Any], name: str) -> Array:
+    weights = _numbers(cells, name)
+    _refuse(name, np.flatnonzero(weights < 0.0).tolist(), cells, "must be 0 or more")
+    if not weights.sum() > 0.0:
+        raise InputError([Problem(name, "all 0", "what each row counts is wanted")])
+    return weights
+
+
+def in_range(kind: Measured, values: Array, name: str) -> Array:
+    """Return values in SI that a key takes; all that are out of its range are told."""
+    sizes = np.abs(values[values != 0.0])
+    ends = [values.min(), values.max(), *([sizes.min()] if sizes.size else [])]
+    try:
+        for end in ends:
+            _one(kind, end)
+    except InputError:
+        problems = []
+        for row, value in enumerate(values.tolist()):
+            try:
+                _one(kind, value)
+            except InputError as error:
+                said = error.problems[0]
+                problems.append(Problem(f"{name}, value {row + 1}", said.found, said.allowed))
+        raise InputError(_few(problems)) from None
+    return values
+
+
+def _one(kind: Measured, value: float) -> None:
+    kind.read(f"{value!r} {kind.dimension.si_unit}" if kind.bare else float(value))
+
+
+def _words(kind: Kind, cells: pd.Series[Any], name: str) -> Iterator[Any]:
+    """Words, flags and whole numbers, as the key takes them."""
+    problems = []
+    for row, cell in enumerate(cells.tolist()):
+        value = cell if isinstance(kind, Whole) or isinstance(cell, bool) else str(cell)
+        try:
+            yield kind.read(value)
+        except InputError as error:
+            said = error.problems[0]
+            problems.append(Problem(f"{name}, value {row + 1}", said.found, said.allowed))
+    if problems:
+        raise InputError(_few(problems))
+
+
+def _refuse(name: str, rows: Sequence[int], cells: pd.Series[Any], allowed: str) -> None:
+    if rows:
+        found = [
+            Problem(f"{name}, value {row + 1}", as_written(cells.iloc[row]), allowed)
+            for row in rows
+        ]
+        raise InputError(_few(found))
+
+
+def _few(problems: list[Problem]) -> list[Problem]:
+    more = len(problems) - _SHOWN
+    rest = [Problem("table", "", f"{more} more of the kind")] if more > 0 else []
+    return [*problems[:_SHOWN], *rest]
