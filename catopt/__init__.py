@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from catopt.mooring.solve import solve_system
     from catopt.sizing.file import read_sizing
     from catopt.sizing.keywords import size_buoy, size_tanker
+    from catopt.study.run import run_study
     from catopt.verify.case import verify_case
     from catopt.verify.dynamic import verify_dynamic
 
@@ -73,6 +74,7 @@ __all__ = [
     "load_curve",
     "read_case",
     "read_sizing",
+    "run_study",
     "size_buoy",
     "size_tanker",
     "solve",
@@ -111,6 +113,7 @@ _HOMES = {
     "catopt.mooring.solve": ("solve_system",),
     "catopt.sizing.file": ("read_sizing",),
     "catopt.sizing.keywords": ("size_buoy", "size_tanker"),
+    "catopt.study.run": ("run_study",),
     "catopt.verify.case": ("verify_case",),
     "catopt.verify.dynamic": ("verify_dynamic",),
 }

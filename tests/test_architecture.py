@@ -91,7 +91,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "__init__": SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "verify", "sizing", "answers", "render", "_version"},
+    | {"mooring", "loads", "verify", "sizing", "study", "answers", "render", "_version"},
 }
 """What each part may import beside itself; a part is a module or a folder of catopt."""
 

@@ -38,6 +38,7 @@ NAMES = [
     "load_curve",
     "read_case",
     "read_sizing",
+    "run_study",
     "size_buoy",
     "size_tanker",
     "solve",

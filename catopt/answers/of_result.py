@@ -25,6 +25,7 @@ def answer_of(result: Any) -> Answer:
     from catopt.answers.design import design_answer
     from catopt.answers.motion import motion_answer
     from catopt.answers.size import size_answer
+    from catopt.answers.study import study_answer
     from catopt.answers.verification import verification_answer
 
     layouts = {
@@ -34,6 +35,7 @@ def answer_of(result: Any) -> Answer:
         "DynamicVerification": motion_answer,
         "Sizing": size_answer,
         "Solution": _solution,
+        "StudyResult": study_answer,
         "Verification": verification_answer,
     }
     name = type(result).__name__

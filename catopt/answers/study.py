@@ -24,6 +24,7 @@ from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.study.plan import Plan
+    from catopt.study.quantities import Kept
     from catopt.study.result import Statistic, StudyResult
     from catopt.study.store import Computed
     from catopt.study.study import Study
@@ -45,6 +46,8 @@ def study_answer(result: StudyResult) -> Answer:
 
 def _blocks(result: StudyResult) -> Iterator[Block]:
     yield _state(result)
+    if result.is_complete and len(result.study) <= _FEW:
+        yield _few(result)
     if result.statistics:
         yield _statistics(result)
         if any(each.limit is not None for each in result.statistics):
@@ -61,6 +64,39 @@ def _blocks(result: StudyResult) -> Iterator[Block]:
     base = result.study.base
     if base.compute == "motion" and base.proof == "none":
         yield Verdict(Message("study.once"), passes=False)
+
+
+_FEW = 40
+"""Members that are shown one by one."""
+
+_TOLD = ("title", "line", "holding_mass", "fairlead_tension", "utilisation")
+"""What is shown of each of few members where there is little room, the first before the others."""
+
+
+def _few(result: StudyResult) -> Table:
+    """Tabulate few members, for people: files have them in a table of their own."""
+    parts = [members_table(result.study, each) for each in result.store.pieces()]
+    columns = [
+        replace(column, values=tuple(value for part in parts for value in part.columns[at].values))
+        for at, column in enumerate(parts[0].columns)
+    ]
+    told = [column for column in columns if any(_is_known(each) for each in column.values)]
+    names = ["no", *result.study.keys, *(each.name for each in _in_table(result.study))]
+    order = {id(column): name for column, name in zip(columns, names, strict=False)}
+    shown = tuple(
+        replace(each, priority=0 if order.get(id(each), "") in ("no", *_TOLD) else at + 1)
+        for at, each in enumerate(told)
+    )
+    return Table("few_members", shown, only="people")
+
+
+def _is_known(value: Any) -> bool:
+    return value == value and value not in ("", None)  # nan is not itself
+
+
+def _in_table(study: Study) -> list[Kept]:
+    """List what is kept as the table of members has it: numbers, then words."""
+    return sorted(study.base.kept, key=lambda each: not each.quantity)
 
 
 def _state(result: StudyResult) -> Verdict:
@@ -120,7 +156,7 @@ def _worst(result: StudyResult) -> Table:
         (each, key, value)
         for each in result.statistics
         if each.least < each.largest
-        for key, value in result.study.values_of(each.worst).items()
+        for key, value in result.study.told_of(each.worst).items()
     ]
     return Table(
         "study_worst",
@@ -173,7 +209,7 @@ def _failures(result: StudyResult) -> Table:
     return Table(
         "study_failures",
         (
-            Column(Message("study.reason"), tuple(why for why, _, _ in found)),
+            Column(Message("study.reason"), tuple(why.split("\n", 1)[0] for why, _, _ in found)),
             Column(Message("study.members"), tuple(n for _, n, _ in found)),
             Column(Message("study.first"), tuple(first + 1 for _, _, first in found)),
         ),
@@ -186,7 +222,7 @@ def members_table(study: Study, found: Computed) -> Table:
     first = study.piece_start(found.number)
     count = len(found.numbers)
     values = study.values(first, first + count)
-    kept = study.base.kept
+    kept = _in_table(study)
     measured = [each for each in kept if each.quantity]
     named = [each for each in kept if not each.quantity]
     columns = [texts("no", range(first + 1, first + count + 1))]

@@ -152,7 +152,7 @@ def _run(
     language: Language,
 ) -> None:
     from catopt.study.executors import cluster, processes, worth
-    from catopt.study.run import run_study
+    from catopt.study.run import run_into
 
     count = worth(read) if workers is None else workers
     of_sizing = None
@@ -167,7 +167,7 @@ def _run(
         elif count > 1:
             executor, at_once = stack.enter_context(processes(count))
         tell = stack.enter_context(output.progress("Members"))
-        run_study(
+        run_into(
             read,
             store,
             executor=executor,

@@ -97,7 +97,7 @@ def _in_motion(base: Base, case: Case) -> Values:
 def _of_sizing(found: Sizing) -> Values:
     line = found.point.line
     values: Values = {
-        "line": " + ".join(f"{each.name}, {each.length:g} m" for each in line.segments),
+        "line": " + ".join(dict.fromkeys(each.name for each in line.segments)),
         "mass": found.point.objectives["mass_kg"],
         "line_length": line.length,
         "swing_radius": found.swing.total,

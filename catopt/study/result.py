@@ -11,6 +11,8 @@ from typing import Any, Final
 import numpy as np
 import numpy.typing as npt
 
+from catopt.errors import InputError, Problem
+from catopt.shown import Shown
 from catopt.study.axis import Array
 from catopt.study.quantities import Kept
 from catopt.study.store import Store
@@ -81,8 +83,8 @@ class Influence:
     high: float
 
 
-@dataclass(frozen=True, eq=False)
-class StudyResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class StudyResult(Shown):
     """A study and what was computed of it, whole or as far as it went.
 
     Attributes
@@ -95,6 +97,12 @@ class StudyResult:
 
     study: Study
     store: Store
+
+    def __repr__(self) -> str:
+        return (
+            f"StudyResult({self.study.title!r}, members={len(self.study)}, done={self.done}, "
+            f"without_answer={len(self.reasons)})"
+        )
 
     @cached_property
     def done(self) -> int:
@@ -116,6 +124,16 @@ class StudyResult:
     def measured(self) -> tuple[Kept, ...]:
         """Numbers that are kept."""
         return tuple(each for each in self.study.base.kept if each.quantity)
+
+    def values(self, name: str) -> Array:
+        """Return one quantity of all members in SI, nan where there is no answer.
+
+        Raises InputError where nothing of that name is kept.
+        """
+        names = [each.name for each in self.measured]
+        if name not in names:
+            raise InputError([Problem("name", f'"{name}"', f"one of {', '.join(names)} is wanted")])
+        return self.store.column(names.index(name))
 
     @cached_property
     def reasons(self) -> dict[int, str]:
@@ -187,7 +205,9 @@ class StudyResult:
                 yield tuple(axis.columns), places
                 continue
             for key, column in axis.columns.items():
-                yield (key,), _parted(column)[places]
+                parts = _parted(column)
+                if parts.max() + 1 < len(axis):  # else the key only names the members
+                    yield (key,), parts[places]
 
     def counted(self) -> dict[str, list[tuple[str, int]]]:
         """Count the texts that are kept, by name, the most frequent first."""

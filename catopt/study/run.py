@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from contextlib import ExitStack
 from functools import partial
 from itertools import islice
+from pathlib import Path
 
 import numpy as np
 
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.study.base import Base
+from catopt.study.executors import processes, worth
+from catopt.study.file import read_study
 from catopt.study.member import OfSizing, compute_member
+from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
 from catopt.study.study import Piece, Study
@@ -20,6 +26,56 @@ Progress = Callable[[int, int], None]
 
 
 def run_study(
+    study: Study | str | os.PathLike[str],
+    out: str | os.PathLike[str] | None = None,
+    *,
+    workers: int | None = None,
+    progress: Progress | None = None,
+) -> StudyResult:
+    """Compute a case again and again, with what varies in it.
+
+    Parameters
+    ----------
+    study : Study or path
+        A study file, or what `catopt.study.file.read_study` made of one.
+    out : path, optional
+        Directory in which what is computed is kept: stopped at any moment, the same call goes on.
+        In memory when left out.
+    workers : int, optional
+        Processes side by side; all cores when left out, one for members at rest. The numbers do
+        not hang on it.
+    progress : callable, optional
+        Told the members done and all.
+
+    Returns
+    -------
+    StudyResult
+        Statistics over the members, the worst of them, and what they hang on.
+
+    Raises
+    ------
+    InputError
+        With every problem of the file; or the directory holds another study.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> result = catopt.run_study("cases/study-buoy-9.5m/study.toml")
+    >>> len(result.study), len(result.reasons)
+    (2000, 0)
+    """
+    read = study if isinstance(study, Study) else read_study(study)
+    store = Store(read, None if out is None else Path(out))
+    count = worth(read) if workers is None else workers
+    with ExitStack() as stack:
+        executor, at_once = None, 1
+        if count > 1:
+            executor, at_once = stack.enter_context(processes(count))
+        run_into(read, store, executor=executor, at_once=at_once, progress=progress)
+    return StudyResult(read, store)
+
+
+def run_into(
     study: Study,
     store: Store,
     *,

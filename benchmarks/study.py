@@ -1,0 +1,147 @@
+"""Studies: members a second at rest and in motion, memory, and what more members and cores cost.
+
+    python -m benchmarks.study [--years 40] [--runs 40] [--out benchmarks/results/study.md]
+
+Every study is one command in a process of its own, from its file to its tables; compiled code is
+loaded from the cache, which a first study fills.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+CASES = Path(__file__).parents[1] / "cases"
+HOURS = 8766
+"""Of a year."""
+
+
+class Took(NamedTuple):
+    """What a command took: wall clock and processor (s), and its largest memory (MB)."""
+
+    wall: float
+    processor: float
+    memory: float
+
+
+def main() -> None:
+    """Run all studies and print the tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--years", type=int, default=40)
+    parser.add_argument("--runs", type=int, default=40)
+    parser.add_argument("--out", type=Path)
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        text = "\n".join(_report(Path(folder), arguments.years, arguments.runs)) + "\n"
+    print(text)
+    if arguments.out is not None:
+        arguments.out.write_text(text, encoding="utf-8")
+
+
+def _report(folder: Path, years: int, runs: int) -> Iterator[str]:
+    yield "# Studies"
+    yield ""
+    yield (
+        "`python -m benchmarks.study`, one run each, from the study file to the tables; "
+        f"{os.cpu_count()} cores, Python {platform.python_version()}, {platform.machine()}."
+    )
+    yield ""
+    yield "At rest, one process."
+    yield ""
+    yield "| study | members | wall clock | processor | members a second | memory |"
+    yield "| --- | --- | --- | --- | --- | --- |"
+    hours(folder, 1)
+    timed(folder, "hours")  # fills the cache
+    for name, members in (
+        (f"nine lines, {years} years of hours", hours(folder, years)),
+        (f"nine lines, {2 * years} years of hours", hours(folder, 2 * years)),
+    ):
+        yield _row(name, members, timed(folder, "hours"))
+    for count in (100_000, 1_000_000):
+        yield _row("one line, drawn loads", line(folder, count), timed(folder, "line"))
+    yield ""
+    yield f"In motion: a chain in 56 m of water, {runs} runs of 5 minutes, each once."
+    yield ""
+    yield "| processes | wall clock | processor | runs a minute |"
+    yield "| --- | --- | --- | --- |"
+    motion(folder, runs)
+    for workers in (1, 2):
+        took = timed(folder, "motion", "--workers", str(workers))
+        rate = 60.0 * runs / took.wall
+        yield f"| {workers} | {took.wall:.1f} s | {took.processor:.1f} s | {rate:.0f} |"
+
+
+def _row(name: str, members: int, took: Took) -> str:
+    rate = members / took.processor
+    return (
+        f"| {name} | {members:,} | {took.wall:.1f} s | {took.processor:.1f} s | {rate:,.0f} "
+        f"| {took.memory:.0f} MB |"
+    )
+
+
+def timed(folder: Path, name: str, *options: str) -> Took:
+    """Run a study into a new directory."""
+    out = folder / f"{name}-{time.monotonic_ns()}"
+    words = [sys.executable, "-m", "catopt", "study", f"{folder / name}.toml", "--out", str(out)]
+    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    with subprocess.Popen([*words, *options], stdout=subprocess.DEVNULL) as process:
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    wall = time.perf_counter() - began
+    if process.returncode:
+        raise SystemExit(f"{name} ended with {process.returncode}")
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    children = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return Took(wall, max(children, used.ru_utime + used.ru_stime), used.ru_maxrss / 1024.0)
+
+
+def hours(folder: Path, years: int) -> int:
+    """Write a study of the nine lines of S4's turret over hourly forces; return its members."""
+    count = years * HOURS
+    rng = np.random.default_rng(1)
+    force, heading = 3000.0 * rng.weibull(2.0, count), rng.uniform(0.0, 2.0 * np.pi, count)
+    table = np.column_stack([force * np.cos(heading), force * np.sin(heading)])
+    head = "system.force[0] (kN),system.force[1] (kN)"
+    np.savetxt(folder / "hours.csv", table, "%.3f", ",", header=head, comments="")
+    case = (CASES / "fso-rang-dong" / "case.toml").as_posix()
+    (folder / "hours.toml").write_text(
+        f'case = "{case}"\ncompute = "statics"\n[[vary]]\ntable = "hours.csv"\n'
+    )
+    return count
+
+
+def line(folder: Path, count: int) -> int:
+    """Write a study of one chain: ten lengths, the rest draws of its load; return its members."""
+    case = (CASES / "buoy-9.5m" / "case.toml").as_posix()
+    (folder / "line.toml").write_text(
+        f'case = "{case}"\ncompute = "statics"\nsamples = {count // 10}\n'
+        '[[vary]]\nkey = "line.segments[0].length"\nmin = "19 m"\nmax = "23 m"\ncount = 10\n'
+        '[[vary]]\nkey = "load.horizontal_force"\ndistribution = "gumbel"\nmean = "0.343 tf"\n'
+        'deviation = "0.03 tf"\n'
+    )
+    return count
+
+
+def motion(folder: Path, runs: int) -> None:
+    """Write a study of runs in motion, a seed each."""
+    case = (CASES / "dynamic-chain-56m" / "case.toml").as_posix()
+    seeds = ", ".join(str(seed) for seed in range(1, runs + 1))
+    (folder / "motion.toml").write_text(
+        f'case = "{case}"\ncompute = "motion"\nproof = "none"\n'
+        f'[[vary]]\nkey = "waves.seed"\nvalues = [{seeds}]\n'
+    )
+
+
+if __name__ == "__main__":
+    main()

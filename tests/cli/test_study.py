@@ -1,0 +1,203 @@
+"""``catopt study``: its faces, its options, and that it goes on where it was stopped."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import random
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+from contextlib import closing
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from catopt import schemas
+
+from .conftest import CASES, Run
+
+BUOY = CASES / "study-buoy-9.5m" / "study.toml"
+CHAIN = CASES / "study-chain-56m" / "study.toml"
+FLEET = CASES / "study-fleet" / "study.toml"
+
+
+def test_what_is_printed_and_the_document(run: Run) -> None:
+    ran = run("study", BUOY)
+    assert (ran.status, ran.err) == (0, "")
+    assert "All 2,000 members are computed; 0 of them have no answer." in ran.out
+    assert max(map(len, ran.out.splitlines())) <= 80
+    ran = run("study", BUOY, "--json")
+    document = json.loads(ran.out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.study/1")).validate(document)
+    by_name = {each["name"]: each for each in document["statistics"]}
+    # The force is drawn with mean 0.343 tf; the anchor's share of the tension is close to it.
+    assert by_name["anchor_uplift"]["limit"] == 1200.0
+    keys = {each["keys"][0]: each["share_of_variance"] for each in document["influences"]}
+    assert keys["load.horizontal_force"] > 0.9
+    assert set(keys) == {"load.horizontal_force", "line.segments[0].length"}
+
+
+def test_the_files_and_the_language(run: Run, tmp_path: Path) -> None:
+    ran = run("study", FLEET, "--out", tmp_path / "out", "--lang", "vi", "--workers", "1")
+    assert ran.status == 0
+    assert "Đã tính cả 4 trường hợp" in ran.out
+    with (tmp_path / "out" / "members.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["title"] for row in rows] == ["Km 2 port", "Km 2 starboard", "Km 7", "Bar"]
+    assert float(rows[2]["site.water_depth (m)"]) == 12.0
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"members.csv", "study.csv", "study.json", "study.xlsx", "study.sqlite"} <= names
+    ran = run("study", FLEET, "--out", tmp_path / "out", "--status", "--json")
+    assert json.loads(ran.out)["done"] == 4
+
+
+def test_units_are_those_asked_for(run: Run, tmp_path: Path) -> None:
+    run("study", BUOY, "--out", tmp_path / "out", "--units", "tf")
+    with (tmp_path / "out" / "members.csv").open(newline="", encoding="utf-8") as file:
+        head = next(csv.reader(file))
+    assert "Fairlead tension (tf)" in head
+
+
+def test_the_plan_runs_nothing(run: Run) -> None:
+    ran = run("study", FLEET, "--plan", "--json")
+    document = json.loads(ran.out)
+    jsonschema.Draft202012Validator(schemas.schema("catopt.study_plan/1")).validate(document)
+    assert (document["members"], document["timed"]) == (4, 3)
+    assert 0.0 < document["processor_time_s"] < 100.0
+    assert "Processor time of all" in run("study", BUOY, "--plan").out
+
+
+@pytest.mark.slow
+def test_each_sizing_has_its_note(run: Run, tmp_path: Path) -> None:
+    ran = run("study", FLEET, "--out", tmp_path / "out", "--notes", "--workers", "2")
+    assert ran.status == 0
+    notes = sorted(path.name for path in (tmp_path / "out" / "notes").iterdir())
+    assert notes == [
+        "0001-km-2-port.html", "0002-km-2-starboard.html", "0003-km-7.html", "0004-bar.html",
+    ]  # fmt: skip
+    text = (tmp_path / "out" / "notes" / "0004-bar.html").read_text("utf-8")
+    assert "environment.current" in text
+    assert "Bar" in text
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (["--status"], "--out DIR, which is missing"),
+        (["--notes"], "--out DIR, which is missing"),
+        (["--workers", "0"], "1 or more processes"),
+        (["--plan", "--status", "--out", "x"], "does not go with --status"),
+        (["--workers", "2", "--scheduler", "tcp://h:1"], "does not go with --scheduler"),
+    ],
+)
+def test_options_that_do_not_go(run: Run, options: list[str], told: str) -> None:
+    ran = run("study", BUOY, *options)
+    assert ran.status == 2
+    assert told in ran.err
+
+
+def test_notes_are_of_sizings(run: Run, tmp_path: Path) -> None:
+    ran = run("study", BUOY, "--notes", "--out", tmp_path / "out")
+    assert ran.status == 2
+    assert "sizing" in ran.err
+
+
+def test_a_directory_of_another_study_is_refused(run: Run, tmp_path: Path) -> None:
+    assert run("study", BUOY, "--out", tmp_path / "out").status == 0
+    ran = run("study", FLEET, "--out", tmp_path / "out")
+    assert ran.status == 2
+    assert "another study" in ran.err
+
+
+def many(folder: Path) -> Path:
+    """Write a study of some ten seconds: checks of a tanker's line in 60 pieces."""
+    case = (CASES / "tanker-20m" / "case.toml").as_posix()
+    (folder / "study.toml").write_text(
+        f'case = "{case}"\ncompute = "checks"\n[[vary]]\nkey = "line.segments[0].length"\n'
+        'min = "150 m"\nmax = "300 m"\ncount = 6000\n'
+    )
+    return folder / "study.toml"
+
+
+def started(study: Path, out: Path, *options: str) -> subprocess.Popen[str]:
+    words = [sys.executable, "-m", "catopt", "study", str(study), "--out", str(out), *options]
+    return subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+
+def wait_for(out: Path, pieces: int, process: subprocess.Popen[str]) -> None:
+    """Wait until so many pieces are stored; fail where the command ends before."""
+    while pieces_in(out) < pieces:
+        assert process.poll() is None
+        time.sleep(0.02)
+
+
+def pieces_in(out: Path) -> int:
+    if not (out / "study.sqlite").exists():
+        return 0
+    try:
+        with closing(sqlite3.connect(out / "study.sqlite")) as database:
+            (count,) = database.execute("SELECT count(*) FROM pieces").fetchone()
+    except sqlite3.OperationalError:  # it is being made
+        return 0
+    return int(count)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="there is no SIGKILL")
+@pytest.mark.parametrize("workers", ["1", "2"])
+def test_killed_at_any_moment_it_ends_with_the_same_bytes(tmp_path: Path, workers: str) -> None:
+    study = many(tmp_path)
+    started(study, tmp_path / "whole").communicate(timeout=300)
+    rng = random.Random(3)
+    for number in range(5):
+        killed = started(study, tmp_path / "killed", "--workers", workers)
+        wait_for(tmp_path / "killed", 10 * number + 1, killed)
+        time.sleep(rng.uniform(0.0, 0.3))
+        killed.kill()
+        killed.communicate(timeout=60)
+        assert 10 * number < pieces_in(tmp_path / "killed") < 60
+    started(study, tmp_path / "killed", "--workers", workers).communicate(timeout=300)
+    assert pieces_in(tmp_path / "killed") == 60
+    for name in ("members.csv", "study.json", "study.csv"):
+        ours = (tmp_path / "killed" / name).read_bytes()
+        assert ours == (tmp_path / "whole" / name).read_bytes(), name
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="no Ctrl-C can be sent to another console there")
+@pytest.mark.parametrize("workers", ["1", "2"])
+def test_ctrl_c_says_how_to_go_on(tmp_path: Path, workers: str) -> None:
+    stopped = started(many(tmp_path), tmp_path / "out", "--workers", workers)
+    wait_for(tmp_path / "out", 5, stopped)
+    stopped.send_signal(signal.SIGINT)
+    _, err = stopped.communicate(timeout=60)
+    assert stopped.returncode == 130
+    assert "the same command goes on" in err
+    assert "Traceback" not in err
+
+
+@pytest.mark.slow
+def test_a_cluster_gives_the_same_bytes(run: Run, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    assert run("study", CHAIN, "--out", tmp_path / "here", "--workers", "2").status == 0
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None
+    ) as cluster:
+        ran = run("study", CHAIN, "--out", tmp_path / "there",
+                  "--scheduler", cluster.scheduler_address)  # fmt: skip
+    assert ran.status == 0
+    there = (tmp_path / "there" / "members.csv").read_bytes()
+    assert there == (tmp_path / "here" / "members.csv").read_bytes()
+
+
+@pytest.mark.slow
+def test_no_scheduler_answers(run: Run) -> None:
+    pytest.importorskip("distributed")
+    ran = run("study", CHAIN, "--scheduler", "tcp://127.0.0.1:9")
+    assert ran.status == 2
+    assert "no scheduler answers" in ran.err

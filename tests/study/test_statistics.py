@@ -1,0 +1,96 @@
+"""Statistics over members, with numbers put in by hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from catopt.study.axis import Axis
+from catopt.study.base import Base
+from catopt.study.result import StudyResult
+from catopt.study.store import Computed, Store
+from catopt.study.study import Study
+
+DOCUMENT = {"site": {"water_depth": 9.5}, "line": {"segments": [{"length": 20.0}]}, "load": {}}
+BASE = Base(DOCUMENT, "case.toml", "", "statics")
+
+
+def result(axes: list[Axis], values: np.ndarray, limits: dict[str, float] | None = None,
+           reasons: dict[int, str] | None = None) -> StudyResult:  # fmt: skip
+    """Members whose fairlead tension is given; grounded length is its negative plus 100."""
+    study = Study("by hand", BASE, tuple(axes), limits or {})
+    store = Store(study)
+    numbers = np.column_stack([values, values, values, 100.0 - values, values])
+    store.put(Computed(0, numbers, (), reasons or {}))
+    return StudyResult(study, store)
+
+
+def forces(n: int, weights: np.ndarray | None = None) -> Axis:
+    return Axis({"load.horizontal_force": np.arange(1.0, n + 1.0)}, weights)
+
+
+def test_members_of_equal_weight() -> None:
+    of = result([forces(100)], np.arange(1.0, 101.0)).statistics[0]
+    assert of.kept.name == "fairlead_tension"
+    assert (of.count, of.least, of.largest, of.worst) == (100, 1.0, 100.0, 99)
+    assert of.mean == pytest.approx(50.5)
+    assert of.deviation == pytest.approx(((100**2 - 1) / 12) ** 0.5)  # of 1 to n
+    assert of.levels == (5.0, 50.0, 95.0, 99.0)  # 5 of 100 are 5 or less
+
+
+def test_weights_count() -> None:
+    # Ten hours of 1, one of 2, one of 3: two thirds are 1 though it is a third of the rows.
+    of = result([forces(3, np.array([10.0, 1.0, 1.0]))], np.array([1.0, 2.0, 3.0])).statistics[0]
+    assert of.mean == pytest.approx(15.0 / 12.0)
+    assert of.levels == (1.0, 1.0, 3.0, 3.0)  # 10/12 = 83 % are 1; 11/12 = 92 % are 2 or less
+
+
+def test_the_bad_end_of_a_grounded_length_is_the_least() -> None:
+    found = result([forces(10)], np.arange(10.0), {"grounded_length": 93.5, "span": 7.5})
+    by_name = {each.kept.name: each for each in found.statistics}
+    assert by_name["grounded_length"].worst == 9
+    assert by_name["grounded_length"].beyond == pytest.approx(0.3)  # 93, 92 and 91
+    assert by_name["span"].beyond == pytest.approx(0.2)  # 8 and 9
+    assert by_name["fairlead_tension"].limit is None
+
+
+def test_members_without_an_answer_are_left_out_and_told() -> None:
+    values = np.array([1.0, np.nan, 3.0, np.nan])
+    found = result([forces(4)], values, reasons={1: "too short", 3: "too short"})
+    assert found.statistics[0].count == 2
+    assert found.statistics[0].mean == 2.0
+    assert found.failures() == [("too short", 2, 1)]
+
+
+def test_influences_of_a_sum() -> None:
+    # y = a + 3 b over a 2 x 2 grid of -1 and 1: variances 1 and 9.
+    two = np.array([-1.0, 1.0])
+    axes = [Axis({"site.water_depth": two}), Axis({"load.horizontal_force": two})]
+    y = np.add.outer(two, 3.0 * two).ravel()
+    first, second = result(axes, y).influences
+    assert first.keys == ("load.horizontal_force",)
+    assert (first.share, second.share) == pytest.approx((0.9, 0.1))
+    assert (first.low, first.high) == (-3.0, 3.0)
+
+
+def test_influences_of_what_is_drawn() -> None:
+    # y = a + 2 b of uniform draws: variances 1 to 4. Parts of a twentieth lose 1/400 of each.
+    rng = np.random.default_rng(5)
+    n = 20_000
+    a, b = rng.uniform(-1.0, 1.0, (2, n))
+    axis = Axis({"site.water_depth": a, "load.horizontal_force": b}, is_drawn=True)
+    first, second = result([axis], a + 2.0 * b).influences
+    assert first.share == pytest.approx(0.8, abs=0.01)
+    assert second.share == pytest.approx(0.2, abs=0.01)
+
+
+def test_another_study_does_not_get_the_pieces(tmp_path: Path) -> None:
+    from catopt.errors import InputError
+
+    study = Study("", BASE, (forces(3),))
+    Store(study, tmp_path).close()
+    Store(study, tmp_path).close()
+    with pytest.raises(InputError, match="another study"):
+        Store(Study("", BASE, (forces(4),)), tmp_path)
