@@ -63,13 +63,12 @@ def _report(folder: Path, years: int, runs: int) -> Iterator[str]:
     yield "| --- | --- | --- | --- | --- | --- |"
     hours(folder, 1)
     timed(folder, "hours")  # fills the cache
-    for name, members in (
-        (f"nine lines, {years} years of hours", hours(folder, years)),
-        (f"nine lines, {2 * years} years of hours", hours(folder, 2 * years)),
-    ):
-        yield _row(name, members, timed(folder, "hours"))
+    for each in (years, 2 * years):
+        members = hours(folder, each)
+        yield _row(f"nine lines, {each} years of hours", members, timed(folder, "hours"))
     for count in (100_000, 1_000_000):
-        yield _row("one line, drawn loads", line(folder, count), timed(folder, "line"))
+        members = line(folder, count)
+        yield _row("one line, drawn loads", members, timed(folder, "line"))
     yield ""
     yield f"In motion: a chain in 56 m of water, {runs} runs of 5 minutes, each once."
     yield ""
@@ -80,6 +79,30 @@ def _report(folder: Path, years: int, runs: int) -> Iterator[str]:
         took = timed(folder, "motion", "--workers", str(workers))
         rate = 60.0 * runs / took.wall
         yield f"| {workers} | {took.wall:.1f} s | {took.processor:.1f} s | {rate:.0f} |"
+    yield ""
+    yield from _planned(took.processor / runs, _bytes_a_run(folder) / runs)
+
+
+RUNS, CORES = 10_000_000, 1000
+"""Of the study that is planned."""
+
+
+def _planned(processor: float, size: float) -> Iterator[str]:
+    days = RUNS * processor / CORES / 86400.0
+    yield f"Planned from the last row: {RUNS:.0e} such runs on {CORES:,} cores."
+    yield ""
+    yield f"- {processor:.2f} s of a core a run: {days:.1f} days, if the cores are as fast."
+    yield f"- {size:.0f} bytes a run in the directory: {RUNS * size / 1e9:.1f} GB."
+    yield (
+        f"- {CORES / processor:.0f} runs end in a second. Dask's scheduler takes some 0.2 ms for a "
+        f"task, so that it is busy {0.02 * CORES / processor:.0f} % of the time; one core writes "
+        "the store."
+    )
+
+
+def _bytes_a_run(folder: Path) -> int:
+    out = max(folder.glob("motion-*"))
+    return sum((out / name).stat().st_size for name in ("study.sqlite", "members.csv"))
 
 
 def _row(name: str, members: int, took: Took) -> str:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     import pandas as pd
+    from matplotlib.figure import Figure
 
     from catopt.casefile import read_case
     from catopt.catenary.batch import solve_many
@@ -144,7 +145,13 @@ def _as_table(result: object) -> pd.DataFrame:
     return table_of(result)
 
 
-shown.faces |= {"html": _as_html, "table": _as_table}
+def _as_figure(result: object) -> Figure:
+    from catopt.report.drawings import figure_of
+
+    return figure_of(result)
+
+
+shown.faces |= {"html": _as_html, "table": _as_table, "figure": _as_figure}
 
 
 def __dir__() -> list[str]:

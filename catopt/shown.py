@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     import pandas as pd
+    from matplotlib.figure import Figure
 
 __all__ = ["Shown"]
 
@@ -15,7 +16,7 @@ LONGEST = 60
 """Letters of a text that still go into a line."""
 
 faces: dict[str, Callable[[Any], Any]] = {}
-"""What shows a result, by ``"html"`` and ``"table"``; `catopt` itself puts them in."""
+"""What shows a result, by ``"html"``, ``"table"`` and ``"figure"``; `catopt` puts them in."""
 
 
 class Shown:
@@ -29,6 +30,11 @@ class Shown:
         """Lay out all that the command prints, for a notebook."""
         html: str = faces["html"](self)
         return html
+
+    def plot(self) -> Figure:
+        """Draw what the command draws, as a figure of matplotlib."""
+        figure: Figure = faces["figure"](self)
+        return figure
 
     def to_dataframe(self) -> pd.DataFrame:
         """Return the main table of what the command writes, with the unit in each heading."""

@@ -91,7 +91,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "__init__": SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "verify", "sizing", "study", "answers", "render", "_version"},
+    | {"mooring", "loads", "verify", "sizing", "study", "answers", "render", "report"}
+    | {"_version"},
 }
 """What each part may import beside itself; a part is a module or a folder of catopt."""
 

@@ -36,6 +36,8 @@ QUESTIONS = [
     ("which design shall I take", "how-to/read-the-front.md", r"knee"),
     ("is the closed form right", "how-to/verify-with-the-truss-model.md", r"truss"),
     ("what was it compared with", "validation.md", r"MoorPy"),
+    ("all the buoys of my channel", "study.md", r"fleet of buoys"),
+    ("forty years of weather", "study.md", r"forty years"),
     ("what do waves add", "dynamics.md", r"[Ww]aves"),
     ("how long must a run be", "waves.md", r"how many waves|[Ss]eeds?"),
     ("several lines on a body", "system.md", r"one line out|[Ll]ine out"),

@@ -71,6 +71,27 @@ def test_the_data_frame_is_that_of_the_files() -> None:
     assert len(found) == len(results()["design"].front) == len(read)
 
 
+@pytest.mark.parametrize(
+    ("name", "frames"),
+    [
+        ("solution", 2), ("curve", 1), ("design", 2), ("sizing", 1), ("verification", 4),
+        ("system", 2),
+    ],
+)  # fmt: skip
+def test_a_result_draws_itself(name: str, frames: int) -> None:
+    figure = results()[name].plot()
+    axes = [each for each in figure.get_axes() if each.has_data()]
+    assert len(axes) >= frames
+    stream = io.BytesIO()
+    figure.savefig(stream, format="png", dpi=40)
+    assert stream.getvalue().startswith(b"\x89PNG")
+
+
+def test_what_has_no_drawing_says_which_have() -> None:
+    with pytest.raises(TypeError, match="a CheckReport has no drawing; those of CaseCurve"):
+        results()["checks"].plot()
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_every_result_has_a_data_frame(name: str) -> None:
     assert len(results()[name].to_dataframe())

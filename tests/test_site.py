@@ -71,6 +71,20 @@ def test_links_follow_their_targets(page: str, link: str, moved: str) -> None:
     assert HOOKS.relinked(link, page, known) == moved
 
 
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("Xích neo phao", ["Xich"]),
+        ("đường kính, Đáy", ["duong", "kinh", "Day"]),
+        ("touchdown at 12 m", []),
+        ("xi\u0301ch", ["xich"]),  # written apart
+        ("neo, néo, neo", ["neo"]),
+    ],
+)
+def test_words_are_found_by_their_plain_letters(text: str, plain: list[str]) -> None:
+    assert HOOKS.plain_words(text) == plain
+
+
 def test_marks_of_what_is_run_are_taken_off() -> None:
     assert HOOKS.unmarked("```sh run\na run\n```\n") == "```sh\na run\n```\n"
 
@@ -219,13 +233,17 @@ def test_no_page_is_wider_than_the_screen_or_complains(
 
 
 @pytest.mark.slow
-def test_the_search_answers_from_disk(site: Path, tab: Tab) -> None:
+@pytest.mark.parametrize(
+    ("words", "page"),
+    [("touchdown", "theory.html"), ("xich", "bat-dau-nhanh.html"), ("neo phao", "bat-dau-nhanh")],
+)
+def test_the_search_answers_from_disk(site: Path, tab: Tab, words: str, page: str) -> None:
     tab.messages.clear()
     tab.open(site / "index.html", 1280)
     tab.value("document.querySelector('.md-search__input').focus()")
-    tab.call("Input.insertText", text="touchdown")
+    tab.call("Input.insertText", text=words)
     tab.press("n")
-    found = "document.querySelectorAll('.md-search-result__item a[href*=\"theory.html\"]').length"
+    found = "document.querySelectorAll('.md-search-result__item a[href*=\"" + page + "\"]').length"
     until = time.monotonic() + 20.0
     while not tab.value(found) and time.monotonic() < until:
         time.sleep(0.1)

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from catopt.cli.completion import completed, grades
+from catopt.cli.completion import families as families_of_all
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
 from catopt.cli.units_option import in_units
 
@@ -78,11 +80,20 @@ def list_families(
 def show(
     context: typer.Context,
     family: Annotated[
-        str, typer.Argument(metavar="FAMILY", help='Family, such as "chain studless".')
+        str,
+        typer.Argument(
+            metavar="FAMILY",
+            autocompletion=completed(families_of_all),
+            help='Family, such as "chain studless".',
+        ),
     ],
     grade: Annotated[
         str | None,
-        typer.Argument(metavar="GRADE", help="Grade, such as R3; all when left out."),
+        typer.Argument(
+            metavar="GRADE",
+            autocompletion=completed(grades),
+            help="Grade, such as R3; all when left out.",
+        ),
     ] = None,
     diameter: Annotated[
         str | None,

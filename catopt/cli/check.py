@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from catopt.cli.completion import codes, completed
 from catopt.cli.options import (
     CaseArgument,
     DesignOption,
@@ -29,6 +30,7 @@ def check(
         list[str] | None,
         typer.Option(
             metavar="NAME",
+            autocompletion=completed(codes),
             help="Profile of criteria, such as IALA-CALMAR; several may be given. In place of the "
             "codes of the case; its own numbers stay. docs/checks.md has them all.",
         ),

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from catopt.cli.completion import buoys, completed
 from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
 from catopt.cli.ship_form import (
     Form,
@@ -91,6 +92,7 @@ def buoy(
         str,
         typer.Argument(
             metavar="BUOY",
+            autocompletion=completed(buoys),
             help='Name of the buoy, such as "pillar 1.8 m", or a file (.toml) for catopt size.',
         ),
     ],

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from catopt.cli.completion import completed, templates
+
 if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.errors import InputError
@@ -18,6 +20,7 @@ def new(
         str,
         typer.Argument(
             metavar="NAME",
+            autocompletion=completed(templates),
             help="Template: buoy, tanker, leg, system, design, motion, size-buoy or size-tanker.",
         ),
     ],

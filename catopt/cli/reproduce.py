@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from catopt.cli.completion import completed, studies
 from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 
 if TYPE_CHECKING:
@@ -17,7 +18,11 @@ def reproduce(
     context: typer.Context,
     name: Annotated[
         str | None,
-        typer.Argument(metavar="NAME", help="One study, such as buoy_9p5m; all when left out."),
+        typer.Argument(
+            metavar="NAME",
+            autocompletion=completed(studies),
+            help="One study, such as buoy_9p5m; all when left out.",
+        ),
     ] = None,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,

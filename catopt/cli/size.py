@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from catopt.cli.completion import buoys, completed
 from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
 from catopt.cli.size_options import with_inputs
 from catopt.cli.units_option import in_units
@@ -44,6 +45,7 @@ def buoy(
         str | None,
         typer.Argument(
             metavar="BUOY",
+            autocompletion=completed(buoys),
             help='Name of the buoy, such as "pillar 1.8 m", or a file (.toml) with what is known; '
             "or give --force and --reserve-buoyancy.",
         ),

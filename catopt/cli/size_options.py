@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
+from catopt.cli.completion import of_input
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.words import Message
 
@@ -77,11 +78,14 @@ def _parameter(each: Input, words: str) -> inspect.Parameter:
     is_flag = each.takes == "FLAG"
     metavar = None if is_flag else _METAVARS.get(each.name, each.takes)
     kind: Any = bool if is_flag else list[str] | None if each.several else str | None
+    option = typer.Option(
+        as_option(each.name), metavar=metavar, help=words, **of_input(each.name, each.words)
+    )
     return inspect.Parameter(
         each.name,
         inspect.Parameter.KEYWORD_ONLY,
         default=False if is_flag else None,
-        annotation=Annotated[kind, typer.Option(as_option(each.name), metavar=metavar, help=words)],
+        annotation=Annotated[kind, option],
     )
 
 

@@ -6,8 +6,17 @@ from typing import TYPE_CHECKING
 
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.render.plain import csv_of
-from catopt.ties import first_largest
-from catopt.words import Message
+from catopt.report.drawings import (
+    Drawing,
+    of_comparison,
+    of_curve,
+    of_front,
+    of_line,
+    of_motion,
+    of_plan,
+    of_sizing,
+    of_tension,
+)
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
@@ -19,7 +28,7 @@ if TYPE_CHECKING:
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
-    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
     from catopt.words import Language
 
@@ -27,17 +36,17 @@ SYSTEM_CASE = "system.toml"
 """The whole pattern of several lines, for ``catopt system``."""
 
 
-def solution_pictures(case: Case, solution: Solution) -> dict[str, bytes]:
-    """Draw the line in the water, the tension along it and, of a swarm, S1's figures 3 and 4."""
-    from catopt.figures.line import line_in_water, tension_along
+def _drawn_as(name: str, drawing: Drawing) -> dict[str, bytes]:
     from catopt.render.picture import pictures
 
-    factor, title = solution.safety_factor, solution.title
-    allowed = [each.MBL and each.MBL / factor for each in solution.segments]
-    basis = Message("figures.MBL_over", factor=factor)
+    return pictures(name, drawing.charts, drawing.title, columns=drawing.columns)
+
+
+def solution_pictures(case: Case, solution: Solution) -> dict[str, bytes]:
+    """Draw the line in the water, the tension along it and, of a swarm, S1's figures 3 and 4."""
     return {
-        **pictures("line", line_in_water(solution, case.site.water_depth), title),
-        **pictures("tension", tension_along(solution, allowed, basis), title),
+        **_drawn_as("line", of_line(solution, case.site.water_depth, solution.title)),
+        **_drawn_as("tension", of_tension(solution)),
         **_swarm_pictures(solution, "swarm"),
     }
 
@@ -101,27 +110,17 @@ def _drawn(study: Study) -> dict[str, bytes]:
 
 def design_pictures(result: DesignResult) -> dict[str, bytes]:
     """Draw the front and three of its lines; of whole moorings the recommended one in plan."""
-    from catopt.design.document import design_document
-    from catopt.figures.front import front, front_lines
-    from catopt.render.picture import pictures
-
-    document = design_document(result)
-    title, mooring = result.case.title, result.front[result.recommended].mooring
-    if mooring is not None:
-        from catopt.figures.mooring import plan
-
-        return pictures("front", front(document), title) | pictures(
-            "plan", plan(mooring.farthest), title
-        )
-    return pictures("front", (front(document), front_lines(result, document)), title)
+    files = _drawn_as("front", of_front(result))
+    mooring = result.front[result.recommended].mooring
+    if mooring is None:
+        return files
+    plan = of_plan(mooring.farthest, result.case.title)
+    return files | _drawn_as("plan", plan._replace(charts=plan.charts[:1]))
 
 
 def curve_pictures(result: CaseCurve) -> dict[str, bytes]:
     """Draw a load curve."""
-    from catopt.figures.curve import load_curve
-    from catopt.render.picture import pictures
-
-    return pictures("curve", load_curve(result), result.case.title)
+    return _drawn_as("curve", of_curve(result))
 
 
 def system_pictures(report: SystemReport) -> dict[str, bytes]:
@@ -130,9 +129,7 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
     from catopt.render.picture import pictures
 
     title, solution = report.case.title, report.solution
-    around = mooring.near(solution)
-    plans = (mooring.plan(solution), *(() if around is None else (around,)))
-    files = pictures("plan", plans, title)
+    files = _drawn_as("plan", of_plan(solution, title))
     if report.circle is not None:
         circle = report.circle
         views = (mooring.watch_track(solution, circle), mooring.watch_round(solution, circle))
@@ -144,18 +141,10 @@ def system_pictures(report: SystemReport) -> dict[str, bytes]:
 
 def verification_pictures(found: Verification) -> dict[str, bytes]:
     """Draw every load case; of a body the most loaded line."""
-    from catopt.figures.verification import comparison
-    from catopt.render.picture import pictures
-
     files: dict[str, bytes] = {}
     for number, part in enumerate(found.parts, start=1):
-        titles = [found.case.title, part.name if found.case.load_cases else ""]
-        line = first_largest([pair.finest.fairlead.tension for pair in part.lines])
-        if part.kind == "system":
-            titles.append(Message("figures.most_loaded", line=line + 1))
         name = f"comparison_{number}" if len(found.parts) > 1 else "comparison"
-        title = ", ".join(each for each in titles if each)
-        files |= pictures(name, comparison(part.lines[line]), title, columns=2)
+        files |= _drawn_as(name, of_comparison(found, part))
     return files
 
 
@@ -164,12 +153,13 @@ def motion_pictures(found: DynamicVerification) -> dict[str, bytes]:
     title = found.case.title
     if found.case.system is not None:
         part = found.governing
-        return _in_motion("dynamic", part, f"{title}, {part.where}")
+        return _drawn_as("dynamic", of_motion(part, f"{title}, {part.where}"))
     files = _on_slope(found)
     if len(found.parts) == 1:
-        return files | _in_motion("dynamic", found.parts[0], title)
+        return files | _drawn_as("dynamic", of_motion(found.parts[0], title))
     for number, part in enumerate(found.parts, start=1):
-        files |= _in_motion(f"dynamic_{number}", part, f"{title}, {part.name}".strip(", "))
+        of = of_motion(part, f"{title}, {part.name}".strip(", "))
+        files |= _drawn_as(f"dynamic_{number}", of)
     return files
 
 
@@ -188,15 +178,6 @@ def _on_slope(found: DynamicVerification) -> dict[str, bytes]:
     return pictures("line", chart, found.case.title)
 
 
-def _in_motion(name: str, part: DynamicPart, title: str) -> dict[str, bytes]:
-    from catopt.figures import motion
-    from catopt.render.picture import pictures
-
-    peaks = motion.exceedance(part)
-    charts = [motion.whole_history(part), motion.spectrum(part), motion.envelope_chart(part)]
-    return pictures(name, charts if peaks is None else [*charts, peaks], title)
-
-
 def size_files(
     of: Sizing, language: Language = "en", given: Given | None = None
 ) -> dict[str, bytes]:
@@ -207,20 +188,9 @@ def size_files(
     No note where nothing says what was asked for.
     """
     from catopt.casefile import write_case
-    from catopt.figures.line import line_in_water
-    from catopt.render.picture import pictures
     from catopt.sizing.pattern import system_case
 
-    name, solution = of.hardest
-    state = next(each for each in of.case.load_cases if each.name == name)
-    files = {
-        DESIGN_CASE: write_case(of.case).encode(),
-        **pictures(
-            "line",
-            line_in_water(solution, of.case.site.water_depth + state.water_level),
-            of.case.title,
-        ),
-    }
+    files = {DESIGN_CASE: write_case(of.case).encode(), **_drawn_as("line", of_sizing(of))}
     if given is not None:
         from catopt.answers.note_size import size_note_answer
         from catopt.notes.size import size_note

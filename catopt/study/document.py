@@ -35,10 +35,11 @@ def study_document(result: StudyResult) -> dict[str, Any]:
             }
             for each in result.influences
         ],
-        "counts": {
-            name: [{"text": text, "members": n} for text, n in counted]
+        "counts": [
+            {"name": name, "text": text, "members": n}
             for name, counted in result.counted().items()
-        },
+            for text, n in counted
+        ],
         "failures": [
             {"reason": reason, "members": n, "first": first + 1}
             for reason, n, first in result.failures()
@@ -62,7 +63,9 @@ def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
         ],
         "worst": {
             "member": each.worst + 1,
-            "values": study.values_of(each.worst),
+            "values": [
+                {"key": key, "value": value} for key, value in study.values_of(each.worst).items()
+            ],
         },
         "limit": each.limit,
         "share_beyond": each.beyond,

@@ -7,8 +7,10 @@ of docs/api.md give way to the docstrings themselves.
 
 from __future__ import annotations
 
+import json
 import posixpath
 import re
+import unicodedata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +19,16 @@ if TYPE_CHECKING:
     from mkdocs.structure.files import Files
     from mkdocs.structure.pages import Page
 
-__all__ = ["described", "on_files", "on_page_markdown", "relinked", "title", "unmarked"]
+__all__ = [
+    "described",
+    "on_files",
+    "on_page_markdown",
+    "on_post_build",
+    "plain_words",
+    "relinked",
+    "title",
+    "unmarked",
+]
 
 ROOT = Path(__file__).parents[2]
 BESIDE_DOCS = (
@@ -55,6 +66,28 @@ def on_page_markdown(markdown: str, page: Page, files: Files, **_: object) -> st
     """Make a page of the repository one of the site."""
     known = {file.src_uri for file in files}
     return relinked(unmarked(described(markdown)), page.file.src_uri, known)
+
+
+def on_post_build(config: MkDocsConfig) -> None:
+    """Let the search find Vietnamese words by their plain letters: xích by xich."""
+    place = Path(config.site_dir) / "search" / "search_index.json"
+    index = json.loads(place.read_text("utf-8"))
+    for entry in index["docs"]:
+        entry["text"] = " ".join([entry["text"], *plain_words(f"{entry['title']} {entry['text']}")])
+    place.write_text(json.dumps(index, ensure_ascii=False), "utf-8")
+
+
+def plain_words(text: str) -> list[str]:
+    """Return the words that have marks of Vietnamese, without them, each once."""
+    words = re.findall(r"\w+", unicodedata.normalize("NFC", text))
+    plain = ((word, plain_letters(word)) for word in words)
+    return list(dict.fromkeys(letters for word, letters in plain if letters != word))
+
+
+def plain_letters(word: str) -> str:
+    """Take the marks off the letters of a word; what is no Latin letter stays."""
+    apart = unicodedata.normalize("NFD", word.translate({ord("đ"): "d", ord("Đ"): "D"}))
+    return "".join(each for each in apart if not unicodedata.combining(each))
 
 
 def unmarked(markdown: str) -> str:
