@@ -11,14 +11,14 @@ import numpy.typing as npt
 
 from catopt.errors import InputError, Problem
 from catopt.verify.motion_file import Raos, read_columns, refused
+from catopt.verify.wamit_file import FREEDOMS, is_wamit, read_wamit
 
 if TYPE_CHECKING:
     from catopt.model import Motion
 
 Array = npt.NDArray[np.float64]
 
-_WAYS = ("surge", "sway", "heave")
-_TURNS = ("roll", "pitch", "yaw")
+_WAYS, _TURNS = FREEDOMS[:3], FREEDOMS[3:]
 _ANGLES = {"deg": math.pi / 180.0, "rad": 1.0}
 _SAME = 1e-9
 
@@ -81,12 +81,13 @@ class VesselRaos:
 def read_vessel_raos(motion: Motion) -> VesselRaos:
     """Read a ship's response in six degrees of freedom.
 
-    `motion`: with the path of a CSV file and its conventions. Its columns, with their units:
+    `motion`: with the path of WAMIT's .4 file (`read_wamit`), or of a CSV file, and its
+    conventions. Columns of the latter, with their units:
     ``heading``, ``period`` or ``frequency``, any of ``surge``, ``sway``, ``heave``, ``roll``,
     ``pitch`` and ``yaw``, and ``surge_phase`` and so on. Raises InputError for a file that cannot
     be read, wrong headings or cells, or headings that do not all have the same periods, each once.
     """
-    path, motions = motion.rao_file, (*_WAYS, *_TURNS)
+    path, motions = motion.rao_file, FREEDOMS
     phases = tuple(f"{each}_phase" for each in motions)
     units = {
         "heading": _ANGLES, "period": {"s": 1.0}, "frequency": {"rad/s": 1.0, "Hz": 2.0 * math.pi},
@@ -94,9 +95,12 @@ def read_vessel_raos(motion: Motion) -> VesselRaos:
         **{each: {motion.rao_rotation: _ANGLES[motion.rao_rotation[:3]]} for each in _TURNS},
         **dict.fromkeys(phases, _ANGLES),
     }  # fmt: skip
-    columns = read_columns(
-        path, needed=("heading",), known=tuple(units), some_of=motions, units=units
-    )
+    if is_wamit(path):
+        columns = read_wamit(motion)
+    else:
+        columns = read_columns(
+            path, needed=("heading",), known=tuple(units), some_of=motions, units=units
+        )
     omega = _frequencies(path, columns)
     zero = np.zeros(omega.size)
     sign = 1.0 if motion.rao_phase == "lag" else -1.0
