@@ -72,6 +72,7 @@ def study(
     A member without an answer stops nothing; it is listed with its reason.
     """
     from catopt.cli.result_files import Asked
+    from catopt.report.files import check_directory
     from catopt.study.file import read_study
     from catopt.study.result import StudyResult
     from catopt.study.store import Store
@@ -81,6 +82,8 @@ def study(
     _check_options(
         plan=plan, status=status, notes=notes, workers=workers, scheduler=scheduler, out=out
     )
+    if out is not None:
+        check_directory(out)
     read = read_study(file)
     if notes and read.base.moored is None:
         raise _refused("--notes", 'goes with compute = "sizing"')

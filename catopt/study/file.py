@@ -16,8 +16,10 @@ from catopt.casefile.fields import Measured
 from catopt.casefile.location import in_order_of
 from catopt.casefile.sizing_file import moored_of
 from catopt.casefile.structure import structure_findings
+from catopt.checks.criteria import criteria_of
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
+from catopt.model import Case
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
 from catopt.study.keys import kind_of_key
@@ -68,7 +70,10 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     if len(study) > _MOST:
         allowed = f"{_MOST:,} members are the most; give fewer values"
         raise InputError([Problem("vary", f"{len(study):,} members", allowed)], source)
-    read_member(base, study.piece(0).changes(0))
+    case = read_member(base, study.piece(0).changes(0))
+    if base.compute == "checks" and isinstance(case, Case) and not criteria_of(case).all:
+        allowed = "[checks] with codes or limits is wanted: there is nothing to check"
+        raise InputError([Problem("checks", "none", allowed)], base.source)
     return study
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.reading import case_of
 from catopt.checks.case import check_case
+from catopt.errors import CatoptError, InputError
 from catopt.model import Case
 from catopt.sizing.file import SizingFile, file_of, sized
 from catopt.study.base import Base
@@ -54,6 +55,13 @@ def compute_member(
     if base.compute == "motion":
         return _in_motion(base, read)
     return _of_checks(check_case(read))
+
+
+def reason_of(error: CatoptError) -> str:
+    """Say in a line why a member has no answer."""
+    if isinstance(error, InputError):
+        return "; ".join(str(problem) for problem in error.problems)
+    return error.message
 
 
 def _of_checks(report: CheckReport) -> Values:

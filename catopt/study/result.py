@@ -182,12 +182,10 @@ class StudyResult(Shown):
     @cached_property
     def influences(self) -> tuple[Influence, ...]:
         """What the first quantity hangs on, the most first."""
-        if not self.statistics:
+        if not self.statistics or not self.is_complete:
             return ()
         at = self.measured.index(self.statistics[0].kept)
-        values, shares = self.store.column(at), self.study.shares()[: self.done]
-        if self.done < len(self.study):
-            return ()
+        values, shares = self.store.column(at), self.study.shares()
         there = np.isfinite(values)
         found = [
             _influence(keys, code[there], values[there], shares[there])

@@ -16,7 +16,7 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.study.base import Base
 from catopt.study.executors import processes, worth
 from catopt.study.file import read_study
-from catopt.study.member import OfSizing, compute_member
+from catopt.study.member import OfSizing, compute_member, reason_of
 from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
@@ -137,7 +137,7 @@ def compute_piece(base: Base, piece: Piece, *, of_sizing: OfSizing | None = None
         try:
             values = compute_member(base, piece.changes(member), tell)
         except (InputError, NoAnswerError, NotConvergedError) as error:
-            reasons[member] = error.message
+            reasons[member] = reason_of(error)
             values = {}
         numbers[member] = [values.get(name, np.nan) for name in measured]
         words.append(tuple(str(values.get(name, "")) for name in texts))

@@ -21,7 +21,7 @@ from catopt.mooring.case import report_system
 from catopt.study.axis import Array
 from catopt.study.base import Base
 from catopt.study.keys import kind_of_key
-from catopt.study.member import read_member
+from catopt.study.member import read_member, reason_of
 from catopt.study.study import Piece
 
 _LOADS: Final = ("horizontal_force", "span", "fairlead_tension")
@@ -61,7 +61,7 @@ def at_rest(base: Base, piece: Piece) -> AtRest:
         try:
             _solve(base, piece, group, found)
         except (InputError, NoAnswerError, NotConvergedError) as error:
-            found.reasons.update(dict.fromkeys(group.at.tolist(), error.message))
+            found.reasons.update(dict.fromkeys(group.at.tolist(), reason_of(error)))
     return found
 
 

@@ -115,9 +115,12 @@ class Store:
             )
 
     def column(self, at: int) -> Array:
-        """Return the numbers of one quantity of all members."""
-        parts = [piece.numbers[:, at] for piece in self.pieces()]
-        return np.concatenate(parts) if parts else np.empty(0)
+        """Return the numbers of one quantity of all members, nan of those not computed yet."""
+        column = np.full(len(self._study), np.nan)
+        for piece in self.pieces():
+            first = self._study.piece_start(piece.number)
+            column[first : first + len(piece.numbers)] = piece.numbers[:, at]
+        return column
 
     def reasons(self) -> dict[int, str]:
         """Return why members have no answer, by their numbers from 0."""

@@ -72,6 +72,14 @@ def test_a_drawn_load_out_of_its_range_is_a_member_without_an_answer(tmp_path: P
     assert np.isnan(found.values("span")[sorted(found.reasons)]).all()
 
 
+def test_a_member_whose_file_is_wrong_says_what(tmp_path: Path) -> None:
+    text = head("dynamic-chain-56m/case.toml", "statics")
+    text += '[[vary]]\nkey = "site.seabed_slope"\nvalues = ["0 deg", "1 deg"]\n'
+    found = run(tmp_path, text)
+    assert list(found.reasons) == [1]
+    assert found.reasons[1].startswith("site.seabed_slope: found 1 deg; must be 0 or left out")
+
+
 def test_a_line_with_a_buoy_is_held_below_the_surface(tmp_path: Path) -> None:
     text = (CASES / "buoy-9.5m/case.toml").read_text()
     text += '\n[[line.point_loads]]\nposition = "10 m"\nsubmerged_weight = "-2500 N"\n'

@@ -86,6 +86,21 @@ def test_influences_of_what_is_drawn() -> None:
     assert second.share == pytest.approx(0.2, abs=0.01)
 
 
+def test_what_is_not_computed_yet_is_nowhere_and_the_rest_in_its_place() -> None:
+    study = Study("", BASE, (forces(50_000),), {})
+    store = Store(study)
+    assert StudyResult(study, store).statistics == ()
+    assert StudyResult(study, store).done == 0
+    values = np.arange(40_000.0, 50_000.0)
+    store.put(Computed(2, np.column_stack([values] * 5), (), {5: "too short"}))
+    found = StudyResult(study, store)
+    of = found.statistics[0]
+    assert (found.done, found.is_complete, of.count) == (10_000, False, 10_000)
+    assert (of.least, of.largest, of.worst) == (40_000.0, 49_999.0, 49_999)
+    assert found.reasons == {40_005: "too short"}
+    assert found.influences == ()
+
+
 def test_another_study_does_not_get_the_pieces(tmp_path: Path) -> None:
     from catopt.errors import InputError
 

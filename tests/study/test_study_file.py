@@ -155,9 +155,14 @@ def test_a_wrong_case_is_told_by_its_own_name(tmp_path: Path) -> None:
     assert "sight" in said
 
 
+def test_checks_want_something_to_check(tmp_path: Path) -> None:
+    said = refused(tmp_path, FORCE + "values = [3e3]\n", HEAD.replace("statics", "checks"))
+    assert "nothing to check" in said
+
+
 def test_the_digest_follows_what_decides_the_numbers(tmp_path: Path) -> None:
     same = study(tmp_path, FORCE + "values = [3e3]\n")
     assert same.digest == study(tmp_path, "# a comment\n" + FORCE + 'values = ["3 kN"]\n').digest
     assert same.digest != study(tmp_path, FORCE + "values = [3001.0]\n").digest
-    assert same.digest != study(tmp_path, FORCE + "values = [3e3]\n",
-                                HEAD.replace("statics", "checks")).digest  # fmt: skip
+    other = HEAD.replace("buoy-9.5m", "buoy-9.5m-slack")
+    assert same.digest != study(tmp_path, FORCE + "values = [3e3]\n", other).digest
