@@ -3,7 +3,7 @@
     python -m benchmarks.mutants checks [--count 30] [--seed 1]
 
 A fault is one comparison, operator, number, constant or condition changed in a file of
-``catopt/PART``, at random, outside docstrings and messages; the tests are those of ``tests/PART``
+``catopt/PART``, at random, outside decorators, docstrings and messages; the tests are those of ``tests/PART``
 and of the parts named beside it below, stopped at the first failure. It works on a copy of the
 checkout. A survivor is either a fault that no test notices or a change that makes no difference:
 read it.
@@ -61,10 +61,13 @@ def faults(file: Path) -> Iterator[Fault]:
     """Yield every fault that can be planted in a file."""
     source = file.read_text("utf-8")
     tree = ast.parse(source)
-    for parent in ast.walk(tree):
-        for child in ast.iter_child_nodes(parent):
-            child._parent = parent  # type: ignore[attr-defined]
-    for node in ast.walk(tree):
+    decorators = {
+        id(inner)
+        for node in ast.walk(tree)
+        for decorator in getattr(node, "decorator_list", ())
+        for inner in ast.walk(decorator)
+    }
+    for node in (each for each in ast.walk(tree) if id(each) not in decorators):
         for after in _changed(node):
             before = ast.get_source_segment(source, node)
             if before is not None and isinstance(node, ast.expr):

@@ -16,6 +16,7 @@ from catopt.answers.blocks import (
     Table,
     Text,
     Verdict,
+    Warnings,
     texts,
 )
 from catopt.constants import YEAR
@@ -53,6 +54,10 @@ def _blocks(result: StudyResult) -> Iterator[Block]:
         if any(each.limit is not None for each in result.statistics):
             yield _limits(result)
         yield _worst(result)
+    unknown = result.study.limits.keys() - {each.kept.name for each in result.statistics}
+    if unknown:
+        names = ", ".join(sorted(unknown))
+        yield Warnings((Message("study.limit_unknown", names=names),))
     if result.influences:
         yield _influences(result)
         yield Text(Message("study.influence_note"), is_small=True)

@@ -101,6 +101,16 @@ def test_options_that_do_not_go(run: Run, options: list[str], told: str) -> None
     assert told in ran.err
 
 
+@pytest.mark.slow
+def test_a_limit_that_nothing_has_is_told(run: Run, tmp_path: Path) -> None:
+    text = CHAIN.read_text("utf-8").replace("../", f"{CASES.as_posix()}/")
+    text = text.replace('"sea-states.csv"', f'"{CHAIN.parent.as_posix()}/sea-states.csv"')
+    text = text.replace("proof =", "limits = { utilisation = 1 }\nproof =").replace("[1, 2]", "[1]")
+    (tmp_path / "study.toml").write_text(text, encoding="utf-8")
+    ran = run("study", tmp_path / "study.toml")  # the case has no checks
+    assert "No member has utilisation" in ran.out
+
+
 def test_notes_are_of_sizings(run: Run, tmp_path: Path) -> None:
     ran = run("study", BUOY, "--notes", "--out", tmp_path / "out")
     assert ran.status == 2
