@@ -3,10 +3,10 @@
     python -m benchmarks.mutants checks [--count 30] [--seed 1]
 
 A fault is one comparison, operator, number, constant or condition changed in a file of
-``catopt/PART``, at random, outside decorators, docstrings and messages; the tests are those of ``tests/PART``
-and of the parts named beside it below, stopped at the first failure. It works on a copy of the
-checkout. A survivor is either a fault that no test notices or a change that makes no difference:
-read it.
+``catopt/PART``, at random, outside decorators, docstrings and messages; the tests are those of
+``tests/PART`` and of the parts named beside it below, stopped at the first failure. It works on a
+copy of the checkout. A survivor is either a fault that no test notices or a change that makes no
+difference: read it.
 """
 
 from __future__ import annotations

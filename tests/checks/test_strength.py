@@ -9,6 +9,7 @@ import pytest
 from catopt import catalogue
 from catopt.checks.case import check_case
 from catopt.checks.line_kind import line_kind
+from catopt.checks.result import CheckReport, CheckResult, CheckSource
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError
@@ -172,3 +173,43 @@ def test_every_family_of_the_catalogue_has_a_kind() -> None:
 def test_the_line_is_the_one_that_was_given() -> None:
     """The case of the tests itself: no service, no change."""
     assert strength_of(GROUNDED.line.segments[0]).MBL == 200e3
+
+
+def test_own_figures_of_a_line_that_is_sold_nowhere_need_no_catalogue() -> None:
+    own = replace(CHAIN, component="chain of our own forge", MBL=5e6, proof_load=3.5e6)
+    strength = strength_of(own)
+    assert (strength.MBL, strength.proof_load) == (5e6, 3.5e6)
+    with pytest.raises(InputError, match="chain of our own forge"):
+        strength_of(replace(own, proof_load=None))  # that is to be looked up
+
+
+def test_both_figures_of_one_s_own_beside_a_component_wear_in_proportion() -> None:
+    """76 mm less 4 mm: 5000 and 3500 kN times load(72) / load(76) = 0.905081."""
+    service = Service(life=20.0 * YEAR, wear_rate=0.2 * MM_A_YEAR)
+    strength = strength_of(replace(CHAIN, MBL=5e6, proof_load=3.5e6), service)
+    assert strength.MBL == pytest.approx(4525.40e3, rel=1e-6)
+    assert strength.proof_load == pytest.approx(3167.78e3, rel=1e-6)
+
+
+def test_a_criterion_says_why_a_proof_load_is_not_known() -> None:
+    """Nobody sells wire by a proof load: the catalogue has none, and says so."""
+    wire = Segment(60.0, 300.0, component="wire 6-strand wire-core", nominal_diameter=0.05)
+    strength = strength_of(wire)
+    reasons = dict(strength.missing)
+    assert strength.MBL is not None
+    assert strength.proof_load is None
+    with pytest.raises(InputError) as caught:
+        strength.need("proof_load", "line.segments[0]", "the test")
+    said = str(caught.value)
+    assert "line.segments[0].proof_load" in said
+    assert reasons.get("proof_load", "missing") in said
+
+
+@pytest.mark.parametrize(("second", "shown"), [(0.5 + 1e-12, 0), (0.51, 1), (0.49, 0)])
+def test_of_checks_that_rounding_tells_apart_the_first_is_shown(second: float, shown: int) -> None:
+    source = CheckSource("code")
+    first, other = (
+        CheckResult("tension", "tension", f"case {k}", 1.0, 2.0, "N", excess, source)
+        for k, excess in enumerate((0.5, second))
+    )
+    assert CheckReport("", (first, other), ()).tightest_by_state == (shown,)
