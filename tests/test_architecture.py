@@ -29,7 +29,7 @@ ALL_BUT_CLI = (
     | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "export", "report"}
     | {"answers", "figures", "notes", "render", "desk", "web"}
 )
-RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce"}
+RESULTS = {"model", "catenary", "mooring", "design", "verify", "reproduce", "study"}
 """Parts whose results are drawn: only a type checker reads them there."""
 
 MAY_IMPORT: dict[str, set[str]] = {
@@ -78,7 +78,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"answers"}
     | READING
     | DESIGNING
-    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "_version"}
+    | {"mooring", "loads", "schemas", "verify", "reproduce", "sizing", "study", "_version"}
     | {"figures", "notes", "render"},
     "desk": SOLVING
     | READING

@@ -186,8 +186,10 @@ def _write(output: Output, out: Path, result: StudyResult, language: Language) -
     from catopt.cli.result_files import write_all
     from catopt.render.files import files_of
     from catopt.render.table_parts import write_table
+    from catopt.report.bundle import study_pictures
 
     with output.progress("Tables") as tell:
         parts = (members_table(result.study, each) for each in result.store.pieces())
         write_table(out / MEMBERS, parts, None if tell is None else tell, result.study.pieces)
-    write_all(output, out, files_of(study_answer(result), result.to_dict(), language))
+    files = files_of(study_answer(result), result.to_dict(), language)
+    write_all(output, out, files | study_pictures(result))

@@ -15,6 +15,7 @@ from catopt.report.drawings import (
     of_motion,
     of_plan,
     of_sizing,
+    of_study,
     of_tension,
 )
 
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
+    from catopt.study.result import StudyResult
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.result import Verification
     from catopt.words import Language
@@ -106,6 +108,12 @@ def _drawn(study: Study) -> dict[str, bytes]:
         files |= pictures(f"{study.name}_plan", views, study.title, columns=2)
         files |= pictures(f"{study.name}_elevation", side, study.title)
     return files
+
+
+def study_pictures(result: StudyResult) -> dict[str, bytes]:
+    """Draw how often values are exceeded; nothing where all members are alike."""
+    drawing = of_study(result)
+    return _drawn_as("study", drawing) if drawing.charts else {}
 
 
 def design_pictures(result: DesignResult) -> dict[str, bytes]:

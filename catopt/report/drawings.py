@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from catopt.figures.chart import Chart
     from catopt.mooring.solution import SystemSolution
     from catopt.sizing import Sizing
+    from catopt.study.result import StudyResult
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.result import StaticComparison, Verification
 
@@ -111,12 +112,22 @@ def _of_moved(found: DynamicVerification) -> Drawing:
     return of_motion(part, ", ".join(filter(None, (found.case.title, part.where))))
 
 
+def of_study(result: StudyResult) -> Drawing:
+    """Draw how often values are exceeded: of the quantities with limits, or else of the first."""
+    from catopt.figures.study import exceedance
+
+    known = [each for each in result.statistics if each.least < each.largest]
+    drawn = [each for each in known if each.limit is not None] or known[:1]
+    return Drawing(tuple(exceedance(result, each) for each in drawn), result.study.title)
+
+
 _DRAWN: dict[str, Callable[[Any], Drawing]] = {
     "CaseCurve": of_curve,
     "DesignResult": of_front,
     "DynamicVerification": _of_moved,
     "Sizing": of_sizing,
     "Solution": _of_solution,
+    "StudyResult": of_study,
     "SystemSolution": lambda found: of_plan(found, found.title),
     "Verification": lambda found: of_comparison(found, found.parts[0]),
 }

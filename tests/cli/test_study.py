@@ -52,6 +52,7 @@ def test_the_files_and_the_language(run: Run, tmp_path: Path) -> None:
     assert float(rows[2]["site.water_depth (m)"]) == 12.0
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert {"members.csv", "study.csv", "study.json", "study.xlsx", "study.sqlite"} <= names
+    assert {"study.png", "study.svg"} <= names
     ran = run("study", FLEET, "--out", tmp_path / "out", "--status", "--json")
     assert json.loads(ran.out)["done"] == 4
 
