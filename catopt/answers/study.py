@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +21,7 @@ from catopt.answers.blocks import (
 )
 from catopt.constants import YEAR
 from catopt.quantities import Quantity
-from catopt.words import Message
+from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
     from catopt.study.plan import Plan
@@ -168,10 +168,10 @@ def _worst(result: StudyResult) -> Table:
         (
             Column(Message("study.at"), tuple(each.kept.words for each, _, _ in rows)),
             Column(Message("study.member"), tuple(each.worst + 1 for each, _, _ in rows)),
-            Column(Message("study.key"), tuple(key for _, key, _ in rows)),
+            Column(Message("study.key"), tuple(Cited(key) for _, key, _ in rows)),
             Column(
                 Message("study.value"),
-                tuple(result.study.written(key, value) for _, key, value in rows),
+                _cells(result.study.written(key, value) for _, key, value in rows),
             ),
         ),
         Message("study.worst_members"),
@@ -195,14 +195,14 @@ def _influences(result: StudyResult) -> Table:
 
 def texts_of_keys(rows: list[tuple[str, ...]]) -> Column:
     """Make a column of key paths that vary together."""
-    return Column(Message("study.key"), tuple(", ".join(keys) for keys in rows))
+    return Column(Message("study.key"), tuple(Cited(", ".join(keys)) for keys in rows))
 
 
 def _counts(name: str, counted: list[tuple[str, int]]) -> Table:
     return Table(
         f"study_{name}",
         (
-            Column(Message(f"study.{name}"), tuple(text for text, _ in counted)),
+            Column(Message(f"study.{name}"), _cells(text for text, _ in counted)),
             Column(Message("study.members"), tuple(n for _, n in counted)),
         ),
         Message("study.counts"),
@@ -214,7 +214,7 @@ def _failures(result: StudyResult) -> Table:
     return Table(
         "study_failures",
         (
-            Column(Message("study.reason"), tuple(why.split("\n", 1)[0] for why, _, _ in found)),
+            Column(Message("study.reason"), _cells(why.split("\n", 1)[0] for why, _, _ in found)),
             Column(Message("study.members"), tuple(n for _, n, _ in found)),
             Column(Message("study.first"), tuple(first + 1 for _, _, first in found)),
         ),
@@ -233,17 +233,24 @@ def members_table(study: Study, found: Computed) -> Table:
     columns = [texts("no", range(first + 1, first + count + 1))]
     for key, column in values.items():
         plain = column if isinstance(column, list) else getattr(column, "tolist", list)()
-        columns.append(Column(key, tuple(plain), study.quantity_of(key)))
+        columns.append(
+            Column(Message("study.of_key", key=key), _cells(plain), study.quantity_of(key))
+        )
     for at, each in enumerate(measured):
         numbers = found.numbers[:, at].tolist()
         quantity = replace(each.measure, symbol="")
         columns.append(Column(each.words, tuple(numbers), quantity))
     for at, each in enumerate(named):
-        words = tuple(row[at] for row in found.words)
+        words = _cells(row[at] for row in found.words)
         columns.append(Column(each.words, words))
-    reasons = tuple(found.reasons.get(member, "") for member in range(count))
+    reasons = _cells(found.reasons.get(member, "") for member in range(count))
     columns.append(Column(Message("study.reason"), reasons))
     return Table("members", tuple(columns))
+
+
+def _cells(values: Iterable[Any]) -> tuple[Any, ...]:
+    """Take words as they were stored, or as the user has them."""
+    return tuple(Cited(each) if isinstance(each, str) else each for each in values)
 
 
 def plan_answer(plan: Plan) -> Answer:

@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import openpyxl
 import pytest
 
@@ -40,6 +41,7 @@ from catopt.answers.motion import motion_answer
 from catopt.answers.reproduction import reproduction_answer
 from catopt.answers.size import size_answer
 from catopt.answers.solution import solution_answer
+from catopt.answers.study import plan_answer, study_answer
 from catopt.answers.system import system_answer
 from catopt.answers.verification import front_answer, verification_answer
 from catopt.casefile import parse_case
@@ -55,6 +57,11 @@ from catopt.render.terminal import show
 from catopt.render.trail import in_numbers, in_symbols
 from catopt.render.workbook import workbook
 from catopt.reproduce import reproduce
+from catopt.study.axis import Axis
+from catopt.study.file import read_study
+from catopt.study.plan import plan_study
+from catopt.study.run import run_study
+from catopt.study.study import Study
 from catopt.verify.case import verify_case
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.fatigue import verify_fatigue
@@ -213,6 +220,28 @@ def _front_in_motion() -> Answer:
     return front_in_motion_answer(front_in_motion(designs, 2, proof="none"))
 
 
+def _study() -> Answer:
+    """Lay out a line on lengths of which one does not reach, with a limit."""
+    return study_answer(run_study(_studied(), workers=1))
+
+
+def _studied() -> Study:
+    base = read_study(CASES / "study-buoy-9.5m" / "study.toml").base
+    axes = (
+        Axis({"line.segments[0].length": np.array([9.0, 20.0, 21.0])}, np.array([1.0, 2.0, 3.0])),
+        Axis({"load.horizontal_force": np.array([2e3, 3e3])}),
+    )
+    return Study("Marker buoy", base, axes, {"anchor_uplift": 500.0})
+
+
+def _fleet() -> Answer:
+    return study_answer(run_study(CASES / "study-fleet" / "study.toml", workers=1))
+
+
+def _plan() -> Answer:
+    return plan_answer(plan_study(_studied()))
+
+
 ANSWERS: dict[str, Callable[[], Answer]] = {
     "solution": _solution, "check": _check, "checks of a body": _checks_of_a_body,
     "curve": _curve, "system": _system, "loads": _loads,
@@ -221,6 +250,7 @@ ANSWERS: dict[str, Callable[[], Answer]] = {
     "size by force": _size_by_force, "verification": _verification,
     "verified body": _verified_body, "verified front": _front, "motion": _motion,
     "body in motion": _body_in_motion, "fatigue": _fatigue, "front in motion": _front_in_motion,
+    "study": _study, "fleet": _fleet, "plan of a study": _plan,
 }  # fmt: skip
 
 
