@@ -28,7 +28,7 @@ from catopt.verify.dynamic_lines import lines_at_rest
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.effort import effort_of
-from catopt.verify.motion_file import read_columns
+from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
 from catopt.verify.proof import LIMIT, Proof
 from catopt.words import Message
 
@@ -342,7 +342,11 @@ _UNITS = {
     "period": UNITS[Dimension.TIME],
     "time": UNITS[Dimension.TIME],
     "direction": UNITS[Dimension.ANGLE],
+    "share": {"": 1.0, "-": 1.0, "%": 0.01},
+    "occurrences": {OF_TOTAL: 1.0},
 }
+_LASTING = ("share", "time", "occurrences")
+"""Columns of which one says how long a sea state lasts."""
 
 
 def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
@@ -358,25 +362,25 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     path = fatigue.sea_states_file
     if not path:
         return fatigue.sea_states
-    some = ("share", "time")
     columns = read_columns(
         path,
         needed=("height", "period"),
-        known=("height", "period", *some, "direction"),
-        some_of=some,
+        known=tuple(_UNITS),
+        some_of=_LASTING,
         units=_UNITS,
     )
-    if set(some) <= set(columns):
-        raise InputError([Problem("headings", "share and time", "one of them is wanted")], path)
-    shares = columns["share"] if "share" in columns else columns["time"] / YEAR
+    given = [key for key in _LASTING if key in columns]
+    if len(given) > 1:
+        raise InputError([Problem("headings", " and ".join(given), "one of them is wanted")], path)
+    shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
     states, problems = [], share_misfits(shares.tolist())
-    for row, share in enumerate(shares.tolist()):
+    for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):
         at = {key: float(columns[key][row]) for key in ("height", "period", "direction")
               if key in columns}  # fmt: skip
         try:
             states.append(FatigueSeaState(share=share, **at))
         except InputError as error:
-            problems += [replace(p, key=f"row {row + 1}, {p.key}") for p in error.problems]
+            problems += [replace(p, key=f"line {line}, {p.key}") for p in error.problems]
     if problems:
         raise InputError(problems, path)
     return tuple(states)

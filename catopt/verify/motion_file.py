@@ -22,6 +22,8 @@ Array = npt.NDArray[np.float64]
 _AXES = ("x", "y", "z")
 _FORCES = ("fx", "fy", "fz")
 _MOTIONS = ("surge", "sway", "heave")
+OF_TOTAL = "of N"
+"""Unit of a column of parts of a total, which its heading has: ``occurrences (of 1000)``."""
 _SHOWN = 10
 """Faulty cells that are told of one file."""
 
@@ -163,8 +165,9 @@ def read_columns(
 
     `path`: CSV with a row of headings, such as ``Fx (kN)``; `needed`, `known`, `some_of`: headings
     that have to be there, that may be, and of which one at least has to; `units`: units that each
-    heading may name, one of which it has to, with their sizes in SI. Without, what stands in
-    brackets is not read. Raises InputError for a file that cannot be read, wrong headings or cells.
+    heading may name, one of which it has to, with their sizes in SI; `OF_TOTAL` stands for every
+    total. Without, what stands in brackets is not read. Raises InputError for a file that cannot
+    be read, wrong headings or cells.
     """
     rows = _rows(path)
     if len(rows) < 2:
@@ -208,11 +211,28 @@ def _sizes(
     for cell, head in zip(cells, heads, strict=True):
         unit = cell.partition("(")[2].rpartition(")")[0].strip()
         allowed = units.get(head)
-        sizes.append(1.0 if allowed is None else allowed.get(unit, math.nan))
-        if allowed is not None and unit not in allowed:
-            wanted = f"its unit in brackets is wanted, one of {', '.join(allowed)}"
+        sizes.append(1.0 if allowed is None else _size(unit, allowed))
+        if allowed is not None and math.isnan(sizes[-1]):
+            wanted = f"its unit in brackets is wanted, one of {', '.join(filter(None, allowed))}"
+            if OF_TOTAL in allowed:
+                wanted = "the total that it is part of is wanted in brackets, as in (of 1000)"
             problems.append(Problem("headings", _shown(cell), wanted))
     return sizes, problems
+
+
+def _size(unit: str, allowed: Mapping[str, float]) -> float:
+    """Size in SI of a unit, or of one in a total; nan of what is neither."""
+    if OF_TOTAL not in allowed:
+        return allowed.get(unit, math.nan)
+    of, _, total = unit.partition(" ")
+    if of == "of" and total.isascii() and total.isdecimal() and int(total) > 0:
+        return 1.0 / int(total)
+    return math.nan
+
+
+def lines_of(path: str) -> list[int]:
+    """Line of the file that each row of `read_columns` is from, from 1."""
+    return [number for number, _ in _rows(path)[1:]]
 
 
 def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Problem]:

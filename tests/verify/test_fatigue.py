@@ -129,7 +129,65 @@ def test_sea_states_of_a_file(tmp_path: Path) -> None:
     (tmp_path / "states.csv").write_text("height (m),period (s),share\n1,6,0.7\n-2,8,0.7\n")
     with pytest.raises(InputError) as caught:
         sea_states(case)
-    assert [each.key for each in caught.value.problems] == ["sea_states", "row 2, height"]
+    assert [each.key for each in caught.value.problems] == ["sea_states", "line 3, height"]
+
+
+CELLS = "# Hs by Tp of a year\nheight (m),period (s),{}\n\n1,6,{}\n2,8,{}\n"
+
+
+def of_cells(folder: Path, heading: str, first: str, second: str) -> tuple[FatigueSeaState, ...]:
+    path = folder / "scatter.csv"
+    path.write_text(CELLS.format(heading, first, second))
+    return sea_states(with_fatigue(sea_states=(), sea_states_file=str(path)))
+
+
+@pytest.mark.parametrize(
+    ("heading", "first", "second"),
+    [
+        ("occurrences (of 1000)", "700", "250.5"),
+        ("occurrences (of 8000)", "5600", "2004"),
+        ("share (%)", "70", "25.05"),
+        ("share (-)", "0.7", "0.2505"),
+    ],
+)
+def test_a_scatter_table_has_its_total_in_the_heading(
+    tmp_path: Path, heading: str, first: str, second: str
+) -> None:
+    """700 and 250.5 of 1000 are 0.7 and 0.2505 of the year, whatever the total."""
+    states = of_cells(tmp_path, heading, first, second)
+    assert [(each.height, each.period) for each in states] == [(1.0, 6.0), (2.0, 8.0)]
+    assert [each.share for each in states] == pytest.approx([0.7, 0.2505], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("heading", "first", "second", "told"),
+    [
+        ("occurrences", "700", "250", "found occurrences; the total that"),
+        ("occurrences (of 0)", "700", "250", "as in (of 1000)"),
+        ("occurrences (of 1e3)", "700", "250", "as in (of 1000)"),
+        ("occurrences (%)", "70", "25", "as in (of 1000)"),
+        ("share (ppt)", "700", "250", "one of -, %"),
+        (
+            "occurrences (of 1000)",
+            "800",
+            "250",
+            "sea_states: found 1.05; the shares add up",
+        ),
+        ("occurrences (of 1000)", "700", "-1", "line 5, share"),
+        ("occurrences (of 1000)", "700", "many", "line 5, occurrences: found many"),
+    ],
+)
+def test_a_scatter_table_that_does_not_add_up_is_refused(
+    tmp_path: Path, heading: str, first: str, second: str, told: str
+) -> None:
+    with pytest.raises(InputError) as caught:
+        of_cells(tmp_path, heading, first, second)
+    assert told in str(caught.value)
+
+
+def test_one_column_says_how_long_a_sea_state_lasts(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="found share and occurrences; one of them is wanted"):
+        of_cells(tmp_path, "share,occurrences (of 1000)", "0.7,700", "0.2,200")
 
 
 def test_several_load_cases_need_a_name() -> None:
