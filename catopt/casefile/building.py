@@ -130,7 +130,7 @@ def _current(table: CurrentTable, folder: str) -> CurrentProfile:
 
 def _motion(table: MotionTable, folder: str) -> Motion:
     given = table.given()
-    for key in ("rao_reference", "drift"):
+    for key in ("rao_reference", "rao_crest", "drift"):
         given[key] = tuple(given.get(key, ()))
     return Motion(**_found_from(folder, given, ("file", "rao_file", "drift_file")))
 

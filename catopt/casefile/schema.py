@@ -492,6 +492,7 @@ class MotionTable(AnchorMotionTable):
     rao_reference: Annotated[list[Place], Field(min_length=3, max_length=3)] | None = None
     rao_rotation: Annotated[str, OneOf(RAO_ROTATIONS)] | None = None
     rao_per: Annotated[str, OneOf(RAO_PER)] | None = None
+    rao_crest: Annotated[list[Place], Field(min_length=2, max_length=2)] | None = None
     drift: Annotated[list[Place], Field(min_length=2, max_length=2)] | None = None
     drift_file: Annotated[str, Text(filled=True, example='"drift.csv"')] | None = None
 

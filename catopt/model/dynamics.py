@@ -208,9 +208,9 @@ def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Pro
         yield Problem("motion.drift_file", "", allowed)
     has_raos = "motion.rao_file" in given
     for key in RAO_CONVENTIONS:
-        is_given = f"motion.{key}" in given
-        if has_raos and not is_given:
+        if has_raos and f"motion.{key}" not in given:
             allowed = "missing; the RAOs of a body mean nothing without it (docs/verify.md)"
             yield Problem(f"motion.{key}", "", allowed)
-        elif is_given and not has_raos:
+    for key in (*RAO_CONVENTIONS, "rao_crest"):
+        if f"motion.{key}" in given and not has_raos:
             yield Problem(f"motion.{key}", "", "goes with rao_file, which is missing")

@@ -15,7 +15,7 @@ RAO_PHASES, RAO_ROTATIONS, RAO_PER = (
 )
 RAO_CONVENTIONS = ("rao_phase", "rao_reference", "rao_rotation", "rao_per")
 """What the RAOs of a body do not say themselves: no default would be right for all of them."""
-OF_A_BODY = (*RAO_CONVENTIONS, "drift", "drift_file")
+OF_A_BODY = (*RAO_CONVENTIONS, "rao_crest", "drift", "drift_file")
 """The keys that are of a body with several lines alone."""
 
 MOTION_WAYS = ("period", "file", "rao_file")
@@ -52,6 +52,9 @@ class Motion:
         Of a body's RAOs: unit of roll, pitch and yaw.
     rao_per : {"", "amplitude", "height"}
         Of a body's RAOs: whether they are to 1 m of the waves' amplitude or of their height.
+    rao_crest : tuple of float
+        Of a body's RAOs: the point over which the crest is where their phases count from, along
+        the body's x and y from its origin, m; empty for the reference point.
     drift : tuple of float
         Of a body: how far along x and y it has drifted from where its mean force holds it, m;
         empty for not at all.
@@ -72,6 +75,7 @@ class Motion:
     rao_reference: tuple[float, ...] = ()
     rao_rotation: RaoRotation = ""
     rao_per: RaoPer = ""
+    rao_crest: tuple[float, ...] = ()
     drift: tuple[float, ...] = ()
     drift_file: str = ""
 
@@ -104,7 +108,7 @@ class Motion:
         ):  # fmt: skip
             if getattr(self, key) not in ("", *names):
                 found.add(key, repr(getattr(self, key)), "one of " + ", ".join(names))
-        for key, size in (("rao_reference", 3), ("drift", 2)):
+        for key, size in (("rao_reference", 3), ("rao_crest", 2), ("drift", 2)):
             values = getattr(self, key)
             object.__setattr__(self, key, tuple(values))
             if len(values) not in {0, size}:

@@ -295,7 +295,7 @@ class LinesOfABody:
     def _response_to(
         self, waves: Waves, wave_numbers: Array, arm: tuple[float, float, float]
     ) -> Harmonic:
-        """Answer to waves of one direction; rotations are small, the crest is at the reference.
+        """Answer to waves of one direction; rotations are small.
 
         The ship's axes are turned by its yaw at rest.
         """
@@ -307,7 +307,7 @@ class LinesOfABody:
         raos = vessel.of_point(heading, (*from_origin, height + arm[2]))
         along, across = _turned(1.0, 0.0, self.yaw), _turned(0.0, 1.0, self.yaw)
         response = raos.response @ np.array([(*along, 0.0), (*across, 0.0), (0.0, 0.0, 1.0)])
-        ahead, aside = _turned(vessel.reference[0], vessel.reference[1], self.yaw)
+        ahead, aside = _turned(vessel.crest[0], vessel.crest[1], self.yaw)
         of_earth = type(raos)(raos.omega, response)
         return of_earth.motion(waves, wave_numbers, x + ahead, y + aside)
 

@@ -35,9 +35,12 @@ class VesselRaos:
         Angular frequency, rad/s, rising.
     response : ndarray of complex, shape (h, n, 6)
         Surge, sway, heave in m and roll, pitch, yaw in rad, right-handed with z upwards, to a wave
-        of 1 m amplitude: size, and phase by which it lags behind the crest over the reference.
+        of 1 m amplitude: size, and phase by which it lags behind the crest.
     reference : tuple of float
-        Along the ship's x and y from the body's origin, and above the seabed, m.
+        The point that moves so: along the ship's x and y from the body's origin, and above the
+        seabed, m.
+    crest : tuple of float
+        The point over which that crest is, along the ship's x and y from the body's origin, m.
     path : str
         Of its file, for messages.
     """
@@ -46,6 +49,7 @@ class VesselRaos:
     omega: Array
     response: npt.NDArray[np.complex128]
     reference: tuple[float, ...]
+    crest: tuple[float, ...]
     path: str = ""
 
     def of_point(self, heading: float, point: tuple[float, float, float]) -> Raos:
@@ -124,7 +128,9 @@ def read_vessel_raos(motion: Motion) -> VesselRaos:
     if headings[-1] - headings[0] > 2.0 * math.pi * (1.0 + _SAME):
         raise refused(path, "heading", "more than a full turn", "360 deg at most are wanted")
     laid = np.array([response[at] for at in rows], dtype=np.complex128)
-    return VesselRaos(headings, frequencies[0], laid, motion.rao_reference, path)
+    reference = motion.rao_reference
+    crest = motion.rao_crest or reference[:2]
+    return VesselRaos(headings, frequencies[0], laid, reference, crest, path)
 
 
 def _frequencies(path: str, columns: dict[str, Array]) -> Array:

@@ -84,6 +84,12 @@ def _check_conventions(motion: Motion) -> None:
     if motion.rao_per != "amplitude":
         allowed = 'a .4 file is for a wave of 1 m "amplitude"'
         problems.append(Problem("motion.rao_per", f'"{motion.rao_per}"', allowed))
+    if not motion.rao_crest:
+        allowed = (
+            "missing; phases of a .4 file count from the crest over the origin of WAMIT's global "
+            'axes: ["0 m", "0 m"] where that is above the body\'s origin'
+        )
+        problems.append(Problem("motion.rao_crest", "", allowed))
     if problems:
         raise InputError(problems, motion.rao_file)
 

@@ -231,6 +231,7 @@ is blank is no name."""
 
 SIZES = {
     (MotionTable, "rao_reference"): 3,
+    (MotionTable, "rao_crest"): 2,
     (MotionTable, "drift"): 2,
     (BodyTable, "wave_force"): 2,
 }

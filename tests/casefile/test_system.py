@@ -130,6 +130,7 @@ rao_phase = "lead"
 rao_reference = ["1 m", "-2 m", "22 m"]
 rao_rotation = "rad/m"
 rao_per = "height"
+rao_crest = ["3 m", "-4 m"]
 drift = ["1 m", "0 m"]
 drift_file = "drift.csv"
 [dynamics]

@@ -155,9 +155,15 @@ def test_a_fairlead_goes_as_the_body_carries_it(tmp_path: Path) -> None:
     assert response[2] == pytest.approx(phasor(0.8, 20.0) + roll * y - pitch * x)
 
 
-def test_a_body_under_raos_goes_through_the_crest_as_they_say(tmp_path: Path) -> None:
-    """The crest is counted at the reference point; a phase of 0 puts the body up with it."""
-    motion = raos(tmp_path, "0,6,0,0,1,30,0,0,0,0\n")
+@pytest.mark.parametrize(("said", "ahead"), [({}, 2.0), ({"rao_crest": (9.0, 1.0)}, 9.0)])
+def test_a_body_under_raos_goes_through_the_crest_as_they_say(
+    tmp_path: Path, said: dict[str, object], ahead: float
+) -> None:
+    """The crest is counted at the reference point, or where it is said to be.
+
+    A phase of 0 puts the body up with it.
+    """
+    motion = raos(tmp_path, "0,6,0,0,1,30,0,0,0,0\n", **said)
     waves = WaveState("regular", 1.0, 6.0)
     dynamics = replace(FEW, duration=18.0, ramp=6.0)
     found = run(moored(motion=motion, waves=waves, dynamics=dynamics))
@@ -169,7 +175,7 @@ def test_a_body_under_raos_goes_through_the_crest_as_they_say(tmp_path: Path) ->
     assert sea.waves is not None
     k, w = sea.wave_numbers[0], 2.0 * math.pi / 6.0
     after = history.time >= 6.0
-    crest = w * history.time - k * (place[0] + 2.0) - sea.waves.phase[0]
+    crest = w * history.time - k * (place[0] + ahead) - sea.waves.phase[0]
     heave = 0.5 * np.cos(crest - math.radians(30.0))
     assert np.allclose(track[after, 2] - DEPTH, heave[after], atol=1e-9)
 
@@ -375,6 +381,7 @@ def test_a_body_is_proven_as_a_line_is(tmp_path: Path) -> None:
         ({"body": Body(1e5)}, "body", "nothing moves: force_file"),
         ({"body": Body(1e5, force_file="f"), "motion": Motion(8.0)}, "body", "is led, or moves"),
         ({"motion": Motion(8.0, rao_phase="lag")}, "motion.rao_phase", "goes with rao_file"),
+        ({"motion": Motion(8.0, rao_crest=(0.0, 1.0))}, "motion.rao_crest", "goes with rao_file"),
         ({"motion": Motion(rao_file="r")}, "motion.rao_reference", "mean nothing without it"),
         ({"motion": replace(GIVEN)}, "motion.rao_file", r"needs \[waves\]"),
         ({"motion": Motion(file="m", drift_file="d")}, "motion.drift_file", "add the drift"),

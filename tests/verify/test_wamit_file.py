@@ -20,6 +20,7 @@ GIVEN = Motion(
     rao_reference=(0.0, 0.0, 20.0),
     rao_rotation="rad/m",
     rao_per="amplitude",
+    rao_crest=(0.0, 0.0),
 )
 SHIP = {  # period, heading: surge, heave, pitch as (size, lead in deg)
     (8.0, 0.0): ((0.4, 90.0), (0.5, -10.0), (0.010, 80.0)),
@@ -106,8 +107,9 @@ def test_what_is_wrong_in_a_file_is_told(tmp_path: Path, text: str, told: str) -
 
 
 def test_conventions_that_no_such_file_has(tmp_path: Path) -> None:
-    motion = given(tmp_path, written(), rao_rotation="deg/m", rao_per="height")
+    motion = given(tmp_path, written(), rao_rotation="deg/m", rao_per="height", rao_crest=())
     with pytest.raises(InputError) as caught:
         read_vessel_raos(motion)
-    assert len(caught.value.problems) == 2
+    assert len(caught.value.problems) == 3
     assert "ULEN" in str(caught.value)
+    assert "motion.rao_crest: missing" in str(caught.value)
