@@ -6,6 +6,7 @@ import dataclasses
 
 import pytest
 
+import catopt
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
 from catopt.design.near_miss import NoFeasibleDesignError
@@ -301,3 +302,14 @@ def test_what_is_assumed_is_compared_part_by_part() -> None:
 def test_a_drag_anchor_of_an_unknown_kind() -> None:
     with pytest.raises(InputError, match="hook"):
         DragGround("hook")
+
+
+def test_the_title_of_a_tanker_is_its_own_or_says_what_it_is() -> None:
+    given = catopt.size_tanker(dwt="50000 t", depth="20 m", title="Berth 3")
+    assert given.case.title == "Berth 3"
+    assert "20 m" in catopt.size_tanker(dwt="50000 t", depth="20 m").case.title
+
+
+def test_a_ship_that_just_touches_the_bed_is_aground() -> None:
+    with pytest.raises(InputError, match="would be aground"):
+        catopt.size_tanker(length=200.0, breadth=32.0, draught=12.0, depth=12.0)
