@@ -76,3 +76,31 @@ def test_a_row_of_the_table_is_met_and_halfway_is_the_geometric_mean() -> None:
 def test_nothing_is_estimated_beyond_the_table(kind: str, tonnes: float, allowed: str) -> None:
     with pytest.raises(InputError, match=allowed):
         ship_dimensions(kind, tonnes * 1e3)
+
+
+# Deadweight; LOA, breadth, depth and full draught of tanker, bulk carrier and general cargo (second
+# sheet, section 3: PIANC 2002 / ROM 3.1, recalled).
+ROWS = """
+  3000  90 13.0  7.2  6.0 |                    |
+  5000 110 15.0  8.6  7.0 |                    | 105 15.8  8.5  6.4
+ 10000 145 19.0 10.0  7.8 | 130 18.0 10.0  7.5 | 133 19.8 11.2  8.0
+ 20000 174 24.5 12.6  9.8 | 160 23.5 12.6  9.3 | 166 24.8 13.8 10.0
+ 30000 188 28.0 14.2 10.8 |                    | 188 27.7 16.0 11.3
+ 40000 200 30.0 15.4 11.8 | 195 29.0 16.3 11.5 | 209 30.0 18.0 12.5
+ 50000 210 32.2 16.4 12.6 |                    |
+ 60000 217 36.0 17.0 13.0 | 220 33.5 18.2 12.8 |
+100000 250 43.0 19.8 15.1 | 255 39.0 20.8 15.3 |
+150000 285 49.5 22.0 16.9 | 290 44.0 23.3 17.5 |
+200000 310 55.0 24.0 18.5 | 315 48.5 25.0 19.0 |
+300000 350 63.0 27.0 21.0 | 350 56.0 28.1 21.8 |
+"""
+
+
+@pytest.mark.parametrize("row", ROWS.split("\n")[1:-1])
+def test_every_row_of_the_table_is_that_of_the_sheet(row: str) -> None:
+    tonnes, of_kinds = float(row[:6]), row[6:].split("|")
+    for kind, cells in zip(("tanker", "bulk carrier", "general cargo"), of_kinds, strict=True):
+        figures = [float(cell) for cell in cells.split()]
+        if figures:
+            found = ship_dimensions(kind, tonnes * 1e3)
+            assert list(found) == pytest.approx(figures, rel=1e-12)
