@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
+from weakref import finalize
 
 import numpy as np
 
@@ -58,6 +59,11 @@ class Store:
     directory : Path, optional
         Where they are kept; in memory when left out.
 
+    Attributes
+    ----------
+    close : callable
+        Closes the file.
+
     Raises
     ------
     InputError
@@ -70,7 +76,8 @@ class Store:
         try:
             if directory is not None:
                 directory.mkdir(parents=True, exist_ok=True)
-            self._database = sqlite3.connect(self._file)
+            self._database = sqlite3.connect(self._file, check_same_thread=False)
+            self.close = finalize(self, self._database.close)  # at once, or when nobody needs it
             self._database.executescript(_TABLES)
             self._check()
         except (OSError, sqlite3.Error) as error:
@@ -84,7 +91,7 @@ class Store:
                 self._database.execute("INSERT INTO study VALUES (?, ?)", wanted)
         elif tuple(found) != wanted:
             allowed = "holds another study, or this one before its files were changed; give another"
-            self._database.close()
+            self.close()
             raise InputError([Problem("--out", self._file, allowed)], "options")
 
     def done(self) -> set[int]:
@@ -137,7 +144,3 @@ class Store:
             first = self._study.piece_start(piece.number)
             wanted |= {first + k: words for k, words in enumerate(piece.words)}
         return [wanted.get(member, ()) for member in members]
-
-    def close(self) -> None:
-        """Close the file."""
-        self._database.close()
