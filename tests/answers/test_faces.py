@@ -259,7 +259,9 @@ def made(kind: str) -> Answer:
     return answer_named(kind) if kind in NOTES else ANSWERS[kind]()
 
 
-BY_TRUSS = ("verified body", "motion", "body in motion", "front in motion", "fatigue", *LONG)
+BY_TRUSS = (
+    "verified body", "motion", "body in motion", "front in motion", "fatigue", "fleet", *LONG,
+)  # fmt: skip
 """They run the truss model, or take seconds each."""
 
 

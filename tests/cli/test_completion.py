@@ -5,33 +5,54 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 
 import pytest
 
+from .conftest import Run
 
-def completed(shell: str, words: str) -> list[str]:
-    """Ask as the script of a shell does; what is typed last is begun, or a space."""
-    count = len(words.split()) - (0 if words.endswith(" ") else 1)
-    environment = {
-        **os.environ,
+
+def asked(shell: str, words: str) -> dict[str, str]:
+    """Return what the script of a shell sets; what is typed last is begun, or a space."""
+    begun = "" if words.endswith(" ") else words.split()[-1]
+    return {
         "_CATOPT_COMPLETE": f"complete_{shell}",
         "COMP_WORDS": words,
-        "COMP_CWORD": str(count),
+        "COMP_CWORD": str(len(words.split()) - bool(begun)),
         "_TYPER_COMPLETE_ARGS": words,
         "_TYPER_COMPLETE_FISH_ACTION": "get-args",
-        "_TYPER_COMPLETE_WORD_TO_COMPLETE": "" if words.endswith(" ") else words.split()[-1],
+        "_TYPER_COMPLETE_WORD_TO_COMPLETE": begun,
     }
+
+
+Completed = Callable[[str, str], list[str]]
+
+
+@pytest.fixture
+def completed(run: Run, monkeypatch: pytest.MonkeyPatch) -> Completed:
+    """Ask as a shell does, and take what it is given."""
+
+    def complete(shell: str, words: str) -> list[str]:
+        for name, value in asked(shell, words).items():
+            monkeypatch.setenv(name, value)
+        ran = run()
+        assert (ran.status, ran.err) == (0, "")
+        return ran.out.split("\n")[:-1]
+
+    return complete
+
+
+def test_a_shell_is_answered() -> None:
+    """The one test that starts a process, as the shell does."""
     ran = subprocess.run(
         [sys.executable, "-m", "catopt"],
-        env=environment,
+        env={**os.environ, **asked("bash", "catopt new size-")},
         capture_output=True,
         text=True,
-        encoding="utf-8",
         timeout=60,
-        check=False,
+        check=True,
     )
-    assert ran.stderr == ""
-    return ran.stdout.split("\n")[:-1]
+    assert (ran.stdout, ran.stderr) == ("size-buoy\nsize-tanker\n", "")
 
 
 @pytest.mark.parametrize(
@@ -53,12 +74,12 @@ def completed(shell: str, words: str) -> list[str]:
         ("catopt solve --units t", ["tf"]),
     ],
 )
-def test_bash(words: str, some: list[str]) -> None:
+def test_bash(completed: Completed, words: str, some: list[str]) -> None:
     found = completed("bash", words)
     assert set(some) <= set(found), found
 
 
-def test_a_quote_that_is_open_needs_no_escape() -> None:
+def test_a_quote_that_is_open_needs_no_escape(completed: Completed) -> None:
     assert "pillar 1.8 m" in completed("bash", 'catopt size buoy "pil')
 
 
@@ -66,11 +87,11 @@ def test_a_quote_that_is_open_needs_no_escape() -> None:
     ("shell", "written"),
     [("zsh", '"pillar 1.8 m"'), ("fish", "pillar 1.8 m"), ("powershell", "pillar` 1.8` m")],
 )
-def test_other_shells(shell: str, written: str) -> None:
+def test_other_shells(completed: Completed, shell: str, written: str) -> None:
     found = "\n".join(completed(shell, "catopt size buoy pil"))
     assert written in found
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish", "powershell"])
-def test_what_nothing_begins_with_gives_nothing(shell: str) -> None:
+def test_what_nothing_begins_with_gives_nothing(completed: Completed, shell: str) -> None:
     assert "xyzzy" not in "\n".join(completed(shell, "catopt new xyzzy"))
