@@ -127,11 +127,13 @@ def test_line_damping_is_critical_unless_something_is_said(
 def test_twice_the_bars_go_on_from_where_the_first_run_ended(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    part = proven(TAUT)  # before what runs it is put aside
+
     def run(*given: Any) -> list[DynamicPart]:
         tell = given[4]
         for at in (0, 5, 10):
             tell(at, 10)
-        return [proven(TAUT)]
+        return [part]
 
     monkeypatch.setattr(dynamic, "_parts", run)
     monkeypatch.setattr(dynamic, "_wants_more_bars", lambda _: True)
