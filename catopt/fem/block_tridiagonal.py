@@ -65,7 +65,9 @@ def invert_3(blocks: Any, n: int) -> bool:
     determinant = a * A + b * B + c * C
     if determinant == 0.0:
         return False
-    over = 1.0 / determinant
+    # Of complex numbers, whose division is not everywhere the same to the last digit.
+    mirrored = determinant.conjugate()
+    over = mirrored * (1.0 / (determinant * mirrored).real)
     blocks[n, 0, 0], blocks[n, 0, 1], blocks[n, 0, 2] = (
         A * over, (c * h - b * i) * over, (b * f - c * e) * over,
     )  # fmt: skip

@@ -220,17 +220,42 @@ def run_system_dynamics(
     InputError, NoEquilibriumError, NotConvergedError
         As `run_dynamics`.
     """
-    with_what = properties or LineProperties()
     is_led = position is not None
     _check_system(is_led, motion, force, mean_force)
-    _check_level(with_what.seabed)
     cuts = [mesh_line(leg.line, elements) for leg in legs] if meshes is None else list(meshes)
+    led = [motion] * len(cuts) if motion is None or isinstance(motion, _SERIES) else list(motion)
+    warnings = _check_run(stepping, *(led if is_led else [force]), sea=sea)
+    simulation = body_at_rest(
+        legs, cuts, height=height, mean_force=mean_force, force=force, body=body,
+        position=position, led=led, properties=properties, ramp_time=stepping.ramp_time,
+        sea=_ramped(sea, stepping),
+    )  # fmt: skip
+    breaks = None if broken is None else _break(stepping, *broken, at_anchor=at_anchor)
+    return _run(simulation, stepping, cuts, warnings, progress, breaks)
+
+
+def body_at_rest(
+    legs: Sequence[Leg],
+    cuts: Sequence[LineMesh],
+    *,
+    height: float,
+    mean_force: tuple[float, float] = (0.0, 0.0),
+    force: Series | None = None,
+    body: BodyInertia | None = None,
+    position: tuple[float, float] | None = None,
+    led: Sequence[Series | None] = (),
+    properties: LineProperties | None = None,
+    ramp_time: float = 0.0,
+    sea: Sea | None = None,
+) -> Simulation:
+    """Bring the lines of a body to rest in the current, ready to be set in motion."""
+    with_what = properties or LineProperties()
+    is_led = position is not None
+    _check_level(with_what.seabed)
     lines = lay_out_moving(
         cuts, with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,
         with_what.mass_matrix,
     )  # fmt: skip
-    led = [motion] * len(cuts) if motion is None or isinstance(motion, _SERIES) else list(motion)
-    warnings = _check_run(stepping, *(led if is_led else [force]), sea=sea)
     bed, friction = _static_bed(with_what.seabed, lines)
     rest = solve_system(
         legs, height=height, force=None if is_led else mean_force, position=position, meshes=cuts,
@@ -244,13 +269,12 @@ def run_system_dynamics(
         lines,
         x,
         body=BodyNode(free, np.full(3, inertia.mass), np.full(3, inertia.damping)),
-        led=series_rows(ends, led, stepping.ramp_time),
-        load=series_rows(np.array([[*mean_force, 0.0]]), [force], stepping.ramp_time),
-        sea=_ramped(sea, stepping),
+        led=series_rows(ends, led or [None] * len(cuts), ramp_time),
+        load=series_rows(np.array([[*mean_force, 0.0]]), [force], ramp_time),
+        sea=sea,
     )
     simulation.settle(rubbed=_begins_rubbed(with_what.seabed))
-    breaks = None if broken is None else _break(stepping, *broken, at_anchor=at_anchor)
-    return _run(simulation, stepping, cuts, warnings, progress, breaks)
+    return simulation
 
 
 def _break(stepping: TimeStepping, line: int, time: float, *, at_anchor: bool) -> Break:

@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from catopt.compiled import compiled
 from catopt.model.validity import Findings
+from catopt.waves.fast_functions import cos_sin
 from catopt.waves.kinematics import row_at
 
 Array = npt.NDArray[np.float64]
@@ -62,12 +63,18 @@ class Harmonic:
 
     @cached_property
     def rows(self) -> Array:
-        """Rows of omega, three amplitudes, three phases; shape (n, 7)."""
+        """Rows of omega, a cos(phase) and a sin(phase) along each axis; shape (n, 7)."""
         omega = 2.0 * math.pi / np.atleast_1d(np.asarray(self.period, dtype=float))
         size = (omega.size, 3)
-        return np.column_stack(
-            [omega, np.broadcast_to(self.amplitude, size), np.broadcast_to(self.phase, size)]
-        )
+        amplitude = np.broadcast_to(np.asarray(self.amplitude, dtype=float), size)
+        phase = np.broadcast_to(np.asarray(self.phase, dtype=float), size)
+        return np.column_stack([omega, amplitude * np.cos(phase), amplitude * np.sin(phase)])
+
+    @property
+    def amplitudes(self) -> npt.NDArray[np.complex128]:
+        """Complex amplitudes of exp(-i omega t), whose real parts add up to it; shape (n, 3)."""
+        found: npt.NDArray[np.complex128] = self.rows[:, 1:4] - 1j * self.rows[:, 4:7]
+        return found
 
     @property
     def shortest_period(self) -> float:
@@ -164,8 +171,8 @@ Series = Harmonic | Sampled | Together
 class SeriesRows(NamedTuple):
     """Series of one or more ends as the kernels read them.
 
-    `base` (ends, 3): value at rest, before the series has begun; `harmonics` (ends, n, 7): omega,
-    amplitudes, phases; `times` (m,): of the spline; empty without one; `spline` (ends, m - 1, 3,
+    `base` (ends, 3): value at rest, before the series has begun; `harmonics` (ends, n, 7): as
+    of `Harmonic.rows`; `times` (m,): of the spline; empty without one; `spline` (ends, m - 1, 3,
     4): its coefficients; `ramp_time`: s over which it grows as (1 - cos(pi t/T))/2.
     """
 
@@ -230,13 +237,13 @@ def fill_series(t: float, rows: SeriesRows, end: int, out: Any) -> None:
     for n in range(rows.harmonics.shape[1]):
         row = rows.harmonics[end, n]
         omega = row[0]
+        cos, sin = cos_sin(omega * t)
         for i in range(3):
-            if row[1 + i] != 0.0:
-                angle = omega * t + row[4 + i]
-                cos, sin = row[1 + i] * math.cos(angle), row[1 + i] * math.sin(angle)
-                out[0, i] += cos
-                out[1, i] -= omega * sin
-                out[2, i] -= omega * omega * cos
+            value = row[1 + i] * cos - row[4 + i] * sin
+            rate = row[1 + i] * sin + row[4 + i] * cos
+            out[0, i] += value
+            out[1, i] -= omega * rate
+            out[2, i] -= omega * omega * value
     if rows.times.shape[0] > 0:
         _add_spline(t, rows.times, rows.spline[end], out)
     r, r_1, r_2 = _ramp(t, rows.ramp_time)

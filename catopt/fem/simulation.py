@@ -147,6 +147,19 @@ class Simulation:
         )  # fmt: skip
         return float(worst), int(node)
 
+    def assemble_as(self, lines: MovingLines, blend: Blend) -> None:
+        """Assemble with other figures of the same lines, where they are."""
+        own, self.lines = self.lines, lines
+        try:
+            self.assemble(blend)
+        finally:
+            self.lines = own
+
+    def water_at_rest(self) -> WaterAt:
+        """Return the water about the lines as they are, without waves; overwritten by the next."""
+        self.assemble(_AT_REST)
+        return self._room.water
+
     @property
     def rounding(self) -> float:
         """Force that a bar may be off by because coordinates have 16 digits, over the unit."""

@@ -25,6 +25,7 @@ from catopt.verify.effort import Effort, effort_of
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.proof import FINER, Again, Proof, Way, work_of_proof
 from catopt.verify.side_by_side import side_by_side
+from catopt.waves import Sea
 from catopt.words import Message, is_said
 
 Progress = Callable[[int, int], None]
@@ -52,6 +53,7 @@ def verify_dynamic(
     proof: Proof = "step",
     workers: int | None = None,
     counts_cycles: bool = False,
+    compares_at_rest: bool = True,
     progress: Progress | None = None,
     announce: Callable[[str], None] = lambda _: None,
 ) -> DynamicVerification:
@@ -75,6 +77,9 @@ def verify_dynamic(
         where that is worth it. The digits do not hang on it.
     counts_cycles : bool
         Whether the cycles of every bar's tension are counted by rainflow.
+    compares_at_rest : bool
+        Whether the tension of a line that hangs at rest is found for every place of its end, and
+        that at the anchor for every past of the line; without, both are left out of the answer.
     progress : callable, optional
         Told how far it is and how far it goes.
     announce : callable, optional
@@ -98,7 +103,12 @@ def verify_dynamic(
         raise InputError([Problem("workers", f"{workers}", "1 or more processes")], "options")
     check_for_motion(case)
     states = [
-        (name, replace(read_drive(state), counts_cycles=counts_cycles))
+        (
+            name,
+            replace(
+                read_drive(state), counts_cycles=counts_cycles, compares_at_rest=compares_at_rest
+            ),
+        )
         for name, state in load_states(case, load_case)
     ]
     parts: list[DynamicPart] = []
@@ -198,7 +208,7 @@ def _parts(
             drive.dynamics.bars,
             (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
             None if drive.case.system is None else k,
-            lines.anchor_at_rest(k - 1),
+            lines.anchor_at_rest(k - 1) if drive.compares_at_rest else {},
         )
         for k, (leg, of_line) in enumerate(
             zip(lines.legs, zip(*(each.runs for each in seeds), strict=True), strict=True), start=1
@@ -291,6 +301,7 @@ def _run(
     drive = lines.drive
     sea = drive.sea(number)
     stepping = drive.stepping(sea, lines.driven_by(sea), finer)
+    is_compared = drive.has_rest and finer == 1 and elements is None
     end = round(_MILLI * stepping.duration)
     progress(0, end)
     try:
@@ -313,25 +324,28 @@ def _run(
     runs = []
     for k, leg in enumerate(lines.legs):
         of_line = history.of_line(k)
-        site = drive.case.site
         still = np.full(of_line.time.size, np.nan)
-        if drive.anchor_motion is None and site.seabed_slope == 0.0:
-            still = quasi_static(leg, of_line, site.seabed_friction)
+        if is_compared:
+            still = quasi_static(leg, of_line, drive.case.site.seabed_friction)
         if drive.dynamics.broken_line == k + 1:
             still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
         run = DynamicRun(of_line, still, number, track=track)
         if stepping.tensions:
             said += _coarse(run)
-            run = _counted(run)
+            run = _counted(run, sea)
         runs.append(run)
     return runs, said
 
 
-def _counted(run: DynamicRun) -> DynamicRun:
+def _counted(run: DynamicRun, sea: Sea) -> DynamicRun:
     """Put the cycles of each bar's tension in the place of its series."""
     history, at = run.history, run.counted
     time = float(np.ptp(history.time[at]))
-    cycles = tuple(count_cycles(series, time) for series in history.tension[at].T)
+    waves, split = sea.waves, None
+    if waves is not None:
+        # Of the waves, hardly any is half as fast as their mean.
+        split = 0.5 * float(np.average(waves.omega, weights=waves.amplitude**2))
+    cycles = tuple(count_cycles(series, time, split) for series in history.tension[at].T)
     return replace(run, history=replace(history, tension=history.tension[:0]), cycles=cycles)
 
 
@@ -353,10 +367,9 @@ def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
     remarks = []
     if any(run.history.counted.sum() < 2 for run in runs):
         remarks.append(Message("motion.within_ramp"))
-    has_still = drive.anchor_motion is None and drive.case.site.seabed_slope == 0.0
-    if has_still and any(np.isnan(run.quasi_static).all() for run in runs):
+    if drive.has_rest and any(np.isnan(run.quasi_static).all() for run in runs):
         remarks.append(Message("motion.no_amplification"))
-    elif drive.case.current is not None:
+    elif drive.compares_at_rest and drive.case.current is not None:
         remarks.append(Message("motion.still_without_current"))
     return [*drive.remarks, *remarks]
 

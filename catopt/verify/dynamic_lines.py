@@ -13,7 +13,7 @@ import numpy.typing as npt
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
 from catopt.errors import InputError, Problem
-from catopt.fem.dynamics import line_at_rest, run_dynamics, run_system_dynamics
+from catopt.fem.dynamics import body_at_rest, line_at_rest, run_dynamics, run_system_dynamics
 from catopt.fem.history import History
 from catopt.fem.mesh import mesh_line
 from catopt.fem.run_settings import BodyInertia, TimeStepping
@@ -51,6 +51,9 @@ class LinesAtRest(Protocol):
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
     ) -> tuple[History, Array | None]:
         """Run them; return what they did, and where the body's origin was, shape (samples, 3)."""
+
+    def simulation(self) -> Simulation:
+        """Bring the truss model to rest in the current, of the same bars as in the run."""
 
     def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:
         """Tension at the anchor of a line, from 0, at rest, N, by the initial friction."""
@@ -114,6 +117,10 @@ class OneLine:
             properties=replace(self.drive.properties, seabed=seabed),
             sea=replace(self.drive.sea(0), waves=None),
         )
+
+    def simulation(self) -> Simulation:
+        """Bring the truss model to rest."""
+        return self._at_rest(self.drive.seabed)
 
     @property
     def legs(self) -> Sequence[Leg]:
@@ -233,6 +240,18 @@ class LinesOfABody:
         rows = series_rows(np.array([self.place]), [origin], stepping.ramp_time)
         return history, series_values(rows, history.time)
 
+    def simulation(self) -> Simulation:
+        """Bring the truss model to rest, with the body where it is."""
+        drive, bars = self.drive, self.drive.dynamics.bars
+        return body_at_rest(
+            self.legs,
+            [mesh_line(leg.line, bars) for leg in self.legs],
+            height=self.place[2],
+            position=self.place[:2],
+            properties=drive.properties,
+            sea=replace(drive.sea(0), waves=None),
+        )
+
     def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:  # noqa: ARG002 - none
         """Return nothing: lines of a body come to rest by the one past that their case has."""
         return {}
@@ -282,15 +301,11 @@ class LinesOfABody:
         """Answer of a point to the waves, those of each direction by their own heading."""
         waves = sea.waves
         assert waves is not None
-        answers = [
-            self._response_to(waves.only(which), sea.wave_numbers[which], arm)
-            for which in (waves.direction == each for each in np.unique(waves.direction))
-        ]
-        return Harmonic(
-            tuple(period for each in answers for period in np.atleast_1d(each.period)),
-            np.concatenate([each.amplitude for each in answers]),
-            np.concatenate([each.phase for each in answers]),
-        )
+        amplitude, phase = np.zeros((2, waves.omega.size, 3))
+        for which in (waves.direction == each for each in np.unique(waves.direction)):
+            answer = self._response_to(waves.only(which), sea.wave_numbers[which], arm)
+            amplitude[which], phase[which] = answer.amplitude, answer.phase
+        return Harmonic(tuple(2.0 * math.pi / waves.omega), amplitude, phase)
 
     def _response_to(
         self, waves: Waves, wave_numbers: Array, arm: tuple[float, float, float]

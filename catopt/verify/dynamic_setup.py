@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -86,6 +86,8 @@ class Drive:
         Of the motion of a line's lower end.
     counts_cycles : bool
         Whether the cycles of every bar's tension are counted.
+    compares_at_rest : bool
+        Whether what the lines would do without moving is found, too.
     """
 
     case: Case
@@ -98,6 +100,7 @@ class Drive:
     force: Sampled | None = None
     anchor_record: Sampled | None = None
     counts_cycles: bool = False
+    compares_at_rest: bool = True
 
     @property
     def dynamics(self) -> Dynamics:
@@ -208,6 +211,12 @@ class Drive:
         """Motion of the lower end of a line."""
         given = self.case.anchor_motion
         return None if given is None else self.anchor_record or _harmonic(given)
+
+    @property
+    def has_rest(self) -> bool:
+        """Whether the closed form gives a tension for every place of a fairlead, and is asked."""
+        is_level = self.anchor_motion is None and self.case.site.seabed_slope == 0.0
+        return self.compares_at_rest and is_level
 
     def stepping(self, sea: Sea, driven_by: Sequence[Series], finer: int = 1) -> TimeStepping:
         """Lay out steps and samples of a run."""
@@ -427,6 +436,7 @@ def _fast_frequency(waves: Waves) -> float:
     return float(np.interp(_FAST, place, waves.omega[order]))
 
 
+@lru_cache(maxsize=4)
 def _waves(given: WaveState, run: int) -> Waves:
     generator = np.random.default_rng([given.seed, run])
     first, *others = (_train(train, generator) for train in given.all_trains)
