@@ -114,6 +114,18 @@ def _in_motion() -> None:
     verify_dynamic(replace(case, dynamics=replace(case.dynamics, duration=0.2, elements=8)))
 
 
+def _linear() -> None:
+    """Move the truss model in a sea linearly."""
+    from catopt.model import WaveState
+    from catopt.verify.linear import linear_lines
+
+    case = _template("motion")
+    assert case.dynamics is not None
+    dynamics = replace(case.dynamics, elements=8)
+    waves = WaveState("jonswap", 2.0, 8.0, components=4)
+    linear_lines(replace(case, waves=waves, motion=None, dynamics=dynamics))
+
+
 JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(
     {
         "many lines": _lines,
@@ -122,6 +134,7 @@ JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(
         "waves": _waves,
         "truss model at rest": _at_rest,
         "truss model in motion": _in_motion,
+        "truss model in linear motion": _linear,
     }
 )
 """What is compiled, in the order in which it is."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,9 @@ from catopt.fem import (
     run_dynamics,
     solve_line,
 )
+from catopt.fem.dynamics import line_at_rest
+from catopt.fem.linear_motion import linear_model, linear_motion
+from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
 from catopt.mooring.batch import solve_system_many
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
@@ -128,6 +132,22 @@ def motion() -> None:
     )  # fmt: skip
 
 
+def linear() -> None:
+    """Move the same line linearly, in a stream across the waves."""
+    properties = LineProperties(
+        [MorisonSection(0.13, 1.3, 0.5, 1.0, 0.2)], seabed=Seabed(1e6, friction=0.5)
+    )
+    surface = random_waves(jonswap(4.0, 9.0), 12, np.random.default_rng(1), direction=0.7)
+    sea = Sea(80.0, surface, [PowerLawCurrent(1.0, 0.3)])
+    rest = line_at_rest(
+        mesh_line(CHAIN, 12), height=80.0, span=280.0, properties=properties,
+        sea=replace(sea, waves=None),
+    )  # fmt: skip
+    led = np.empty((1, 12, 3), dtype=complex)
+    led[:] = (1.0 + 0.5j) * surface.amplitude[:, np.newaxis]
+    linear_motion(linear_model(rest), sea, led)
+
+
 def series() -> None:
     """Fill a harmonic motion that grows."""
     rows = series_rows(np.zeros((1, 3)), [Harmonic(8.0, (2.0, 0.5, 1.0))], 5.0)
@@ -146,6 +166,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     motion: {
         "assemble_moving", "fill_water", "march", "solve_moving",
     },
+    linear: {"fill_equivalents", "respond_linearly"},
 }  # fmt: skip
 """What is run, and which functions that calls; to compile them all takes two minutes."""
 

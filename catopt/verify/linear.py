@@ -1,0 +1,148 @@
+"""A case in motion without steps in time: standard deviations of tension, lines being linear."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from catopt.errors import InputError, Problem
+from catopt.fem.linear_motion import LEAST_RESERVE, LinearModel, linear_model, linear_motion
+from catopt.fem.series import Harmonic
+from catopt.model import Case, WaveState
+from catopt.verify.dynamic_lines import lines_at_rest
+from catopt.verify.dynamic_setup import check_for_motion, read_drive
+
+
+@dataclass(frozen=True)
+class LinearLine:
+    """What a random sea makes of the tension at a line's fairlead, by linear motion.
+
+    Attributes
+    ----------
+    line : int or None
+        Of a body with several lines, which one, from 1.
+    mean : float
+        At rest, N.
+    deviation : float
+        Standard deviation, N.
+    period : float
+        Zero-crossing period, s.
+    reserve : float
+        Least tension of any of the line's bars at rest over its standard deviation.
+    """
+
+    line: int | None
+    mean: float
+    deviation: float
+    period: float
+    reserve: float
+
+    @property
+    def holds(self) -> bool:
+        """Whether the line stays taut, without which nothing here holds."""
+        return self.reserve >= LEAST_RESERVE
+
+    def most_probable(self, duration: float) -> float:
+        """Most probable largest tension in a storm, if tensions were normally distributed, N.
+
+        They are not: the largest in time are above it, by a quarter in steep seas.
+
+        Parameters
+        ----------
+        duration : float
+            Of the storm, s.
+        """
+        if not self.deviation > 0.0:
+            return self.mean
+        peaks = max(duration / self.period, 1.0)
+        return self.mean + self.deviation * math.sqrt(2.0 * math.log(peaks))
+
+
+def linear_lines(case: Case) -> tuple[LinearLine, ...]:
+    """Find the standard deviation of the tension at every fairlead in the sea of a case.
+
+    Parameters
+    ----------
+    case : Case
+        With `waves`, `dynamics`, and a `motion` by `rao_file` or none; with `system`, all lines of
+        the body, which is led by its RAOs.
+
+    Returns
+    -------
+    tuple of LinearLine
+        One a line.
+
+    Raises
+    ------
+    InputError
+        For what a line in motion lacks, and what has no linear form: a body that moves under
+        forces, a motion over time, a line that is lost.
+    NoEquilibriumError, NotConvergedError
+        As for `verify_dynamic`.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> from catopt.verify.linear import linear_lines
+    >>> (line,) = linear_lines(catopt.read_case("cases/dynamic-chain-56m/case.toml"))
+    >>> round(line.mean / 1e3), round(line.deviation / 1e3), line.holds
+    (555, 66, True)
+    """
+    check_for_motion(case)
+    _check(case)
+    model = _model(replace(case, waves=WaveState("regular", 1.0, 10.0), title=""))
+    lines = lines_at_rest(read_drive(case))
+    sea = lines.drive.sea(0)
+    assert sea.waves is not None
+    led = np.zeros((model.start.size - 1, sea.waves.omega.size, 3), dtype=complex)
+    if case.motion is not None:
+        for k, series in enumerate(lines.driven_by(sea)):
+            assert isinstance(series, Harmonic)
+            led[k] = series.amplitudes
+    found = linear_motion(model, sea, led)
+    deviation, period = found.deviation, found.zero_crossing_period
+    return tuple(
+        LinearLine(
+            None if case.system is None else k + 1,
+            float(found.mean[last]),
+            float(deviation[last]),
+            float(period[last]),
+            found.reserve(k),
+        )
+        for k, last in enumerate((model.start[1:] - 1).tolist())
+    )
+
+
+@lru_cache(maxsize=8)
+def _model(case: Case) -> LinearModel:
+    """Linearise the lines of a case; that its sea is another one makes no difference."""
+    return linear_model(lines_at_rest(read_drive(case)).simulation())
+
+
+def _check(case: Case) -> None:
+    """Refuse what has no linear form."""
+    if problems := list(_not_linear(case)):
+        raise InputError(problems, "linear motion")
+
+
+def _not_linear(case: Case) -> Iterator[Problem]:
+    motion, dynamics = case.motion, case.dynamics
+    assert dynamics is not None
+    if case.waves is None or not (case.waves.is_random or case.waves.elevation_file):
+        yield Problem("waves", "", "a random sea is wanted: a spectrum, or a recorded surface")
+    if motion is not None and not motion.rao_file:
+        yield Problem("motion", "", "a rao_file is wanted, or no [motion]: the waves alone drive")
+    if motion is not None and motion.drift_file:
+        yield Problem("motion.drift_file", "", "leave it out: drift is the mean offset")
+    if case.anchor_motion is not None:
+        yield Problem("anchor_motion", "", "leave it out: the lower end is held")
+    if case.body is not None:
+        yield Problem("body", "", "leave it out: a body is led by the RAOs of [motion]")
+    if case.current is not None and case.current.series_file:
+        yield Problem("current.series_file", "", "leave it out: the current is steady")
+    if dynamics.broken_at is not None:
+        yield Problem("dynamics.broken_at", "", "leave it out: no line is lost on the way")
