@@ -37,6 +37,7 @@ def fatigue_answer(report: FatigueReport) -> Answer:
         Verdict(fatigue_sentence(report), report.passes and report.verdict == "converged"),
         *(Text(each) for each in (*_sentences(report), *_convergence(report))),
         Text(Message("fatigue.counting"), is_small=True),
+        Text(Message("fatigue.spectrum"), is_small=True),
         Warnings(report.remarks),
     )
     return Answer(
@@ -209,6 +210,7 @@ def _damages(report: FatigueReport) -> Table:
             _column("mean", [each.mean for each in at], QUANTITIES["tension"]),
             _column("cycles", [each.cycles for each in at], _DAMAGE),
             _column("at_half_step", [each.at_half_step for each in at], _DAMAGE),
+            _column("by_spectrum", [each.by_spectrum for each in at], _DAMAGE),
         ),
         Message("fatigue.mean_there"),
     )

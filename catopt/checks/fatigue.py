@@ -14,6 +14,7 @@ import numpy.typing as npt
 from catopt.catalogue.figure import Confidence
 from catopt.checks.line_kind import LineKind, line_kind
 from catopt.checks.result import CheckSource
+from catopt.checks.spectral_fatigue import Band, bands, range_moment
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
@@ -35,18 +36,22 @@ class Cycles:
         Of the series.
     time : float
         That it lasts, s.
+    bands : tuple of Band or None
+        The series' slow and fast parts; None where it was not parted.
     """
 
     ranges: Array
     counts: Array
     mean: float
     time: float
+    bands: tuple[Band, Band] | None = None
 
 
-def count_cycles(values: Array, time: float) -> Cycles:
+def count_cycles(values: Array, time: float, split: float | None = None) -> Cycles:
     """Count the cycles of a series by rainflow, ASTM E1049; what is left over counts half.
 
-    The time is that which the series lasts, s. Refused when the package rainflow is missing.
+    The time is that which the series lasts, s; by `split` (rad/s) its spectrum is parted, too.
+    Refused when the package rainflow is missing.
 
     Examples
     --------
@@ -59,7 +64,8 @@ def count_cycles(values: Array, time: float) -> Cycles:
     from rainflow import extract_cycles
 
     found = np.array([cycle[:3:2] for cycle in extract_cycles(values.tolist())]).reshape(-1, 2)
-    return Cycles(found[:, 0], found[:, 1], float(values.mean()), time)
+    parted = None if split is None else bands(values, time, split)
+    return Cycles(found[:, 0], found[:, 1], float(values.mean()), time, parted)
 
 
 def need_rainflow() -> None:
@@ -116,11 +122,23 @@ class FatigueCurve:
         reference : float
             Area in m2 of an S-N curve, strength in N of a T-N curve.
         """
-        over = reference if self.kind == "T-N" else 1e6 * reference
-        log = math.log10(self.factor) - (
-            self.per_mean * cycles.mean / reference if self.kind == "T-N" else 0.0
-        )
+        over, log = self._scales(cycles, reference)
         return float(np.sum(cycles.counts * (cycles.ranges / over) ** self.slope) / 10.0**log)
+
+    def damage_by_spectrum(self, cycles: Cycles, reference: float) -> float | None:
+        """Miner's sum by dual narrow band, parameters as of `damage`; None without bands."""
+        if cycles.bands is None:
+            return None
+        over, log = self._scales(cycles, reference)
+        slow, fast = (Band(each.variance / over**2, each.rate) for each in cycles.bands)
+        return cycles.time * range_moment(slow, fast, self.slope) / float(10.0**log)
+
+    def _scales(self, cycles: Cycles, reference: float) -> tuple[float, float]:
+        """Give what ranges are over, and the logarithm of the factor at the mean."""
+        if self.kind == "T-N":
+            fall = self.per_mean * cycles.mean / reference
+            return reference, math.log10(self.factor) - fall
+        return 1e6 * reference, math.log10(self.factor)
 
 
 def _source(name: str, document: str, clause: str, confidence: Confidence) -> CheckSource:
@@ -201,6 +219,15 @@ class FatigueStrength:
         every = list(runs)
         time = sum(each.time for each in every)
         return sum(self.curve.damage(each, self.reference) for each in every) * YEAR / time
+
+    def damage_by_spectrum(self, runs: Iterable[Cycles]) -> float | None:
+        """Give the same by dual narrow band; None where a run's spectrum was not parted."""
+        every = list(runs)
+        found = [self.curve.damage_by_spectrum(each, self.reference) for each in every]
+        known = [each for each in found if each is not None]
+        if len(known) < len(every):
+            return None
+        return sum(known) * YEAR / sum(each.time for each in every)
 
 
 def fatigue_strengths(case: Case) -> tuple[FatigueStrength, ...]:

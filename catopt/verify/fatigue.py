@@ -54,12 +54,15 @@ class StateDamage(NamedTuple):
         In a year, with its share of it.
     at_half_step : float or None
         The damage by the runs at half the step; None where there are none.
+    by_spectrum : float or None
+        The damage by dual narrow band; None without waves.
     """
 
     damage: float
     mean: float
     cycles: float
     at_half_step: float | None
+    by_spectrum: float | None = None
 
 
 @dataclass(frozen=True)
@@ -190,6 +193,7 @@ class FatigueReport:
                 a.cycles[bar] for r in part.runs for a in r.again if a.way == "step" and a.cycles
             ]
             finer = state.share * strength.damage(again) if len(again) == len(cycles) else None
+            quick = strength.damage_by_spectrum(cycles)
             time = sum(each.time for each in cycles)
             count = sum(float(each.counts.sum()) for each in cycles)
             found.append(
@@ -198,6 +202,7 @@ class FatigueReport:
                     sum(each.mean * each.time for each in cycles) / time,
                     state.share * count * YEAR / time,
                     finer,
+                    None if quick is None else state.share * quick,
                 )
             )
         return tuple(found)
@@ -304,6 +309,7 @@ def verify_fatigue(
                 proof=proof,
                 workers=workers,
                 counts_cycles=True,
+                compares_at_rest=False,
                 progress=_share(progress, done, len(seas)),
             )
         )

@@ -69,6 +69,7 @@ def _segment(each: SegmentFatigue) -> dict[str, Any]:
                 "mean_tension_N": state.mean,
                 "cycles_per_year": state.cycles,
                 "damage_per_year_at_half_step": state.at_half_step,
+                "damage_per_year_by_spectrum": state.by_spectrum,
             }
             for state in each.states
         ],

@@ -1,0 +1,78 @@
+"""Dual narrow band beside rainflow counting of simulated tensions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from catopt.checks.fatigue import CURVES, Cycles, FatigueStrength, count_cycles
+from catopt.checks.spectral_fatigue import Band, bands, range_moment
+
+STEP, COUNT = 0.5, 2**17
+FAST = 0.1
+
+
+def drawn(parts: Sequence[tuple[float, float]], seed: int) -> np.ndarray:
+    """Draw a normally distributed series of bands: their variance and rate, 1/s."""
+    rng = np.random.default_rng(seed)
+    frequency = np.fft.rfftfreq(COUNT, STEP)
+    power = np.zeros(frequency.size)
+    for variance, rate in parts:
+        bell = np.exp(-0.5 * ((frequency - rate) / (0.1 * rate)) ** 2)
+        power += variance * bell / bell.sum()
+    white = rng.normal(size=frequency.size) + 1j * rng.normal(size=frequency.size)
+    return np.asarray(np.fft.irfft(white * np.sqrt(power), COUNT)) * 0.5 * COUNT
+
+
+def parted(values: np.ndarray, gap: float) -> tuple[float, tuple[Band, Band]]:
+    time = (values.size - 1) * STEP
+    return time, bands(values, time, 2.0 * math.pi * FAST / math.sqrt(gap))
+
+
+@pytest.mark.parametrize("slow", [0.2, 0.35, 0.5, 0.65, 0.8])
+@pytest.mark.parametrize("gap", [5.0, 15.0])
+def test_ten_spectra_of_two_bands(slow: float, gap: float) -> None:
+    """Within 15 % of rainflow; the two bands added up fall short, up to a third is left."""
+    pytest.importorskip("rainflow")
+    values = drawn(((slow, FAST / gap), (1.0 - slow, FAST)), seed=3)
+    time, (low, high) = parted(values, gap)
+    assert low.rate == pytest.approx(FAST / gap, rel=0.05)
+    assert high.rate == pytest.approx(FAST, rel=0.05)
+    counted = count_cycles(values, time)
+    for slope in (3.0, 4.8):
+        found = float(counted.counts @ counted.ranges**slope) / time
+        assert range_moment(low, high, slope) == pytest.approx(found, rel=0.15)
+        none = Band(0.0, 0.0)
+        added = range_moment(low, none, slope) + range_moment(none, high, slope)
+        assert 0.25 * found < added < 0.97 * found
+
+
+def test_one_band_is_rayleighs_ranges() -> None:
+    """Drawn from Rayleigh's distribution by another way: numpy's."""
+    ranges = 2.0 * np.random.default_rng(1).rayleigh(3.0, 2_000_000)
+    found = range_moment(Band(9.0, 0.2), Band(0.0, 0.0), 3.0)
+    assert found == pytest.approx(0.2 * float((ranges**3).mean()), rel=0.01)
+
+
+def test_the_variance_of_the_bands_is_that_of_the_series() -> None:
+    values = drawn(((2.0, 0.01), (1.0, FAST)), seed=7) + 40.0
+    _, (low, high) = parted(values, 10.0)
+    assert low.variance + high.variance == pytest.approx(values.var(), rel=1e-9)
+    assert low.variance > high.variance
+
+
+@pytest.mark.parametrize("name", ["E301 studless", "API six-strand"])
+def test_the_damage_of_a_year_is_in_proportion(name: str) -> None:
+    """The curve's factor, its fall with the mean and its reference are those of the counted one."""
+    pytest.importorskip("rainflow")
+    values = 2e5 * drawn(((1.0, FAST),), seed=2) + 1.5e6
+    time, _ = parted(values, 10.0)
+    counted = count_cycles(values, time, 2.0 * math.pi * 0.03)
+    strength = FatigueStrength(CURVES[name], 9e-3 if name.startswith("E301") else 6e6, 0.076)
+    quick = strength.damage_by_spectrum([counted, counted])
+    assert quick == pytest.approx(strength.damage([counted, counted]), rel=0.1)
+    alone = Cycles(counted.ranges, counted.counts, counted.mean, counted.time)
+    assert strength.damage_by_spectrum([counted, alone]) is None
