@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -26,11 +26,12 @@ from catopt.words import Cited, Message
 if TYPE_CHECKING:
     from catopt.study.plan import Plan
     from catopt.study.quantities import Kept
-    from catopt.study.result import Statistic, StudyResult
+    from catopt.study.result import ByChoice, Statistic, StudyResult
     from catopt.study.store import Computed
     from catopt.study.study import Study
 
 _SHARE = Quantity("share", "Share", "", "-", "-", 1.0, 4, "significant")
+_INDEX = Quantity("index", "Reliability index", "", "-", "-", 1.0, 3)
 _HOURS = Quantity("hours", "Hours", "", "s", "h", 3600.0, 2)
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 3, "significant")
 _DISK = Quantity("disk", "Disk", "", "byte", "MB", 1e6, 3, "significant")
@@ -53,6 +54,9 @@ def _blocks(result: StudyResult) -> Iterator[Block]:
         yield _statistics(result)
         if any(each.limit is not None for each in result.statistics):
             yield _limits(result)
+            if result.by_choice:
+                yield _by_choice(result)
+            yield from _first_orders(result)
         yield _worst(result)
     unknown = result.study.limits.keys() - {each.kept.name for each in result.statistics}
     if unknown:
@@ -66,7 +70,17 @@ def _blocks(result: StudyResult) -> Iterator[Block]:
             yield _counts(name, counted)
     if result.reasons:
         yield _failures(result)
+    yield from _reach(result)
+
+
+def _reach(result: StudyResult) -> Iterator[Block]:
+    """Say what the numbers do not cover."""
     base = result.study.base
+    if base.compute == "linear":
+        slack = dict(result.counted().get("taut", [])).get("no", 0)
+        if slack:
+            yield Warnings((Message("study.may_go_slack", count=slack),))
+        yield Text(Message("study.linear_note"), is_small=True)
     if base.compute == "motion" and base.proof == "none":
         yield Verdict(Message("study.once"), passes=False)
 
@@ -74,7 +88,9 @@ def _blocks(result: StudyResult) -> Iterator[Block]:
 _FEW = 40
 """Members that are shown one by one."""
 
-_TOLD = ("title", "line", "holding_mass", "fairlead_tension", "utilisation")
+_TOLD = (
+    "title", "line", "holding_mass", "fairlead_tension", "fairlead_probable", "utilisation"
+)  # fmt: skip
 """What is shown of each of few members where there is little room, the first before the others."""
 
 
@@ -151,9 +167,94 @@ def _limits(result: StudyResult) -> Table:
             _of_rows("limit", (each.limit for each in found), found),
             Column(Message("study.share_beyond"), shares, _SHARE),
             Column(Message("study.hours_beyond"), hours, _HOURS),
+            *_intervals(found),
+            *_first_beyond(result, found),
         ),
         Message("study.limits"),
     )
+
+
+def _first_beyond(result: StudyResult, found: Sequence[Statistic]) -> Iterator[Column]:
+    """Yield the first member beyond each limit, such as the first year in which a check fails."""
+    study = result.study
+    members = [each.first_beyond for each in found]
+    if study.distributions or all(each is None for each in members):
+        return
+    said = (
+        "" if each is None else ", ".join(
+            study.written(key, value) for key, value in study.told_of(each).items()
+        )
+        for each in members
+    )  # fmt: skip
+    yield Column(Message("study.first_beyond"), _cells(said))
+
+
+def _intervals(found: Sequence[Statistic | ByChoice]) -> Iterator[Column]:
+    """Yield both ends of the intervals of the shares, where they are probabilities."""
+    for end, name in enumerate(("probable_from", "probable_to")):
+        cells = tuple(None if each.interval is None else each.interval[end] for each in found)
+        if any(each is not None for each in cells):
+            yield Column(Message(f"study.{name}"), cells, _SHARE)
+
+
+def _by_choice(result: StudyResult) -> Table:
+    """Tabulate how often the limits are passed by each choice of what is not drawn."""
+    found, study = result.by_choice, result.study
+    keys = [key for axis in study.axes if not axis.is_drawn for key in axis.columns]
+    values = [study.values_of(each.member) for each in found]
+    return Table(
+        "study_by_choice",
+        (
+            Column(Message("study.quantity"), tuple(each.kept.words for each in found)),
+            *(
+                Column(Cited(key), _cells(study.written(key, each[key]) for each in values))
+                for key in keys
+            ),
+            Column(Message("study.share_beyond"), tuple(each.share for each in found), _SHARE),
+            *_intervals(found),
+        ),
+        Message("study.by_choice"),
+        only="all" if len(found) <= _FEW else "files",
+    )
+
+
+def _first_orders(result: StudyResult) -> Iterator[Block]:
+    """Yield reliability by the first order, and where each limit is most likely passed."""
+    kept = {each.kept.name: each.kept for each in result.statistics}
+    found = [(kept[name], each) for name, each in result.first_orders.items() if each is not None]
+    if found:
+        yield Table(
+            "study_first_order",
+            (
+                Column(Message("study.quantity"), tuple(of.words for of, _ in found)),
+                Column(Message("study.index"), tuple(each.index for _, each in found), _INDEX),
+                Column(
+                    Message("study.probability"), tuple(e.probability for _, e in found), _SHARE
+                ),
+            ),
+            Message("study.first_order"),
+        )
+        rows = [(of, each, key) for of, each in found for key in each.point]
+        yield Table(
+            "study_failure_point",
+            (
+                Column(Message("study.quantity"), tuple(of.words for of, _, _ in rows)),
+                texts_of_keys([(key,) for _, _, key in rows]),
+                Column(
+                    Message("study.value"),
+                    _cells(result.study.written(key, each.point[key]) for _, each, key in rows),
+                ),
+                Column(
+                    Message("study.importance"),
+                    tuple(each.importance[key] for _, each, key in rows),
+                    _SHARE,
+                ),
+            ),
+            Message("study.failure_point"),
+        )
+    missing = [str(kept[name].name) for name, each in result.first_orders.items() if each is None]
+    if missing:
+        yield Warnings((Message("study.no_first_order", names=", ".join(missing)),))
 
 
 def _worst(result: StudyResult) -> Table:

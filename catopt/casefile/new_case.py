@@ -11,10 +11,14 @@ from catopt.units import as_written
 
 
 class Template(NamedTuple):
-    """What a template is of, and the command that takes its file: ``solve`` for most."""
+    """What a template is of, and the command that takes its file: ``solve`` for most.
+
+    `needs`: another template whose file it names.
+    """
 
     about: str
     command: str = "solve"
+    needs: str = ""
 
 
 TEMPLATES: Mapping[str, Template] = MappingProxyType(
@@ -25,6 +29,7 @@ TEMPLATES: Mapping[str, Template] = MappingProxyType(
         "system": Template("body moored by six lines", "system"),
         "design": Template("search for the chain, length and sinker of a buoy", "design"),
         "motion": Template("line in waves, current and motion", "verify --dynamic"),
+        "study": Template("a case again and again, with what varies in it", "study", "buoy"),
         "size-buoy": Template("buoy in its weather, in place of options", "size buoy"),
         "size-tanker": Template("tanker in its weather, in place of options", "size tanker"),
     }

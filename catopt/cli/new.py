@@ -21,7 +21,8 @@ def new(
         typer.Argument(
             metavar="NAME",
             autocompletion=completed(templates),
-            help="Template: buoy, tanker, leg, system, design, motion, size-buoy or size-tanker.",
+            help="Template: buoy, tanker, leg, system, design, motion, study, size-buoy or "
+            "size-tanker.",
         ),
     ],
     path: Annotated[
@@ -36,18 +37,25 @@ def new(
     """Write a commented file to start from.
 
     buoy has every key of a case file with a comment; tanker, leg, system, design and motion are
-    shorter; size-buoy and size-tanker are for catopt size. Each works as it stands. A file that is
-    already there is never overwritten.
+    shorter; study is for catopt study, and comes with the buoy that it varies; size-buoy and
+    size-tanker are for catopt size. Each works as it stands. A file that is already there is never
+    overwritten.
     """
-    from catopt.casefile.new_case import template
+    from catopt.casefile.new_case import TEMPLATES, template
 
     output: Output = context.obj
     place = path or Path(f"{name}.toml")
     _create(place, template(name))
+    written, needs = [place], TEMPLATES[name].needs
+    other = place.with_name(f"{needs}.toml")
+    if needs and not other.exists():
+        _create(other, template(needs))
+        written.append(other)
     if as_json:
         output.json({"schema": "catopt.new/1", "template": name, "path": str(place)})
     else:
-        output.text(f"{place} written; try it with: catopt {_command(name, place)}")
+        files = " and ".join(map(str, written))
+        output.text(f"{files} written; try it with: catopt {_command(name, place)}")
 
 
 def _command(name: str, place: Path) -> str:

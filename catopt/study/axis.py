@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from catopt.study.distribution import Distribution
 
 Array = npt.NDArray[np.float64]
 
@@ -23,16 +26,28 @@ class Axis:
         they are.
     weights : array or None
         What each of them counts; None where all count the same.
-    is_drawn : bool
-        Whether they were drawn at random.
+    distributions : mapping of str to Distribution
+        By key path, what they were drawn from; empty where they were not.
     """
 
     columns: Mapping[str, Sequence[Any] | Array]
     weights: Array | None = None
-    is_drawn: bool = False
+    distributions: Mapping[str, Distribution] = field(default_factory=dict)
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether they were drawn at random."""
+        return bool(self.distributions)
 
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))
+
+    @property
+    def name(self) -> str:
+        """What its dimension is called: its key, or rows and draws of several."""
+        if len(self.columns) == 1:
+            return next(iter(self.columns))
+        return "draw" if self.is_drawn else "row: " + ", ".join(self.columns)
 
     @property
     def shares(self) -> Array:

@@ -8,7 +8,7 @@ from typing import Any, Literal
 from catopt.casefile.sizing_file import Moored
 from catopt.study.quantities import KEPT, Kept
 
-Computed = Literal["statics", "checks", "motion", "sizing"]
+Computed = Literal["statics", "checks", "motion", "linear", "sizing"]
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Base:
         Of the case file, or of the file for ``catopt size``, as the TOML reader returns it.
     source, folder : str
         Its name, for messages, and where paths in it count from.
-    compute : {"statics", "checks", "motion", "sizing"}
+    compute : {"statics", "checks", "motion", "linear", "sizing"}
         What is computed.
     moored : {"buoy", "tanker"} or None
         Of what the file is for ``catopt size``; None for a case file.

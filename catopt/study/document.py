@@ -26,6 +26,17 @@ def study_document(result: StudyResult) -> dict[str, Any]:
         ],
         "digest": study.digest,
         "statistics": [_statistic(each, result) for each in result.statistics],
+        "by_choice": [
+            {
+                "name": each.kept.name,
+                "member": each.member + 1,
+                "beyond": each.beyond,
+                "count": each.count,
+                "share": each.share,
+                "interval": list(each.interval),
+            }
+            for each in result.by_choice
+        ],
         "influences": [
             {
                 "keys": list(each.keys),
@@ -49,6 +60,7 @@ def study_document(result: StudyResult) -> dict[str, Any]:
 
 def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
     study = result.study
+    order = result.first_orders.get(each.kept.name)
     return {
         "name": each.kept.name,
         "unit": each.kept.measure.si_unit,
@@ -69,4 +81,16 @@ def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
         },
         "limit": each.limit,
         "share_beyond": each.beyond,
+        "first_beyond": None if each.first_beyond is None else each.first_beyond + 1,
+        "interval_beyond": None if each.interval is None else list(each.interval),
+        "first_order": None
+        if order is None
+        else {
+            "index": order.index,
+            "probability": order.probability,
+            "point": [
+                {"key": key, "value": value, "importance": order.importance[key]}
+                for key, value in order.point.items()
+            ],
+        },
     }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -22,6 +22,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
+from catopt.study.distribution import Distribution
 from catopt.study.keys import kind_of_key
 from catopt.study.member import read_member
 from catopt.study.schema import StudyTable, VaryTable
@@ -201,31 +202,6 @@ def _of_table(each: VaryTable, base: Base, folder: Path) -> Axis:
     return read_table(base, folder / each.table, each.columns or {}, each.weight)
 
 
-_EULER = 0.5772156649015329
-
-
-def _normal(rng: np.random.Generator, mean: float, deviation: float, n: int) -> Array:
-    return rng.normal(mean, deviation, n)
-
-
-def _lognormal(rng: np.random.Generator, mean: float, deviation: float, n: int) -> Array:
-    width = np.sqrt(np.log1p((deviation / mean) ** 2))
-    return rng.lognormal(np.log(mean) - width**2 / 2.0, width, n)
-
-
-def _gumbel(rng: np.random.Generator, mean: float, deviation: float, n: int) -> Array:
-    scale = deviation * np.sqrt(6.0) / np.pi
-    return rng.gumbel(mean - _EULER * scale, scale, n)
-
-
-_DRAWS: dict[str, Callable[[np.random.Generator, float, float, int], Array]] = {
-    "normal": _normal,
-    "lognormal": _lognormal,
-    "gumbel": _gumbel,
-}
-"""How values are drawn by mean and standard deviation of the value itself."""
-
-
 def _drawn(
     table: StudyTable, base: Base, drawn: list[tuple[str, VaryTable]], problems: list[Problem]
 ) -> Iterator[Axis]:
@@ -235,21 +211,25 @@ def _drawn(
         return
     rng = np.random.default_rng(table.seed or 0)
     columns: dict[str, Array] = {}
+    distributions: dict[str, Distribution] = {}
     for place, each in drawn:
         with _gathered(problems, place):
             assert each.key is not None
-            if each.distribution == "uniform":
-                low, high = (_number(base, each, name) for name in ("min", "max"))
-                columns[each.key] = rng.uniform(low, high, table.samples)
-                continue
-            mean = _number(base, each, "mean")
-            deviation = _number(base, each, "deviation", spread=True)
-            if each.distribution == "lognormal" and not mean > 0.0:
-                raise InputError([Problem("mean", f"{each.mean}", "must be above 0")])
-            draw = _DRAWS[each.distribution or ""]
-            columns[each.key] = draw(rng, mean, deviation, table.samples)
+            distributions[each.key] = _distribution(each, base)
+            columns[each.key] = distributions[each.key].draw(rng, table.samples)
     if columns:
-        yield Axis(columns, is_drawn=True)
+        yield Axis(columns, distributions=distributions)
+
+
+def _distribution(each: VaryTable, base: Base) -> Distribution:
+    if each.distribution == "uniform":
+        low, high = (_number(base, each, name) for name in ("min", "max"))
+        return Distribution("uniform", low, high)
+    mean = _number(base, each, "mean")
+    deviation = _number(base, each, "deviation", spread=True)
+    if each.distribution == "lognormal" and not mean > 0.0:
+        raise InputError([Problem("mean", f"{each.mean}", "must be above 0")])
+    return Distribution(each.distribution, mean, deviation)  # type: ignore[arg-type]
 
 
 def _limits(table: StudyTable, base: Base, problems: list[Problem]) -> dict[str, float]:

@@ -54,7 +54,11 @@ def compute_member(
         return _of_sizing(found)
     if base.compute == "motion":
         return _in_motion(base, read)
-    return _of_checks(check_case(read))
+    if base.compute == "linear":
+        return _linear(read)
+    report = check_case(read)
+    failing = sum(not each.passes for each in report.results)
+    return {**_of_checks(report), "failing": float(failing)}
 
 
 def reason_of(error: CatoptError) -> str:
@@ -78,7 +82,7 @@ def _in_motion(base: Base, case: Case) -> Values:
     from catopt.notes.motion import checks_in_motion
     from catopt.verify.dynamic import verify_dynamic
 
-    found = verify_dynamic(case, proof=base.proof, workers=1)
+    found = verify_dynamic(case, proof=base.proof, workers=1, compares_at_rest=False)
     if not found.is_complete:
         raise KeyboardInterrupt
     parts = found.parts
@@ -100,6 +104,23 @@ def _in_motion(base: Base, case: Case) -> Values:
         used = [each.utilisation for each in checks_in_motion(found).results]
         values["utilisation"] = max(each for each in used if each is not None)
     return values
+
+
+def _linear(case: Case) -> Values:
+    from catopt.verify.linear import linear_lines
+
+    lines = linear_lines(case)
+    assert case.dynamics is not None
+    storm = case.dynamics.duration_of_interest
+    worst = largest(lines, lambda line: line.most_probable(storm))
+    return {
+        "fairlead_probable": worst.most_probable(storm),
+        "fairlead_mean": worst.mean,
+        "fairlead_deviation": worst.deviation,
+        "zero_crossing_period": worst.period,
+        "reserve": min(line.reserve for line in lines),
+        "taut": "yes" if all(line.holds for line in lines) else "no",
+    }
 
 
 def _of_sizing(found: Sizing) -> Values:

@@ -60,7 +60,7 @@ OF_SYSTEM: Final = (*_ENDS, Kept("offset", "offset"))
 """At rest, of a line or over all lines of a body: the largest tensions and uplift of any line, the
 least grounded length."""
 
-OF_CHECKS: Final = (_USED, _GOVERNING)
+OF_CHECKS: Final = (_USED, Kept("failing", "failing"), _GOVERNING)
 
 OF_MOTION: Final = (
     Kept("fairlead_tension", "tension"),
@@ -75,6 +75,17 @@ OF_MOTION: Final = (
 )
 """In motion, over the whole run and all lines: `change` is the largest part by which a maximum
 hangs on the step, as far as that was looked for."""
+
+OF_LINEAR: Final = (
+    Kept("fairlead_probable", "tension"),
+    Kept("fairlead_mean", "tension"),
+    Kept("fairlead_deviation", "tension"),
+    Kept("zero_crossing_period", "zero_crossing_period"),
+    Kept("reserve", "reserve", high_is_worse=False),
+    Kept("taut"),
+)
+"""By linear motion, at the fairlead with the largest `fairlead_probable`; `reserve` is the least of
+any line."""
 
 OF_SIZING: Final = (
     Kept("line"),
@@ -93,6 +104,7 @@ KEPT: Final[Mapping[str, tuple[Kept, ...]]] = MappingProxyType(
         "system": OF_SYSTEM,
         "checks": OF_CHECKS,
         "motion": OF_MOTION,
+        "linear": OF_LINEAR,
         "sizing": OF_SIZING,
     }
 )

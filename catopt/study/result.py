@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 import numpy.typing as npt
@@ -15,8 +16,12 @@ from catopt.errors import InputError, Problem
 from catopt.shown import Shown
 from catopt.study.axis import Array
 from catopt.study.quantities import Kept
+from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store
 from catopt.study.study import Study
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 LEVELS: Final = (0.05, 0.5, 0.95, 0.99)
 """Shares of the members below which a value is that is given."""
@@ -48,6 +53,10 @@ class Statistic:
         Member at its bad end, from 0.
     limit, beyond : float or None
         A limit, and the share of the members beyond it.
+    interval : tuple of float or None
+        Of the probability to be beyond it, where nothing but draws varies.
+    first_beyond : int or None
+        The first member beyond it, from 0; None where none is.
     """
 
     kept: Kept
@@ -60,6 +69,38 @@ class Statistic:
     worst: int
     limit: float | None = None
     beyond: float | None = None
+    interval: tuple[float, float] | None = None
+    first_beyond: int | None = None
+
+
+@dataclass(frozen=True)
+class ByChoice:
+    """How often a limit is passed by the draws of one choice of what is not drawn.
+
+    Attributes
+    ----------
+    kept : Kept
+        Which quantity.
+    member : int
+        The first of its members, from 0.
+    beyond, count : int
+        Draws beyond the limit, of how many with an answer.
+    """
+
+    kept: Kept
+    member: int
+    beyond: int
+    count: int
+
+    @property
+    def share(self) -> float:
+        """Of the draws."""
+        return self.beyond / self.count
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Of the probability."""
+        return counted_interval(self.beyond, self.count)
 
 
 @dataclass(frozen=True)
@@ -162,10 +203,14 @@ class StudyResult(Shown):
         levels = values[order][np.minimum(places, values.size - 1)]
         worst = np.argmax(values) if kept.high_is_worse else np.argmin(values)
         limit = self.study.limits.get(kept.name)
-        beyond = None
+        beyond = interval = first_beyond = None
         if limit is not None:
             is_beyond = values > limit if kept.high_is_worse else values < limit
             beyond = float(shares[is_beyond].sum())
+            if is_beyond.any():
+                first_beyond = int(there[np.argmax(is_beyond)])
+            if self.study.distributions:
+                interval = counted_interval(int(is_beyond.sum()), int(there.size))
         return Statistic(
             kept,
             int(there.size),
@@ -177,7 +222,75 @@ class StudyResult(Shown):
             int(there[worst]),
             limit,
             beyond,
+            interval,
+            first_beyond,
         )
+
+    def to_xarray(self) -> Dataset:
+        """Return what is kept of the members as a dataset with a dimension for all that varies.
+
+        Numbers are in SI, with their unit among the attributes; nan where there is no answer. Needs
+        the package xarray: ``pip install "catopt[tables]"``.
+        """
+        import xarray
+
+        study = self.study
+        names = [axis.name for axis in study.axes]
+        sizes = [len(axis) for axis in study.axes]
+        kept = {
+            each.name: (
+                names,
+                self.store.column(at).reshape(sizes),
+                {"units": each.measure.si_unit},
+            )
+            for at, each in enumerate(self.measured)
+        }
+        along = {
+            key: (axis.name, np.asarray(values))
+            for axis in study.axes
+            for key, values in axis.columns.items()
+        }
+        return xarray.Dataset(kept, along, {"title": study.title})
+
+    @cached_property
+    def by_choice(self) -> tuple[ByChoice, ...]:
+        """How often each limit is passed by the draws of each choice of what is not drawn."""
+        drawn = math.prod(len(axis) for axis in self.study.axes if axis.is_drawn)
+        choices = len(self.study) // drawn
+        if not any(axis.is_drawn for axis in self.study.axes) or choices == 1:
+            return ()
+        found = []
+        names = [each.name for each in self.measured]
+        for each in self.statistics:
+            if each.limit is None:
+                continue
+            # Draws vary fastest: they are the last axis.
+            values = self.store.column(names.index(each.kept.name)).reshape(choices, drawn)
+            for choice, row in enumerate(values):
+                known = row[np.isfinite(row)]
+                if known.size:
+                    is_beyond = (
+                        known > each.limit if each.kept.high_is_worse else known < each.limit
+                    )
+                    found.append(
+                        ByChoice(each.kept, choice * drawn, int(is_beyond.sum()), known.size)
+                    )
+        return tuple(found)
+
+    @cached_property
+    def first_orders(self) -> dict[str, FirstOrder | None]:
+        """Reliability by the first order for each limit, by quantity; None where none is found.
+
+        Empty where anything but draws varies, and of runs in time and sizings, which take too long.
+        """
+        study = self.study
+        if not study.distributions or study.base.compute in ("motion", "sizing"):
+            return {}
+        return {
+            each.kept.name: first_order(study, each.kept, each.limit)
+            for each in self.statistics
+            if each.limit is not None
+        }
 
     @cached_property
     def influences(self) -> tuple[Influence, ...]:

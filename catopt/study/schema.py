@@ -13,7 +13,7 @@ from catopt.casefile.schema import MOST_LISTED, Name, Seed, Table
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
 
-COMPUTED: Final = ("statics", "checks", "motion", "sizing")
+COMPUTED: Final = ("statics", "checks", "motion", "linear", "sizing")
 """What a study may compute of each of its members."""
 
 PROOFS: Final = ("step", "none")

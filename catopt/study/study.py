@@ -16,12 +16,14 @@ import numpy as np
 
 from catopt._version import __version__
 from catopt.casefile.fields import Measured
+from catopt.constants import YEAR
 from catopt.quantities import Quantity
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
+from catopt.study.distribution import Distribution
 from catopt.study.keys import kind_of_key
 
-PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "sizing": 4})
+PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "linear": 50, "sizing": 4})
 """Members that are computed, and stored, together: some seconds of work."""
 
 
@@ -78,6 +80,17 @@ class Study:
         """Key paths that vary."""
         return tuple(key for axis in self.axes for key in axis.columns)
 
+    @property
+    def distributions(self) -> Mapping[str, Distribution]:
+        """What keys were drawn from, by key path; empty where anything else varies, too."""
+        found: Mapping[str, Distribution] = {}
+        for axis in self.axes:
+            if axis.is_drawn:
+                found = axis.distributions
+            elif len(axis) > 1:
+                return {}
+        return found
+
     def values(self, first: int, end: int) -> dict[str, Sequence[Any] | Array]:
         """Return the values of a range of members by key path."""
         found: dict[str, Sequence[Any] | Array] = {}
@@ -103,8 +116,10 @@ class Study:
         return Quantity(key, key, "", unit, unit, 1.0, 6, "significant")
 
     def written(self, key: str, value: Any) -> str:
-        """Write a value of a key with its unit in SI."""
+        """Write a value of a key with its unit in SI; years of what lasts as long."""
         quantity = self.quantity_of(key)
+        if quantity is not None and quantity.si_unit == "s" and value >= YEAR:
+            return f"{value / YEAR:.6g} years"
         return str(value) if quantity is None else quantity.format(value, unit=True)
 
     def places(self, first: int, end: int) -> list[np.ndarray[Any, np.dtype[np.int64]]]:

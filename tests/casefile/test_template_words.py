@@ -15,9 +15,13 @@ from catopt.casefile.schema import CaseTable, Table, entries
 from catopt.casefile.sizing_file import Moored
 from catopt.sizing.file import read_file
 from catopt.sizing.schema import schema_of
+from catopt.study.schema import StudyTable
 
 SIZED: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}
-TOPS: dict[str, type[Table]] = {name: schema_of(moored) for name, moored in SIZED.items()}
+TOPS: dict[str, type[Table]] = {
+    "study": StudyTable,
+    **{name: schema_of(moored) for name, moored in SIZED.items()},
+}
 """What the templates that are no cases are for, and their schema."""
 
 Keys = dict[str, list[str]]

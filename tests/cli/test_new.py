@@ -24,7 +24,8 @@ def test_what_it_says_to_type_next_works(
     assert (ran.status, ran.err) == (0, "")
     assert (tmp_path / f"{name}.toml").read_bytes() == template(name).encode("utf-8")
     said, _, command = ran.out.strip().partition("; try it with: catopt ")
-    assert said == f"{name}.toml written"
+    files = [name, TEMPLATES[name].needs] if TEMPLATES[name].needs else [name]
+    assert said == " and ".join(f"{each}.toml" for each in files) + " written"
     answer = run(*command.split())
     assert answer.status == 0
     # A sizing says, too, what would fail with an allowance for motion, by which nothing is checked.
@@ -40,6 +41,14 @@ def test_a_file_is_never_overwritten(run: Run, tmp_path: Path) -> None:
     assert (ran.status, ran.out) == (2, "")
     assert "is there already and is kept" in ran.err
     assert path.read_text("utf-8") == "my own work\n"
+
+
+def test_what_a_study_varies_is_kept_where_it_is_there(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "buoy.toml").write_text("my own work\n", encoding="utf-8")
+    ran = run("new", "study", tmp_path / "mine.toml")
+    assert ran.status == 0
+    assert "buoy.toml" not in ran.out
+    assert (tmp_path / "buoy.toml").read_text("utf-8") == "my own work\n"
 
 
 def test_a_place_that_cannot_be_written(run: Run, tmp_path: Path) -> None:

@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 
 import catopt
+from catopt.answers.blocks import Table, Warnings
+from catopt.answers.study import study_answer
 from catopt.checks.case import check_case
+from catopt.constants import YEAR
 from catopt.study.file import read_study
 from catopt.study.keys import with_changes
 from catopt.study.member import read_member
@@ -16,6 +19,7 @@ from catopt.study.result import StudyResult
 from catopt.study.run import run_into, run_study
 from catopt.study.statics import one_at_rest
 from catopt.study.store import Store
+from catopt.verify.linear import linear_lines
 
 CASES = Path(__file__).parents[2] / "cases"
 EXACT = 1e-9
@@ -104,6 +108,56 @@ def test_checks_of_each_member(tmp_path: Path) -> None:
         assert found.store.words([member]) == [(str(governing.in_case),)]
 
 
+WEARING = """
+[site]
+water_depth = "20 m"
+
+[line]
+
+[[line.segments]]
+component = "chain studless R3"
+diameter = "76 mm"
+length = "300 m"
+
+[load]
+horizontal_force = "1500 kN"
+
+[service]
+life = "20 years"
+wear_rate = "0.8 mm/year"
+
+[checks]
+safety_factor = 2.0
+"""
+
+
+def _member(found: StudyResult, member: int) -> catopt.Case:
+    case = read_member(found.study.base, found.study.values_of(member))
+    assert isinstance(case, catopt.Case)
+    return case
+
+
+def test_the_year_in_which_a_check_first_fails(tmp_path: Path) -> None:
+    """The first member beyond a limit: the chain wears until a check fails."""
+    (tmp_path / "case.toml").write_text(WEARING)
+    text = 'case = "case.toml"\ncompute = "checks"\nlimits = { failing = 0 }\n'
+    text += '[[vary]]\nkey = "service.life"\nmin = "0 years"\nmax = "40 years"\ncount = 41\n'
+    found = run(tmp_path, text)
+    failing = found.values("failing")
+    first = found.statistics[1].first_beyond
+    assert first is not None
+    assert failing[first - 1] == 0.0 < failing[first]
+    assert not check_case(_member(found, first)).passes
+    assert check_case(_member(found, first - 1)).passes
+    assert found.study.values_of(first)["service.life"] == pytest.approx(first * YEAR)
+    (table,) = (
+        block
+        for block in study_answer(found).sections[0].blocks
+        if isinstance(block, Table) and block.name == "study_limits"
+    )
+    assert str(table.columns[-1].values[0]) == f"{first} years"
+
+
 def test_sizings_of_a_fleet() -> None:
     found = run_study(CASES / "study-fleet/study.toml", workers=1)
     for member, (buoy, depth, low, current, hs) in enumerate(
@@ -136,6 +190,35 @@ def test_motion_is_that_of_verify_dynamic(tmp_path: Path) -> None:
     assert found.values("grounded_length")[5] == alone.of("grounded_length").minimum
     here = run_study(CASES / "study-chain-56m/study.toml", workers=1)
     assert np.array_equal(found.values("anchor_tension"), here.values("anchor_tension"))
+
+
+def test_linear_motion_is_that_of_the_case(tmp_path: Path) -> None:
+    """By member; those that may go slack are said to, and in the answer, too."""
+    text = head("dynamic-chain-56m/case.toml", "linear")
+    text += '[[vary]]\nkey = "waves.height"\nvalues = ["1 m", "3 m", "7 m"]\n'
+    found = run(tmp_path, text)
+    for member in range(3):
+        case = read_member(found.study.base, found.study.values_of(member))
+        assert isinstance(case, catopt.Case)
+        (line,) = linear_lines(case)
+        assert found.values("fairlead_deviation")[member] == line.deviation
+        assert found.values("fairlead_probable")[member] == line.most_probable(3 * 3600.0)
+    assert found.store.words([0, 1, 2]) == [("yes",), ("yes",), ("no",)]
+    blocks = study_answer(found).sections[0].blocks
+    said = [str(each) for block in blocks if isinstance(block, Warnings) for each in block.said]
+    assert said[0].startswith("Of the members, 1 may go slack")
+
+
+@pytest.mark.slow
+def test_a_thousand_hours_on_nine_lines_are_those_of_the_single_solver(tmp_path: Path) -> None:
+    rng = np.random.default_rng(40)
+    force, heading = 3000.0 * rng.weibull(2.0, 1000), rng.uniform(0.0, 2.0 * np.pi, 1000)
+    table = np.column_stack([force * np.cos(heading), force * np.sin(heading)])
+    heads = "system.force[0] (kN),system.force[1] (kN)"
+    np.savetxt(tmp_path / "hours.csv", table, "%.3f", ",", header=heads, comments="")
+    text = head("fso-rang-dong/case.toml", "statics") + '[[vary]]\ntable = "hours.csv"\n'
+    found = run(tmp_path, text)
+    check_against_single(found, [k for k in range(1000) if k not in found.reasons])
 
 
 def test_what_is_there_is_not_computed_again(

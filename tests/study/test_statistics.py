@@ -10,11 +10,16 @@ import pytest
 from catopt.figures.study import exceedance
 from catopt.study.axis import Axis
 from catopt.study.base import Base
+from catopt.study.distribution import Distribution
 from catopt.study.result import StudyResult
 from catopt.study.store import Computed, Store
 from catopt.study.study import Study
 
 DOCUMENT = {"site": {"water_depth": 9.5}, "line": {"segments": [{"length": 20.0}]}, "load": {}}
+DRAWN = {
+    "site.water_depth": Distribution("uniform", -1.0, 1.0),
+    "load.horizontal_force": Distribution("uniform", -1.0, 1.0),
+}
 BASE = Base(DOCUMENT, "case.toml", "", "statics")
 
 
@@ -55,6 +60,8 @@ def test_the_bad_end_of_a_grounded_length_is_the_least() -> None:
     assert by_name["grounded_length"].beyond == pytest.approx(0.3)  # 93, 92 and 91
     assert by_name["span"].beyond == pytest.approx(0.2)  # 8 and 9
     assert by_name["fairlead_tension"].limit is None
+    assert (by_name["grounded_length"].first_beyond, by_name["span"].first_beyond) == (7, 8)
+    assert by_name["fairlead_tension"].first_beyond is None
 
 
 def test_members_without_an_answer_are_left_out_and_told() -> None:
@@ -81,7 +88,7 @@ def test_influences_of_what_is_drawn() -> None:
     rng = np.random.default_rng(5)
     n = 20_000
     a, b = rng.uniform(-1.0, 1.0, (2, n))
-    axis = Axis({"site.water_depth": a, "load.horizontal_force": b}, is_drawn=True)
+    axis = Axis({"site.water_depth": a, "load.horizontal_force": b}, distributions=DRAWN)
     first, second = result([axis], a + 2.0 * b).influences
     assert first.share == pytest.approx(0.8, abs=0.01)
     assert second.share == pytest.approx(0.2, abs=0.01)
@@ -129,3 +136,21 @@ def test_of_what_is_bad_when_it_is_small_the_share_at_or_below() -> None:
     assert dict(zip(curve.x, curve.y, strict=True)) == pytest.approx(
         {100.0: 1.0, 99.0: 0.5, 98.0: 0.2, 97.0: 0.1}
     )
+
+
+@pytest.mark.slow
+def test_a_dataset_has_a_dimension_for_all_that_varies() -> None:
+    pytest.importorskip("xarray")
+    two, three = np.array([9.0, 9.5]), np.array([1.0, 2.0, 4.0])
+    axes = [Axis({"site.water_depth": two}), Axis({"load.horizontal_force": three})]
+    values = np.arange(6.0)
+    values[4] = np.nan
+    found = result(axes, values).to_xarray()
+    assert found.sizes == {"site.water_depth": 2, "load.horizontal_force": 3}
+    tension = found["fairlead_tension"]
+    assert tension.attrs["units"] == "N"
+    at = tension.sel({"site.water_depth": 9.5, "load.horizontal_force": 4.0})
+    assert float(at) == 5.0
+    assert int(tension.isnull().sum()) == 1
+    drawn = Axis({"site.water_depth": two, "load.horizontal_force": two}, distributions=DRAWN)
+    assert result([drawn], np.arange(2.0)).to_xarray()["span"].dims == ("draw",)

@@ -166,3 +166,22 @@ def test_the_digest_follows_what_decides_the_numbers(tmp_path: Path) -> None:
     assert same.digest != study(tmp_path, FORCE + "values = [3001.0]\n").digest
     other = HEAD.replace("buoy-9.5m", "buoy-9.5m-slack")
     assert same.digest != study(tmp_path, FORCE + "values = [3e3]\n", other).digest
+
+
+def test_a_parquet_file_is_the_same_table(tmp_path: Path) -> None:
+    pd = pytest.importorskip("pandas")
+    pytest.importorskip("pyarrow")
+    rows = pd.DataFrame({"load.horizontal_force (kN)": [3.0, 4.5], "hours": [10, 20]})
+    rows.to_csv(tmp_path / "t.csv", index=False)
+    rows.to_parquet(tmp_path / "t.parquet")
+    read = []
+    for name in ("t.csv", "t.parquet"):
+        text = f'[[vary]]\ntable = "{name}"\nweight = "hours"\n'
+        (axis,) = study(tmp_path, text).axes
+        assert axis.weights is not None
+        read.append((axis.columns["load.horizontal_force"], axis.weights))
+    assert np.array_equal(read[0][0], read[1][0])
+    assert np.array_equal(read[0][1], read[1][1])
+    (tmp_path / "bad.parquet").write_bytes(b"no table")
+    with pytest.raises(InputError, match="it is no table"):
+        study(tmp_path, '[[vary]]\ntable = "bad.parquet"\n')
