@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -55,6 +56,12 @@ def study(
             help="Of a study of sizings: write the calculation note of each, to DIR/notes.",
         ),
     ] = False,
+    parquet: Annotated[
+        bool,
+        typer.Option(
+            "--parquet", help="Write the table of members as Parquet, too: DIR/members.parquet."
+        ),
+    ] = False,
     lang: LangOption = ReportLanguage.ENGLISH,
     as_json: JsonOption = False,
     out: Annotated[
@@ -80,8 +87,13 @@ def study(
     asked = Asked(context.obj, lang, as_json, None)
     output = asked.output
     _check_options(
-        plan=plan, status=status, notes=notes, workers=workers, scheduler=scheduler, out=out
-    )
+        {"--status": status, "--notes": notes, "--parquet": parquet},
+        plan=plan, workers=workers, scheduler=scheduler, out=out,
+    )  # fmt: skip
+    if parquet:
+        from catopt.study.table import need_parquet
+
+        need_parquet()
     if out is not None:
         check_directory(out)
     read = read_study(file)
@@ -101,6 +113,8 @@ def study(
         result = StudyResult(read, store)
         if out is not None and not status:
             _write(output, out, result, lang.value)
+            if parquet:
+                _write_parquet(out)
         from catopt.answers.study import study_answer
 
         asked.give(study_answer(result), result.to_dict)
@@ -115,10 +129,9 @@ def study(
 
 
 def _check_options(
+    of_directory: Mapping[str, bool],
     *,
     plan: bool,
-    status: bool,
-    notes: bool,
     workers: int | None,
     scheduler: str | None,
     out: Path | None,
@@ -126,9 +139,9 @@ def _check_options(
     from catopt.errors import InputError, Problem
 
     problems = []
-    if plan and status:
+    if plan and of_directory["--status"]:
         problems.append(Problem("--plan", "", "does not go with --status"))
-    for option, is_given in {"--status": status, "--notes": notes}.items():
+    for option, is_given in of_directory.items():
         if is_given and out is None:
             problems.append(Problem(option, "", "goes with --out DIR, which is missing"))
     if workers is not None and workers < 1:
@@ -178,6 +191,14 @@ def _run(
             of_sizing=of_sizing,
             progress=tell,
         )
+
+
+def _write_parquet(out: Path) -> None:
+    """Write the table of members anew, as it stands in its CSV."""
+    import pandas as pd
+
+    place = out / MEMBERS
+    pd.read_csv(place).to_parquet(place.with_suffix(".parquet"))
 
 
 def _write(output: Output, out: Path, result: StudyResult, language: Language) -> None:

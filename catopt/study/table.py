@@ -35,7 +35,7 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
         Whose keys vary.
     path : Path
         CSV with a row of headings, such as ``load.horizontal_force (kN)``. Where the headings are
-        parted by semicolons, numbers have a decimal comma.
+        parted by semicolons, numbers have a decimal comma. Or a Parquet file of such columns.
     columns : mapping of str to str
         Key by heading, for headings that are no keys.
     weight : str, optional
@@ -78,12 +78,44 @@ def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str |
 
 
 def _read(path: Path) -> pd.DataFrame:
+    frame = _of_parquet(path) if path.suffix.lower() == ".parquet" else _of_csv(path)
+    if frame.empty:
+        raise InputError([Problem("table", "no rows", "one row a member is wanted")], str(path))
+    return frame
+
+
+def need_parquet() -> None:
+    """Refuse Parquet where the package pyarrow is missing.
+
+    Raises
+    ------
+    InputError
+        With how to install it.
+    """
+    from importlib.util import find_spec
+
+    if find_spec("pyarrow") is None:
+        allowed = "is not installed: pip install 'catopt[tables]'"
+        raise InputError([Problem("pyarrow", "", allowed)], "Parquet")
+
+
+def _of_parquet(path: Path) -> pd.DataFrame:
+    import pandas as pd
+
+    need_parquet()
+    try:
+        return pd.read_parquet(path)
+    except (OSError, ValueError) as error:
+        raise InputError([Problem("table", "", f"it is no table: {error}")], str(path)) from None
+
+
+def _of_csv(path: Path) -> pd.DataFrame:
     import pandas as pd
 
     text = read_text(path, str(path), kind="table of values", most=MOST_BYTES_OF_DATA)
     is_parted = ";" in text.split("\n", 1)[0]
     try:
-        frame = pd.read_csv(
+        frame: pd.DataFrame = pd.read_csv(
             StringIO(text),
             sep=";" if is_parted else ",",
             decimal="," if is_parted else ".",
@@ -93,8 +125,6 @@ def _read(path: Path) -> pd.DataFrame:
         )
     except (pd.errors.ParserError, pd.errors.EmptyDataError) as error:
         raise InputError([Problem("table", "", f"it is no table: {error}")], str(path)) from None
-    if frame.empty:
-        raise InputError([Problem("table", "no rows", "one row a member is wanted")], str(path))
     return frame
 
 

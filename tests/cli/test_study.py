@@ -212,3 +212,20 @@ def test_no_scheduler_answers(run: Run) -> None:
     ran = run("study", CHAIN, "--scheduler", "tcp://127.0.0.1:9")
     assert ran.status == 2
     assert "no scheduler answers" in ran.err
+
+
+@pytest.mark.slow
+def test_parquet_is_the_table_of_members(run: Run, tmp_path: Path) -> None:
+    pytest.importorskip("pyarrow")
+    pandas = pytest.importorskip("pandas")
+    ran = run("study", BUOY, "--out", tmp_path, "--parquet")
+    assert ran.status == 0
+    found = pandas.read_parquet(tmp_path / "members.parquet")
+    assert found.equals(pandas.read_csv(tmp_path / "members.csv"))
+    assert len(found) == 2000
+
+
+def test_parquet_goes_with_a_directory(run: Run) -> None:
+    ran = run("study", BUOY, "--parquet")
+    assert ran.status == 2
+    assert "--parquet: goes with --out DIR, which is missing" in ran.err
