@@ -51,6 +51,7 @@ def design_answer(result: DesignResult) -> Answer:
             Section(Message("captions.recommended"), tuple(_recommended(result))),
             Section(Message("captions.components"), (_components(result),)),
             Section(Message("captions.checks"), (_checks(result),)),
+            *_loads(result),
             Section(Message("captions.search"), (_search(result),)),
         ),
     )
@@ -344,6 +345,27 @@ def _checks(result: DesignResult) -> Table:
     numbers = _numbers(number for number, _ in rows)
     columns = (numbers, *check_columns([check for _, check in rows]))
     return Table("checks", columns, only="files")
+
+
+def _loads(result: DesignResult) -> Iterator[Section]:
+    """Tabulate what a body had to meet, where it is more than one force."""
+    loads = () if result.case.design is None else result.case.design.loads
+    if loads:
+        columns = (
+            texts("load_case", (load.name for load in loads)),
+            measured("horizontal_force", (load.force for load in loads), "force", symbol="F"),
+            measured("angle", (load.direction for load in loads), "direction", symbol=""),
+            texts("from_so_many_sides", (load.headings for load in loads)),
+            measured("water_depth", (load.water_level for load in loads), "water_level", symbol=""),
+            measured(
+                "water_depth", (load.fairlead_rise for load in loads), "fairlead_rise", symbol=""
+            ),
+            texts("each_line_out", (yes_or_no(load.line_out) for load in loads)),
+        )
+        yield Section(
+            Message("captions.load_cases"),
+            (Table("loads", columns, Message("captions.load_cases")),),
+        )
 
 
 def _search(result: DesignResult) -> Facts:

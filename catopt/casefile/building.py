@@ -36,6 +36,7 @@ from catopt.model import (
     ClumpWeightChoice,
     CurrentProfile,
     Design,
+    DesignLoad,
     Dynamics,
     Fatigue,
     FatigueSeaState,
@@ -221,6 +222,7 @@ def _design(table: DesignTable, line: LineTable, catalogue: FromCatalogue) -> De
         ClumpWeightChoice(**_with_values(each.given(), MASSES, POSITIONS))
         for each in table.clump_weights
     )
+    given["loads"] = tuple(DesignLoad(**each.given()) for each in table.loads or ())
     if table.sinker is not None:
         given["sinker"] = SinkerChoice(**_with_values(table.sinker.given(), MASSES))
     return Design(**given)

@@ -28,6 +28,7 @@ from catopt.casefile.schema import (
     AnchorTable,
     CaseTable,
     ChecksTable,
+    DesignLoadTable,
     FindTable,
     LineTable,
     LoadCaseTable,
@@ -266,20 +267,30 @@ def _contact_offset(document: dict[str, Any]) -> Iterator[Finding]:
 
 
 def _load_cases(document: dict[str, Any]) -> Iterator[Finding]:
-    """Find names used twice, and water levels that leave no water."""
+    """Find names used twice, and water levels that leave no water, at rest and of a design."""
+    of_design = tables(table(document, "design"), "design", "loads")
+    yield from _levels(document, tables(document, "load_cases"), LoadCaseTable)
+    yield from _levels(document, of_design, DesignLoadTable)
+
+
+def _levels(
+    document: dict[str, Any],
+    states: list[Place],
+    schema: type[LoadCaseTable] | type[DesignLoadTable],
+) -> Iterator[Finding]:
     depth = number(SiteTable, "water_depth", table(document, "site"))
     line = table(document, "line")
     height = number(LineTable, "fairlead_height", line)
     given = "fairlead_height" in line or misspelt(LineTable, ["fairlead_height"], line)
     unclear = depth is None or (given and height is None)
     names: list[str] = []
-    for path, state in tables(document, "load_cases"):
-        name = text(LoadCaseTable, "name", state)
+    for path, state in states:
+        name = text(schema, "name", state)
         if name in names:
             yield Finding((*path, "name"), as_written(name), "another load case has this name")
         names += [name] if name is not None else []
-        level = number(LoadCaseTable, "water_level", state)
-        rise = number(LoadCaseTable, "fairlead_rise", state) or 0.0
+        level = number(schema, "water_level", state)
+        rise = number(schema, "fairlead_rise", state) or 0.0
         lowest = min(depth or 0.0, (depth or 0.0 if height is None else height) + rise)
         if level is not None and not unclear and not level > -lowest:
             allowed = f"must leave the fairlead above the seabed: above {-lowest:g} m"

@@ -191,7 +191,7 @@ def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
     unclear = not force and ("force" in system or misspelt(SystemTable, ["force"], system))
     given = {key: value(DesignTable, key, design) for key in ("lines", "headings", "objectives")}
     given |= {"line_out": design.get("line_out") is True, "sinker": "sinker" in design}
-    given |= {"anchor_radii": RADII.is_given(design)}
+    given |= {"anchor_radii": RADII.is_given(design), "loads": "loads" in design}
     has_force = bool(unclear or any(force))
     for problem in body_misfits(given, has_system=has_system, has_force=has_force):
         found, path = problem.found, parts(problem.key)

@@ -51,11 +51,12 @@ def read_design(directory: Path, number: int) -> Case:
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
         line, anchor = _line(design, case), _anchor(design, case)
+        case = _at_level(design, case)
         system = _system(design, line, case)
     except InputError as error:
         problems = [replace(p, key=f"front[{number - 1}]: {p.key}") for p in error.problems]
         raise InputError(problems, str(directory / DESIGN_DOCUMENT)) from error
-    return replace(case, title=title, line=line, anchor=anchor, system=system, design=None)
+    return replace(case, title=title, line=line, anchor=anchor, system=system)
 
 
 def read_design_document(directory: Path) -> dict[str, Any]:
@@ -122,6 +123,15 @@ def _with_motion(segment: Segment, case: Case) -> Segment:
     return replace(segment, **{key: getattr(same[0], key) for key in _MOTION}) if same else segment
 
 
+def _at_level(design: dict[str, Any], case: Case) -> Case:
+    """Raise water and fairleads to where a whole mooring goes farthest."""
+    found = design.get("system") or {}
+    level = found.get("farthest_water_level_m", 0.0)
+    lift = level + found.get("farthest_fairlead_rise_m", 0.0)
+    site = replace(case.site, water_depth=case.site.water_depth + level)
+    return replace(case, site=site, fairlead_height=case.fairlead_height + lift, design=None)
+
+
 def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
     """Build the body with the lines of the design."""
     found = design.get("system")
@@ -132,7 +142,7 @@ def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
         line,
         azimuths=found["azimuths_rad"],
         anchor_radius=found["anchor_radius_m"],
-        fairlead_height=first.fairlead_height,
+        fairlead_height=case.fairlead_height,
         fairlead_radius=first.fairlead_radius,
         anchor_height=first.anchor_height,
         seabed_friction=own.seabed_friction,

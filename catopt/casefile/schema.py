@@ -374,6 +374,20 @@ class SinkerChoiceTable(Table):
     factor_source: Annotated[str, Text(filled=True)] | None = None
 
 
+class DesignLoadTable(Table):
+    """A force on a moored body that every design has to meet."""
+
+    symbols: ClassVar[Mapping[str, str]] = {"horizontal_force": "force"}
+
+    name: Annotated[str, Text(filled=True, example='"storm"')]
+    force: Strength
+    direction: Angle | None = None
+    headings: Annotated[int, Whole("headings", example=12)] | None = None
+    water_level: Place | None = None
+    fairlead_rise: Place | None = None
+    line_out: Yes | None = None
+
+
 class DesignTable(Table):
     """What may vary, and what it is to be best in."""
 
@@ -394,6 +408,7 @@ class DesignTable(Table):
     anchor_radius_step: Length | None = None
     headings: Annotated[int, Whole("headings", example=12)] | None = None
     line_out: Yes | None = None
+    loads: Annotated[list[DesignLoadTable], SOME_TABLES] | None = None
 
 
 class PsoTable(Table):

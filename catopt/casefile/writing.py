@@ -18,6 +18,7 @@ from catopt.casefile.schema import (
     ChecksTable,
     ClumpWeightChoiceTable,
     CurrentTable,
+    DesignLoadTable,
     DesignTable,
     DynamicsTable,
     FatigueCurveTable,
@@ -170,6 +171,7 @@ def _design(design: Design) -> Blocks:
     yield from _tables("[[design.segments]]", SegmentChoiceTable, *design.segments)
     yield from _tables("[[design.clump_weights]]", ClumpWeightChoiceTable, *design.clump_weights)
     yield from _tables("[design.sinker]", SinkerChoiceTable, design.sinker)
+    yield from _tables("[[design.loads]]", DesignLoadTable, *design.loads)
 
 
 def _waves(waves: WaveState) -> Blocks:

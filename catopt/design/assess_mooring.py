@@ -176,8 +176,8 @@ def _in_all_states(
     objectives: Any,
 ) -> _Found:
     """Solve and check the mooring of the line in the work space; with all lines first."""
-    problem = LineProblem(pieces, line.anchor_height, line.height[0], line.friction)
-    missing = -1
+    missing, height = -1, tables.height[tables.first[layout]]
+    problem = LineProblem(pieces, line.anchor_height, height, line.friction)
     unloaded = _unloaded(layout, radius, missing, problem, tables, line, body)
     origin = unloaded.rest
     if search.is_bounded and origin.status == CONVERGED:
@@ -186,11 +186,14 @@ def _in_all_states(
             return _Found(LEAST_OFFSET, -math.inf, math.nan, 0)
     worst, largest = -math.inf, 0.0
     for state in range(tables.first[layout], tables.first[layout + 1]):
-        if tables.missing[state] != missing:
-            missing = tables.missing[state]
+        if tables.missing[state] != missing or tables.height[state] != height:
+            missing, height = tables.missing[state], tables.height[state]
+            problem = LineProblem(pieces, line.anchor_height, height, line.friction)
             unloaded = _unloaded(layout, radius, missing, problem, tables, line, body)
+            if missing < 0:
+                origin = unloaded.rest
         damage = 1 if missing >= 0 else 0
-        end = _under_load(unloaded, tables, tables.heading[state])
+        end = _under_load(unloaded, tables, state)
         status, excess = end.status, NO_EQUILIBRIUM
         if status == CONVERGED:
             reserve = tables.reserve[damage]
@@ -241,14 +244,14 @@ def _unloaded(
     return _Unloaded(arrangement, known, lines, freedom, rest)
 
 
-def _under_load(unloaded: _Unloaded, tables: MooringTables, heading: int) -> Rest:
-    """Bring the body to rest under the force of a heading; its lines are written to."""
+def _under_load(unloaded: _Unloaded, tables: MooringTables, state: int) -> Rest:
+    """Bring the body to rest under the force of a state; its lines are written to."""
     rest = unloaded.rest
     if rest.status != CONVERGED:
         return rest
     _copy(unloaded.known, unloaded.lines)
-    direction = tables.direction[heading]
-    x, y = tables.force * math.cos(direction), tables.force * math.sin(direction)
+    force, direction = tables.force[state], tables.direction[state]
+    x, y = force * math.cos(direction), force * math.sin(direction)
     load = BodyLoad(x, y, tables.moment)
     problem = BodyProblem(load, unloaded.freedom, unloaded.arrangement, unloaded.lines)
     return static_equilibrium(rest.x, rest.y, rest.yaw, rest.pull, problem)
@@ -307,7 +310,7 @@ def _around(
     """Put equal lines around the body, one of them missing."""
     pieces = problem.pieces
     slack = failed(TOO_SHORT)
-    if line.height[0] + line.anchor_height < total_length(pieces):
+    if problem.fairlead_height + line.anchor_height < total_length(pieces):
         slack = hang_slack(problem)
     has_slack = slack.status == CONVERGED
     each = len(pieces.length)
@@ -320,7 +323,8 @@ def _around(
         room.anchor_x[left], room.anchor_y[left] = radius * x, radius * y
         room.arm_x[left] = tables.fairlead_radius * x
         room.arm_y[left] = tables.fairlead_radius * y
-        room.anchor_height[left], room.fairlead_height[left] = line.anchor_height, line.height[0]
+        room.anchor_height[left] = line.anchor_height
+        room.fairlead_height[left] = problem.fairlead_height
         room.slack_span[left] = slack.span if has_slack else -1.0
         room.slack_V[left] = slack.V if has_slack else 0.0
         room.slack_V_anchor[left] = slack.V_anchor if has_slack else 0.0

@@ -41,13 +41,9 @@ def least_forces(
     for state in range(tables.first[layout], tables.first[layout + 1]):
         missing = tables.missing[state]
         damage = 1 if missing >= 0 else 0
-        turn = _largest_turn(
-            tables, line, room, segments, radius, tables.gap[layout, missing + 1], damage
-        )
-        if turn < 0.0:
-            force = math.inf
-        else:
-            force = _least_force(tables, layout, missing, tables.heading[state], turn)
+        gap, height = tables.gap[layout, missing + 1], tables.height[state]
+        turn = _largest_turn(tables, line, room, segments, radius, gap, height, damage)
+        force = math.inf if turn < 0.0 else _least_force(tables, layout, state, turn)
         if damage == 1:
             damaged = max(damaged, force)
         else:
@@ -63,6 +59,7 @@ def _largest_turn(
     segments: int,
     radius: float,
     gap: float,
+    height: float,
     damage: int,
 ) -> float:
     """Largest angle between a line and its azimuth, rad, wherever the body may rest; -1 nowhere."""
@@ -75,7 +72,7 @@ def _largest_turn(
     if math.isinf(stretched):
         return math.pi
     stretched *= 1.0 + MARGIN
-    rise = abs(line.height[0] - line.anchor_height)
+    rise = abs(height - line.anchor_height)
     if stretched <= rise:
         return -1.0
     reach = math.sqrt(stretched * stretched - rise * rise) * (1.0 + MARGIN)
@@ -95,19 +92,17 @@ def _largest_turn(
 
 
 @inlined
-def _least_force(
-    tables: MooringTables, layout: int, missing: int, heading: int, turn: float
-) -> float:
+def _least_force(tables: MooringTables, layout: int, state: int, turn: float) -> float:
     """Force over the largest sum of cosines with which the lines can pull against it, N."""
     against = 0.0
     for k in range(tables.lines[layout]):
-        if k != missing:
-            apart = tables.azimuth[layout, k] - tables.direction[heading] - math.pi
+        if k != tables.missing[state]:
+            apart = tables.azimuth[layout, k] - tables.direction[state] - math.pi
             apart -= 2.0 * math.pi * math.floor(apart / (2.0 * math.pi) + 0.5)
             nearest = max(abs(apart) - turn, 0.0)
             against += max(math.cos(min(nearest, math.pi)), 0.0)
     # A cosine of 1e-16 is one of a right angle.
-    return tables.force / against if against > MARGIN else math.inf
+    return tables.force[state] / against if against > MARGIN else math.inf
 
 
 @inlined

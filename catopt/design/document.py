@@ -6,8 +6,8 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from catopt.checks.document import result_document
-from catopt.design.mooring_tables import directions_of
-from catopt.words import Message
+from catopt.design.mooring_point import under
+from catopt.model.design_load import loads_of
 from catopt.words.saved import messages_in
 
 if TYPE_CHECKING:
@@ -51,14 +51,16 @@ def _load_cases(result: DesignResult) -> list[dict[str, Any]]:
     if system is not None and design is not None:
         return [
             {
-                "name": Message("checks.heading", heading=math.degrees(angle) % 360.0),
+                "name": under(load, angle),
                 "kind": "extreme",
-                "water_level_m": 0.0,
-                "horizontal_force_N": math.hypot(*system.force),
+                "water_level_m": load.water_level,
+                "horizontal_force_N": load.force,
                 "direction_rad": angle,
-                "fairlead_height_m": result.case.fairlead_height,
+                "fairlead_height_m": result.case.fairlead_height + load.lift,
+                "line_out": load.line_out,
             }
-            for angle in directions_of(system, design.headings)
+            for load in loads_of(design, system)
+            for angle in load.directions
         ]
     kinds = {state.name: (state.kind, state.water_level) for state in result.case.load_cases}
     documents = []
@@ -103,6 +105,8 @@ def _system(mooring: MooringPoint) -> dict[str, Any]:
         "anchor_radius_m": legs[0].anchor_radius,
         "farthest_state": mooring.state,
         "farthest_force_N": list(mooring.farthest.system.force),
+        "farthest_water_level_m": mooring.load.water_level,
+        "farthest_fairlead_rise_m": mooring.load.fairlead_rise,
     }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -29,7 +29,8 @@ from catopt.design.options import resolve
 from catopt.design.problem import Floats, Genes
 from catopt.design.space import ClumpWeightVariable, DesignSpace, LayoutVariable, SegmentVariable
 from catopt.design.tables import room, tables_of
-from catopt.model import Case, Design, LoadCase, System
+from catopt.model import Case, Design, DesignLoad, LoadCase, System
+from catopt.model.design_load import loads_of
 from catopt.model.validity import Findings
 from catopt.words import Message
 
@@ -71,7 +72,7 @@ class MooringProblem(DesignProblem):
         layout = _layout(design, system, found)
         found.raise_if_any()
         criteria = criteria_of(case)
-        states = _states(design, system)
+        states = _states(loads_of(design, system))
         space, remarks = resolve(case, criteria, states)
         _check_stretch(space, found)
         found.raise_if_any()
@@ -110,9 +111,10 @@ class MooringProblem(DesignProblem):
         design, system = case.design, case.system
         assert design is not None
         assert system is not None
-        states = _states(design, system)
+        loads = loads_of(design, system)
+        states = _states(loads)
         line = tables_of(case, states, space, criteria, None)
-        mooring = mooring_tables(system, design.headings, design.line_out, space, line)
+        mooring = mooring_tables(case, loads, space, line)
         line, mooring = with_reserve(mooring, line, criteria)
         return cls(case, states, space, line, warnings, mooring)
 
@@ -188,30 +190,40 @@ class MooringProblem(DesignProblem):
         rounded: NDArray[np.float64] = np.floor(lines * total / step + 0.5)
         return rounded
 
-    def system(self, genes: tuple[int, ...]) -> System:
-        """Build the body with the lines of a design, under the force of the case."""
+    @property
+    def loads(self) -> tuple[DesignLoad, ...]:
+        """What the body has to meet."""
+        assert self.case.design is not None
+        assert self.case.system is not None
+        return loads_of(self.case.design, self.case.system)
+
+    def system(self, genes: tuple[int, ...], lift: float = 0.0) -> System:
+        """Build the body with the lines of a design, its fairleads so much higher, m.
+
+        It is under the force of the case, or its first load where it has none.
+        """
         assert self.case.system is not None
         assert self.space.layout is not None
-        own, first = self.case.system, self.case.system.legs[0]
+        own, first, load = self.case.system, self.case.system.legs[0], self.loads[0]
         return System.around(
             self.space.line(genes),
             azimuths=self.space.layout.azimuths[genes[-2]],
             anchor_radius=self.space.layout.radii[genes[-1]],
-            fairlead_height=first.fairlead_height,
+            fairlead_height=first.fairlead_height + lift,
             fairlead_radius=first.fairlead_radius,
             anchor_height=first.anchor_height,
             seabed_friction=own.seabed_friction,
-            force=own.force,
+            force=own.force if any(own.force) else load.towards(load.direction),
             moment=own.moment,
             yaw_free=own.yaw_free,
         )
 
 
-def _states(design: Design, system: System) -> tuple[LoadCase, ...]:
+def _states(loads: Sequence[DesignLoad]) -> tuple[LoadCase, ...]:
     """Name the states of the mooring, as load cases of a line."""
-    force = float(np.hypot(*system.force))
+    force = max(load.force for load in loads)
     intact = LoadCase("intact", force)
-    if not design.line_out:
+    if not any(load.line_out for load in loads):
         return (intact,)
     return intact, LoadCase("one line out", force, state="one_line_out")
 
@@ -227,8 +239,10 @@ def _layout(design: Design, system: System, found: Findings) -> LayoutVariable:
     if radii[0] <= first.fairlead_radius:
         allowed = f"must be above {first.fairlead_radius:g} m, the fairlead_radius"
         found.add("design.anchor_radii", f"{radii[0]:g} m", allowed)
-    if design.line_out and min(map(len, regular or (own,))) < 2:
-        found.add("design.line_out", "true", "with one line alone, none is left; leave it out")
+    gone = [i for i, load in enumerate(loads_of(design, system)) if load.line_out]
+    if gone and min(map(len, regular or (own,))) < 2:
+        key = f"design.loads[{gone[0]}].line_out" if design.loads else "design.line_out"
+        found.add(key, "true", "with one line alone, none is left; leave it out")
     return LayoutVariable(regular or (own,), radii)
 
 
@@ -245,5 +259,6 @@ def _unlooked(criteria: Criteria, design: Design) -> Iterator[Message]:
     """Say that nothing is checked, or that no line is taken out though a criterion is for that."""
     if not criteria.all:
         yield Message(NO_CHECK)
-    if not design.line_out and any("intact" not in each.states for each in criteria.all):
+    gone = design.line_out or any(load.line_out for load in design.loads)
+    if not gone and any("intact" not in each.states for each in criteria.all):
         yield Message("design.line_out_not_asked")

@@ -11,8 +11,8 @@ from catopt.checks.criteria import criteria_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.state import Place, State
 from catopt.checks.system import InState, check_state
-from catopt.design.mooring_tables import directions_of, states_of
-from catopt.model import System
+from catopt.design.mooring_tables import states_of
+from catopt.model import DesignLoad, System
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solution_at
 from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
@@ -30,7 +30,7 @@ class MooringPoint:
     Attributes
     ----------
     system : System
-        With all lines, under the force of the case.
+        With all lines, under the force of the case or its first load.
     checks : CheckReport
         Of each check the hardest: over all lines, headings and states of its kind.
     offset : float
@@ -39,6 +39,8 @@ class MooringPoint:
         The body with all lines under the force of that heading.
     state : Message
         Which state and heading that is.
+    load : DesignLoad
+        Of which load.
     """
 
     system: System
@@ -46,6 +48,7 @@ class MooringPoint:
     offset: float
     farthest: SystemSolution
     state: Message
+    load: DesignLoad
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,7 @@ class _Solved:
 
     state: InState
     offset: float
+    load: DesignLoad
 
 
 def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoint:
@@ -65,14 +69,15 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
     )
     line = system.legs[0].line
     strengths = {line: criteria.strengths(line, {"extreme"}, states)}
-    solved = tuple(_solved(problem, system))
+    solved = tuple(_solved(problem, genes))
     results = [
         each for one in solved for each in check_state(one.state, criteria, strengths, case.anchor)
     ]
     far = solved[first_largest([each.offset for each in solved])]
     assert far.state.solution is not None
     most = far.state.solution.most_loaded
-    zero = zero_load_position(system.under(far.state.solution.system.force, system.moment))
+    loaded = problem.system(genes, far.load.lift)
+    zero = zero_load_position(loaded.under(far.state.solution.system.force, system.moment))
     rest, lines = zero.under(zero.system.force, system.moment)
     report = CheckReport(
         title=case.title,
@@ -87,38 +92,41 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
             )
         ),
     )
-    return MooringPoint(system, report, far.offset, solution_at(zero, rest, lines), far.state.name)
+    farthest = solution_at(zero, rest, lines)
+    return MooringPoint(system, report, far.offset, farthest, far.state.name, far.load)
 
 
-def _solved(problem: MooringProblem, system: System) -> Iterator[_Solved]:
-    """Solve each state, those of one missing line together."""
-    design = problem.case.design
-    assert design is not None
-    directions = directions_of(system, design.headings)
-    force = math.hypot(*system.force)
-    whole = zero_load_position(system)
-    positions: dict[int, ZeroLoadPosition] = {-1: whole}
+def _solved(problem: MooringProblem, genes: tuple[int, ...]) -> Iterator[_Solved]:
+    """Solve each state, those of one height and missing line together."""
+    system = problem.system(genes)
+    positions: dict[tuple[float, int], ZeroLoadPosition] = {}
     numbers = range(1, len(system.legs) + 1)
     azimuths = [leg.azimuth for leg in system.legs]
-    for missing, heading in states_of(
-        system, azimuths, design.headings, with_line_out=design.line_out
-    ):
-        if missing not in positions:
-            positions[missing] = zero_load_position(system.without([missing]))
-        angle = directions[heading]
-        load = force * math.cos(angle), force * math.sin(angle)
-        zero = positions[missing]
-        zero = replace(zero, system=zero.system.under(load, system.moment))
-        rest, lines = zero.under(load, system.moment)
+    for missing, load, angle in states_of(problem.loads, azimuths, turns=system.turns):
+        key = load.lift, missing
+        if key not in positions:
+            lifted = problem.system(genes, load.lift)
+            positions[key] = zero_load_position(
+                lifted if missing < 0 else lifted.without([missing])
+            )
+        zero, force = positions[key], load.towards(angle)
+        zero = replace(zero, system=zero.system.under(force, system.moment))
+        rest, lines = zero.under(force, system.moment)
         gone = None if missing < 0 else missing + 1
         state = InState(
             Place() if gone is None else Place("one_line_out", missing=gone),
             solution_at(zero, rest, lines, looks_round=False),
             tuple(number for number in numbers if number != gone),
-            under=Message("checks.heading", heading=math.degrees(angle) % 360.0),
+            under=under(load, angle),
         )
-        neutral = whole.neutral
-        yield _Solved(state, math.hypot(rest.x - neutral.x, rest.y - neutral.y))
+        neutral = positions[load.lift, -1].neutral
+        yield _Solved(state, math.hypot(rest.x - neutral.x, rest.y - neutral.y), load)
+
+
+def under(load: DesignLoad, direction: float) -> Message:
+    """Say which load it is and towards where its force acts."""
+    heading = Message("checks.heading", heading=math.degrees(direction) % 360.0)
+    return Message("checks.state_under", state=load.name, load=heading) if load.name else heading
 
 
 def _hardest(results: Iterable[CheckResult]) -> Iterator[CheckResult]:

@@ -10,9 +10,9 @@ import numpy as np
 
 from catopt.checks.criteria import Criteria
 from catopt.design.space import DesignSpace
-from catopt.design.symmetry import BodyState, distinct_states, widest_gap
+from catopt.design.symmetry import distinct_states, widest_gap
 from catopt.design.tables import Tables
-from catopt.model import System
+from catopt.model import Case, DesignLoad
 from catopt.mooring.arrangement import Arrangement, Lines
 
 
@@ -31,14 +31,15 @@ class MooringTables(NamedTuple):
         Cosine of half the widest angle between neighbours: with all lines, and without each.
     radius : array, shape (radii,)
         Of the anchors, m.
-    direction : array, shape (headings,)
-        Towards which the force acts, rad.
-    force, moment : float
-        N, N m.
+    moment : float
+        N m.
     first : array of int, shape (layouts + 1,)
         First state of each layout.
-    missing, heading : array of int, shape (states,)
-        Which line is gone, -1 for none, and where the force comes from.
+    missing : array of int, shape (states,)
+        Which line is gone, -1 for none; none is gone in the first state of each height.
+    direction, force, height : array, shape (states,)
+        Towards which the force acts, rad, its size, N, and the height of the fairleads above the
+        bed, m.
     reserve : array, shape (2,)
         Largest vertical pull of all lines together, N: all there, and one out.
     fairlead_radius : float
@@ -46,19 +47,20 @@ class MooringTables(NamedTuple):
     turns : bool
         Whether the body is free in yaw.
     is_monotone : bool
-        Whether the span of every line is proved to rise with its horizontal force.
+        Whether the span of every line is proved to rise with its horizontal force, and the
+        fairleads are at one height in all states.
     """
 
     lines: Any
     azimuth: Any
     gap: Any
     radius: Any
-    direction: Any
-    force: float
     moment: float
     first: Any
     missing: Any
-    heading: Any
+    direction: Any
+    force: Any
+    height: Any
     reserve: Any
     fairlead_radius: float
     turns: bool
@@ -82,9 +84,11 @@ class BodyRoom(NamedTuple):
 
 
 def mooring_tables(
-    system: System, headings: int, with_line_out: bool, space: DesignSpace, line: Tables
+    case: Case, loads: Sequence[DesignLoad], space: DesignSpace, line: Tables
 ) -> MooringTables:
-    """Lay out numbers of lines, radii, headings and states."""
+    """Lay out numbers of lines, radii and the states under all loads."""
+    system = case.system
+    assert system is not None
     assert space.layout is not None
     layouts = space.layout.azimuths
     most = max(map(len, layouts))
@@ -95,25 +99,23 @@ def mooring_tables(
         for gone in range(len(angles) if len(angles) > 1 else 0):
             left = [*angles[:gone], *angles[gone + 1 :]]
             gap[row, 1 + gone] = math.cos(0.5 * widest_gap(left))
-    states = [
-        states_of(system, angles, headings, with_line_out=with_line_out) for angles in layouts
-    ]
+    states = [states_of(loads, angles, turns=system.turns) for angles in layouts]
     flat = [state for each in states for state in each]
     return MooringTables(
         lines=np.array([len(angles) for angles in layouts], dtype=np.int64),
         azimuth=azimuth,
         gap=gap,
         radius=np.array(space.layout.radii),
-        direction=np.array(directions_of(system, headings)),
-        force=math.hypot(*system.force),
         moment=float(system.moment),
         first=np.cumsum([0, *map(len, states)], dtype=np.int64),
         missing=np.array([state.missing for state in flat], dtype=np.int64),
-        heading=np.array([state.heading for state in flat], dtype=np.int64),
+        direction=np.array([state.direction for state in flat]),
+        force=np.array([state.load.force for state in flat]),
+        height=np.array([case.fairlead_height + state.load.lift for state in flat]),
         reserve=np.full(2, math.inf),
         fairlead_radius=float(system.legs[0].fairlead_radius),
         turns=system.turns,
-        is_monotone=_is_monotone(line),
+        is_monotone=_is_monotone(line) and len({load.lift for load in loads}) == 1,
     )
 
 
@@ -128,22 +130,27 @@ def with_reserve(
     return line._replace(limit=limit), tables._replace(reserve=reserve)
 
 
-def directions_of(system: System, headings: int) -> list[float]:
-    """List the directions of the force, from its own counter-clockwise, rad."""
-    own = math.atan2(system.force[1], system.force[0])
-    return [own + 2.0 * math.pi * k / headings for k in range(headings)]
+class LoadedState(NamedTuple):
+    """One state of a mooring: which line is gone, -1 for none, under which load, towards where."""
+
+    missing: int
+    load: DesignLoad
+    direction: float
 
 
 def states_of(
-    system: System, azimuths: Sequence[float], headings: int, *, with_line_out: bool
-) -> tuple[BodyState, ...]:
-    """List the states of a layout that differ."""
-    return distinct_states(
-        azimuths,
-        directions_of(system, headings),
-        with_line_out=with_line_out,
-        mirrors=not system.turns,
-    )
+    loads: Sequence[DesignLoad], azimuths: Sequence[float], *, turns: bool
+) -> tuple[LoadedState, ...]:
+    """List the states of a layout that differ: height by height, with all lines first."""
+    states = [
+        LoadedState(state.missing, load, load.directions[state.heading])
+        for load in loads
+        for state in distinct_states(
+            azimuths, load.directions, with_line_out=load.line_out, mirrors=not turns
+        )
+    ]
+    heights = list(dict.fromkeys(load.lift for load in loads))
+    return tuple(sorted(states, key=lambda each: (heights.index(each.load.lift), each.missing)))
 
 
 def _is_monotone(line: Tables) -> bool:

@@ -8,6 +8,7 @@ from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import ClumpWeightChoice, Design, SegmentChoice, SinkerChoice
+from catopt.model.design_load import DesignLoad
 from catopt.model.dynamics import Dynamics
 from catopt.model.fatigue import Fatigue, FatigueSeaState, SegmentCurve
 from catopt.model.find import Find
@@ -30,6 +31,7 @@ __all__ = [
     "ClumpWeightChoice",
     "CurrentProfile",
     "Design",
+    "DesignLoad",
     "Dynamics",
     "Fatigue",
     "FatigueSeaState",

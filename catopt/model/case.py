@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, get_args
 
@@ -13,6 +13,7 @@ from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import NEEDS_SEVERAL_LINES, Checks
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.design import Design, body_misfits
+from catopt.model.design_load import DesignLoad
 from catopt.model.dynamics import Dynamics, dynamics_misfits
 from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.find import Find, misfits
@@ -237,14 +238,21 @@ class Case:
                 yield "body.wave_force"
 
     def _check_load_cases(self, found: Findings) -> None:
-        names = [state.name for state in self.load_cases]
-        for index, state in enumerate(self.load_cases):
+        self._check_levels("load_cases", self.load_cases, found)
+        if self.design is not None:
+            self._check_levels("design.loads", self.design.loads, found)
+
+    def _check_levels(
+        self, place: str, states: Sequence[LoadCase | DesignLoad], found: Findings
+    ) -> None:
+        names = [state.name for state in states]
+        for index, state in enumerate(states):
             if state.name in names[:index]:
-                found.add(f"load_cases[{index}].name", state.name, "another has this name")
+                found.add(f"{place}[{index}].name", state.name, "another has this name")
             lowest = min(self.site.water_depth, self.fairlead_height + state.fairlead_rise)
             if not state.water_level > -lowest:
                 found.add(
-                    f"load_cases[{index}].water_level",
+                    f"{place}[{index}].water_level",
                     f"{state.water_level:g} m",
                     f"must leave the fairlead above the seabed: above {-lowest:g} m",
                 )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from catopt.errors import Problem
+from catopt.model.design_load import DesignLoad
 from catopt.model.validity import COUNTS, Findings
 
 Objective = Literal["mass", "offset", "excursion", "cost"]
@@ -16,7 +17,9 @@ SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 SEARCH_METHODS: tuple[str, ...] = get_args(SearchMethod)
 
 
-_OF_A_BODY = ("lines", "anchor_radii", "headings", "line_out")
+_OF_A_BODY = ("lines", "anchor_radii", "headings", "line_out", "loads")
+_PLAIN: Mapping[str, object] = {"headings": 1}
+"""What a key says that might as well be left out."""
 
 
 @dataclass(frozen=True)
@@ -181,6 +184,8 @@ class Design:
         Of a body: from how many sides its force comes, evenly, its own direction the first.
     line_out : bool
         Of a body: whether each line is gone in turn, beside all being there.
+    loads : tuple of DesignLoad
+        Of a body: what it has to meet, in the place of its system's force; empty: that force.
     """
 
     segments: tuple[SegmentChoice, ...]
@@ -196,6 +201,7 @@ class Design:
     anchor_radii: tuple[float, ...] = ()
     headings: int = 1
     line_out: bool = False
+    loads: tuple[DesignLoad, ...] = ()
 
     def __post_init__(self) -> None:
         found = Findings("Design")
@@ -251,15 +257,23 @@ def body_misfits(
     has_system, has_force : bool
         Whether there is a body with several lines, and a force on it.
     """
+    loads = given.get("loads")
     if not has_system:
         for key in _OF_A_BODY:
-            if given.get(key) and not (key == "headings" and given[key] == 1):
+            if given.get(key) and given[key] != _PLAIN.get(key):
                 allowed = "is for a body with several lines: add [system], or leave it out"
                 yield Problem(f"design.{key}", "without a system", allowed)
         return
-    if not has_force:
-        allowed = "missing; a design is for a force on the body, along x and y, other than 0"
+    if not has_force and not loads:
+        allowed = (
+            "missing; a design is for a force on the body, along x and y, other than 0, or for "
+            "[[design.loads]]"
+        )
         yield Problem("system.force", "", allowed)
+    for key in ("headings", "line_out") if loads else ():
+        if given.get(key) and given[key] != _PLAIN.get(key):
+            allowed = "say it in each of [[design.loads]] that it is for, and leave it out here"
+            yield Problem(f"design.{key}", "beside design.loads", allowed)
     if given.get("sinker"):
         allowed = "leave it out: a mooring is searched with the anchors of [anchor]"
         yield Problem("design.sinker", "beside a system", allowed)

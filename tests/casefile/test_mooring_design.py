@@ -88,6 +88,88 @@ def test_keys_of_a_body_want_one() -> None:
     assert all("[system]" in allowed for allowed in found.values())
 
 
+LOADS = """
+[[design.loads]]
+name = "storm"
+force = "400 kN"
+headings = 12
+water_level = "1.5 m"
+line_out = true
+
+[[design.loads]]
+name = "ballast"
+force = "350 kN"
+direction = "30 deg"
+fairlead_rise = "2 m"
+"""
+
+
+def loaded() -> str:
+    rows = shipped().splitlines()
+    own = ("headings =", "line_out =", "force =")
+    return "\n".join(row for row in rows if not row.startswith(own)) + LOADS
+
+
+def test_loads_of_a_design_are_read_as_they_are_written() -> None:
+    case = parse_case(loaded())
+    assert case.design is not None
+    storm, ballast = case.design.loads
+    assert (storm.force, storm.headings, storm.water_level) == (400e3, 12, 1.5)
+    assert storm.line_out
+    assert ballast.direction == pytest.approx(0.5235987755982988, rel=1e-15)
+    assert (ballast.fairlead_rise, ballast.headings, ballast.line_out) == (2.0, 1, False)
+    assert parse_case(write_case(case)) == case
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "told"),
+    [
+        ("[design]", "[design]\nheadings = 4", "design.headings", "[[design.loads]]"),
+        ("[design]", "[design]\nline_out = true", "design.line_out", "[[design.loads]]"),
+        ('name = "ballast"', 'name = "storm"', "design.loads[1].name", "this name"),
+        ('"1.5 m"', '"-30 m"', "design.loads[0].water_level", "above the seabed"),
+        ('force = "350 kN"', "", "design.loads[1].force", "missing"),
+        ('force = "350 kN"', "force = 0", "design.loads[1].force", "above 0"),
+        ('direction = "30 deg"', 'directon = "30 deg"', "design.loads[1].directon", "direction"),
+    ],
+)
+def test_what_is_wrong_in_a_load_is_told_with_its_key(
+    old: str, new: str, key: str, told: str
+) -> None:
+    assert old in loaded()
+    found = problems(loaded().replace(old, new, 1))
+    assert key in found
+    assert told in found[key]
+
+
+def test_loads_of_a_design_want_a_body() -> None:
+    text = loaded()
+    start, end = text.index("[system]"), text.index("[checks]")
+    text = text[:start] + '[load]\nhorizontal_force = "400 kN"\n\n' + text[end:]
+    assert "[system]" in problems(text)["design.loads"]
+
+
+@pytest.mark.slow
+def test_a_design_under_several_loads_is_read_at_its_water_level(tmp_path: Path) -> None:
+    case = small()
+    assert case.design is not None
+    loads = parse_case(loaded()).design
+    assert loads is not None
+    design = replace(case.design, loads=loads.loads, headings=1, line_out=False)
+    result = design_case(replace(case, design=design))
+    (tmp_path / DESIGN_CASE).write_text(write_case(result.case), encoding="utf-8")
+    (tmp_path / DESIGN_DOCUMENT).write_bytes(document_bytes(result.to_dict()))
+    point = result.front[0]
+    assert point.mooring is not None
+    found = read_design(tmp_path, 1)
+    assert found.system == point.mooring.farthest.system
+    lift = point.mooring.load.water_level + point.mooring.load.fairlead_rise
+    assert lift in (1.5, 2.0)
+    assert found.fairlead_height == case.fairlead_height + lift
+    assert found.site.water_depth == case.site.water_depth + point.mooring.load.water_level
+    assert check_case(found).passes
+
+
 def small() -> Case:
     """Narrow the shipped case to 18 designs."""
     case = read_case(SHIPPED)

@@ -308,7 +308,7 @@ def test_a_key_with_odd_characters_is_quoted_in_its_path() -> None:
             "[[design.clump_weights]], [design.sinker] or [body]",
         ),
         ("[load]", "segments", "move it to [[line.segments]] or [[design.segments]]"),
-        ("[load]", "water_level", "move it to [[load_cases]]"),
+        ("[load]", "water_level", "move it to [[load_cases]] or [[design.loads]]"),
         ("[[line.segments]]", "nominal_diameter", "did you mean diameter?"),
         ("[[line.segments]]", "load", "did you mean proof_load?"),
         ("[load]", "segment", "move it to [find] or [[fatigue.curves]]"),

@@ -14,20 +14,28 @@ from catopt.checks.system import check_system
 from catopt.design.bounds import BOUNDS, least_forces
 from catopt.design.enumeration import enumerate_designs
 from catopt.design.mooring import MooringProblem
-from catopt.design.mooring_tables import directions_of
 from catopt.design.outcome import Outcome
 from catopt.design.search import design_case
 from catopt.design.symmetry import distinct_states, widest_gap
 from catopt.design.tables import room
 from catopt.errors import InputError
-from catopt.model import Case, Checks, SegmentChoice
+from catopt.model import Case, Checks, DesignLoad, SegmentChoice, System
 from catopt.mooring.line_out import one_line_out
 from catopt.mooring.solve import solve_system
 from tests.design.mooring_by_hand import Chain, Pull, all_round, mooring
-from tests.design.mooring_cases import HEIGHT, mooring_case, random_case
+from tests.design.mooring_cases import HEIGHT, SIX, mooring_case, random_case
 
 SAME = 1e-7
 """Relative: the other route ends its balance at 1e-10 of the force, and slack moorings are soft."""
+
+
+ONE_LOAD: dict[str, Any] = {"headings": 1, "line_out": False}
+"""What a design says beside loads of its own."""
+LOADS = (
+    DesignLoad("storm", 1.5e6, 0.3, headings=4, water_level=1.5, line_out=True),
+    DesignLoad("current", 0.9e6, 1.1, headings=2),
+    DesignLoad("storm at low water", 1.4e6, -0.4, water_level=-1.0, fairlead_rise=3.0),
+)
 
 
 # ------------------------------------------------------------------ states that differ
@@ -50,7 +58,7 @@ def test_states_that_are_left_out_are_turned_or_mirrored_ones(
     case = mooring_case(azimuths=azimuths, fairlead_radius=fairlead_radius, headings=4)
     system = case.system
     assert system is not None
-    directions = directions_of(system, 4)
+    directions = DesignLoad("", 1.5e6, headings=4).directions
     kept = distinct_states(azimuths, directions, with_line_out=True, mirrors=not system.turns)
     found = {}
     for heading, angle in enumerate(directions):
@@ -102,7 +110,7 @@ def test_a_design_is_worth_what_checking_the_body_says(fairlead_radius: float) -
         system = problem.system(genes)
         line = system.legs[0].line
         worst, offset = -math.inf, 0.0
-        for angle in directions_of(system, 12):
+        for angle in DesignLoad("", 1.5e6, headings=12).directions:
             loaded = system.under((1.5e6 * math.cos(angle), 1.5e6 * math.sin(angle)))
             report = check_system(replace(problem.case, line=line, system=loaded, design=None))
             worst = max(worst, *(each.excess for each in report.results))
@@ -117,6 +125,64 @@ def test_a_design_is_worth_what_checking_the_body_says(fairlead_radius: float) -
         assert segment.mass is not None
         mass = len(system.legs) * segment.length * segment.mass
         assert assessed.objectives[0, 0] == pytest.approx(mass, rel=1e-11)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("azimuths", [SIX, (0.2, 1.0, 2.7, 4.0)])
+def test_several_loads_at_several_levels_are_worth_what_checking_says(
+    azimuths: tuple[float, ...],
+) -> None:
+    """Each load by `check_system` and `one_line_out`, of a body at its water level."""
+    case = mooring_case(azimuths=azimuths, lines=(), loads=LOADS, headings=1, line_out=False)
+    problem = MooringProblem.of(case)
+    assert case.system is not None
+    for genes in ((3, 1, 0, 0), (4, 0, 0, 1), (1, 0, 0, 1)):
+        line = problem.system(genes).legs[0].line
+        worst, offset = -math.inf, 0.0
+        for load in LOADS:
+            around = System.around(
+                line,
+                azimuths=azimuths,
+                anchor_radius=(600.0, 620.0)[genes[-1]],
+                fairlead_height=HEIGHT + load.water_level + load.fairlead_rise,
+                seabed_friction=0.3,
+            )
+            rest = solve_system(around).position
+            step = 2.0 * math.pi / load.headings
+            for angle in (load.direction + k * step for k in range(load.headings)):
+                loaded = around.under((load.force * math.cos(angle), load.force * math.sin(angle)))
+                report = check_system(
+                    replace(
+                        case,
+                        line=line,
+                        fairlead_height=loaded.legs[0].fairlead_height,
+                        system=loaded,
+                        design=None,
+                    )
+                )
+                whole = [each for each in report.results if each.place.state == "intact"]
+                used = report.results if load.line_out else whole
+                worst = max(worst, *(each.excess for each in used))
+                there = [solve_system(loaded).position]
+                if load.line_out:
+                    there += [
+                        out.solution.position
+                        for out in one_line_out(loaded)
+                        if out.solution is not None
+                    ]
+                offset = max(
+                    offset, *(math.hypot(each.x - rest.x, each.y - rest.y) for each in there)
+                )
+        assessed = problem.assess(np.array([genes]))
+        assert assessed.excess[0] == pytest.approx(worst, rel=1e-8, abs=1e-9)
+        assert assessed.objectives[0, 1] == pytest.approx(offset, rel=1e-8)
+
+
+def test_one_load_of_its_own_is_as_the_force_of_the_system() -> None:
+    plain = MooringProblem.of(mooring_case())
+    own = DesignLoad("storm", 1.5e6, headings=12, line_out=True)
+    loaded = MooringProblem.of(mooring_case(force=(0.0, 0.0), **ONE_LOAD, loads=(own,)))
+    assert same(enumerate_designs(plain), enumerate_designs(loaded))
 
 
 def test_the_least_force_by_hand() -> None:
@@ -168,6 +234,8 @@ def same(one: Outcome, other: Outcome) -> bool:
         {"objectives": ("mass", "offset", "cost"), "headings": 2},
         {"objectives": ("cost", "mass"), "headings": 2},
         {"line_out": False},
+        {"loads": LOADS, "headings": 1, "line_out": False},
+        {"loads": LOADS, "headings": 1, "line_out": False, "fairlead_radius": 5.0},
     ],
 )
 def test_with_bounds_the_front_is_the_same_bit_for_bit(changes: dict[str, Any]) -> None:
@@ -348,6 +416,13 @@ def test_nsga2_finds_designs_of_the_exact_front() -> None:
         ({"force": (0.0, 0.0)}, "system.force"),
         ({"lines": (6, 4)}, "lines"),
         ({"headings": 0}, "headings"),
+        ({"loads": LOADS, "line_out": False}, "design.headings"),
+        ({"loads": LOADS, "headings": 1}, "design.line_out"),
+        ({"loads": 2 * LOADS, **ONE_LOAD}, "design.loads[3].name"),
+        (
+            {"loads": (replace(LOADS[0], water_level=-68.0),), **ONE_LOAD},
+            "design.loads[0].water_level",
+        ),
     ],
 )
 def test_what_does_not_go_together_is_refused(changes: dict[str, Any], key: str) -> None:
