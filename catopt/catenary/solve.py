@@ -34,7 +34,8 @@ def solve(
 ) -> Solution:
     """Solve one line in closed form.
 
-    Exactly one of `horizontal_force`, `span` and `fairlead_tension` is given.
+    Exactly one of `horizontal_force`, `span` and `fairlead_tension` is given. Numbers are SI; text
+    with a unit, ``"0.343 tf"``, is read.
 
     Parameters
     ----------
@@ -75,7 +76,11 @@ def solve(
     17.43
     """
     load = Load(horizontal_force, span, fairlead_tension)
-    _check(line, load, height, anchor_height, seabed_friction)
+    found = Findings("solve")
+    height = found.taken("height", height, "m", at_least=0.0)
+    anchor_height = found.taken("anchor_height", anchor_height, "m", at_least=0.0)
+    seabed_friction = found.taken("seabed_friction", seabed_friction, "", at_least=0.0)
+    _check(line, load, found)
     pieces, segment_of = cut(line)
     problem = LineProblem(pieces, anchor_height, height, seabed_friction)
     state = _solve(load, problem)
@@ -102,13 +107,7 @@ def _other_answers(
     return other_tensions(solution, other_forces(load.fairlead_tension, problem, state))
 
 
-def _check(
-    line: Line, load: Load, height: float, anchor_height: float, seabed_friction: float
-) -> None:
-    found = Findings("solve")
-    found.number("height", height, "m", at_least=0.0)
-    found.number("anchor_height", anchor_height, "m", at_least=0.0)
-    found.number("seabed_friction", seabed_friction, "", at_least=0.0)
+def _check(line: Line, load: Load, found: Findings) -> None:
     for value in (load.horizontal_force, load.fairlead_tension):
         if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
             found.add("load", f"{value:g} N", f"from {LEAST_FORCE:g} to {GREATEST_FORCE:g} N")

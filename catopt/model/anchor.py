@@ -46,7 +46,7 @@ class Anchor:
     mass: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Anchor")
+        found = Findings("Anchor", self)
         found.word("kind", self.kind, ANCHOR_KINDS)
         found.raise_if_any()
         wanted = {

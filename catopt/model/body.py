@@ -36,7 +36,7 @@ class Body:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "wave_force", tuple(self.wave_force))
-        found = Findings("Body")
+        found = Findings("Body", self)
         found.number("mass", self.mass, "kg", above=0.0)
         found.number("added_mass", self.added_mass, "kg", at_least=0.0)
         found.number("damping", self.damping, "N s/m", at_least=0.0)

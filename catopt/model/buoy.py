@@ -20,6 +20,6 @@ class Buoy:
     reserve_buoyancy: float
 
     def __post_init__(self) -> None:
-        found = Findings("Buoy")
+        found = Findings("Buoy", self)
         found.number("reserve_buoyancy", self.reserve_buoyancy, "N", above=0.0)
         found.raise_if_any()

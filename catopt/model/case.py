@@ -67,7 +67,7 @@ class SwarmSettings:
     boundary: Boundary = "reflective"
 
     def __post_init__(self) -> None:
-        found = Findings("SwarmSettings")
+        found = Findings("SwarmSettings", self)
         for key in ("particles", "iterations", "runs"):
             found.count(key, getattr(self, key))
         if not found.problems:
@@ -166,7 +166,7 @@ class Case:
     fatigue: Fatigue | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Case")
+        found = Findings("Case", self)
         found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
         found.number("anchor_height", self.anchor_height, "m", at_least=0.0)
         found.problems += misfits(

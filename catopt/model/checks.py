@@ -51,7 +51,7 @@ class Checks:
     safety_factor_line_out: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Checks")
+        found = Findings("Checks", self)
         found.number("safety_factor", self.safety_factor, "", at_least=1.0)
         found.numbers(self, "", "proof_load_factor", "safety_factor_line_out", at_least=1.0)
         steepest = math.pi / 2.0

@@ -64,8 +64,12 @@ class CurrentProfile:
     series_file: str = ""
 
     def __post_init__(self) -> None:
-        found = Findings("CurrentProfile")
+        found = Findings("CurrentProfile", self)
         found.word("profile", self.profile, CURRENT_PROFILES)
+        found.raise_if_any()
+        found.each("depths", "m", at_least=0.0)
+        found.each("speeds", "m/s", at_least=0.0 if self.directions else None)
+        found.each("directions", "rad")
         found.raise_if_any()
         self._check_keys(found)
         found.numbers(self, "m/s", "speed", at_least=0.0)
@@ -101,19 +105,12 @@ class CurrentProfile:
             sizes = f"{len(self.depths)} depths, {len(self.speeds)} speeds"
             found.add("speeds", sizes, "as many speeds as depths are wanted")
         for index, depth in enumerate(self.depths):
-            found.number(f"depths[{index}]", depth, "m", at_least=0.0)
             if index and not depth > self.depths[index - 1]:
                 above = f"must be more than {self.depths[index - 1]:g} m, the one before"
                 found.add(f"depths[{index}]", f"{depth:g} m", above)
-        for index, speed in enumerate(self.speeds):
-            found.number(
-                f"speeds[{index}]", speed, "m/s", at_least=0.0 if self.directions else None
-            )
         if self.directions and self.depths and len(self.depths) != len(self.directions):
             sizes = f"{len(self.depths)} depths, {len(self.directions)} directions"
             found.add("directions", sizes, "as many directions as depths are wanted")
-        for index, direction in enumerate(self.directions):
-            found.number(f"directions[{index}]", direction, "rad")
         for index, turn in enumerate(turns(self.directions), start=1):
             if turn > _TURN:
                 allowed = "more than a right angle from the row before: give a row between them"

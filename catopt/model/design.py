@@ -52,12 +52,11 @@ class SegmentChoice:
     name: str = ""
 
     def __post_init__(self) -> None:
-        found = Findings("SegmentChoice")
+        found = Findings("SegmentChoice", self)
         if not self.lengths:
             found.add("lengths", "none", "at least one length is wanted")
-        for key in ("lengths", "diameters"):
-            for index, value in enumerate(getattr(self, key)):
-                found.number(f"{key}[{index}]", value, "m", above=0.0)
+        found.each("lengths", "m", above=0.0)
+        found.each("diameters", "m", above=0.0)
         found.numbers(self, "m", "diameter_min", "diameter_max", above=0.0)
         found.raise_if_any()
 
@@ -94,14 +93,12 @@ class ClumpWeightChoice:
     friction: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("ClumpWeightChoice")
+        found = Findings("ClumpWeightChoice", self)
         if not self.masses:
             found.add("masses", "none", "at least one mass is wanted")
-        for index, value in enumerate(self.masses):
-            found.number(f"masses[{index}]", value, "kg", above=0.0)
+        found.each("masses", "kg", above=0.0)
         found.number("density", self.density, "kg/m3", above=0.0)
-        for index, value in enumerate(self.positions):
-            found.number(f"positions[{index}]", value, "m", above=0.0)
+        found.each("positions", "m", above=0.0)
         if self.joint is not None:
             found.count("joint", self.joint)
         found.numbers(self, "", "friction", at_least=0.0)
@@ -135,13 +132,12 @@ class SinkerChoice:
     factor_source: str = ""
 
     def __post_init__(self) -> None:
-        found = Findings("SinkerChoice")
+        found = Findings("SinkerChoice", self)
         if self.factor_source and self.safety_factor is None:
             found.add("factor_source", "", "goes with safety_factor, which is missing")
         if not self.masses:
             found.add("masses", "none", "at least one mass is wanted")
-        for index, value in enumerate(self.masses):
-            found.number(f"masses[{index}]", value, "kg", above=0.0)
+        found.each("masses", "kg", above=0.0)
         found.number("density", self.density, "kg/m3", above=0.0)
         found.number("friction", self.friction, "", above=0.0)
         found.numbers(self, "", "safety_factor", at_least=1.0)
@@ -204,7 +200,7 @@ class Design:
     loads: tuple[DesignLoad, ...] = ()
 
     def __post_init__(self) -> None:
-        found = Findings("Design")
+        found = Findings("Design", self)
         if not self.segments:
             found.add("segments", "none", "at least one segment is wanted")
         if all(segment.optional for segment in self.segments):
@@ -230,8 +226,7 @@ class Design:
             found.number(f"lines[{index}]", number, "", at_least=fewest, at_most=most)
         if list(self.lines) != sorted(set(self.lines)):
             found.add("lines", ", ".join(map(str, self.lines)), "rising numbers, each once")
-        for index, radius in enumerate(self.anchor_radii):
-            found.number(f"anchor_radii[{index}]", radius, "m", above=0.0)
+        found.each("anchor_radii", "m", above=0.0)
         found.count("headings", self.headings)
 
     def _check_joints(self, found: Findings) -> None:

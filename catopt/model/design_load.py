@@ -42,7 +42,7 @@ class DesignLoad:
     line_out: bool = False
 
     def __post_init__(self) -> None:
-        found = Findings("DesignLoad")
+        found = Findings("DesignLoad", self)
         found.number("force", self.force, "N", above=0.0)
         for key in ("water_level", "fairlead_rise"):
             found.number(key, getattr(self, key), "m")

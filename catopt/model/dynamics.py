@@ -96,7 +96,7 @@ class Dynamics:
     duration_of_interest: float = 10800.0
 
     def __post_init__(self) -> None:
-        found = Findings("Dynamics")
+        found = Findings("Dynamics", self)
         found.number("duration", self.duration, "s", above=0.0)
         found.numbers(self, "s", "ramp", at_least=0.0)
         found.numbers(self, "s", "time_step", "output_interval", above=0.0)

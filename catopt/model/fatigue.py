@@ -51,7 +51,7 @@ class FatigueSeaState:
     direction: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("FatigueSeaState")
+        found = Findings("FatigueSeaState", self)
         found.number("height", self.height, "m", above=0.0)
         found.number("period", self.period, "s", above=0.0)
         found.number("share", self.share, "", at_least=0.0, at_most=1.0)
@@ -84,7 +84,7 @@ class SegmentCurve:
     M: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("SegmentCurve")
+        found = Findings("SegmentCurve", self)
         if self.segment is not None:
             found.count("segment", self.segment)
         if self.name and self.name not in CURVE_NAMES:
@@ -121,7 +121,7 @@ class Fatigue:
     curves: tuple[SegmentCurve, ...] = ()
 
     def __post_init__(self) -> None:
-        found = Findings("Fatigue")
+        found = Findings("Fatigue", self)
         if self.code and self.code not in FATIGUE_CODES:
             found.add("code", f'"{self.code}"', "one of " + ", ".join(FATIGUE_CODES))
         if self.design_factor is not None:

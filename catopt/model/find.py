@@ -47,7 +47,7 @@ class Find:
     grounded_length: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Find")
+        found = Findings("Find", self)
         found.word("quantity", self.quantity, FIND_QUANTITIES)
         for key in ("segment", "point_load"):
             if getattr(self, key) is not None:

@@ -106,7 +106,7 @@ class Segment:
     MBL_cov: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Segment")
+        found = Findings("Segment", self)
         found.number("length", self.length, "m", above=0.0)
         found.number("submerged_weight", self.submerged_weight, "N/m")
         found.number("EA", self.EA, "N", above=0.0, infinite=True)
@@ -182,7 +182,7 @@ class PointLoad:
     added_mass_coefficient: float = 0.0
 
     def __post_init__(self) -> None:
-        found = Findings("PointLoad")
+        found = Findings("PointLoad", self)
         found.number("position", self.position, "m", above=0.0)
         found.number("submerged_weight", self.submerged_weight, "N")
         found.numbers(self, "kg", "mass", at_least=0.0)

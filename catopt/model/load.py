@@ -42,7 +42,7 @@ class Load:
                 ],
                 "Load",
             )
-        found = Findings("Load")
+        found = Findings("Load", self)
         found.number(given[0], getattr(self, given[0]), LOADS[given[0]], above=0.0)
         found.raise_if_any()
 

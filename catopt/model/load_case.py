@@ -49,7 +49,7 @@ class LoadCase:
         return self.water_level + self.fairlead_rise
 
     def __post_init__(self) -> None:
-        found = Findings("LoadCase")
+        found = Findings("LoadCase", self)
         if not self.name.strip():
             found.add("name", repr(self.name), "a name is wanted")
         found.number("horizontal_force", self.horizontal_force, "N", above=0.0)

@@ -85,7 +85,7 @@ class Motion:
         return [key for key in OF_A_BODY if getattr(self, key)]
 
     def __post_init__(self) -> None:
-        found = Findings("Motion")
+        found = Findings("Motion", self)
         given = [key for key in MOTION_WAYS if getattr(self, key) not in (None, "")]
         if len(given) != 1:
             wanted = f"exactly one of {', '.join(MOTION_WAYS)} is wanted"

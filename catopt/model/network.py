@@ -42,7 +42,7 @@ class Point:
     submerged_weight: float = 0.0
 
     def __post_init__(self) -> None:
-        found = Findings("Point")
+        found = Findings("Point", self)
         if not self.name:
             found.add("name", "", "missing; lines name a point by it")
         found.word("kind", self.kind, POINT_KINDS)

@@ -28,7 +28,7 @@ class Service:
     wear_table: str | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Service")
+        found = Findings("Service", self)
         found.number("life", self.life, "s", at_least=0.0)
         found.number("wear_rate", self.wear_rate, "m/s", at_least=0.0)
         if self.wear_table is not None and self.wear_table not in WEAR_TABLES:

@@ -44,7 +44,7 @@ class Site:
     contact_offset: float = 0.0
 
     def __post_init__(self) -> None:
-        found = Findings("Site")
+        found = Findings("Site", self)
         found.number("water_depth", self.water_depth, "m", above=0.0)
         found.number("seabed_friction", self.seabed_friction, "", at_least=0.0)
         found.number("water_density", self.water_density, "kg/m3", above=0.0)

@@ -48,7 +48,7 @@ class Leg:
     def __post_init__(self) -> None:
         if isinstance(self.fairlead_azimuth, float) and math.isnan(self.fairlead_azimuth):
             object.__setattr__(self, "fairlead_azimuth", self.azimuth)
-        found = Findings("Leg")
+        found = Findings("Leg", self)
         found.number("azimuth", self.azimuth, "rad")
         found.number("anchor_radius", self.anchor_radius, "m", above=0.0)
         found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
@@ -149,13 +149,12 @@ class System:
         self._check()
 
     def _check(self) -> None:
-        found = Findings("System")
+        found = Findings("System", self)
         if not self.legs:
             found.add("legs", "none", "a system has at least one line")
         if len(self.force) != 2:
             found.add("force", f"{len(self.force)} numbers", "two are wanted: along x and y")
-        for axis, value in zip("xy", self.force, strict=False):
-            found.number(f"force ({axis})", value, "N")
+        found.each("force", "N")
         found.number("moment", self.moment, "N m")
         found.number("seabed_friction", self.seabed_friction, "", at_least=0.0)
         if self.yaw_free and not self.has_arms:

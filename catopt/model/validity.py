@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from catopt.errors import InputError, Problem
+from catopt.units import Dimension, to_si
 
 COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
@@ -35,12 +36,22 @@ COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
 within days; how long it takes is said before it begins."""
 
 
-class Findings:
-    """Gathers the problems of one value or one call, so that all are reported together."""
+_DIMENSIONS = {each.si_unit.replace("^", "").replace("*", " "): each for each in Dimension}
+_DIMENSIONS["N/m2"] = Dimension.PRESSURE
+"""By their SI units, as messages write them."""
 
-    def __init__(self, source: str) -> None:
+
+class Findings:
+    """Gathers the problems of one value or one call, so that all are reported together.
+
+    Given the value itself, it reads what of it is text with a unit, and puts the number in SI in
+    its place.
+    """
+
+    def __init__(self, source: str, of: object = None) -> None:
         self.source = source
         self.problems: list[Problem] = []
+        self._of = of
 
     def number(
         self,
@@ -55,8 +66,14 @@ class Findings:
     ) -> None:
         """Note a problem unless `value` is a number within the bounds.
 
-        The unit, empty for a pure number, is for the message; `infinite` allows positive infinity.
+        The unit is empty for a pure number; `infinite` allows positive infinity.
         """
+        if isinstance(value, str) and self._of is not None:
+            read = self._read(key, value, unit)
+            if read is None:
+                return
+            object.__setattr__(self._of, key, read)
+            value = read
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
             self.add(key, repr(value), f"a number{_in(unit)} is wanted")
             return
@@ -87,6 +104,40 @@ class Findings:
             if value is not None:
                 self.number(key, value, unit, above=above, at_least=at_least, at_most=at_most)
 
+    def taken(self, key: str, value: object, unit: str, *, at_least: float) -> float:
+        """Return an argument, read where it is text with a unit; nan with its problem noted."""
+        read = self._read(key, value, unit) if isinstance(value, str) else value
+        if read is not None:
+            self.number(key, read, unit, at_least=at_least)
+        return read if isinstance(read, (int, float)) else math.nan
+
+    def each(
+        self,
+        key: str,
+        unit: str,
+        *,
+        above: float | None = None,
+        at_least: float | None = None,
+        at_most: float | None = None,
+    ) -> None:
+        """Note a problem of each item of an attribute that is not a number within the bounds."""
+        items = list(getattr(self._of, key))
+        for index, item in enumerate(items):
+            name = f"{key}[{index}]"
+            read = self._read(name, item, unit) if isinstance(item, str) else item
+            if read is not None:
+                items[index] = read
+                self.number(name, read, unit, above=above, at_least=at_least, at_most=at_most)
+        object.__setattr__(self._of, key, tuple(items))
+
+    def _read(self, key: str, text: str, unit: str) -> float | None:
+        """Read text with a unit; None, with the problem noted, where it is none."""
+        try:
+            return to_si(text, _DIMENSIONS[unit], key)
+        except InputError as error:
+            self.problems += error.problems
+            return None
+
     def word(self, key: str, value: object, words: Sequence[str]) -> None:
         """Note a problem unless `value` is one of some words."""
         if value not in words:
@@ -95,7 +146,10 @@ class Findings:
     def count(self, key: str, value: object) -> None:
         """Note a problem unless `value` is within the bounds of the count that `key` is."""
         fewest, most = COUNTS[key]
-        self.number(key, value, "", at_least=fewest, at_most=most)
+        if isinstance(value, str):
+            self.add(key, repr(value), "a whole number is wanted")
+        else:
+            self.number(key, value, "", at_least=fewest, at_most=most)
 
     def add(self, key: str, found: str, allowed: str) -> None:
         """Note a problem."""

@@ -70,7 +70,7 @@ class WaveTrain:
     spreading_directions: int | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("WaveTrain")
+        found = Findings("WaveTrain", self)
         _check_train(self, found)
         found.raise_if_any()
 
@@ -121,7 +121,7 @@ class WaveState:
     shortest_period: float | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("WaveState")
+        found = Findings("WaveState", self)
         given = {
             field.name: getattr(self, field.name)
             for field in fields(self)
