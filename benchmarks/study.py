@@ -1,9 +1,10 @@
 """Studies: members a second at rest and in motion, memory, and what more members and cores cost.
 
-    python -m benchmarks.study [--years 40] [--runs 40] [--out benchmarks/results/study.md]
+    python -m benchmarks.study [--years 40] [--runs 40] [--many 2000] [--out FILE]
 
 Every study is one command in a process of its own, from its file to its tables; compiled code is
-loaded from the cache, which a first study fills.
+loaded from the cache, which a first study fills. `--many` adds so many runs of ten minutes of a
+coarse model on one process, on two, and on a Dask cluster of two workers, and compares their files.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
+from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
@@ -40,16 +42,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--years", type=int, default=40)
     parser.add_argument("--runs", type=int, default=40)
+    parser.add_argument("--many", type=int, default=0)
     parser.add_argument("--out", type=Path)
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        text = "\n".join(_report(Path(folder), arguments.years, arguments.runs)) + "\n"
+        text = "\n".join(_report(Path(folder), arguments)) + "\n"
     print(text)
     if arguments.out is not None:
         arguments.out.write_text(text, encoding="utf-8")
 
 
-def _report(folder: Path, years: int, runs: int) -> Iterator[str]:
+def _report(folder: Path, of: argparse.Namespace) -> Iterator[str]:
+    years, runs = of.years, of.runs
     yield "# Studies"
     yield ""
     yield (
@@ -61,7 +65,7 @@ def _report(folder: Path, years: int, runs: int) -> Iterator[str]:
     yield ""
     yield "| study | members | wall clock | processor | members a second | memory |"
     yield "| --- | --- | --- | --- | --- | --- |"
-    hours(folder, 1)
+    hours(folder, years)
     timed(folder, "hours")  # fills the cache
     for each in (years, 2 * years):
         members = hours(folder, each)
@@ -81,6 +85,39 @@ def _report(folder: Path, years: int, runs: int) -> Iterator[str]:
         yield f"| {workers} | {took.wall:.1f} s | {took.processor:.1f} s | {rate:.0f} |"
     yield ""
     yield from _planned(took.processor / runs, _bytes_a_run(folder) / runs)
+    if of.many:
+        yield ""
+        yield from _many(folder, of.many)
+
+
+def _many(folder: Path, runs: int) -> Iterator[str]:
+    """Time many short runs, and say whether all ways to them leave the same files."""
+    from distributed import LocalCluster
+
+    motion(folder, runs, coarse=True)
+    yield f"In motion: the chain by 12 bars in 40 waves, {runs:,} runs of 10 minutes, each once."
+    yield ""
+    yield "| on | wall clock | processor | times as fast |"
+    yield "| --- | --- | --- | --- |"
+    alone = timed(folder, "motion", "--workers", "1")
+    yield f"| one process | {alone.wall:.1f} s | {alone.processor:.1f} s | 1.00 |"
+    two = timed(folder, "motion", "--workers", "2")
+    ratio = alone.wall / two.wall
+    yield f"| two processes | {two.wall:.1f} s | {two.processor:.1f} s | {ratio:.2f} |"
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        dask = timed(folder, "motion", "--scheduler", cluster.scheduler_address)
+    yield f"| Dask, two workers | {dask.wall:.1f} s | | {alone.wall / dask.wall:.2f} |"
+    yield ""
+    found = sorted(folder.glob("motion-*"))[-3:]
+    prints = {
+        tuple(sha256((out / name).read_bytes()).hexdigest() for name in FILES) for out in found
+    }
+    same = "the same bytes" if len(prints) == 1 else "**different bytes**"
+    yield f"{', '.join(FILES)} of the three: {same}."
+
+
+FILES = ("members.csv", "study.csv", "study.json")
+"""That do not depend on how a study was computed."""
 
 
 RUNS, CORES = 10_000_000, 1000
@@ -156,9 +193,17 @@ def line(folder: Path, count: int) -> int:
     return count
 
 
-def motion(folder: Path, runs: int) -> None:
-    """Write a study of runs in motion, a seed each."""
+def motion(folder: Path, runs: int, *, coarse: bool = False) -> None:
+    """Write a study of runs in motion, a seed each; of a coarse model, ten minutes long."""
     case = (CASES / "dynamic-chain-56m" / "case.toml").as_posix()
+    if coarse:
+        text = Path(case).read_text(encoding="utf-8")
+        text = text.replace('"rao.csv"', f'"{Path(case).with_name("rao.csv").as_posix()}"')
+        text = text.replace("[current]", "components = 40\n\n[current]")
+        few = 'duration = "10 min"\nelements = 12\ntime_step = "0.2 s"'
+        text = text.replace('duration = "5 min"', few)
+        (folder / "coarse.toml").write_text(text, encoding="utf-8")
+        case = (folder / "coarse.toml").as_posix()
     seeds = ", ".join(str(seed) for seed in range(1, runs + 1))
     (folder / "motion.toml").write_text(
         f'case = "{case}"\ncompute = "motion"\nproof = "none"\n'
