@@ -18,6 +18,7 @@ from catopt.cli.fatigue import fatigue
 from catopt.cli.import_deck import import_deck
 from catopt.cli.loads import loads
 from catopt.cli.new import new
+from catopt.cli.options import in_environment
 from catopt.cli.output import Output
 from catopt.cli.report import report
 from catopt.cli.reproduce import reproduce
@@ -94,3 +95,7 @@ app.add_typer(catalog, short_help="Look up chain, wire and rope, each figure wit
 
 command = typer.main.get_command(app)
 """The command line, built once: that takes longer than most answers."""
+if in_environment() == "vi":
+    from catopt.cli.help_words import put_into_vietnamese
+
+    put_into_vietnamese(command)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -18,6 +19,12 @@ class ReportLanguage(StrEnum):
 
 LANGUAGE_VARIABLE = "CATOPT_LANG"
 """Environment variable with the language of a user who does not type it each time."""
+
+
+def in_environment() -> Literal["en", "vi"]:
+    """Language that the environment names; English where it names none, or none that there is."""
+    return "vi" if os.environ.get(LANGUAGE_VARIABLE, "").strip() == "vi" else "en"
+
 
 JsonOption = Annotated[
     bool,

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 import typer
 
 from catopt.cli.completion import of_input
+from catopt.cli.options import in_environment
 from catopt.sizing.inputs import Input, inputs_of
-from catopt.words import Message
+from catopt.words import Message, say
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
@@ -22,6 +23,8 @@ _NOTHING: Mapping[str, str] = MappingProxyType({})
 _NO_OPTIONS = {"buoy": ("title", "source", "buoy"), "tanker": ("title", "source")}
 _NAMED = ("depth", "draught", "dwt", "hs", "hmax", "soil")
 """Inputs that stand in what is said of others."""
+_SUCH_AS = {"en": ", such as", "vi": ", ví dụ"}
+_LEFT_OUT = {"en": "; if left out,", "vi": "; bỏ trống thì"}
 _METAVARS = {"code": "NAME", "soil": "SOIL", "buoy": "BUOY", "sinker": "MATERIAL", "lines": "N"}
 
 
@@ -46,9 +49,10 @@ def help_of(each: Input, taken: str | None = None) -> str:
     left_out = left_out if taken is None else taken
     which = f": {', '.join(each.words)}" if each.words else ""
     is_shown = each.required or each.name == "buoy"
-    example = f', such as "{each.example}"' if is_shown else ""
-    rest = f"; if left out, {left_out}" if left_out else ""
-    return f"{Message(f'inputs.{each.name}')}{which}{example}{rest}."
+    language = in_environment()
+    example = f'{_SUCH_AS[language]} "{each.example}"' if is_shown else ""
+    rest = f"{_LEFT_OUT[language]} {say(left_out, language)}" if left_out else ""
+    return f"{say(Message(f'inputs.{each.name}'), language)}{which}{example}{rest}."
 
 
 def with_inputs(
