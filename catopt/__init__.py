@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from catopt.casefile import read_case
+    from catopt.catalogue import component
     from catopt.catenary.batch import solve_many
     from catopt.catenary.case import solve_case
     from catopt.catenary.case_curve import curve_case
@@ -66,6 +67,7 @@ __all__ = [
     "System",
     "__version__",
     "check_case",
+    "component",
     "curve_case",
     "design_case",
     "find_clump_weight",
@@ -87,6 +89,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "catopt.catalogue": ("component",),
     "catopt.casefile": ("read_case",),
     "catopt.catenary.batch": ("solve_many",),
     "catopt.catenary.case_curve": ("curve_case",),

@@ -163,3 +163,11 @@ def test_solve_takes_text_with_units() -> None:
     with pytest.raises(InputError) as caught:
         UNTYPED.solve(line, height="9.5 kg", seabed_friction="rough", horizontal_force=1.0)
     assert [each.key for each in caught.value.problems] == ["height", "seabed_friction"]
+
+
+def test_a_component_is_named_with_its_diameter_as_text() -> None:
+    chain = UNTYPED.component("chain studless R4", "76 mm")
+    assert chain == catopt.component("chain studless R4", 0.076)
+    assert chain.segment("300 m") == chain.segment(300.0)
+    with pytest.raises(InputError, match="a length is wanted"):
+        UNTYPED.component("chain studless R4", "76 kg")

@@ -29,6 +29,7 @@ NAMES = [
     "System",
     "__version__",
     "check_case",
+    "component",
     "curve_case",
     "design_case",
     "find_clump_weight",

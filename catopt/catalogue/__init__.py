@@ -76,8 +76,9 @@ def component(
     family : str
         A family, with or without its grade: ``"chain studless"``, ``"chain studless R3"``.
     diameter : float
-        Nominal diameter in m: of the bar of a chain's links, or of the rope as sold. Any within
-        the range of the family, whether or not it is a size that is sold.
+        Nominal diameter, m: of the bar of a chain's links, or of the rope as sold; text with its
+        unit, ``"76 mm"``, is read. Any within the range of the family, whether or not it is a size
+        that is sold.
     grade : str, optional
         When it is not in the name.
     variants : mapping of str to str, optional

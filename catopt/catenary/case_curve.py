@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from contextlib import suppress
 from dataclasses import asdict, dataclass
 from typing import Any, Literal, get_args
 
@@ -12,11 +11,11 @@ import numpy as np
 
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.catenary.curve import Array, Curve, Over, check_range, load_curve
-from catopt.catenary.find import find_limit_force
+from catopt.catenary.curve_range import BEYOND, LEAST, limit_force, weight_force
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.catenary.surface import check_buoys
-from catopt.errors import FloatsUpError, InputError, NoAnswerError, Problem
+from catopt.errors import FloatsUpError, InputError, Problem
 from catopt.model import Case
 from catopt.shown import Shown
 from catopt.words import Measure, Message
@@ -25,10 +24,6 @@ __all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]
 
 Stepped = Literal["force", "span", "offset"]
 STEPPED: tuple[Stepped, ...] = get_args(Stepped)
-
-BEYOND = 1.05
-LEAST = 0.01
-"""A range that is not given runs from this part of a force to that, which shows its mark."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -199,21 +194,13 @@ def _load_curve(
 
 def _size(case: Case, reference: Solution) -> tuple[float, str]:
     """Return the horizontal force that sets the range, N, and what it is."""
-    sizes = [(reference.horizontal_force, Message("catenary.case_force"))]
-    strong = any(segment.MBL is not None for segment in reference.line.segments)
-    if strong and (case.find is None or case.find.quantity != "limit_force"):
-        with suppress(NoAnswerError):
-            limit = find_limit_force(
-                reference.line,
-                safety_factor=case.checks.safety_factor,
-                segment=None,
-                **case.place,
-            )
-            sizes.append((limit.value, Message("catenary.limit_force", condition=limit.condition)))
-    if max(sizes)[0] > 0.0:
-        return max(sizes)
-    weight = math.fsum(abs(s.submerged_weight) * s.length for s in reference.line.segments)
-    return weight, Message("catenary.line_weight")
+    sizes: list[tuple[float, str]] = [
+        (reference.horizontal_force, Message("catenary.case_force")),
+    ]
+    if case.find is None or case.find.quantity != "limit_force":
+        limit = limit_force(reference.line, case.place, case.checks.safety_factor)
+        sizes += [] if limit is None else [limit]
+    return max(sizes) if max(sizes)[0] > 0.0 else weight_force(reference.line)
 
 
 def _least_force(case: Case, reference: Solution, least: float) -> tuple[float, str]:

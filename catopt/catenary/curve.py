@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from catopt.catenary.curve_range import BEYOND, LEAST, limit_force, weight_force
 from catopt.catenary.equilibrium import given_force
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import cut
@@ -31,6 +32,7 @@ from catopt.errors import (
     Problem,
 )
 from catopt.model import Line
+from catopt.model.validity import Findings
 from catopt.words import Message, Several, term
 
 __all__ = ["Curve", "Mark", "check_range", "load_curve"]
@@ -100,9 +102,9 @@ def load_curve(
     line: Line,
     *,
     height: float,
-    over: Over,
-    start: float,
-    stop: float,
+    over: Over = "horizontal_force",
+    start: float | None = None,
+    stop: float | None = None,
     points: int = 50,
     seabed_friction: float = 0.0,
     anchor_height: float = 0.0,
@@ -119,8 +121,9 @@ def load_curve(
         As for `solve`.
     over : {"span", "horizontal_force"}
         What is stepped.
-    start, stop : float
-        Its range: m or N.
+    start, stop : float, optional
+        Its range: m or N. What is left out is taken from a horizontal force: 1 % and 105 % of the
+        one at which a segment reaches MBL over the safety factor, or of what the line weighs.
     points : int
         From 2 to 10 000.
     safety_factor : float
@@ -134,7 +137,35 @@ def load_curve(
         When the range is empty or there are too few or too many points.
     NoEquilibriumError, NotConvergedError
         When a point of the range has no answer; as `solve` has it there.
+
+    Examples
+    --------
+    >>> from catopt import Line, Segment, load_curve
+    >>> curve = load_curve(Line([Segment(200.0, 1500.0, MBL=6e6)]), height=30.0, safety_factor=2.0)
+    >>> round(float(curve.horizontal_force[-1]) / 1e3), len(curve.marks)
+    (3102, 2)
     """
+    found = Findings("load_curve")
+    height = found.taken("height", height, "m", at_least=0.0)
+    anchor_height = found.taken("anchor_height", anchor_height, "m", at_least=0.0)
+    seabed_friction = found.taken("seabed_friction", seabed_friction, "", at_least=0.0)
+    unit = "m" if over == "span" else "N"
+    if isinstance(start, str):
+        start = found.taken("start", start, unit, at_least=0.0)
+    if isinstance(stop, str):
+        stop = found.taken("stop", stop, unit, at_least=0.0)
+    found.raise_if_any()
+    if start is None or stop is None:
+        place = {
+            "height": height,
+            "anchor_height": anchor_height,
+            "seabed_friction": seabed_friction,
+        }
+        force, _ = limit_force(line, place, safety_factor) or weight_force(line)
+        ends = [part * force for part in (LEAST, BEYOND)]
+        if over == "span":
+            ends = [solve(line, horizontal_force=each, **place).span for each in ends]
+        start, stop = ends[0] if start is None else start, ends[1] if stop is None else stop
     check_range(start, stop, points, "m" if over == "span" else "N")
     pieces, segment_of = cut(line)
     problem = LineProblem(pieces, anchor_height, height, seabed_friction)

@@ -104,7 +104,7 @@ def test_a_diameter_in_mm_is_noticed() -> None:
         catalogue.component("chain studless R3", 76)
 
 
-@pytest.mark.parametrize("diameter", [0.0, -0.076, math.nan, math.inf, "76 mm", True])
+@pytest.mark.parametrize("diameter", [0.0, -0.076, math.nan, math.inf, "76 kg", True])
 def test_what_is_no_diameter_is_an_error(diameter: object) -> None:
     with pytest.raises(InputError, match="diameter"):
         catalogue.component("chain studless R3", diameter)  # type: ignore[arg-type]

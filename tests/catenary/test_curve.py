@@ -195,3 +195,27 @@ def test_arguments_are_checked_as_by_solve() -> None:
         load_curve(weightless, height=20.0, over="span", start=40.0, stop=50.0)
     straight = math.sqrt(55.0**2 - 20.0**2)
     assert over_force(weightless, 1e3, 2e3, 3).span == pytest.approx(straight, rel=1e-14)
+
+
+def test_a_range_that_is_not_given_ends_beyond_the_limit() -> None:
+    """200 m of 1500 N/m, 30 m up, hang free at T = 3000 kN: H by the catenary of S2."""
+    line = Line([Segment(200.0, 1500.0, MBL=6e6)])
+    curve = load_curve(line, height=30.0, safety_factor=2.0)
+    # T = H cosh(u2), L = a (sinh(u2) - sinh(u1)), h = a (cosh(u2) - cosh(u1)), a = H / w.
+    (limit,) = [mark for mark in curve.marks if mark.kind == "limit"]
+    a = limit.horizontal_force / 1500.0
+    high = math.acosh(3e6 / limit.horizontal_force)
+    low = math.asinh(math.sinh(high) - 200.0 / a)
+    assert a * (math.cosh(high) - math.cosh(low)) == pytest.approx(30.0, rel=1e-9)
+    assert curve.horizontal_force[0] == pytest.approx(0.01 * limit.horizontal_force, rel=1e-9)
+    assert curve.horizontal_force[-1] == pytest.approx(1.05 * limit.horizontal_force, rel=1e-9)
+
+
+def test_a_range_of_a_line_of_unknown_strength_goes_by_its_weight() -> None:
+    line = Line([Segment(200.0, 1500.0)])
+    curve = load_curve(line, height=30.0, points=3)
+    assert curve.horizontal_force[[0, -1]] == pytest.approx([3e3, 3.15e5], rel=1e-12)
+    spans = load_curve(line, height=30.0, over="span", points=3).span
+    assert spans[[0, -1]] == pytest.approx(curve.span[[0, -1]], rel=1e-12)
+    last = load_curve(line, height=30.0, stop=1e5, points=2)
+    assert last.horizontal_force == pytest.approx([3e3, 1e5], rel=1e-12)
