@@ -231,6 +231,9 @@ def _layout_words(point: DesignPoint) -> Iterator[Message]:
     if point.mooring is not None:
         legs = point.mooring.system.legs
         yield Message("design.around", count=len(legs), radius=legs[0].anchor_radius)
+        if point.mooring.pretension is not None:
+            force = Measure("horizontal_force", point.mooring.pretension)
+            yield Message("design.at_pretension", force=force)
 
 
 def _composition(point: DesignPoint) -> Several:

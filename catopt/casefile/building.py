@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.components import SIZES, FromCatalogue, catalogue_choice
 from catopt.casefile.fatigue_consistency import share_of_year
-from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, RADII, Values
+from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII, Values
 from catopt.casefile.schema import (
     BodyTable,
     CaseTable,
@@ -212,7 +212,7 @@ def _catalogue(table: CatalogueTable, folder: str) -> CatalogueChoice:
 
 
 def _design(table: DesignTable, line: LineTable, catalogue: FromCatalogue) -> Design:
-    given = _with_values(table.given(), RADII)
+    given = _with_values(table.given(), RADII, PRETENSIONS)
     given |= {key: tuple(given[key]) for key in ("objectives", "lines") if key in given}
     given["segments"] = tuple(
         _segment_choice(segment, index, line, catalogue)

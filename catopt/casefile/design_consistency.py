@@ -10,7 +10,7 @@ from catopt.casefile.components import SIZES
 from catopt.casefile.consistency import sinks_findings
 from catopt.casefile.document import Place, as_in_file, misspelt, number, table, tables, value
 from catopt.casefile.location import Finding, parts
-from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, RADII, duplicates
+from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII, duplicates
 from catopt.casefile.schema import (
     CaseTable,
     ClumpWeightChoiceTable,
@@ -184,6 +184,11 @@ def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
     """Find radii given in two ways, and what goes with several lines alone or not with them."""
     design, system = table(document, "design"), table(document, "system")
     yield from RADII.findings(DesignTable, (("design",), design))
+    yield from PRETENSIONS.findings(DesignTable, (("design",), design))
+    if RADII.is_given(design) and PRETENSIONS.is_given(design):
+        key = next(key for key in PRETENSIONS.keys if key in design)
+        allowed = "one of both places the anchors: give the radius or the pretension"
+        yield Finding(("design", key), as_written(design[key]), allowed)
     has_system = "system" in document
     if not has_system and misspelt(CaseTable, ["system"], document):
         return
@@ -192,11 +197,13 @@ def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
     given = {key: value(DesignTable, key, design) for key in ("lines", "headings", "objectives")}
     given |= {"line_out": design.get("line_out") is True, "sinker": "sinker" in design}
     given |= {"anchor_radii": RADII.is_given(design), "loads": "loads" in design}
+    given |= {"pretensions": PRETENSIONS.is_given(design)}
     has_force = bool(unclear or any(force))
     for problem in body_misfits(given, has_system=has_system, has_force=has_force):
         found, path = problem.found, parts(problem.key)
-        if path[-1] == "anchor_radii":
-            path = ("design", next(key for key in RADII.keys if key in design))
+        for values in (RADII, PRETENSIONS):
+            if path[-1] == values.many:
+                path = ("design", next(key for key in values.keys if key in design))
         yield as_in_file(document, Finding(path, found, problem.allowed))
 
 

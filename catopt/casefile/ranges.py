@@ -112,6 +112,7 @@ LENGTHS = Values("length", "lengths")
 MASSES = Values("mass", "masses")
 POSITIONS = Values("position", "positions")
 RADII = Values("anchor_radius", "anchor_radii")
+PRETENSIONS = Values("pretension", "pretensions")
 
 
 def duplicates(schema: type[Table], place: Place, key: str) -> Iterator[Finding]:

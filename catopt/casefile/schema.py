@@ -406,6 +406,11 @@ class DesignTable(Table):
     anchor_radius_min: Length | None = None
     anchor_radius_max: Length | None = None
     anchor_radius_step: Length | None = None
+    pretension: Strength | None = None
+    pretensions: Annotated[list[Strength], SOME] | None = None
+    pretension_min: Strength | None = None
+    pretension_max: Strength | None = None
+    pretension_step: Strength | None = None
     headings: Annotated[int, Whole("headings", example=12)] | None = None
     line_out: Yes | None = None
     loads: Annotated[list[DesignLoadTable], SOME_TABLES] | None = None

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from catopt.catenary.equilibrium import hang_slack
+from catopt.catenary.equilibrium import given_force, hang_slack
 from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.pieces import Pieces, total_length
 from catopt.catenary.span import given_span
@@ -113,8 +113,11 @@ def assess_moorings(
             excess[i] = NO_DESIGN + beyond
             continue
         layout = genes[i, genes.shape[1] - 2]
-        radius = tables.radius[genes[i, genes.shape[1] - 1]]
         pieces = pieces_in(room, segments, weights)
+        radius = _radius(genes[i, genes.shape[1] - 1], pieces, tables, line)
+        if math.isnan(radius):
+            excess[i] = NO_EQUILIBRIUM
+            continue
         weigh(line, room, segments, genes[i], tables.lines[layout], objectives[i])
         forces = 0.0, 0.0
         if search.is_bounded:
@@ -146,6 +149,17 @@ def assess_moorings(
             excess[i] = 1.0
         if math.isnan(objectives[i, OFFSET]):
             objectives[i, :] = math.nan
+
+
+@inlined
+def _radius(anchors: int, pieces: Pieces, tables: MooringTables, line: Tables) -> float:
+    """Horizontal distance from the body's origin to the anchors, m; nan where none gives it."""
+    if len(tables.pretension) == 0:
+        radius: float = tables.radius[anchors]
+        return radius
+    problem = LineProblem(pieces, line.anchor_height, line.height[0], line.friction)
+    state = given_force(tables.pretension[anchors], problem)
+    return state.span + tables.fairlead_radius if state.status == CONVERGED else math.nan
 
 
 class _Found(NamedTuple):

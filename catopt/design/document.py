@@ -103,6 +103,7 @@ def _system(mooring: MooringPoint) -> dict[str, Any]:
     return {
         "azimuths_rad": [leg.azimuth for leg in legs],
         "anchor_radius_m": legs[0].anchor_radius,
+        **({} if mooring.pretension is None else {"pretension_N": mooring.pretension}),
         "farthest_state": mooring.state,
         "farthest_force_N": list(mooring.farthest.system.force),
         "farthest_water_level_m": mooring.load.water_level,

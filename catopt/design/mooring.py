@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.batch import in_ranges
+from catopt.catenary.solve import solve
 from catopt.checks.criteria import Criteria, criteria_of
 from catopt.checks.remarks import NO_CHECK
 from catopt.checks.result import CheckReport
@@ -197,6 +198,12 @@ class MooringProblem(DesignProblem):
         assert self.case.system is not None
         return loads_of(self.case.design, self.case.system)
 
+    def pretension(self, genes: tuple[int, ...]) -> float | None:
+        """Horizontal force in each line with the body at its origin, N, where it is chosen."""
+        assert self.space.layout is not None
+        known = self.space.layout.pretensions
+        return known[genes[-1]] if known else None
+
     def system(self, genes: tuple[int, ...], lift: float = 0.0) -> System:
         """Build the body with the lines of a design, its fairleads so much higher, m.
 
@@ -205,10 +212,17 @@ class MooringProblem(DesignProblem):
         assert self.case.system is not None
         assert self.space.layout is not None
         own, first, load = self.case.system, self.case.system.legs[0], self.loads[0]
+        line = self.space.line(genes)
+        pretension = self.pretension(genes)
+        if pretension is None:
+            radius = self.space.layout.radii[genes[-1]]
+        else:
+            solution = solve(line, horizontal_force=pretension, **self.case.place)
+            radius = solution.span + first.fairlead_radius
         return System.around(
-            self.space.line(genes),
+            line,
             azimuths=self.space.layout.azimuths[genes[-2]],
-            anchor_radius=self.space.layout.radii[genes[-1]],
+            anchor_radius=radius,
             fairlead_height=first.fairlead_height + lift,
             fairlead_radius=first.fairlead_radius,
             anchor_height=first.anchor_height,
@@ -235,15 +249,15 @@ def _layout(design: Design, system: System, found: Findings) -> LayoutVariable:
         tuple(own[0] + 2.0 * np.pi * k / number for k in range(number)) for number in design.lines
     )
     first = system.legs[0]
-    radii = design.anchor_radii or (first.anchor_radius,)
-    if radii[0] <= first.fairlead_radius:
+    radii = () if design.pretensions else design.anchor_radii or (first.anchor_radius,)
+    if radii and radii[0] <= first.fairlead_radius:
         allowed = f"must be above {first.fairlead_radius:g} m, the fairlead_radius"
         found.add("design.anchor_radii", f"{radii[0]:g} m", allowed)
     gone = [i for i, load in enumerate(loads_of(design, system)) if load.line_out]
     if gone and min(map(len, regular or (own,))) < 2:
         key = f"design.loads[{gone[0]}].line_out" if design.loads else "design.line_out"
         found.add(key, "true", "with one line alone, none is left; leave it out")
-    return LayoutVariable(regular or (own,), radii)
+    return LayoutVariable(regular or (own,), radii, design.pretensions)
 
 
 def _check_stretch(space: DesignSpace, found: Findings) -> None:

@@ -41,6 +41,8 @@ class MooringPoint:
         Which state and heading that is.
     load : DesignLoad
         Of which load.
+    pretension : float or None
+        Horizontal force in each line with the body at its origin, N, where that is chosen.
     """
 
     system: System
@@ -49,6 +51,7 @@ class MooringPoint:
     farthest: SystemSolution
     state: Message
     load: DesignLoad
+    pretension: float | None = None
 
 
 @dataclass(frozen=True)
@@ -93,7 +96,15 @@ def mooring_point(problem: MooringProblem, genes: tuple[int, ...]) -> MooringPoi
         ),
     )
     farthest = solution_at(zero, rest, lines)
-    return MooringPoint(system, report, far.offset, farthest, far.state.name, far.load)
+    return MooringPoint(
+        system,
+        report,
+        far.offset,
+        farthest,
+        far.state.name,
+        far.load,
+        problem.pretension(genes),
+    )
 
 
 def _solved(problem: MooringProblem, genes: tuple[int, ...]) -> Iterator[_Solved]:

@@ -30,7 +30,9 @@ class MooringTables(NamedTuple):
     gap : array, shape (layouts, 1 + lines)
         Cosine of half the widest angle between neighbours: with all lines, and without each.
     radius : array, shape (radii,)
-        Of the anchors, m.
+        Of the anchors, m; or empty.
+    pretension : array, shape (pretensions,)
+        Instead: horizontal force in each line with the body at its origin, N; or empty.
     moment : float
         N m.
     first : array of int, shape (layouts + 1,)
@@ -55,6 +57,7 @@ class MooringTables(NamedTuple):
     azimuth: Any
     gap: Any
     radius: Any
+    pretension: Any
     moment: float
     first: Any
     missing: Any
@@ -106,6 +109,7 @@ def mooring_tables(
         azimuth=azimuth,
         gap=gap,
         radius=np.array(space.layout.radii),
+        pretension=np.array(space.layout.pretensions),
         moment=float(system.moment),
         first=np.cumsum([0, *map(len, states)], dtype=np.int64),
         missing=np.array([state.missing for state in flat], dtype=np.int64),

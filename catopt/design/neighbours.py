@@ -17,7 +17,7 @@ from catopt.design.space import (
 )
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model import Segment
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 Design = tuple[int, ...]
 
@@ -88,6 +88,7 @@ _WHAT = {
     "place": "design.place",
     "lines": "design.lines",
     "radius": "design.radius",
+    "pretension": "design.pretension",
 }
 """Key of what changes."""
 
@@ -165,15 +166,23 @@ def _of_weight(variable: ClumpWeightVariable, kind: int, place: int) -> Iterator
         yield _Change(_LEFT_OUT, {}, (0, 0))
 
 
-def _of_layout(variable: LayoutVariable, lines: int, radius: int) -> Iterator[_Change]:
+def _of_layout(variable: LayoutVariable, lines: int, anchors: int) -> Iterator[_Change]:
     for other in _beside(lines, len(variable.azimuths)):
         counts = (len(variable.azimuths[each]) for each in (other, lines))
         new, old = (Message("design.so_many_lines", count=each) for each in counts)
-        yield _Change(_CHANGED, {"new": new, "old": old}, (other, radius), "lines", other - lines)
-    for other in _beside(radius, len(variable.radii)):
-        radii = (variable.radii[each] for each in (other, radius))
-        new, old = (Message("design.at_radius", radius=each) for each in radii)
-        yield _Change(_CHANGED, {"new": new, "old": old}, (lines, other), "radius", other - radius)
+        yield _Change(_CHANGED, {"new": new, "old": old}, (other, anchors), "lines", other - lines)
+    for other in _beside(anchors, variable.sizes[1]):
+        new, old = (_anchored(variable, each) for each in (other, anchors))
+        what = "pretension" if variable.pretensions else "radius"
+        yield _Change(_CHANGED, {"new": new, "old": old}, (lines, other), what, other - anchors)
+
+
+def _anchored(variable: LayoutVariable, anchors: int) -> Message:
+    """Say how far away the anchors are, or by which pretension they are placed."""
+    if not variable.pretensions:
+        return Message("design.at_radius", radius=variable.radii[anchors])
+    force = Measure("horizontal_force", variable.pretensions[anchors])
+    return Message("design.at_pretension", force=force)
 
 
 def _beside(index: int, count: int) -> Iterator[int]:

@@ -115,18 +115,23 @@ class LayoutVariable:
     azimuths : tuple of tuple of float
         Of each number of lines, rad; more lines come later.
     radii : tuple of float
-        Horizontal distances from the body's origin to the anchors, m, rising.
+        Horizontal distances from the body's origin to the anchors, m, rising; empty where
+        pretensions are given.
+    pretensions : tuple of float
+        Instead: horizontal forces in each line with the body at its origin, N, rising; the
+        distance of the anchors follows from the line.
     """
 
     azimuths: tuple[tuple[float, ...], ...]
     radii: tuple[float, ...]
+    pretensions: tuple[float, ...] = ()
     is_optional: bool = False
     name: str = ""
 
     @property
     def sizes(self) -> tuple[int, int]:
         """How many values its two genes have."""
-        return len(self.azimuths), len(self.radii)
+        return len(self.azimuths), len(self.pretensions or self.radii)
 
     @property
     def count(self) -> int:

@@ -17,7 +17,7 @@ SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 SEARCH_METHODS: tuple[str, ...] = get_args(SearchMethod)
 
 
-_OF_A_BODY = ("lines", "anchor_radii", "headings", "line_out", "loads")
+_OF_A_BODY = ("lines", "anchor_radii", "pretensions", "headings", "line_out", "loads")
 _PLAIN: Mapping[str, object] = {"headings": 1}
 """What a key says that might as well be left out."""
 
@@ -176,6 +176,8 @@ class Design:
     anchor_radii : tuple of float
         Of a body: horizontal distances from its origin to its anchors, m, rising; empty: that of
         the case.
+    pretensions : tuple of float
+        Of a body: instead, horizontal forces in each line with the body at its origin, N, rising.
     headings : int
         Of a body: from how many sides its force comes, evenly, its own direction the first.
     line_out : bool
@@ -195,6 +197,7 @@ class Design:
     max_enumerated: int = 5_000_000
     lines: tuple[int, ...] = ()
     anchor_radii: tuple[float, ...] = ()
+    pretensions: tuple[float, ...] = ()
     headings: int = 1
     line_out: bool = False
     loads: tuple[DesignLoad, ...] = ()
@@ -227,6 +230,9 @@ class Design:
         if list(self.lines) != sorted(set(self.lines)):
             found.add("lines", ", ".join(map(str, self.lines)), "rising numbers, each once")
         found.each("anchor_radii", "m", above=0.0)
+        found.each("pretensions", "N", above=0.0)
+        if self.anchor_radii and self.pretensions:
+            found.add("pretensions", "beside anchor_radii", "one of both places the anchors")
         found.count("headings", self.headings)
 
     def _check_joints(self, found: Findings) -> None:

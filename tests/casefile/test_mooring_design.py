@@ -88,6 +88,25 @@ def test_keys_of_a_body_want_one() -> None:
     assert all("[system]" in allowed for allowed in found.values())
 
 
+def pretensioned() -> str:
+    rows = [row for row in shipped().splitlines() if not row.startswith("anchor_radius_")]
+    range_of = 'pretension_min = "30 kN"\npretension_max = "90 kN"\npretension_step = "20 kN"'
+    return "\n".join(rows).replace("headings = 12", f"headings = 12\n{range_of}")
+
+
+def test_pretensions_are_read_as_they_are_written() -> None:
+    case = parse_case(pretensioned())
+    assert case.design is not None
+    assert case.design.pretensions == (30e3, 50e3, 70e3, 90e3)
+    assert case.design.anchor_radii == ()
+    assert parse_case(write_case(case)) == case
+
+
+def test_a_radius_beside_a_pretension_is_refused() -> None:
+    found = problems(pretensioned().replace("headings = 12", 'anchor_radii = ["200 m"]', 1))
+    assert "the radius or the pretension" in found["design.pretension_min"]
+
+
 LOADS = """
 [[design.loads]]
 name = "storm"

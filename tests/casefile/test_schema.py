@@ -24,6 +24,7 @@ from catopt.casefile.schema import (
     ChecksTable,
     ClumpWeightChoiceTable,
     CurrentTable,
+    DesignLoadTable,
     DesignTable,
     DynamicsTable,
     FatigueCurveTable,
@@ -60,6 +61,7 @@ from catopt.model import (
     ClumpWeightChoice,
     CurrentProfile,
     Design,
+    DesignLoad,
     Dynamics,
     Fatigue,
     FatigueSeaState,
@@ -114,6 +116,7 @@ MODEL: dict[type[Table], tuple[Callable[..., object], dict[str, Any]]] = {
     AnchorTable: (Anchor, {"kind": "sinker", "submerged_weight": 3e4, "friction": 0.5}),
     CatalogueTable: (CatalogueChoice, {}),
     DesignTable: (Design, {"segments": (SegmentChoice((20.0,)),)}),
+    DesignLoadTable: (DesignLoad, {"name": "storm", "force": 1e6}),
     SegmentChoiceTable: (SegmentChoice, {"lengths": (20.0,)}),
     ClumpWeightChoiceTable: (
         ClumpWeightChoice,
@@ -204,7 +207,11 @@ NOT_IN_THE_MODEL = {
     *((ClumpWeightChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
     *((ClumpWeightChoiceTable, f"position{end}") for end in ("", "_min", "_max", "_step")),
     *((SinkerChoiceTable, f"mass{end}") for end in ("", "_min", "_max", "_step")),
-    *((DesignTable, f"anchor_radius{end}") for end in ("", "_min", "_max", "_step")),
+    *(
+        (DesignTable, f"{name}{end}")
+        for name in ("anchor_radius", "pretension")
+        for end in ("", "_min", "_max", "_step")
+    ),
 }
 """Keys from which the model's own attributes are worked out."""
 
@@ -212,6 +219,7 @@ NARROWER = {
     (ChecksTable, "max_anchor_uplift_angle"),
     (SegmentTable, "component"),
     (SegmentChoiceTable, "components"),
+    (DesignLoadTable, "name"),
     (ChecksTable, "codes"),
     (CatalogueTable, "file"),
     (AnchorTable, "factor_source"),
@@ -419,9 +427,9 @@ def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
                 continue
             assert rows[field.name].default == default_of(field.default), field.name
             compared += 1
-    # segments, site, point loads, load cases, checks, service, catalogue, design with its segments
-    # and clump weights, waves with trains, current, motion of both ends, body, dynamics, pso
-    assert compared == 1 + 4 + 1 + 4 + 2 + 1 + 1 + (8 + 1 + 1) + (5 + 2) + 1 + 6 + 6 + 2 + 7 + 8
+    # segments, site, point loads, load cases, checks, service, catalogue, design with its segments,
+    # clump weights and loads, waves with trains, current, motion of both ends, body, dynamics, pso
+    assert compared == 1 + 4 + 1 + 4 + 2 + 1 + 1 + (8 + 1 + 1 + 5) + (5 + 2) + 1 + 6 + 6 + 2 + 7 + 8
 
 
 def default_of(default: object) -> str:

@@ -185,6 +185,42 @@ def test_one_load_of_its_own_is_as_the_force_of_the_system() -> None:
     assert same(enumerate_designs(plain), enumerate_designs(loaded))
 
 
+@pytest.mark.parametrize("fairlead_radius", [0.0, 5.0])
+def test_a_pretension_places_the_anchors(fairlead_radius: float) -> None:
+    """Without a load each line of six bears it; the design is that of the radius it comes to."""
+    pretensions = (200e3, 400e3)
+    case = mooring_case(
+        lines=(6,), anchor_radii=(), pretensions=pretensions, headings=2,
+        fairlead_radius=fairlead_radius,
+    )  # fmt: skip
+    problem = MooringProblem.of(case)
+    for genes in ((1, 1, 0, 0), (3, 0, 0, 1)):
+        system = problem.system(genes)
+        for leg in solve_system(system.under((0.0, 0.0))).lines:
+            pull = leg.solution.horizontal_force
+            assert pull == pytest.approx(pretensions[genes[-1]], rel=1e-9)
+        radius = system.legs[0].anchor_radius
+        by_radius = mooring_case(
+            lines=(6,), anchor_radii=(radius,), headings=2, fairlead_radius=fairlead_radius
+        )
+        one = problem.assess(np.array([genes]))
+        other = MooringProblem.of(by_radius).assess(np.array([(*genes[:-1], 0)]))
+        assert one.objectives == pytest.approx(other.objectives, rel=1e-9, nan_ok=True)
+        assert one.excess == pytest.approx(other.excess, rel=1e-9)
+
+
+@pytest.mark.slow
+def test_the_answer_of_a_search_by_pretension_names_it() -> None:
+    result = design_case(
+        mooring_case(lines=(6,), anchor_radii=(), pretensions=(100e3, 300e3, 500e3), headings=2)
+    )
+    chosen = {point.mooring.pretension for point in result.front if point.mooring is not None}
+    assert chosen <= {100e3, 300e3, 500e3}
+    system = result.to_dict()["front"][0]["system"]
+    assert system["pretension_N"] in chosen
+    assert any("pretension 300" in str(each.change) for each in result.neighbours)
+
+
 def test_the_least_force_by_hand() -> None:
     """Six lines that may not turn at all share a force along one of them as 1 + 2 cos(60 deg).
 
@@ -236,6 +272,8 @@ def same(one: Outcome, other: Outcome) -> bool:
         {"line_out": False},
         {"loads": LOADS, "headings": 1, "line_out": False},
         {"loads": LOADS, "headings": 1, "line_out": False, "fairlead_radius": 5.0},
+        {"anchor_radii": (), "pretensions": (100e3, 300e3, 500e3)},
+        {"anchor_radii": (), "pretensions": (100e3, 300e3), "fairlead_radius": 5.0},
     ],
 )
 def test_with_bounds_the_front_is_the_same_bit_for_bit(changes: dict[str, Any]) -> None:
@@ -416,6 +454,7 @@ def test_nsga2_finds_designs_of_the_exact_front() -> None:
         ({"force": (0.0, 0.0)}, "system.force"),
         ({"lines": (6, 4)}, "lines"),
         ({"headings": 0}, "headings"),
+        ({"pretensions": (1e5,)}, "pretensions"),
         ({"loads": LOADS, "line_out": False}, "design.headings"),
         ({"loads": LOADS, "headings": 1}, "design.line_out"),
         ({"loads": 2 * LOADS, **ONE_LOAD}, "design.loads[3].name"),
