@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Final, Literal, get_args
 
 import numpy as np
@@ -96,9 +97,17 @@ def _cut_by_energy(
     """Edges of bands of equal energy, and frequencies at `position`, in bands from the lowest."""
     start, end = spectrum.energy_below(np.array([low, high]))
     band = (end - start) / position.size
-    edges = _with_energy(spectrum, low, high, start + band * np.arange(position.size + 1))
-    edges[0], edges[-1] = low, high
+    edges = np.array(_edges(spectrum, low, high, position.size))
     return edges, _with_energy(spectrum, low, high, start + band * position)
+
+
+@lru_cache(maxsize=16)
+def _edges(spectrum: Spectrum, low: float, high: float, count: int) -> tuple[float, ...]:
+    """Edges of bands of equal energy: the same for every seed."""
+    start, end = spectrum.energy_below(np.array([low, high]))
+    band = (end - start) / count
+    inside = _with_energy(spectrum, low, high, start + band * np.arange(count + 1))
+    return (low, *inside[1:-1].tolist(), high)
 
 
 def _with_energy(spectrum: Spectrum, low: float, high: float, energy: Array) -> Array:

@@ -76,7 +76,9 @@ def strongest_return(waves: Waves, duration: float) -> Return:
     ahead = np.exp(1j * np.outer(waves.omega, step * np.arange(_BLOCK)))
     best = Return(0.0, 0.0)
     for first in np.arange(start, duration, step * _BLOCK):
-        correlation = np.abs((share * np.exp(1j * waves.omega * first)) @ ahead)
+        turned = share * np.exp(1j * waves.omega * first)
+        # Not by BLAS: its threads would keep the other cores busy for nothing.
+        correlation = np.abs(np.einsum("i,ij->j", turned, ahead))
         inside = correlation[: max(1, min(_BLOCK, math.ceil((duration - first) / step)))]
         at = int(inside.argmax())
         if inside[at] > best.correlation:
