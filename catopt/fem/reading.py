@@ -41,7 +41,7 @@ def read_line(index: int, mesh: LineMesh, problem: Problem, rest: Rest) -> Truss
         fairlead=fairlead,
         anchor=anchor,
         span=math.hypot(d[0], d[1]),
-        grounded_length=float(mesh.length @ (1.0 - part)),
+        grounded_length=math.fsum(mesh.length * (1.0 - part)),
         bed_reaction=reaction,
         penetration=float(max(-x[:, 2].min(), 0.0)),
         residual=rest.residual,
