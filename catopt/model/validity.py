@@ -68,7 +68,7 @@ class Findings:
 
         The unit is empty for a pure number; `infinite` allows positive infinity.
         """
-        if isinstance(value, str) and self._of is not None:
+        if isinstance(value, str) and hasattr(self._of, key):
             read = self._read(key, value, unit)
             if read is None:
                 return
