@@ -53,6 +53,7 @@ def both(amplitude: float, properties: LineProperties) -> tuple[LinearMotion, np
     return found, np.stack([time, history.bar_tension[history.counted, 0, 1]])
 
 
+@pytest.mark.slow
 def test_a_small_motion_without_drag_is_linear() -> None:
     """Amplitude and phase, off the bed: to what is left of how the run set off."""
     section = MorisonSection(0.12, 0.0, added_mass_normal=1.0)

@@ -192,6 +192,7 @@ def test_motion_is_that_of_verify_dynamic(tmp_path: Path) -> None:
     assert np.array_equal(found.values("anchor_tension"), here.values("anchor_tension"))
 
 
+@pytest.mark.slow
 def test_linear_motion_is_that_of_the_case(tmp_path: Path) -> None:
     """By member; those that may go slack are said to, and in the answer, too."""
     text = head("dynamic-chain-56m/case.toml", "linear")
@@ -221,6 +222,7 @@ def test_a_thousand_hours_on_nine_lines_are_those_of_the_single_solver(tmp_path:
     check_against_single(found, [k for k in range(1000) if k not in found.reasons])
 
 
+@pytest.mark.slow
 def test_what_is_there_is_not_computed_again(
     tmp_path: Path,
 ) -> None:
