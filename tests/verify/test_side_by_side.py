@@ -182,7 +182,7 @@ def test_a_script_without_a_guard_may_run_seeds_side_by_side(tmp_path: Path) -> 
 def test_ctrl_c_ends_all_in_order(tmp_path: Path) -> None:
     """As a terminal sends it, to every process of the command at once."""
     path = tmp_path / "sea.toml"
-    text = EXAMPLE.read_text("utf-8").replace('"5 min"', '"2 h"\nruns = 4\nelements = 10')
+    text = EXAMPLE.read_text("utf-8").replace('"5 min"', '"12 h"\nruns = 4\nelements = 10')
     path.write_text(text.replace("rao.csv", str(EXAMPLE.parent / "rao.csv")), encoding="utf-8")
     command = [
         sys.executable, "-m", "catopt", "verify", str(path), "--dynamic", "--once", "--workers", "2"
