@@ -21,6 +21,7 @@ __all__ = [
     "NoEquilibriumError",
     "NotConvergedError",
     "Problem",
+    "need_package",
 ]
 
 
@@ -119,3 +120,27 @@ class NotConvergedError(CatoptError):
     """A solver stopped before its residual was small enough."""
 
     exit_status = 4
+
+
+def need_package(name: str, extra: str, source: str, module: str = "") -> None:
+    """Refuse what needs a package that is not there.
+
+    Parameters
+    ----------
+    name, extra : str
+        Of the package, and of catopt's extra that brings it.
+    source : str
+        What needs it, for the message.
+    module : str
+        What is imported, where that has another name.
+
+    Raises
+    ------
+    InputError
+        With how to install it.
+    """
+    from importlib.util import find_spec
+
+    if find_spec(module or name) is None:
+        allowed = f"is not installed: pip install 'catopt[{extra}]'"
+        raise InputError([Problem(name, "", allowed)], source)

@@ -147,6 +147,8 @@ def test_a_system_is_made_of_text() -> None:
             {"lines[0]": "a number"},
         ),
         (catopt.Load, {"horizontal_force": "50.000 kN"}, {"horizontal_force": "50"}),
+        (CurrentProfile, {"profile": "table", "depths": (-1.0, "x")},
+         {"depths[0]": "0 m or more", "depths[1]": "a length", "speeds": "missing"}),
         (CurrentProfile, {"profile": "table", "depths": ("x",), "speeds": ("y",)},
          {"depths[0]": "a length", "speeds[0]": "a speed"}),
     ],

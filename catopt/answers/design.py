@@ -359,10 +359,8 @@ def _loads(result: DesignResult) -> Iterator[Section]:
             measured("horizontal_force", (load.force for load in loads), "force", symbol="F"),
             measured("angle", (load.direction for load in loads), "direction", symbol=""),
             texts("from_so_many_sides", (load.headings for load in loads)),
-            measured("water_depth", (load.water_level for load in loads), "water_level", symbol=""),
-            measured(
-                "water_depth", (load.fairlead_rise for load in loads), "fairlead_rise", symbol=""
-            ),
+            measured("height", (load.water_level for load in loads), "water_level", symbol=""),
+            measured("height", (load.fairlead_rise for load in loads), "fairlead_rise", symbol=""),
             texts("each_line_out", (yes_or_no(load.line_out) for load in loads)),
         )
         yield Section(

@@ -17,7 +17,7 @@ from catopt.checks.result import CheckSource
 from catopt.checks.spectral_fatigue import Band, bands, range_moment
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, need_package
 from catopt.model import Case, CatalogueChoice, Segment, SegmentCurve, Service
 from catopt.words import Message
 
@@ -76,11 +76,7 @@ def need_rainflow() -> None:
     InputError
         With how to install it.
     """
-    from importlib.util import find_spec
-
-    if find_spec("rainflow") is None:
-        allowed = "is not installed: pip install 'catopt[fatigue]'"
-        raise InputError([Problem("rainflow", "", allowed)], "fatigue")
+    need_package("rainflow", "fatigue", "fatigue")
 
 
 @dataclass(frozen=True)

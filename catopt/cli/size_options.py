@@ -23,8 +23,6 @@ _NOTHING: Mapping[str, str] = MappingProxyType({})
 _NO_OPTIONS = {"buoy": ("title", "source", "buoy"), "tanker": ("title", "source")}
 _NAMED = ("depth", "draught", "dwt", "hs", "hmax", "soil")
 """Inputs that stand in what is said of others."""
-_SUCH_AS = {"en": ", such as", "vi": ", ví dụ"}
-_LEFT_OUT = {"en": "; if left out,", "vi": "; bỏ trống thì"}
 _METAVARS = {"code": "NAME", "soil": "SOIL", "buoy": "BUOY", "sinker": "MATERIAL", "lines": "N"}
 
 
@@ -49,10 +47,13 @@ def help_of(each: Input, taken: str | None = None) -> str:
     left_out = left_out if taken is None else taken
     which = f": {', '.join(each.words)}" if each.words else ""
     is_shown = each.required or each.name == "buoy"
-    language = in_environment()
-    example = f'{_SUCH_AS[language]} "{each.example}"' if is_shown else ""
-    rest = f"{_LEFT_OUT[language]} {say(left_out, language)}" if left_out else ""
-    return f"{say(Message(f'inputs.{each.name}'), language)}{which}{example}{rest}."
+    said = (
+        Message(f"inputs.{each.name}"),
+        which,
+        Message("left_out.such_as", example=each.example) if is_shown else "",
+        Message("left_out.if_left_out", taken=left_out) if left_out else "",
+    )
+    return "".join(say(part, in_environment()) for part in said) + "."
 
 
 def with_inputs(

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from catopt.decks.deck import Notes
-from catopt.errors import InputError, Problem
+from catopt.errors import need_package
 
 if TYPE_CHECKING:
     import yaml
@@ -173,11 +173,9 @@ def parse_yaml(text: str, notes: Notes) -> Table:
 
     Raises InputError for what is no YAML, and where PyYAML is not installed.
     """
-    try:
-        import yaml
-    except ImportError:
-        allowed = "is not installed: pip install 'catopt[yaml]'"
-        raise InputError([Problem("PyYAML", "", allowed)], notes.source) from None
+    need_package("PyYAML", "yaml", notes.source, module="yaml")
+    import yaml
+
     try:
         node = yaml.compose(text, Loader=yaml.SafeLoader)
         found = _item(node, notes, set()) if node is not None else Item(1, None)

@@ -70,14 +70,15 @@ class MooringProblem(DesignProblem):
         assert design is not None
         assert system is not None
         found = Findings("design")
-        layout = _layout(design, system, found)
+        loads = loads_of(design, system)
+        layout = _layout(design, system, loads, found)
         found.raise_if_any()
         criteria = criteria_of(case)
-        states = _states(loads_of(design, system))
+        states = _states(loads)
         space, remarks = resolve(case, criteria, states)
         _check_stretch(space, found)
         found.raise_if_any()
-        warnings = (*remarks, *criteria.warnings, *_unlooked(criteria, design))
+        warnings = (*remarks, *criteria.warnings, *_unlooked(criteria, loads))
         space = replace(space, layout=layout)
         return cls._made(case, space, criteria, warnings)
 
@@ -242,7 +243,9 @@ def _states(loads: Sequence[DesignLoad]) -> tuple[LoadCase, ...]:
     return intact, LoadCase("one line out", force, state="one_line_out")
 
 
-def _layout(design: Design, system: System, found: Findings) -> LayoutVariable:
+def _layout(
+    design: Design, system: System, loads: Sequence[DesignLoad], found: Findings
+) -> LayoutVariable:
     """Gather the numbers of lines and the radii."""
     own = tuple(leg.azimuth for leg in system.legs)
     regular = tuple(
@@ -253,7 +256,7 @@ def _layout(design: Design, system: System, found: Findings) -> LayoutVariable:
     if radii and radii[0] <= first.fairlead_radius:
         allowed = f"must be above {first.fairlead_radius:g} m, the fairlead_radius"
         found.add("design.anchor_radii", f"{radii[0]:g} m", allowed)
-    gone = [i for i, load in enumerate(loads_of(design, system)) if load.line_out]
+    gone = [i for i, load in enumerate(loads) if load.line_out]
     if gone and min(map(len, regular or (own,))) < 2:
         key = f"design.loads[{gone[0]}].line_out" if design.loads else "design.line_out"
         found.add(key, "true", "with one line alone, none is left; leave it out")
@@ -269,10 +272,10 @@ def _check_stretch(space: DesignSpace, found: Findings) -> None:
     found.add("design.segments", "lines that do not stretch", allowed)
 
 
-def _unlooked(criteria: Criteria, design: Design) -> Iterator[Message]:
+def _unlooked(criteria: Criteria, loads: Sequence[DesignLoad]) -> Iterator[Message]:
     """Say that nothing is checked, or that no line is taken out though a criterion is for that."""
     if not criteria.all:
         yield Message(NO_CHECK)
-    gone = design.line_out or any(load.line_out for load in design.loads)
+    gone = any(load.line_out for load in loads)
     if not gone and any("intact" not in each.states for each in criteria.all):
         yield Message("design.line_out_not_asked")

@@ -31,7 +31,7 @@ _SHAPES = np.arange(0.4, 6.0, _STEP)
 """Between which the shape is sought: snaps have less than 1, saturating responses more than 3."""
 _DRAWS = 1000
 _SEED = 20250
-_EULER = 0.5772156649015329
+_EULER = float(np.euler_gamma)
 
 
 @dataclass(frozen=True)

@@ -70,7 +70,6 @@ class CurrentProfile:
         found.each("depths", "m", at_least=0.0)
         found.each("speeds", "m/s", at_least=0.0 if self.directions else None)
         found.each("directions", "rad")
-        found.raise_if_any()
         self._check_keys(found)
         found.numbers(self, "m/s", "speed", at_least=0.0)
         found.numbers(self, "", "exponent", above=0.0)
@@ -96,7 +95,7 @@ class CurrentProfile:
             found.add(
                 "direction", repr(self.direction), "goes with one of all depths; leave it out"
             )
-        if self.series_file and self.speeds and not self.speeds[0] > 0.0:
+        if self.series_file and self.speeds and self.speeds[0] <= 0.0:
             allowed = "must be above 0 m/s: the series_file scales the table by its first speed"
             found.add("speeds[0]", f"{self.speeds[0]:g} m/s", allowed)
 
@@ -105,7 +104,7 @@ class CurrentProfile:
             sizes = f"{len(self.depths)} depths, {len(self.speeds)} speeds"
             found.add("speeds", sizes, "as many speeds as depths are wanted")
         for index, depth in enumerate(self.depths):
-            if index and not depth > self.depths[index - 1]:
+            if index and depth <= self.depths[index - 1]:
                 above = f"must be more than {self.depths[index - 1]:g} m, the one before"
                 found.add(f"depths[{index}]", f"{depth:g} m", above)
         if self.directions and self.depths and len(self.depths) != len(self.directions):

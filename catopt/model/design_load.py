@@ -44,8 +44,7 @@ class DesignLoad:
     def __post_init__(self) -> None:
         found = Findings("DesignLoad", self)
         found.number("force", self.force, "N", above=0.0)
-        for key in ("water_level", "fairlead_rise"):
-            found.number(key, getattr(self, key), "m")
+        found.numbers(self, "m", "water_level", "fairlead_rise")
         found.number("direction", self.direction, "rad")
         found.count("headings", self.headings)
         found.raise_if_any()

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from catopt.errors import InputError, Problem
+from catopt.errors import Problem
 from catopt.model.line import Line
 from catopt.model.validity import Findings
 
@@ -170,8 +170,7 @@ class System:
                 f"{self.moment:g} N m",
                 "must be 0 where the body does not yaw: the lines feel nothing of it",
             )
-        if found.problems:
-            raise InputError(found.problems, "System")
+        found.raise_if_any()
 
     @classmethod
     def around(

@@ -45,7 +45,7 @@ class Findings:
     """Gathers the problems of one value or one call, so that all are reported together.
 
     Given the value itself, it reads what of it is text with a unit, and puts the number in SI in
-    its place.
+    its place; nan where there is none, with its problem noted.
     """
 
     def __init__(self, source: str, of: object = None) -> None:
@@ -71,6 +71,7 @@ class Findings:
         if isinstance(value, str) and hasattr(self._of, key):
             read = self._read(key, value, unit)
             if read is None:
+                object.__setattr__(self._of, key, math.nan)
                 return
             object.__setattr__(self._of, key, read)
             value = read
@@ -120,13 +121,13 @@ class Findings:
         at_least: float | None = None,
         at_most: float | None = None,
     ) -> None:
-        """Note a problem of each item of an attribute that is not a number within the bounds."""
+        """Do the same for each item of an attribute that is a sequence."""
         items = list(getattr(self._of, key))
         for index, item in enumerate(items):
             name = f"{key}[{index}]"
             read = self._read(name, item, unit) if isinstance(item, str) else item
+            items[index] = math.nan if read is None else read
             if read is not None:
-                items[index] = read
                 self.number(name, read, unit, above=above, at_least=at_least, at_most=at_most)
         object.__setattr__(self._of, key, tuple(items))
 

@@ -10,8 +10,6 @@ import numpy as np
 
 from catopt.study.axis import Array
 
-_EULER = 0.5772156649015329
-
 Kind = Literal["normal", "lognormal", "gumbel", "uniform"]
 
 
@@ -75,4 +73,4 @@ class Distribution:
     def _gumbel(self) -> tuple[float, float]:
         """Mode and scale."""
         scale = self.second * math.sqrt(6.0) / math.pi
-        return self.first - _EULER * scale, scale
+        return self.first - float(np.euler_gamma) * scale, scale

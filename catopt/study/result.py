@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 import numpy.typing as npt
 
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, need_package
 from catopt.shown import Shown
 from catopt.study.axis import Array
 from catopt.study.quantities import Kept
@@ -232,6 +232,7 @@ class StudyResult(Shown):
         Numbers are in SI, with their unit among the attributes; nan where there is no answer. Needs
         the package xarray: ``pip install "catopt[tables]"``.
         """
+        need_package("xarray", "tables", "to_xarray")
         import xarray
 
         study = self.study

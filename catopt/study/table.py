@@ -12,7 +12,7 @@ import numpy as np
 
 from catopt.casefile.fields import Kind, Measured, Whole
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
-from catopt.errors import InputError, Problem
+from catopt.errors import InputError, Problem, need_package
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
 from catopt.study.keys import kind_of_key
@@ -92,11 +92,7 @@ def need_parquet() -> None:
     InputError
         With how to install it.
     """
-    from importlib.util import find_spec
-
-    if find_spec("pyarrow") is None:
-        allowed = "is not installed: pip install 'catopt[tables]'"
-        raise InputError([Problem("pyarrow", "", allowed)], "Parquet")
+    need_package("pyarrow", "tables", "Parquet")
 
 
 def _of_parquet(path: Path) -> pd.DataFrame:

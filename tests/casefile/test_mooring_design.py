@@ -28,6 +28,13 @@ def problems(text: str) -> dict[str, str]:
     return {problem.key: problem.allowed for problem in caught.value.problems}
 
 
+def check_told(text: str, old: str, new: str, key: str, told: str) -> None:
+    assert old in text
+    found = problems(text.replace(old, new, 1))
+    assert key in found
+    assert told in found[key]
+
+
 def test_the_shipped_case_is_read_as_it_is_written() -> None:
     case = read_case(SHIPPED)
     assert case.design is not None
@@ -71,10 +78,7 @@ def test_a_single_radius_and_one_heading_are_read_as_they_are_written() -> None:
     ],
 )
 def test_what_is_wrong_is_told_with_its_key(old: str, new: str, key: str, told: str) -> None:
-    assert old in shipped()
-    found = problems(shipped().replace(old, new, 1))
-    assert key in found
-    assert told in found[key]
+    check_told(shipped(), old, new, key, told)
 
 
 def test_keys_of_a_body_want_one() -> None:
@@ -155,10 +159,7 @@ def test_loads_of_a_design_are_read_as_they_are_written() -> None:
 def test_what_is_wrong_in_a_load_is_told_with_its_key(
     old: str, new: str, key: str, told: str
 ) -> None:
-    assert old in loaded()
-    found = problems(loaded().replace(old, new, 1))
-    assert key in found
-    assert told in found[key]
+    check_told(loaded(), old, new, key, told)
 
 
 def test_loads_of_a_design_want_a_body() -> None:
