@@ -21,6 +21,7 @@ from catopt.casefile.schema import (
     SinkerChoiceTable,
     SystemTable,
 )
+from catopt.documents import Path
 from catopt.errors import InputError
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice
 from catopt.model.design import body_misfits
@@ -173,10 +174,12 @@ def _as_the_model_has_it(
             ),
             objectives=tuple(objectives) if objectives else ("mass", "offset"),
             lines=tuple(value(DesignTable, "lines", design) or ()),
+            anchor_radii=(1.0,) if RADII.is_given(design) else (),
+            pretensions=(1.0,) if PRETENSIONS.is_given(design) else (),
         )
     except InputError as error:
         for problem in error.problems:
-            path = ("design", *parts(problem.key))
+            path = _as_given(("design", *parts(problem.key)), design)
             yield as_in_file(document, Finding(path, problem.found, problem.allowed))
 
 
@@ -185,10 +188,6 @@ def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
     design, system = table(document, "design"), table(document, "system")
     yield from RADII.findings(DesignTable, (("design",), design))
     yield from PRETENSIONS.findings(DesignTable, (("design",), design))
-    if RADII.is_given(design) and PRETENSIONS.is_given(design):
-        key = next(key for key in PRETENSIONS.keys if key in design)
-        allowed = "one of both places the anchors: give the radius or the pretension"
-        yield Finding(("design", key), as_written(design[key]), allowed)
     has_system = "system" in document
     if not has_system and misspelt(CaseTable, ["system"], document):
         return
@@ -200,11 +199,16 @@ def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
     given |= {"pretensions": PRETENSIONS.is_given(design)}
     has_force = bool(unclear or any(force))
     for problem in body_misfits(given, has_system=has_system, has_force=has_force):
-        found, path = problem.found, parts(problem.key)
-        for values in (RADII, PRETENSIONS):
-            if path[-1] == values.many:
-                path = ("design", next(key for key in values.keys if key in design))
-        yield as_in_file(document, Finding(path, found, problem.allowed))
+        path = _as_given(parts(problem.key), design)
+        yield as_in_file(document, Finding(path, problem.found, problem.allowed))
+
+
+def _as_given(path: Path, design: dict[str, Any]) -> Path:
+    """Say which key of the file gives what the model has under one name."""
+    for values in (RADII, PRETENSIONS):
+        if path[-1] == values.many:
+            return ("design", next(key for key in values.keys if key in design))
+    return path
 
 
 def _excursion(document: dict[str, Any]) -> Iterator[Finding]:

@@ -403,12 +403,10 @@ def _add_squares(
                 r_j = u[n, j] + 1j * omega * y[n, j]
                 spread[n, i, j] += 0.5 * (r_i.real * r_j.real + r_i.imag * r_j.imag)
         if spring[n] > 0.0:
-            part = 0.0
+            part = 1.0  # the first time
             if dashpot[n] < math.inf:
                 ratio = omega * dashpot[n] / spring[n]
                 part = 1.0 / (1.0 + ratio * ratio)
-            else:
-                part = 1.0  # the first time
             for d in range(2):
                 way = along[d, 0] * y[n, 0] + along[d, 1] * y[n, 1] + along[d, 2] * y[n, 2]
                 speed = omega * omega * (way.real * way.real + way.imag * way.imag)

@@ -232,7 +232,8 @@ class Design:
         found.each("anchor_radii", "m", above=0.0)
         found.each("pretensions", "N", above=0.0)
         if self.anchor_radii and self.pretensions:
-            found.add("pretensions", "beside anchor_radii", "one of both places the anchors")
+            allowed = "one of both places the anchors: give the radius or the pretension"
+            found.add("pretensions", "beside anchor_radii", allowed)
         found.count("headings", self.headings)
 
     def _check_joints(self, found: Findings) -> None:
