@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from catopt._version import __version__
-from catopt.desk.fields import DOORS, START, Door, fields_of
+from catopt.desk.fields import DOORS, START, fields_of
 from catopt.words import Language, Message, say
 
 if TYPE_CHECKING:
@@ -16,15 +15,13 @@ if TYPE_CHECKING:
 __all__ = ["shell"]
 
 
-def shell(language: Language = "en", doors: Sequence[Door] = DOORS) -> str:
+def shell(language: Language = "en") -> str:
     """Render the body of the page.
 
     Parameters
     ----------
     language : {"en", "vi"}
         Of every word.
-    doors : sequence of str
-        That can be answered there: all with native Python.
 
     Returns
     -------
@@ -33,7 +30,7 @@ def shell(language: Language = "en", doors: Sequence[Door] = DOORS) -> str:
 
     Examples
     --------
-    >>> 'data-key="site.water_depth"' in shell("vi", ["line"])
+    >>> 'data-key="site.water_depth"' in shell("vi")
     True
     """
     words = partial(say, language=language)
@@ -42,9 +39,8 @@ def shell(language: Language = "en", doors: Sequence[Door] = DOORS) -> str:
         .get_template("shell.html")
         .render(
             language=language,
-            doors=doors,
-            is_native=set(doors) == set(DOORS),
-            fields={door: fields_of(door) for door in doors},
+            doors=DOORS,
+            fields={door: fields_of(door) for door in DOORS},
             start=START,
             say=lambda key: say(Message(f"desk.{key}"), language),
             words=words,

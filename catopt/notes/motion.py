@@ -13,7 +13,6 @@ from catopt.mooring.solve import solve_system
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
 from catopt.units import lasting
-from catopt.verify.case import load_states
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -171,6 +170,8 @@ def lines_at_rest(found: DynamicVerification) -> Sequence[Solution | None]:
         return [None] * len(found.parts)
     if case.system is not None:
         return [each.solution for each in solve_system(case.system).lines]
+    from catopt.verify.case import load_states
+
     states = dict(load_states(case, None))
     return [solve_case(states[part.name]) for part in found.parts]
 

@@ -246,6 +246,8 @@ def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None
         return Finding(("ship",), "a ship", "this file is for catopt size tanker")
     for key in OF_A_CASE:
         if key in document:
-            allowed = "this is a case file, for catopt solve, check and design: its line is known"
+            command = "system" if "system" in document else "solve"
+            allowed = f"this is a case file, for catopt {command}, check and design: "
+            allowed += "its line is known"
             return Finding((key,), f"[{key}]", allowed)
     return None

@@ -31,7 +31,8 @@ _WIDTH_ABOVE: Final = 0.09
 _REACH: Final = 9.0
 """In widths: how far from the peak gamma^G still differs from 1 by what double precision shows."""
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(64)
+_POINTS: Final = 64
+"""Of Gauss's rule, in each piece of a band."""
 
 _GREATEST_GAMMA: Final = 20.0
 
@@ -208,8 +209,9 @@ class Spectrum:
     def _added_between(self, start: float, end: Array, order: int) -> Array:
         """Gauss-Legendre over an interval that does not pass the peak."""
         half = 0.5 * (end - start)
-        r = start + half[..., np.newaxis] * (1.0 + _NODES)
-        result: Array = half * ((r**order * _plain(r) * np.expm1(self._log_peak(r))) @ _WEIGHTS)
+        nodes, weights = np.polynomial.legendre.leggauss(_POINTS)
+        r = start + half[..., np.newaxis] * (1.0 + nodes)
+        result: Array = half * ((r**order * _plain(r) * np.expm1(self._log_peak(r))) @ weights)
         return result
 
 

@@ -135,6 +135,9 @@ def _own() -> Iterator[tuple[str, bytes]]:
         is_asked_for = inside.parts[0] not in (*_WITHOUT, "web")
         if path.is_file() and is_asked_for and "__pycache__" not in inside.parts:
             yield f"catopt/{inside.as_posix()}", path.read_bytes()
+    stand_in = root.joinpath("web", "plain_numpy.py").read_bytes()
+    yield "numpy/__init__.py", stand_in
+    yield "numpy/typing.py", b"from numpy import ArrayLike, NDArray\n"
 
 
 def _unpacked(archive: bytes) -> dict[str, bytes]:

@@ -9,17 +9,13 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Final
 
 from catopt.desk import shell
-from catopt.desk.fields import DOORS, Door
 from catopt.render.looks import stylesheet
 from catopt.words import LANGUAGES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-__all__ = ["IN_THE_BROWSER", "document"]
-
-IN_THE_BROWSER: Final[tuple[Door, ...]] = ("line", "body")
-"""Doors that need no numpy, of which no build for a browser is in a package registry."""
+__all__ = ["document"]
 
 _STYLE: Final = "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
 _SCRIPT: Final = "script-src 'unsafe-inline' data: blob: 'wasm-unsafe-eval'"
@@ -39,7 +35,6 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
     str
         HTML, in which no address of another host stands.
     """
-    doors = DOORS if pieces is None else IN_THE_BROWSER
     inside = pieces if isinstance(pieces, Mapping) else {}
     connects = "'self'" if not inside else "'none'"
     text = _file("web", "index.html")
@@ -49,7 +44,7 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
         "style": stylesheet() + _file("render", "style.css") + _file("web", "desk.css"),
         "imports": json.dumps({"imports": _modules()}),
         "transport": "app" if pieces is None else "worker",
-        "shells": _inert(json.dumps({each: shell(each, doors) for each in LANGUAGES})),
+        "shells": _inert(json.dumps({each: shell(each) for each in LANGUAGES})),
         "pieces": "" if pieces is None else _pieces(list(pieces), inside),
     }
     for name, value in filled.items():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import time
 from collections.abc import Iterator
 from functools import partial
@@ -14,10 +15,11 @@ from typing import Any
 import pytest
 
 from catopt.desk import ask
-from catopt.desk.fields import START
+from catopt.desk.fields import DOORS, START, Door
 from catopt.errors import InputError
 from catopt.web.build import fetched, parts, pieces
 from catopt.web.document import document
+from catopt.words import LANGUAGES, Language
 from tests.report.browser import CHROMIUM, Tab, chromium
 
 pytestmark = [
@@ -129,6 +131,46 @@ def test_from_disk_an_error_stands_at_its_field(
     said = tab.value("document.getElementById('line-site.water_depth-wrong').textContent")
     assert said == f"{problem['found']}: {problem['allowed']}"
     assert tab.value("document.documentElement.scrollWidth") <= 390
+
+
+DOWNLOADED = """(async () => {
+  const made = new Promise((resolve) => {
+    URL.createObjectURL = (blob) => { resolve(blob); return "#"; };
+  });
+  HTMLAnchorElement.prototype.click = () => {};
+  document.querySelector("[data-do=note]").click();
+  return await (await made).text();
+})()"""
+
+
+def words_in(html: str) -> list[str]:
+    """List the words of a page's text; what rounding leaves of a sum of forces is one word.
+
+    A browser's sine and logarithm may differ from another library's in the last bit.
+    """
+    body = re.sub(r"(?s)<(style|script).*?</\1>", " ", html)
+    words = re.sub(r"(?s)<[^>]*>", " ", body).split()
+    return [re.sub(r"^-?\d\.\d+e-(0[6-9]|1\d)", "(rounding)", each) for each in words]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("door", DOORS)
+def test_every_door_leads_from_its_form_to_the_note(
+    tab: Tab, made: dict[str, bytes], tmp_path: Path, door: Door, language: Language
+) -> None:
+    page = tmp_path / "catopt.html"
+    page.write_text(document(made), encoding="utf-8")
+    tab.open(page, 1280)
+    wait(tab)
+    choose(tab, "lang", language)
+    choose(tab, "door", door)
+    asked = tab.call(
+        "Runtime.evaluate", expression=DOWNLOADED, awaitPromise=True, returnByValue=True
+    )
+    note = asked["result"]["value"]
+    wanted = ask("note", {"door": door, "values": START[door], "lang": language})["html"]
+    assert words_in(note) == words_in(wanted)
+    assert tab.messages == []
 
 
 class _Quiet(SimpleHTTPRequestHandler):
