@@ -16,7 +16,7 @@ Moored = Literal["buoy", "tanker"]
 SIZING: Final = "sizing.toml"
 """Usual name of a sizing file, as ``case.toml`` is of a case file."""
 
-OF_A_CASE: Final = ("load", "load_cases", "system", "design", "find", "pso", "catalogue")
+OF_A_CASE: Final = ("load", "load_cases", "design", "find", "pso", "catalogue")
 """Sections that only a case file has."""
 
 

@@ -18,6 +18,8 @@ from catopt.mooring.solution import LegState, Position, SystemResidual, SystemSo
 from catopt.mooring.zero_load import ZeroLoadPosition, is_held, zero_load_position
 from catopt.words import Message
 
+_AGAINST_X = -math.pi + 1e-12
+"""rad: up to here a direction is that against x, which is given as pi."""
 LINE_LIMIT = 1e-9
 """How far a laid-out line may miss its fairlead, as a part of its length."""
 
@@ -114,7 +116,13 @@ def _leg_state(
     worst = max(abs(own.residual.height), abs(own.residual.span))
     if not worst <= LINE_LIMIT * max(leg.line.length, span):
         raise NotConvergedError(Message("mooring.misses_fairlead", number=index + 1, missing=worst))
-    return LegState(leg, own, (x, y), math.atan2(to_y, to_x))
+    return LegState(leg, own, (x, y), _direction(to_x, to_y))
+
+
+def _direction(x: float, y: float) -> float:
+    """Angle above -pi and up to pi, whichever side of both rounding leaves it on."""
+    angle = math.atan2(y, x)
+    return angle if angle > _AGAINST_X else math.pi
 
 
 def _warnings(

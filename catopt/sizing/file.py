@@ -244,10 +244,10 @@ def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None
     """Say what the file is for, when it is not for this."""
     if moored == "buoy" and "ship" in document:
         return Finding(("ship",), "a ship", "this file is for catopt size tanker")
+    allowed = "this is a case file, for catopt solve, check and design: its line is known"
     for key in OF_A_CASE:
         if key in document:
-            command = "system" if "system" in document else "solve"
-            allowed = f"this is a case file, for catopt {command}, check and design: "
-            allowed += "its line is known"
             return Finding((key,), f"[{key}]", allowed)
+    if "segments" in table(document, "line"):
+        return Finding(("line", "segments"), "the segments of a line", allowed)
     return None

@@ -348,3 +348,12 @@ def test_touchdown_lies_between_anchor_and_fairlead() -> None:
         assert to_anchor + to_fairlead == pytest.approx(line.solution.span, rel=1e-12)
         # Stretched by T/EA < 0.5 %, what lies on the bed is as long as its horizontal way.
         assert to_anchor == pytest.approx(line.solution.grounded_length, rel=5e-3)
+
+
+@pytest.mark.parametrize("side", [-1e-9, 0.0, 1e-9])
+def test_a_line_against_x_has_one_direction_whichever_side_rounding_leaves_it_on(
+    side: float,
+) -> None:
+    """A newton across, in units of 1e-9, moves the body by some 1e-14 m."""
+    solution = solve_system(spread(4, (5e5, side)))
+    assert solution.lines[2].direction == pytest.approx(math.pi, abs=1e-11)
