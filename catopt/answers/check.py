@@ -19,6 +19,7 @@ from catopt.answers.blocks import (
     measured,
     texts,
 )
+from catopt.figures.line import Failing
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Several, term
 
@@ -64,6 +65,16 @@ def check_answer(report: CheckReport) -> Answer:
             Section(Message("captions.load_cases"), (load_case_table(report),)),
         ),
     )
+
+
+def failing_checks(report: CheckReport) -> tuple[Failing, ...]:
+    """List the checks that fail for a drawing, each once, in whichever load case."""
+    failing = {
+        (each.kind, each.place.segment): Failing(each.kind, each.place.segment, each.name)
+        for each in report.results
+        if not each.passes
+    }
+    return tuple(failing.values())
 
 
 def checked(report: CheckReport) -> tuple[Table, Table]:

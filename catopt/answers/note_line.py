@@ -20,6 +20,7 @@ from catopt.answers.blocks import (
 )
 from catopt.answers.check import (
     checked,
+    failing_checks,
     load_case_table,
 )
 from catopt.answers.curve import marks_table, points_table
@@ -130,7 +131,8 @@ def _facts(note: Note) -> tuple[tuple[str, str], ...]:
 def drawn(note: Note) -> Iterator[Block]:
     """Draw the line to scale, with its dimensions."""
     yield Text(Message("note.line_scale"))
-    yield Figure(line_in_water(note.solution, note.case.site.water_depth))
+    depth = note.case.site.water_depth
+    yield Figure(line_in_water(note.solution, depth, failing_checks(note.checks)))
 
 
 def _results(note: Note) -> Iterator[Block]:

@@ -198,7 +198,12 @@ def _once(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
 
 
 def _line(text: str) -> tuple[Section, list[Answer]]:
-    from catopt.answers.check import check_answer, governing_sentence, verdict_sentence
+    from catopt.answers.check import (
+        check_answer,
+        failing_checks,
+        governing_sentence,
+        verdict_sentence,
+    )
     from catopt.answers.solution import result_facts, solution_answer
     from catopt.catenary.case import solve_case, under_a_load
     from catopt.checks.case import check_case
@@ -217,7 +222,7 @@ def _line(text: str) -> tuple[Section, list[Answer]]:
             Verdict(verdict_sentence(report), report.passes if report.results else None),
             *((Text(governing_sentence(report)),) if report.results else ()),
             Warnings((*solution.warnings, *report.warnings)),
-            Figure(line_in_water(solution, under.site.water_depth)),
+            Figure(line_in_water(solution, under.site.water_depth, failing_checks(report))),
             Facts("results", result_facts(solution), Message("captions.result")),
             Figure(tension_along(solution, allowed, basis)),
         ),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.figures.chart import (
     IN_TONNES,
@@ -68,8 +68,16 @@ def joints(solution: Solution) -> list[float]:
     return list(accumulate(segment.length for segment in solution.segments[:-1]))
 
 
-def line_in_water(solution: Solution, depth: float) -> Chart:
-    """Draw a line in water of a depth (m), to scale, with its dimensions."""
+class Failing(NamedTuple):
+    """A check that fails: its kind, the segment that it is of, if of one, and its name."""
+
+    kind: str
+    segment: int | None
+    name: str
+
+
+def line_in_water(solution: Solution, depth: float, failing: Sequence[Failing] = ()) -> Chart:
+    """Draw a line in water of a depth (m), to scale; checks that fail are marked where they do."""
     profile = solution.profile(_POINTS)
     left, right = min(*profile.x, 0.0), max(*profile.x, solution.span)
     top = max(depth, solution.fairlead_height, *profile.z)
@@ -88,7 +96,7 @@ def line_in_water(solution: Solution, depth: float) -> Chart:
         ),
         axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
         series=tuple(_line(solution, profile)),
-        marks=tuple(_marks(solution)),
+        marks=(*_fails(solution, profile, failing), *_marks(solution)),
         levels=tuple(surface_and_bed(depth)),
         areas=water(depth, _BED * unit),
         dimensions=tuple(dimensions),
@@ -193,6 +201,29 @@ def _marks(solution: Solution) -> Iterator[Mark]:
         else:
             yield Mark("buoy", *place, Message("figures.buoy_at", **said))
     yield Mark("fairlead", solution.span, solution.fairlead_height, Message("figures.fairlead"))
+
+
+def _fails(solution: Solution, profile: Profile, failing: Sequence[Failing]) -> Iterator[Mark]:
+    for each in failing:
+        at = _where(solution, profile, each)
+        if at is not None:
+            yield Mark("failing", *at, Message("figures.fails", check=each.name))
+
+
+def _where(solution: Solution, profile: Profile, check: Failing) -> Place | None:
+    """Find the place on the line that a check is of; None for a line that cannot hang."""
+    if check.kind == "tension" and check.segment is not None:
+        ends = [0.0, *joints(solution), solution.line.length]
+        first, last = ends[check.segment - 1 : check.segment + 1]
+        near = 1e-9 * solution.line.length
+        own = [k for k, s in enumerate(profile.s) if first - near <= s <= last + near]
+        most = max(own, key=lambda k: profile.tension[k])
+        return profile.x[most], profile.z[most]
+    if check.kind == "grounded_length":
+        return next(((x, 0.0) for x, _ in touchdowns(solution)), (0.0, solution.anchor_height))
+    if check.kind in ("span", "buoyancy"):
+        return solution.span, solution.fairlead_height
+    return None if check.kind == "equilibrium" else (0.0, solution.anchor_height)
 
 
 def _called(load: PointLoad) -> str:

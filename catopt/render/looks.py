@@ -73,6 +73,7 @@ LOOKS: Mapping[str, Look] = {
     "bed-edge": Look("bed-edge", 1.4),
     "mooring": Look("ink", 2.4),
     "grounded": Look("orange", 7.0),
+    "failing": Look("bad", 3.0, sign="circle", size=13.0),
     "anchor": Look("paper", 1.0, fill="ink", sign="triangle", size=9.0),
     "anchor-spot": Look("paper", 1.0, fill="ink", sign="triangle"),
     "touchdown": Look("ink", 2.0, sign="tick", size=11.0),

@@ -9,13 +9,16 @@ from itertools import pairwise
 
 import pytest
 
+from catopt.answers.check import failing_checks
+from catopt.catenary.case import solve_case
 from catopt.catenary.case_curve import CaseCurve, curve_case
+from catopt.checks.case import check_case
 from catopt.figures.chart import Chart, legend
 from catopt.figures.curve import load_curve
 from catopt.figures.line import grounded_ends, line_in_water, magnified, tension_along, touchdowns
 from catopt.figures.mooring import near, plan, restoring, spread, watch_round, watch_track
 from catopt.figures.swarm import fitness
-from catopt.model import Case, Line, Load, PointLoad, Segment, Site
+from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
 from catopt.quantities import QUANTITIES
 from catopt.render.looks import LOOKS
 from catopt.words import Message
@@ -270,3 +273,21 @@ def test_numbers_are_spread_as_far_as_they_need_and_no_further(degrees: list[flo
         assert [
             math.remainder(a - b, 2.0 * math.pi) for a, b in zip(found, given, strict=True)
         ] == (pytest.approx([0.0] * len(given), abs=1e-12))
+
+
+def test_a_check_that_fails_is_marked_where_it_fails() -> None:
+    """A line of two chains, of which the upper one breaks first, held as no anchor may be."""
+    line = Line([Segment(60.0, 180.0, EA=80e6, MBL=700e3), Segment(20.0, 80.0, EA=35e6, MBL=330e3)])
+    checks = Checks(safety_factor=3.0, max_anchor_uplift_angle=0.0, max_span=70.0)
+    case = Case(Site(20.0), line, Load(150e3), fairlead_height=20.0, checks=checks)
+    solution, report = solve_case(case), check_case(case)
+    marks = {
+        (round(mark.x, 9), round(mark.y, 9))
+        for mark in line_in_water(solution, 20.0, failing_checks(report)).marks
+        if mark.role == "failing"
+    }
+    failing = {each.kind for each in report.results if not each.passes}
+    assert failing == {"tension", "uplift_angle", "span"}
+    # Both ends: the tension is largest, and the span measured, at the fairlead.
+    assert marks == {(0.0, 0.0), (round(solution.span, 9), 20.0)}
+    assert not [each for each in line_in_water(solution, 20.0).marks if each.role == "failing"]
