@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Final, cast
 
 from catopt.answers.blocks import Answer, Block, Facts, Figure, Section, Text, Verdict, Warnings
 from catopt.casefile.reading import parse_case
-from catopt.desk.fields import DOORS, Door
+from catopt.desk.fields import DOORS, Door, fields_of
 from catopt.desk.text import door_of, text_of, values_of
 from catopt.documents import parse_toml
 from catopt.errors import CatoptError, InputError
@@ -35,10 +37,11 @@ def ask(call: str, question: Question) -> Reply:
     Parameters
     ----------
     call : str
-        One of `CALLS`.
+        One of `CALLS`, or ``"compare"``.
     question : mapping of str to object
         ``text``: a case file or a file for ``catopt size``; or ``door``, ``values`` by key and
-        ``base``, of which it is made. Also ``lang`` and ``units``, as the command line has them.
+        ``base``, of which it is made. Also ``lang`` and ``units``, as the command line has them,
+        and ``kept``: the text that ``"compare"`` puts the answer beside.
 
     Returns
     -------
@@ -58,6 +61,8 @@ def ask(call: str, question: Question) -> Reply:
     before = UNITS.set(cast("Units", question.get("units", "")))
     try:
         text = question["text"] if "text" in question else _made(question)
+        if call == "compare":
+            return _compare(question.get("kept", ""), text, language)
         return CALLS[call](text, language)
     except CatoptError as error:
         return _failed(error, language)
@@ -68,15 +73,15 @@ def ask(call: str, question: Question) -> Reply:
 def _wrong(call: str, question: Question) -> str:
     """Say what is wrong with a question in itself; empty when nothing is."""
     allowed = {"lang": LANGUAGES, "units": ("", "tf", "kN", "si"), "door": DOORS}
-    if call not in CALLS:
+    if call not in (*CALLS, "compare"):
         return f"no such question: {call}"
     for key, words in allowed.items():
         if key in question and question[key] not in words:
             return f"{key}: {question[key]!r} is none of {', '.join(words)}"
-    is_text = all(isinstance(question.get(key, ""), str) for key in ("text", "base"))
+    is_text = all(isinstance(question.get(key, ""), str) for key in ("text", "base", "kept"))
     values = question.get("values", {})
     is_form = isinstance(values, Mapping) and all(isinstance(each, str) for each in values.values())
-    return "" if is_text and is_form else "text, base and values are texts"
+    return "" if is_text and is_form else "text, base, kept and values are texts"
 
 
 def _made(question: Question) -> str:
@@ -176,7 +181,9 @@ def _page(text: str, language: Language, *, is_whole: bool) -> Reply:
     }
 
 
+@lru_cache(maxsize=8)
 def _answer(text: str, *, is_whole: bool) -> Answer:
+    """Answer once what is asked again in other words or units, or compared."""
     door = door_of(parse_toml(text, ""))
     if door == "line":
         first, others = _line(text)
@@ -190,6 +197,24 @@ def _answer(text: str, *, is_whole: bool) -> Answer:
         for number, each in enumerate(sections)
     )
     return Answer("desk", others[0].title, named, Message("desk.kind"))
+
+
+def _compare(kept: str, text: str, language: Language) -> Reply:
+    """Lay out an answer beside one that was kept."""
+    from catopt.answers.comparison import comparison
+    from catopt.render.page import fragment
+
+    door = door_of(parse_toml(text, ""))
+    before = values_of(door, kept) if door_of(parse_toml(kept, "")) == door else {}
+    now = values_of(door, text)
+    inputs = {
+        each.label: (before.get(each.key, ""), now.get(each.key, ""))
+        for each in fields_of(door)
+        if before.get(each.key, "") != now.get(each.key, "")
+    }
+    of_kept, present = _answer(kept, is_whole=True), _answer(text, is_whole=True)
+    section = comparison(of_kept, present, inputs)
+    return {"html": fragment(replace(present, sections=(section,)), language)}
 
 
 def _once(blocks: tuple[Block, ...]) -> tuple[Block, ...]:

@@ -5,7 +5,7 @@ import { listen } from "catopt/figures";
 
 const shells = JSON.parse(document.getElementById("shells").textContent);
 const root = document.body.appendChild(document.createElement("div"));
-const state = { lang: "en", units: "", door: "", base: {}, values: {} };
+const state = { lang: "en", units: "", door: "", base: {}, values: {}, kept: {} };
 let running = false;
 let wanted = null;
 let answered = null;
@@ -135,6 +135,13 @@ const give = (reply) => {
   status("ready");
 };
 
+// What was kept stands above every answer of the same door.
+const compare = async (asked) => {
+  const kept = state.kept[asked.door];
+  const reply = kept && answered ? await ask("compare", { ...asked, kept }) : { html: "" };
+  one(".compared").innerHTML = reply.html ?? "";
+};
+
 // Of questions that come while one is answered, only the last is asked.
 const compute = async (call) => {
   read();
@@ -147,7 +154,10 @@ const compute = async (call) => {
     if (one(".status").dataset.now !== "starting") status("working");
     try {
       const reply = await ask(now, asked);
-      if (door === state.door && asked.lang === state.lang) give(reply);
+      if (door === state.door && asked.lang === state.lang) {
+        give(reply);
+        if (now === "whole") await compare(asked);
+      }
     } catch (error) {
       status("broken", `: ${error.message}`);
     }
@@ -173,6 +183,10 @@ const download = (name, text, type) => {
 const DOCUMENT = { line: "solve", body: "system", buoy: "size", tanker: "size" };
 
 const act = {
+  compare: async () => {
+    if (answered) state.kept[state.door] = answered.text;
+    await compare(question());
+  },
   save: async () => {
     const reply = await ask("file", question());
     if (reply.status) give(reply);
@@ -231,6 +245,7 @@ root.addEventListener("change", ({ target }) => {
     state[target.name] = target.value;
     if (target.name === "door") {
       one(".found").textContent = "";
+      one(".compared").textContent = "";
       open();
     } else if (target.name === "lang") {
       show();

@@ -142,3 +142,57 @@ def test_the_form_of_a_sizing_has_every_row_of_the_table(moored: Door) -> None:
 def test_a_form_begins_with_values_of_its_own_fields(door: Door) -> None:
     text = text_of(door, START[door])
     assert values_of(door, text) == START[door]
+
+
+class _Rows(HTMLParser):
+    """The rows of the tables of a page."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.rows: list[list[str]] = []
+        self.inside = False
+
+    def handle_starttag(self, tag: str, _: list[tuple[str, str | None]]) -> None:
+        if tag == "tr":
+            self.rows.append([])
+        elif tag in ("td", "th"):
+            self.rows[-1].append("")
+            self.inside = True
+
+    def handle_endtag(self, tag: str) -> None:
+        self.inside &= tag not in ("td", "th")
+
+    def handle_data(self, data: str) -> None:
+        if self.inside:
+            self.rows[-1][-1] += data.strip()
+
+
+@pytest.mark.parametrize(
+    ("door", "key", "value", "label", "result"),
+    [
+        ("line", "load.horizontal_force", "170 kN", "Horizontal force", "Span"),
+        slow("tanker", "environment.current", "1.5 m/s", "Tidal current", "Chain"),
+    ],
+)
+def test_two_answers_stand_beside_each_other(
+    door: Door, key: str, value: str, label: str, result: str
+) -> None:
+    """What differs between the inputs, and both results as each answer shows them alone."""
+    form = {"door": door, "values": START[door] | {key: value}}
+    kept = ask("file", {"door": door, "values": START[door]})["text"]
+    found = _Rows()
+    found.feed(ask("compare", form | {"kept": kept})["html"])
+    rows = {row[0]: row[1:] for row in found.rows}
+    asked = next(row[1:] for row in found.rows if row[0] == label)
+    assert asked == [START[door][key], value]
+    one, other = rows[result]
+    assert one != other
+    assert one.split(",")[0] in ask("whole", {"text": kept})["html"]
+    assert other.split(",")[0] in ask("whole", form)["html"]
+
+
+def test_an_answer_beside_itself_differs_in_nothing() -> None:
+    kept = ask("file", {"door": "line", "values": START["line"]})["text"]
+    html = ask("compare", {"text": kept, "kept": kept, "lang": "vi"})["html"]
+    assert say(Message("desk.same"), "vi") in html
+    assert "<td" not in html

@@ -1,0 +1,98 @@
+"""Two answers of one kind beside each other: what was asked differently, and what that comes to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Fact,
+    Facts,
+    Section,
+    Table,
+    Text,
+    Verdict,
+    texts,
+)
+from catopt.words import Message
+
+
+def comparison(kept: Answer, present: Answer, inputs: Mapping[str, tuple[str, str]]) -> Section:
+    """Lay out two answers; what only one of them has is left out.
+
+    Parameters
+    ----------
+    kept, present : Answer
+        Of one kind.
+    inputs : mapping of str to (str, str)
+        What was asked differently, by its label: of the kept answer, and of the present one.
+    """
+    return Section(Message("desk.compared"), tuple(_blocks(kept, present, inputs)), "compared")
+
+
+def _blocks(
+    kept: Answer, present: Answer, inputs: Mapping[str, tuple[str, str]]
+) -> Iterator[Block]:
+    if not inputs:
+        yield Text(Message("desk.same"))
+        return
+    yield _beside("asked", "desk.inputs", inputs)
+    said, also_said = _words(kept), _words(present)
+    both = {name: (words, also_said[name]) for name, words in said.items() if name in also_said}
+    if both:
+        yield _beside("said", "desk.answer", both)
+    one, other = _facts(kept), _facts(present)
+    names = [name for name in one if name in other]
+    if names:
+        units = tuple(each for name in names if (each := one[name].quantity) is not None)
+        values = (("kept_one", one), ("present_one", other))
+        columns = (
+            Column(Message(f"desk.{key}"), tuple(of[name].value for name in names), units=units)
+            for key, of in values
+        )
+        yield Table("compared", (texts("what", names), *columns))
+
+
+def _beside(name: str, caption: str, rows: Mapping[str, tuple[str, str]]) -> Table:
+    """Tabulate words of both answers."""
+    kept, present = zip(*rows.values(), strict=True)
+    columns = (
+        texts("what", rows),
+        Column(Message("desk.kept_one"), kept),
+        Column(Message("desk.present_one"), present),
+    )
+    return Table(name, columns, Message(caption))
+
+
+def _blocks_of(answer: Answer) -> Iterator[Block]:
+    return (block for section in answer.sections for block in section.blocks)
+
+
+def _facts(answer: Answer) -> dict[str, Fact]:
+    """Find the numbers among the facts of an answer, by name; not those that repeat its inputs."""
+    return {
+        fact.name: fact
+        for block in _blocks_of(answer)
+        if isinstance(block, Facts) and block.name != "inputs"
+        for fact in block.facts
+        if fact.quantity is not None and isinstance(fact.value, int | float)
+    }
+
+
+def _words(answer: Answer) -> dict[str, str]:
+    """Find the verdict, and what a sizing says of its recommended line, by name."""
+    found: dict[str, str] = {}
+    for block in _blocks_of(answer):
+        if isinstance(block, Verdict):
+            found.setdefault(Message("captions.checks"), block.words)
+        elif isinstance(block, Table) and block.name == "sizing":
+            what, _, words = block.columns
+            rows = zip(what.values, words.values, strict=True)
+            found |= {
+                name: said
+                for name, said in rows
+                if isinstance(name, str) and isinstance(said, str) and said
+            }
+    return found
