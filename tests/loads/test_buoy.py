@@ -92,11 +92,55 @@ def test_a_tail_tube_carries_and_is_seen() -> None:
     assert tube.hull_area_in_water() == pytest.approx(2.0 * 0.9 + 0.5 * 1.6, rel=ROUNDING)
 
 
+def test_growth_widens_hull_and_tube_on_both_sides_however_short_the_tube() -> None:
+    """5 cm all round: (2.0 + 0.1) m by the draught and (0.5 + 0.1) m by the tube."""
+    for length in (1.6, 0.05):
+        # the tube displaces pi/16 m3 for each metre, a sixteenth of a metre of the hull's draught
+        tube = replace(PLAIN, tube_diameter=0.5, tube_length=length).afloat()
+        by_hand = 2.1 * (1.0 - length / 16.0) + 0.6 * length
+        assert tube.hull_area_in_water(0.05) == pytest.approx(by_hand, rel=ROUNDING)
+
+
+def test_windage_by_hand() -> None:
+    """Hull 2 m x 1 m in air, half of a tower of 3 m x 0.8 m, a topmark of 0.25 m2: 3.45 m2."""
+    shape = replace(PLAIN, tower_height=3.0, tower_width=0.8, tower_solidity=0.5, topmark_area=0.25)
+    assert shape.afloat().windage == pytest.approx(2.0 + 1.2 + 0.25, rel=ROUNDING)
+
+
+def test_what_a_buoy_is_not_said_to_have_is_not_there() -> None:
+    assert PLAIN.afloat().windage == pytest.approx(2.0, rel=ROUNDING)
+    assert replace(PLAIN, tower_width=1.0).tower_area == 0.0
+    assert replace(PLAIN, tower_height=1.0).tower_area == 0.0
+    assert replace(PLAIN, tower_height=1.0, tower_width=1.0).tower_area == 1.0
+    assert replace(PLAIN, tube_length=1.0).tube_volume == 0.0
+    assert replace(PLAIN, tube_diameter=1.0).afloat().keel_depth == pytest.approx(1.0, rel=ROUNDING)
+
+
+def test_a_shallow_draught_still_floats() -> None:
+    """A tenth of a tonne on pi m2 of water: 0.031 m."""
+    afloat = replace(PLAIN, mass=100.0).afloat()
+    assert afloat.draught == pytest.approx(100.0 / 1025.0 / math.pi, rel=ROUNDING)
+
+
+def test_heavier_water_lifts_a_hull_off_its_tube_and_that_is_refused() -> None:
+    """The tube of 3.99 m displaces pi 0.9975 m3: the mass of pi m3 of 1025 kg/m3 in 1030.
+
+    1025/1030 = 0.99515 is less than 0.9975; in 1025 kg/m3 it is more, and the hull reaches the
+    water.
+    """
+    tall = replace(PLAIN, tube_diameter=1.0, tube_length=3.99)
+    assert tall.afloat().draught == pytest.approx(0.0025, rel=1e-9)  # a difference of near numbers
+    with pytest.raises(InputError, match="its hull floats clear of it"):
+        tall.afloat(0.0, 1030.0)
+
+
 def test_a_pull_at_the_reserve_floats_and_one_above_is_refused() -> None:
     reserve = PLAIN.reserve_buoyancy()
     assert PLAIN.afloat(reserve).freeboard == pytest.approx(0.0, abs=1e-12)
     with pytest.raises(InputError, match=r"above the buoy's reserve buoyancy of 31\.6 kN"):
         PLAIN.afloat(1.01 * reserve)
+    with pytest.raises(InputError, match=r"found 40 kN; above .* leaves a freeboard of 0\.5 m"):
+        replace(PLAIN, least_freeboard=0.5).afloat(40e3)
 
 
 @pytest.mark.parametrize("shape", buoys(), ids=lambda shape: shape.name)
@@ -235,6 +279,36 @@ def test_growth_widens_hull_and_chain_and_is_marked_as_ours() -> None:
     assert sum("catopt's own" in each.note for each in grown.components) == 2
 
 
+def test_only_what_is_there_is_listed() -> None:
+    """A drum has no tower, no topmark and here no chain; 0.05 m2 of a topmark count."""
+    hull = ["current on the hull", "wind on the hull"]
+    assert [str(each.name) for each in loads(wind=20.0).components] == hull
+    marked = loads(replace(PLAIN, topmark_area=0.05), wind=20.0, chain_diameter=0.01)
+    names = [str(each.name) for each in marked.components]
+    assert names == [*hull, "wind on the topmark", "current on the chain"]
+    # 1/2 x 1.29 x 20^2 x 0.05 x 1.2
+    assert force(marked, "wind on the topmark") == pytest.approx(15.48, rel=ROUNDING)
+
+
+def test_what_went_into_the_speed_and_the_chain_is_told() -> None:
+    """Tide 1 m/s, 0.015 x 20 = 0.3, pi x 2/6 = 1.047 m/s in deep water; 190 + 1 - 1 m of chain."""
+    of = loads(
+        wind=20.0,
+        current=1.0,
+        chain_diameter=0.04,
+        sea=SeaState(6.0, maximum_height=2.0),
+        levels=WaterLevels.steady(190.0),
+    )
+    told = next(text for text in of.assumptions if text.startswith("Surface speed"))
+    assert told == (
+        "Surface speed 2.347 m/s = tide 1 + 0.015 x wind 20 (0.300) + wave 1.047 in 190 m of water."
+    )
+    (chain,) = [each for each in of.components if each.name == "current on the chain"]
+    assert str(chain.note) == "d = 40 mm nominal, over 190 m"
+    media = {str(each.kind): str(each.numbers[0].meaning) for each in of.components}
+    assert media == {"current": "of the water", "wind": "density of the air"}
+
+
 def test_nothing_moves_nothing_pulls() -> None:
     assert loads(chain_diameter=0.04).horizontal_force == 0.0
 
@@ -262,6 +336,11 @@ def test_a_breaking_wave_is_told() -> None:
     of = loads(sea=SeaState(4.0, maximum_height=6.0))
     assert "3.49 m is taken" in of.warnings[0]
     assert loads(sea=SeaState(8.0, maximum_height=2.0)).warnings == ()
+    # 0.78 of 10 m; by steepness 0.14 x 1.56 x 64 = 13.98 m would stand
+    at_limit, above = 0.78 * 10.0, 7.81
+    shallow = WaterLevels.steady(10.0)
+    assert loads(sea=SeaState(8.0, maximum_height=at_limit), levels=shallow).warnings == ()
+    assert len(loads(sea=SeaState(8.0, maximum_height=above), levels=shallow).warnings) == 1
 
 
 @pytest.mark.parametrize(

@@ -76,8 +76,19 @@ def test_the_default_is_the_lowest_of_all_sets(anchor: str, soil: str) -> None:
         c.capacity(4536.0) for c in CURVES if (c.anchor, c.soil) == (anchor, soil)
     )
     assert all(value >= held.capacity for _, value in held.others)
+    sets = {c.data for c in CURVES if (c.anchor, c.soil) == (anchor, soil)}
+    assert {held.curve.data, *(name for name, _ in held.others)} == sets
+    assert len(held.others) == len(sets) - 1
     if held.curve.source.recalled:
         assert "recalled, and used because it is the lower" in held.note
+
+
+def test_what_the_other_set_has_is_told() -> None:
+    """Stockless in sand at 4536 kg: UFC 70 kips = 311.4 kN, DTOcean 11.1 x 4.536^0.8 tf = 364.9."""
+    held = holding_capacity("stockless", "sand", 4536.0)
+    assert [name for name, _ in held.others] == ["DTOcean"]
+    assert held.others[0][1] == pytest.approx(11.1 * 4.536**0.8 * TF, rel=1e-12)
+    assert str(held.note).endswith("; DTOcean has 364.9 kN")
 
 
 def test_recalled_figures_alone_are_refused_unless_asked_for() -> None:
@@ -85,6 +96,8 @@ def test_recalled_figures_alone_are_refused_unless_asked_for() -> None:
         holding_capacity("NAVMOOR", "sand", 4536.0)
     with pytest.raises(InputError, match=r"recalled \(R\)"):
         holding_capacity("stockless", "sand", 4536.0, data="UFC")
+    with pytest.raises(InputError, match=r"recalled \(R\)"):
+        size_drag_anchor("NAVMOOR", "sand", 100e3)
     held = holding_capacity("NAVMOOR", "sand", 4536.0, allow_recalled=True)
     assert held.capacity == pytest.approx(270.0 * KIP, rel=1e-12)
 
@@ -110,12 +123,17 @@ def test_factors_of_ufc_table_3_7() -> None:
 def test_no_pull_takes_the_smallest() -> None:
     size = size_drag_anchor("stockless", "sand", 0.0)
     assert (size.mass, size.smaller, size.factor) == (ANCHOR_MASSES[0], None, None)
+    assert size.needed_mass == 0.0
 
 
 def test_a_line_that_lifts_the_anchor_is_refused() -> None:
     lift = math.radians(3.0)
     with pytest.raises(NoAnswerError, match=r"up by 3\.00 deg, 3\.00 deg above the limit of 0 deg"):
         size_drag_anchor("stockless", "sand", 100e3, uplift_angle=lift)
+    with pytest.raises(NoAnswerError, match=r"up by 3\.00 deg, 1\.00 deg above the limit of 2 deg"):
+        size_drag_anchor(
+            "stockless", "sand", 100e3, uplift_angle=lift, uplift_limit=math.radians(2.0)
+        )
     allowed = size_drag_anchor(
         "stockless", "sand", 100e3, uplift_angle=lift, uplift_limit=math.radians(5.0)
     )

@@ -111,13 +111,7 @@ def shallow(draught: float) -> Ship:
 
 
 def wind_of(**change: float) -> UfcWind:
-    own: dict[str, float] = {
-        "transverse": 0.9,
-        "from_ahead": 0.5,
-        "from_astern": 0.6,
-        "zero_angle": 1.5,
-    }
-    return UfcWind(**{**own, **change}, superstructure="single")
+    return replace(UfcWind(0.9, 0.5, 0.6, 1.5, "single"), **change)  # type: ignore[arg-type]
 
 
 WEATHER: list[Limit] = [

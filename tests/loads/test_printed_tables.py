@@ -11,9 +11,11 @@ from catopt.errors import NoAnswerError
 from catopt.loads.blendermann import TYPES, coefficients
 from catopt.loads.holding_data import CURVES
 from catopt.loads.ship import PROPELLER_AREA_RATIOS
+from catopt.loads.sinker import DENSITIES
 from catopt.loads.sizes import ANCHOR_MASSES, SINKER_MASSES, next_size
+from catopt.loads.weathervane import YAW_TYPES
 
-TF = 9806.65
+TF, KIP = 9806.65, 4448.2216152605
 
 # Blendermann (1994) as the MSS toolbox lists it (blendermann94.m): CDt, CDl on the frontal area
 # from ahead and from astern, delta.
@@ -78,6 +80,37 @@ def test_what_an_anchor_holds(line: str) -> None:
         assert curve.capacity(10e3) == pytest.approx(A * 10.0**b * TF)
 
 
+# UFC 4-159-03, table 5-3, recalled (engineering facts, drag anchors): kips for 10 000 lbf and b, in
+# soft clay and in sand.
+UFC = """
+stockless             46  .92  70  .80
+Danforth, LWT, AC-14  87  .92  126 .80
+Bruce cast            32  .92  250 .80
+Stevin                139 .92  165 .80
+Moorfast              117 .92  60  .80
+NAVMOOR               210 .94  270 .94
+"""
+
+
+@pytest.mark.parametrize("line", UFC.split("\n")[1:-1])
+def test_what_an_anchor_holds_after_ufc(line: str) -> None:
+    anchor, figures = line[:22].strip(), [float(cell) for cell in line[22:].split()]
+    for soil, (kips, b) in (("soft clay", figures[:2]), ("sand", figures[2:])):
+        (curve,) = [
+            each for each in CURVES if (each.anchor, each.soil, each.data) == (anchor, soil, "UFC")
+        ]
+        assert curve.capacity(4536.0) == pytest.approx(kips * KIP)
+        assert curve.capacity(45360.0) == pytest.approx(kips * 10.0**b * KIP)
+        assert curve.mass(kips * 10.0**b * KIP) == pytest.approx(45360.0)
+        assert curve.source.confidence == "R"
+
+
+def test_no_anchor_is_left_out() -> None:
+    """Two soils each, and three of Stevpris Mk6."""
+    rows = [each for table in (DTOCEAN, UFC) for each in table.split("\n")[1:-1]]
+    assert len(CURVES) == 2 * len(rows) + 3
+
+
 def test_a_stevpris_mk6_of_ten_tonnes() -> None:
     """As MoorPy has it from Vryhof: kN = A (t)^b."""
     for soil, A, b in (("soft clay", 509.96, 0.93), ("medium clay", 701.49, 0.93),
@@ -90,6 +123,19 @@ def test_a_mass_that_is_not_sold_says_by_how_much() -> None:
     with pytest.raises(NoAnswerError, match="the largest is 30 t") as caught:
         next_size(31.5e3, ANCHOR_MASSES, "anchor")
     assert "lacks 1.5 t" in str(caught.value)
+
+
+def test_the_masses_that_are_offered() -> None:
+    """In t; the lists are catopt's own, and are written here once more."""
+    anchors = [
+        *(0.1, 0.15, 0.2, 0.3, 0.5, 0.75, 1, 1.5, 2, 2.5, 3, 3.5, 4),
+        *(5, 6, 7, 8, 9, 10, 12, 15, 18, 20, 22, 25, 30),
+    ]
+    sinkers = [
+        *(0.25, 0.5, 0.75, 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60),
+    ]
+    for series, tonnes in ((ANCHOR_MASSES, anchors), (SINKER_MASSES, sinkers)):
+        assert list(series) == pytest.approx([1e3 * each for each in tonnes])
 
 
 def test_masses_rise_by_no_more_than_a_half_of_themselves_or_double() -> None:
@@ -109,3 +155,16 @@ def test_propellers_of_ufc(kind: str, ratio: float) -> None:
     """LwL B over the propellers' projected area, page 92."""
     assert PROPELLER_AREA_RATIOS[kind] == ratio
     assert len(PROPELLER_AREA_RATIOS) == 6
+
+
+def test_where_the_current_acts_after_ufc_s_table_4_10() -> None:
+    """Recalled (engineering facts, second sheet): ec/LwL = a + b theta, in degrees."""
+    assert {name: tuple(each) for name, each in YAW_TYPES.items()} == {
+        "series-60": (-0.291, 0.00353, True),
+        "FFG": (-0.201, 0.00221, True),
+    }
+
+
+def test_what_sinkers_are_made_of() -> None:
+    """kg/m3: steel of CALMAR 7.2; concrete recalled."""
+    assert dict(DENSITIES) == {"concrete": 2400.0, "steel": 7850.0}

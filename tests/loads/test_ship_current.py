@@ -122,6 +122,61 @@ def test_pieces_by_hand() -> None:
     assert yaw_moment(1e6, 100.0, 0.1, -0.001, 270.0) == pytest.approx(1e6, rel=ROUNDING)
 
 
+BLOCK = Ship("block", 100.0, 100.0, 20.0, 5.0, 10e3, 100.0, 800.0, 300.0)
+
+
+@pytest.mark.parametrize(
+    ("exponent", "force"),
+    [(2.0, 0.5 * RHO * 500.0 * 0.661189), (3.0, 0.5 * RHO * 500.0 * 0.534249)],
+)
+def test_the_current_across_a_block_by_hand(exponent: float, force: float) -> None:
+    """At 1 m/s, 20 m: chi = 100^2 x 100/(20 x 10,000) = 5, C0 = 0.22 sqrt 5 = 0.491935.
+
+    Cyc = 0.491935 + 2.708065 (5/20)^K: 0.661189 with K = 2, 0.534249 with K = 3. At 2 m/s, 30 deg off
+    the bow, it is 4 sin 30 = 2 times as much.
+    """
+    how = {"water_density": RHO, "exponent": exponent}
+    beam = transverse_load(BLOCK, 1.0, 20.0, angle=0.5 * math.pi, **how)
+    oblique = transverse_load(BLOCK, 2.0, 20.0, angle=math.radians(30.0), **how)
+    assert beam.force == pytest.approx(force, rel=1e-6)  # printed digits
+    assert oblique.force == pytest.approx(2.0 * beam.force, rel=ROUNDING)
+
+
+def test_what_goes_into_the_current_across_is_told() -> None:
+    """Cyc/C0 = 0.661189/0.491935 = 1.34."""
+    of = transverse_load(BLOCK, 1.0, 20.0, angle=1.0, water_density=RHO)
+    assert str(of.note) == (
+        "chi = 5.00, C0 = 0.492, C1 = 3.2, K = 2, T/d = 0.250, Cyc = 0.661, "
+        "1.34 times that of deep water"
+    )
+
+
+def test_off_the_bow_the_friction_is_that_of_the_speed_along() -> None:
+    """60 deg off: Rn = 2 x 100 x 0.5/1e-6 = 1e8, C = 0.075/36; 1/2 rho 2^2 S C cos 60.
+
+    S = 1.7 x 5 x 100 + 10,000/5 = 2850 m2.
+    """
+    angle = math.radians(60.0)
+    form, friction = longitudinal_loads(BLOCK, 2.0, angle=angle, water_density=RHO, viscosity=1e-6)
+    assert form.force == pytest.approx(-0.5 * RHO * 4.0 * 100.0 * 0.1 * 0.5, rel=ROUNDING)
+    by_hand = -0.5 * RHO * 4.0 * 2850.0 * 0.075 / 36.0 * 0.5
+    assert friction.force == pytest.approx(by_hand, rel=ROUNDING)
+    assert str(friction.note) == "Rn = 1e+08"
+
+
+def test_where_the_friction_ends() -> None:
+    """At Rn = 1e5 it is 0.075/9; below, where its pole at Rn = 100 lies, there is none."""
+    assert friction_coefficient(1e5) == pytest.approx(0.075 / 9.0, rel=ROUNDING)
+    assert friction_coefficient(0.999e5) == 0.0
+
+
+def test_the_yaw_of_a_current_from_both_sides_is_one_at_the_bow() -> None:
+    """Theta counts to 180 deg and back: 180 and 180 of 360, 181 as 179 deg."""
+    assert yaw_moment(1.0, 1.0, 0.1, -0.001, 180.0) == pytest.approx(-0.08, rel=1e-9)
+    assert yaw_moment(1.0, 1.0, 0.1, -0.001, 181.0) == pytest.approx(-0.079, rel=1e-9)
+    assert yaw_moment(1.0, 1.0, 0.1, -0.001, 179.0) == pytest.approx(-0.079, rel=1e-9)
+
+
 def test_bow_and_stern_are_opposite_and_the_beam_has_none() -> None:
     ahead, astern, beam = (
         sum(p.force for p in longitudinal_loads(FRIGATE, 1.5, angle=a, water_density=RHO))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -15,6 +16,7 @@ from catopt.loads import (
     UfcWind,
     Wind,
     compare_tanker,
+    estimated_tanker,
     every_method,
     governing_loads,
     ship_loads,
@@ -65,6 +67,31 @@ def test_a_fast_current_on_the_beam_is_warned_of() -> None:
     across = Headings(current=0.5 * math.pi)
     assert "C1 = 3.2" in loads(current=2.0, headings=across).warnings[0]
     assert loads(current=2.0).warnings == ()
+
+
+def test_from_where_on_a_ship_is_warned_of() -> None:
+    """C1 holds up to 1.5 m/s; in 15 m a wave stands up to 0.78 x 15 m, by steepness up to 14 m."""
+    across, nearly_ahead = Headings(current=0.5 * math.pi), Headings(current=1e-3)
+    assert loads(current=1.5, headings=across).warnings == ()
+    assert len(loads(current=1.501, headings=across).warnings) == 1
+    assert len(loads(current=1.501, headings=nearly_ahead).warnings) == 1
+    assert loads(hmax=0.78 * 15.0, depth=15.0).warnings == ()
+    assert len(loads(hmax=11.701, depth=15.0).warnings) == 1
+
+
+def test_what_22tcn_leaves_out_is_warned_of_where_there_is_something_to_leave_out() -> None:
+    tcn = "22TCN-222-95"
+    assert len(loads(method=tcn).warnings) == 1
+    assert loads(method=tcn, hmax=0.0).warnings == ()
+    assert loads(method=tcn, wave_coefficient=0.0).warnings == ()
+
+
+def test_a_heading_is_told_in_degrees() -> None:
+    of = loads(headings=Headings(math.radians(10.0), math.radians(20.0), math.radians(-30.0)))
+    assert of.assumptions[0].startswith("Heading given: wind 10, current 20, waves -30 deg off")
+    notes = {str(each.kind): str(each.note) for each in of.components}
+    assert notes["wind"] == "tanker loaded, wind 10 deg off the bow"
+    assert notes["wave drift"] == "sea state, waves -30 deg off the bow"
 
 
 @pytest.mark.parametrize(
@@ -180,3 +207,52 @@ def test_s3_tanker_does_not_agree_with_its_printed_force() -> None:
     assert loaded.loads.recalled == ()
     by_tcn = compare_tanker(method="22TCN-222-95")
     assert by_tcn.statement == "438 kN computed agrees with 450 kN printed: 3 % below it."
+
+
+@pytest.mark.parametrize(
+    ("kilonewtons", "words"),
+    [
+        (494.9, "agrees with 450 kN printed: 10 % above it."),
+        (495.1, "does not agree with 450 kN printed: 10 % above it."),
+        (405.1, "agrees with 450 kN printed: 10 % below it."),
+        (404.9, "does not agree with 450 kN printed: 10 % below it."),
+    ],
+)
+def test_what_agrees_is_within_ten_per_cent(kilonewtons: float, words: str) -> None:
+    """Of 450 kN: from 405 to 495 kN."""
+    found = compare_tanker()
+    (first, *_) = found.loads.components
+    alone = replace(found.loads, components=(replace(first, force=-1e3 * kilonewtons),))
+    statement = str(replace(found, loads=alone).statement)
+    assert statement.split("computed ")[1] == words
+
+
+def test_an_estimated_tanker_by_hand() -> None:
+    """S3's in ballast: LwL = 0.97 x 234 = 226.98 m; B T = 31.3 x 3.2 = 100.16 m2.
+
+    V = 0.72 x 226.98 x 100.16 m3, Am = 0.98 x 100.16 m2; AF = 31.3 x (12.8 + 15) m2,
+    AL = 234 x 12.8 + 15 x 25 m2, its centre -375 x 104.5/3370.2 = -11.628 m.
+    """
+    ship = tanker("ballast")
+    found = (ship.length_waterline, ship.displacement, ship.midship_area, ship.frontal_area)
+    by_hand = (226.98, 0.72 * 226.98 * 100.16, 0.98 * 100.16, 31.3 * 27.8)
+    assert found == pytest.approx(by_hand, rel=ROUNDING)
+    assert ship.lateral_area == pytest.approx(3370.2, rel=ROUNDING)
+    assert ship.lateral_centre == pytest.approx(-11.628, abs=5e-4)  # printed digits
+    assert ship.propeller == "tanker"
+
+
+def test_what_is_known_of_a_tanker_is_not_estimated() -> None:
+    ship = estimated_tanker(
+        "own",
+        100.0,
+        20.0,
+        5.0,
+        moulded_depth=8.0,
+        frontal_area=400.0,
+        lateral_area=700.0,
+        lateral_centre=-7.0,
+    )
+    assert (ship.frontal_area, ship.lateral_area, ship.lateral_centre) == (400.0, 700.0, -7.0)
+    amidships = estimated_tanker("own", 100.0, 20.0, 5.0, moulded_depth=8.0, lateral_area=700.0)
+    assert amidships.lateral_centre == 0.0

@@ -48,6 +48,18 @@ def test_blendermann_at_45_degrees_by_hand() -> None:
     assert (cx, cy) == pytest.approx((-0.709924, 0.552163), abs=5e-7)  # printed digits
 
 
+def test_blendermann_changes_from_bow_to_stern_on_the_beam() -> None:
+    """Tanker loaded, AF/AL = 0.375, 4 deg on either side of the beam: sin^2(2 gamma) = sin^2 8 deg.
+
+    Ahead of it CDl/CDt = 0.9 x 0.375/0.7 = 0.482143, D = 1 - 0.2 x 0.517857 x 0.0193692 = 0.997994;
+    CX = -0.9 x 0.0697565/D = -0.0629070. Abaft 0.55 x 0.375/0.7 = 0.294643, D = 0.997268;
+    CX = 0.55 x 0.0697565/D = 0.0384712.
+    """
+    of = TYPES["tanker loaded"]
+    assert coefficients(of, math.radians(86.0), 0.375)[0] == pytest.approx(-0.0629070, abs=5e-8)
+    assert coefficients(of, math.radians(94.0), 0.375)[0] == pytest.approx(0.0384712, abs=5e-8)
+
+
 @pytest.mark.parametrize("kind", TYPES)
 def test_blendermann_is_symmetrical_and_continuous(kind: str) -> None:
     of = TYPES[kind]
@@ -106,6 +118,34 @@ def test_the_recalled_transverse_shape_is_1_on_the_beam() -> None:
     """(1 - 0.05)/0.95."""
     assert transverse_shape(0.5 * math.pi, allow_recalled=True) == pytest.approx(1.0, abs=1e-12)
     assert transverse_shape(0.0, allow_recalled=True) == 0.0
+
+
+def test_the_recalled_transverse_shape_off_the_bow_by_hand() -> None:
+    """30 deg: (0.5 - 0.05 x 0.5)/0.95 = 0.5; 54 deg: sin 270 = -1, (0.809017 + 0.05)/0.95."""
+    at_30, at_54 = (
+        transverse_shape(math.radians(each), allow_recalled=True) for each in (30.0, 54.0)
+    )
+    assert at_30 == pytest.approx(0.5, rel=ROUNDING)
+    assert at_54 == pytest.approx(0.904228, abs=5e-7)  # printed digits
+
+
+def test_the_wind_turns_from_ahead_to_astern_where_the_shape_is_zero() -> None:
+    """theta_x = 100 deg is 80 deg off the bow; 250 Pa x 300 m2 = 75 kN. Case I, by phi.
+
+    60 deg off the bow theta = 120: phi = 90 + 90 x 20/80 = 112.5, cos = -0.382683, x 0.5 ahead:
+    -14.3506 kN. At 90 deg theta = 90: phi = 81, cos = 0.156434, x 0.6 astern: 7.03955 kN.
+    """
+    own = UfcWind(0.9, 0.5, 0.6, math.radians(100.0), "single")
+    for degrees, kilonewtons in ((60.0, -14.3506), (90.0, 7.03955)):
+        along, _ = ufc_wind_loads(
+            SHIP,
+            Wind(20.0),
+            own,
+            angle=math.radians(degrees),
+            air_density=1.25,
+            allow_recalled=True,
+        )
+        assert along.force / 1e3 == pytest.approx(kilonewtons, abs=5e-5)  # printed digits
 
 
 def test_recalled_figures_are_refused_unless_asked_for() -> None:

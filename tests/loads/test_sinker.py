@@ -6,7 +6,7 @@ import pytest
 
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
-from catopt.loads.sinker import SOIL_FRICTION, friction_of, submerged_weight
+from catopt.loads.sinker import SOIL_FRICTION, friction_of, holding_force, submerged_weight
 from catopt.model.anchor import sinker_needed
 
 G = 9.80665
@@ -79,6 +79,43 @@ def test_steel_has_recalled_figures_only() -> None:
     assert size.friction_source.recalled
     with pytest.raises(InputError, match="no figure for steel"):
         size_sinker(10e3, soil="hard clay", material="steel", allow_recalled=True)
+
+
+def test_the_recalled_friction_of_steel() -> None:
+    """As written in catopt's table, for lack of a document: a second copy, so that none slips."""
+    steel = {name: row.steel for name, row in SOIL_FRICTION.items() if row.steel is not None}
+    assert steel == {
+        "gravel or coarse sand": 0.40,
+        "clean fine to medium sand": 0.30,
+        "fine or silty sand": 0.25,
+        "sandy silt": 0.20,
+    }
+    assert all(value < PRINTED[name][0] for name, value in steel.items())
+    for name, value in steel.items():
+        assert friction_of(name, "steel", allow_recalled=True)[0] == value
+
+
+def test_a_sinker_that_is_lifted_holds_nothing() -> None:
+    """Of 5 kN lifted by 4 kN a friction of 0.5 holds half of 1 kN."""
+    assert holding_force(5e3, 4e3, 0.5) == pytest.approx(500.0, rel=ROUNDING)
+    assert holding_force(5e3, 5e3, 0.5) == 0.0
+    assert holding_force(5e3, 6e3, 0.5) == 0.0
+
+
+def test_water_and_density_of_one_s_own_count() -> None:
+    """10 kN by 0.5 and 1.5 are 30 kN in water, of 2400 in 1000 kg/m3 30e3/g/(1 - 1/2.4) kg."""
+    size = size_sinker(10e3, friction=0.5, water_density=1000.0)
+    assert size.needed_mass == pytest.approx(30e3 / G / (1.0 - 1.0 / 2.4), rel=ROUNDING)
+    own = size_sinker(10e3, friction=0.5, density=4800.0, water_density=1000.0)
+    assert own.needed_mass == pytest.approx(30e3 / G / (1.0 - 1.0 / 4.8), rel=ROUNDING)
+    assert own.density == 4800.0
+
+
+def test_a_factor_of_one_s_own_on_sliding() -> None:
+    """2.0 in the place of 1.5 takes a third more weight."""
+    usual, own = size_sinker(30e3, friction=0.5), size_sinker(30e3, friction=0.5, safety_factor=2.0)
+    assert (usual.safety_factor, own.safety_factor) == (1.5, 2.0)
+    assert own.needed_mass == pytest.approx(usual.needed_mass * 2.0 / 1.5, rel=ROUNDING)
 
 
 def test_what_is_assumed_is_said() -> None:

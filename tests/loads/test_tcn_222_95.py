@@ -86,6 +86,24 @@ def test_off_the_bow_each_component_of_the_speed_counts() -> None:
     assert of["current along the ship"] == pytest.approx(0.0, abs=1e-20)
 
 
+def test_the_factors_are_told_as_the_standard_prints_them() -> None:
+    """49.0e-5, 73.6e-5 and 0.59, which are for a load in kN."""
+    components = tcn_loads(
+        tanker(),
+        Wind(20.0),
+        SurfaceCurrent(1.2),
+        SeaState(8.0, 1.0),
+        20.0,
+        headings=HEAD_ON,
+        wave_coefficient=None,
+        water_density=1025.0,
+    )
+    told = [str(each.numbers[0].meaning) for each in components]
+    assert told == [f"{k} for a load in kN" for k in ("0.00049", "0.000736", "0.59", "0.59")]
+    assert [each.kind for each in components] == ["wind", "wind", "current", "current"]
+    assert [each.axis for each in components] == ["surge", "sway", "surge", "sway"]
+
+
 def test_from_astern_it_pushes_forwards() -> None:
     astern = forces(Headings(math.pi, math.pi, math.pi), chi=0.1)
     ahead = forces(chi=0.1)

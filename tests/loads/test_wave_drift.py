@@ -70,6 +70,23 @@ def test_a_ship_shows_its_breadth_and_its_length() -> None:
     )
 
 
+def test_off_the_bow_a_box_shows_both_and_is_pushed_along_the_waves() -> None:
+    """30 deg: 200 x 0.5 + 30 x 0.866025 = 125.980762 m, cos 30 of it aft and half of it aside."""
+    along, across = ship_drift(SEA, 200.0, 30.0, DEEP, angle=math.radians(30.0), water_density=RHO)
+    whole = RHO * G * 4.0 / 16.0 * 125.980762
+    assert along.force == pytest.approx(-whole * math.sqrt(0.75), rel=1e-8)  # printed digits
+    assert across.force == pytest.approx(0.5 * whole, rel=1e-8)
+
+
+def test_the_numbers_of_a_drift_give_its_force_again() -> None:
+    """Rho g R^2 m D W is the whole force; head on it is all along the ship."""
+    part, _ = ship_drift(SEA, 200.0, 30.0, 10.0, angle=0.0, reflection=0.6, water_density=RHO)
+    of = {number.symbol: number.value for number in part.numbers}
+    again = of["rho"] * G * of["R"] ** 2 * of["m"] * of["D"] * of["W"]
+    assert part.force == pytest.approx(-again, rel=ROUNDING)
+    assert part.formula == "rho g R^2 m D W"
+
+
 def test_what_is_out_of_range() -> None:
     with pytest.raises(InputError, match="reflection"):
         drift(reflection=1.5)

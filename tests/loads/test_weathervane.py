@@ -111,6 +111,100 @@ def test_it_is_symmetrical_and_turns_with_everything() -> None:
     assert turned == pytest.approx(one + 0.7, abs=1e-12)
 
 
+def wave_number() -> float:
+    """Of 8 s in 20 m, 1/m: omega^2 = g k tanh(k d), by turns."""
+    k = 0.07
+    for _ in range(200):
+        k = (2.0 * math.pi / 8.0) ** 2 / 9.80665 / math.tanh(k * 20.0)
+    return k
+
+
+WAVE_NUMBER = wave_number()
+
+
+def moment(heading: float, directions: Headings, lever: float) -> float:
+    """Moment about the mooring point of S3's tanker, N m, from the formulas of docs/loads.md.
+
+    Sum of Y (e - x): wind by Blendermann's "tanker loaded" (CDt 0.70, CDl 0.90 and 0.55, delta
+    0.40) and CN, current by UFC with series 60 (-0.291, 0.00353), the drift of the box amidships.
+    """
+    length, breadth, draught = 234.0, 31.3, 12.4
+    waterline = 0.97 * length
+    frontal, lateral = breadth * (3.6 + 15.0), length * 3.6 + 15.0 * 25.0
+    house = -375.0 * 0.5 * (length - 25.0) / lateral
+    wind, current, waves = (
+        math.atan2(math.sin(each - heading), math.cos(each - heading))
+        for each in (directions.wind, directions.current, directions.waves)
+    )
+    along = 0.90 if abs(wind) < 0.5 * math.pi else 0.55
+    D = 1.0 - 0.2 * (1.0 - along * frontal / (0.70 * lateral)) * math.sin(2.0 * wind) ** 2
+    of_wind = 0.5 * 1.221 * 20.0**2 * lateral * 0.70 * math.sin(wind) / D
+    of_wind *= house - 0.18 * (abs(wind) - 0.5 * math.pi) * length - lever
+    chi = waterline**2 * 0.98 * breadth * draught / (breadth * 0.8 * waterline * breadth * draught)
+    deep = 0.22 * math.sqrt(chi)
+    across = deep + (3.2 - deep) * (draught / 20.0) ** 2
+    of_current = 0.5 * 1025.0 * 1.2**2 * waterline * draught * across * math.sin(current)
+    theta = 180.0 - abs(math.degrees(current))
+    of_current *= (-0.291 + 0.00353 * theta) * waterline - lever
+    k = WAVE_NUMBER
+    per_metre = 1025.0 * 9.80665 * (3.5 / 1.85) ** 2 / 16.0
+    per_metre *= 1.0 + 40.0 * k / math.sinh(40.0 * k)
+    width = waterline * abs(math.sin(waves)) + breadth * abs(math.cos(waves))
+    return of_wind + of_current - per_metre * width * math.sin(waves) * lever
+
+
+@pytest.mark.parametrize("point", [None, 60.0])
+@pytest.mark.parametrize(
+    "directions", [Headings(0.0, 1.0, 0.2), Headings(0.3, -2.0, -0.4), Headings(-1.0, 1.2, 2.8)]
+)
+def test_at_every_heading_the_moments_written_out_here_cancel(
+    directions: Headings, point: float | None
+) -> None:
+    """Moments are of the size of 1e8 N m; the heading is halved to double precision."""
+    lever = 0.5 * 0.97 * 234.0 if point is None else point
+    turning = Turning(YAW_TYPES["series-60"], point)
+    found = headings(tanker(), WIND, CURRENT, SEA, directions, turning)
+    assert found
+    for each in found:
+        assert moment(each, directions, lever) == pytest.approx(0.0, abs=1.0)
+        # a small turn is turned back: the moment rises through zero
+        assert moment(each - 0.01, directions, lever) < 0.0 < moment(each + 0.01, directions, lever)
+    # and nowhere else: each other fall through zero lies between two of these
+    samples = [moment(-math.pi + (k + 0.5) * math.tau / 720, directions, lever) for k in range(720)]
+    rises = sum(a < 0.0 <= b for a, b in zip(samples, samples[1:] + samples[:1], strict=True))
+    assert rises == len(found)
+
+
+def test_the_bow_is_the_mooring_point_unless_another_is_given() -> None:
+    turning = Turning(AMIDSHIPS)
+    assert turning.lever(tanker()) == pytest.approx(0.5 * 0.97 * 234.0, rel=ROUNDING)
+    assert Turning(AMIDSHIPS, -3.0).lever(tanker()) == -3.0
+    assert BOX.lateral_centre == 0.0
+
+
+def test_without_turning_the_directions_are_angles_from_the_bow() -> None:
+    """At both depths; the current on the beam is the stronger in the shallower water."""
+    beam = Headings(current=0.5 * math.pi)
+    found = every_lying(
+        [Afloat("", BOX, "tanker loaded")],
+        STILL,
+        SurfaceCurrent(1.0),
+        CALM,
+        [20.0, 10.0],
+        [beam],
+        methods=["UFC-Blendermann"],
+    )
+    assert [(each.heading, each.depth, each.headings) for each in found] == [
+        (0.0, 20.0, beam),
+        (0.0, 10.0, beam),
+    ]
+    # chi = 100^2 x 98/(20 x 7000) = 7; Cyc = 0.582065 + 2.617935 (5/d)^2: 0.745686 and 1.236549
+    across = [each.loads.along("sway") for each in found]
+    by_hand = [512.5 * 500.0 * 0.745686, 512.5 * 500.0 * 1.236549]
+    assert across == pytest.approx(by_hand, rel=1e-6)  # printed digits
+    assert all("yaw moments are not balanced" in each.loads.assumptions[0] for each in found)
+
+
 def test_a_heading_is_stable_about_it_and_not_where_it_lies_stern_to() -> None:
     """A current on a ship held at the stern: the bow points away from it."""
     held = Turning(AMIDSHIPS, -50.0)

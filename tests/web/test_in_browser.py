@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import io
+import json
 import os
 import re
+import tarfile
 import time
 from collections.abc import Iterator
 from functools import partial
@@ -15,9 +18,9 @@ from typing import Any
 import pytest
 
 from catopt.desk import ask
-from catopt.desk.fields import DOORS, START, Door
+from catopt.desk.fields import DOORS, START
 from catopt.errors import InputError
-from catopt.web.build import fetched, parts, pieces
+from catopt.web.build import Part, fetched, parts, pieces
 from catopt.web.document import document
 from catopt.words import LANGUAGES, Language
 from tests.report.browser import CHROMIUM, Tab, chromium
@@ -154,23 +157,67 @@ def words_in(html: str) -> list[str]:
     return [re.sub(f"[()]|{nothing}", "", each) for each in words]
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("door", DOORS)
-def test_every_door_leads_from_its_form_to_the_note(
-    tab: Tab, made: dict[str, bytes], tmp_path: Path, door: Door, language: Language
+AXE = Part(
+    "axe-core-4.14.1.tgz",
+    "https://registry.npmjs.org/axe-core/-/axe-core-4.14.1.tgz",
+    "e6b0ce02b84d892e2e33e403485e7f3d6c29e2be6df65daf44d89ba564139745",
+)
+"""Looks through a page for what keeps people from using it (WCAG)."""
+
+VIOLATIONS = """axe.run().then((found) => JSON.stringify(
+  found.violations.map(({ id, nodes }) => [id, nodes[0].html, nodes[0].failureSummary])))"""
+
+
+@pytest.fixture(scope="module")
+def axe() -> str:
+    """Its script; empty where it cannot be had."""
+    try:
+        packed = fetched(AXE)
+    except InputError:
+        return ""
+    with tarfile.open(fileobj=io.BytesIO(packed)) as archive:
+        file = archive.extractfile("package/axe.min.js")
+        assert file is not None
+        return file.read().decode()
+
+
+def ran(tab: Tab, script: str) -> str:
+    """Wait for what a script comes to."""
+    found = tab.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
+    value: str = found["result"]["value"]
+    return value
+
+
+@pytest.mark.parametrize(
+    ("width", "scheme", "languages"),
+    [(1280, "light", LANGUAGES), (390, "dark", ("vi",))],
+)
+def test_every_door_leads_to_its_note_and_nothing_keeps_people_from_it(
+    tab: Tab,
+    made: dict[str, bytes],
+    axe: str,
+    tmp_path: Path,
+    width: int,
+    scheme: str,
+    languages: tuple[Language, ...],
 ) -> None:
     page = tmp_path / "catopt.html"
     page.write_text(document(made), encoding="utf-8")
-    tab.open(page, 1280)
+    seen = [{"name": "prefers-color-scheme", "value": scheme}]
+    tab.call("Emulation.setEmulatedMedia", features=seen)
+    tab.open(page, width)
     wait(tab)
-    choose(tab, "lang", language)
-    choose(tab, "door", door)
-    asked = tab.call(
-        "Runtime.evaluate", expression=DOWNLOADED, awaitPromise=True, returnByValue=True
-    )
-    note = asked["result"]["value"]
-    wanted = ask("note", {"door": door, "values": START[door], "lang": language})["html"]
-    assert words_in(note) == words_in(wanted)
+    tab.call("Runtime.evaluate", expression=axe)
+    for door in DOORS:
+        choose(tab, "door", door)
+        tab.value("document.querySelector('[data-do=compare]').click()")
+        for language in languages:
+            choose(tab, "lang", language)
+            assert tab.value("document.querySelector('.compared').textContent.trim()") != ""
+            if axe:
+                assert json.loads(ran(tab, VIOLATIONS)) == [], (door, language)
+            question = {"door": door, "values": START[door], "lang": language}
+            assert words_in(ran(tab, DOWNLOADED)) == words_in(ask("note", question)["html"])
     assert tab.messages == []
 
 
