@@ -93,3 +93,4 @@ def test_what_is_not_asked_for_is_never_overrun() -> None:
 def test_no_uplift_without_any_force_is_kept() -> None:
     """Where seabed friction holds the line, neither V nor H reaches the anchor."""
     assert excess.uplift_force_excess(0.0, 0.0, 0.0) == 0.0
+    assert excess.uplift_force_excess(0.05, 0.05, 0.0) == 1.0

@@ -267,6 +267,7 @@ def test_the_factor_of_E301(component: str, factor: float) -> None:
     (found,) = fatigue_strengths(of)
     assert design_factor(of, found.curve)[0] == factor
     assert design_factor(of, found.curve)[1].confidence == "C"
+    assert design_factor(of, found.curve)[1].document == "DNV-OS-E301 (2008)"
 
 
 def test_the_recalled_factor_of_API_is_not_taken_unless_allowed() -> None:
@@ -277,6 +278,20 @@ def test_the_recalled_factor_of_API_is_not_taken_unless_allowed() -> None:
     allowed = replace(of, checks=Checks(allow_recalled=True))
     assert design_factor(allowed, curve)[0] == 3.0
     assert design_factor(allowed, curve)[1].confidence == "R"
+    assert design_factor(allowed, curve)[1].document == "API RP 2SK 3rd ed. (2005)"
+
+
+def test_the_recalled_factor_of_API_is_the_same_for_polyester() -> None:
+    """A factor of 3 on the damage of every component."""
+    of = case(replace(API, design_factor=None), segment("chain studless R3"))
+    allowed = replace(of, checks=Checks(allow_recalled=True))
+    assert design_factor(allowed, CURVES["E301 polyester"])[0] == 3.0
+
+
+def test_a_factor_of_one_s_own_goes_before_the_code_s() -> None:
+    of = case(replace(E301, design_factor=4.5), segment("chain studless R3"))
+    factor, source = design_factor(of, CURVES["E301 studless"])
+    assert (factor, source.code) == (4.5, "user")
 
 
 def test_without_rainflow_the_way_out_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,8 +8,10 @@ from dataclasses import replace
 import pytest
 
 from catopt.checks.case import check_case
-from catopt.checks.criteria import criteria_of
+from catopt.checks.criteria import USER, criteria_of
 from catopt.checks.least_diameter import least_diameters
+from catopt.checks.result import CheckReport, CheckResult
+from catopt.checks.state import Place
 from catopt.model import Case, Checks, Line, Load, Segment, Site
 
 
@@ -57,3 +59,48 @@ def test_nothing_limits_a_tension_without_a_criterion() -> None:
     case = _case(1.0)
     assert least_diameters(check_case(case), criteria_of(case), case.line) == ()
     assert math.isfinite(case.fairlead_height)
+
+
+def _tension(pull: float, load_case: str = "a", segment: int = 1) -> CheckResult:
+    """Make a check of a tension that is allowed 2,000 kN."""
+    excess, place = pull / 2e6 - 1.0, Place(segment=segment)
+    return CheckResult("tension", "tension", load_case, pull, 2e6, "N", excess, USER, place=place)
+
+
+def _found(*results: CheckResult) -> float | None:
+    """Least diameter of a chain of 80 mm and 4,000 kN with a factor of 2 under these tensions."""
+    case = _case(2.0)
+    report = CheckReport("", results, ())
+    (found,) = least_diameters(report, criteria_of(case), case.line)
+    return found.least
+
+
+def test_the_largest_pull_counts_whichever_comes_first() -> None:
+    """500 kN times 2 is a quarter of 4,000 kN: half of 80 mm; 200 kN would leave 25.3 mm."""
+    small, large = _tension(2e5, "a"), _tension(5e5, "b")
+    for results in ((large, small), (small, large)):
+        assert _found(*results) == pytest.approx(0.04, rel=1e-9)
+
+
+def test_neither_another_segment_nor_another_check_counts() -> None:
+    """1,900 kN of segment 2, and a check of 1,900 that is no tension."""
+    other = replace(_tension(1.9e6), kind="span", name="span")
+    found = _found(_tension(5e5), _tension(1.9e6, segment=2), other)
+    assert found == pytest.approx(0.04, rel=1e-9)
+
+
+def test_what_just_passes_may_not_wear_at_all() -> None:
+    """2,000 kN times 2 is all of 4,000 kN."""
+    assert _found(_tension(2e6)) == pytest.approx(0.08, rel=1e-9)
+    assert _found(_tension(2.001e6)) is None
+
+
+def test_a_fibre_rope_and_a_segment_without_a_diameter_have_none() -> None:
+    case = _case(2.0)
+    (chain,) = case.line.segments
+    rope = replace(chain, component="polyester", proof_load=2e6)
+    for other in (rope, replace(chain, nominal_diameter=None)):
+        assert least_diameters(check_case(case), criteria_of(case), Line([other])) == ()
+    both = Line([replace(chain, nominal_diameter=None), chain])
+    report = check_case(replace(case, line=both))
+    assert [each.segment for each in least_diameters(report, criteria_of(case), both)] == [2]

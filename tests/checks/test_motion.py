@@ -9,9 +9,22 @@ from dataclasses import replace
 
 import pytest
 
-from catopt.checks.motion import LineInMotion, check_motion
+from catopt.checks.motion import LineInMotion, check_motion, check_strengths
 from catopt.checks.result import CheckReport
-from catopt.model import Body, Case, Checks, Dynamics, Line, Load, Motion, Segment, Site, System
+from catopt.errors import InputError
+from catopt.model import (
+    Body,
+    Case,
+    Checks,
+    Dynamics,
+    Line,
+    Load,
+    LoadCase,
+    Motion,
+    Segment,
+    Site,
+    System,
+)
 from catopt.words import is_said
 
 from .lines import CLOSE
@@ -107,3 +120,46 @@ def test_a_line_that_is_lost_itself_is_not_judged() -> None:
     report = check_motion(replace(lost, checks=Checks(codes=("API-RP-2SK",))), [MOVED])
     assert report.results == ()
     assert said(report, "checks.motion_all_lost")
+
+
+def test_each_segment_by_its_own_tension_and_mean() -> None:
+    """E301, class 2, of 0.95 x 3000 and 0.95 x 1000 kN: 1.4 on the mean and 2.1 on the rest.
+
+    Below 800 kN, 200 in the mean: 200 x 1.4 + 600 x 2.1 = 1540; above 400, all of it mean: 560 kN.
+    """
+    line = Line([Segment(60.0, 1000.0, MBL=3000e3), Segment(60.0, 1000.0, MBL=1000e3)])
+    moved = LineInMotion(line, (800e3, 400e3), (200e3, 400e3), "load")
+    below, above = judged("DNV-OS-E301-2008-CC2", moved=moved).results
+    assert below.utilisation == pytest.approx(1540.0 / 2850.0, rel=CLOSE)
+    assert above.utilisation == pytest.approx(560.0 / 950.0, rel=CLOSE)
+    assert [each.place.segment for each in (below, above)] == [1, 2]
+    assert [str(each.name) for each in (below, above)] == [
+        "tension, segment 1",
+        "tension, segment 2",
+    ]
+
+
+def test_a_mean_above_the_largest_is_all_there_is_and_a_slack_line_carries_nothing() -> None:
+    """The mean of a line at rest may be above what a short run has: 900 x 1.4 = 1260 kN."""
+    above = judged("DNV-OS-E301-2008-CC2", moved=replace(MOVED, mean=(1000e3,)))
+    assert above.results[0].utilisation == pytest.approx(1260.0 / 2850.0, rel=CLOSE)
+    slack = judged("DNV-OS-E301-2008-CC2", moved=replace(MOVED, largest=(0.0,), mean=(0.0,)))
+    assert slack.results[0].utilisation == 0.0
+    assert slack.results[0].capacity == pytest.approx(2850e3 / 2.1, rel=CLOSE)
+
+
+def test_a_strength_that_is_missing_is_told_before_a_run() -> None:
+    bare = Line([Segment(120.0, 1000.0)])
+    asked = replace(ALONE, checks=Checks(codes=("API-RP-2SK",)))
+    check_strengths(asked)
+    with pytest.raises(InputError, match=r"line\.segments\[0\]\.MBL: missing"):
+        check_strengths(replace(asked, line=bare))
+    check_strengths(replace(ALONE, line=bare))
+
+
+def test_normal_and_extreme_factors_in_motion_go_by_the_load_case() -> None:
+    """Lloyd's linkspans: 900 kN by 3.0 normal and 2.0 extreme of 3000 kN."""
+    cases = (LoadCase("day", 1e5, kind="reference"), LoadCase("storm", 3e5))
+    case = replace(ALONE, checks=Checks(codes=("LR-linkspans-2022",)), load=None, load_cases=cases)
+    report = check_motion(case, [replace(MOVED, load_case=each.name) for each in cases])
+    assert [each.utilisation for each in report.results] == pytest.approx([0.9, 0.6], rel=CLOSE)

@@ -76,3 +76,44 @@ def test_the_damage_of_a_year_is_in_proportion(name: str) -> None:
     assert quick == pytest.approx(strength.damage([counted, counted]), rel=0.1)
     alone = Cycles(counted.ranges, counted.counts, counted.mean, counted.time)
     assert strength.damage_by_spectrum([counted, alone]) is None
+
+
+@pytest.mark.parametrize(
+    ("slow", "fast", "slope", "by_hand"),
+    [
+        # l = 1/2 each, d n_W/n_L = 1, m = 3: n_P = 0.5 x 0.01 sqrt 2, 1 - sqrt 1 = 0,
+        # sqrt(pi/4) 3 G(2)/G(2.5) = 2 and n_W l_W^1.5 = 0.1 x 0.353553:
+        # (0.0141421 + 0.0353553) x (2 sqrt 4)^3 G(2.5) = 0.0494975 x 64 x 1.329340
+        (Band(1.0, 0.01), Band(1.0, 0.1), 3.0, 4.21114),
+        # l = 0.8 and 0.2, m = 4: n_P = 0.8 x 0.02 sqrt(1 + 0.25 x 0.5^2) = 0.0164924;
+        # 0.8^4 (1 - 0.5) + sqrt(0.16 pi) 4 G(2.5)/G(3) = 0.2048 + 1.884956 = 2.089756;
+        # 0.0344651 + 0.1 x 0.2^2 = 0.0384651, x (2 sqrt 2)^4 G(3) = 128
+        (Band(0.8, 0.02), Band(0.2, 0.1), 4.0, 4.92353),
+    ],
+)
+def test_jiao_and_moan_by_hand(slow: Band, fast: Band, slope: float, by_hand: float) -> None:
+    """The formula of 1990 at the head of `catopt.checks.spectral_fatigue`."""
+    assert range_moment(slow, fast, slope) == pytest.approx(by_hand, rel=2e-6)  # printed digits
+
+
+def test_a_band_of_a_millionth_of_the_variance_is_none() -> None:
+    """Then the other alone is left: n (2 sqrt(2 s))^m G(1 + m/2), whichever of the two it is."""
+    alone = 0.1 * (2.0 * math.sqrt(4.0)) ** 3 * math.gamma(2.5)
+    whole, trace = Band(2.0, 0.1), Band(1e-6, 0.01)
+    for pair in ((whole, trace), (trace, whole)):
+        assert range_moment(*pair, 3.0) == pytest.approx(alone, rel=1e-12)
+    assert range_moment(Band(0.0, 0.0), Band(0.0, 0.0), 3.0) == 0.0
+
+
+def test_the_bands_of_two_sinusoids_by_hand() -> None:
+    """2 cos 0.1 t and 3 cos t over ten and a hundred periods: variances 2 and 4.5, rates w/2 pi."""
+    steps = 5000
+    t = np.arange(steps) * (200.0 * math.pi / steps)
+    time = 200.0 * math.pi * (steps - 1) / steps
+    values = 5.0 + 2.0 * np.cos(0.1 * t) + 3.0 * np.cos(t)
+    slow, fast = bands(values, time, 0.5)
+    assert slow == pytest.approx((2.0, 0.1 / math.tau), rel=1e-9)
+    assert fast == pytest.approx((4.5, 1.0 / math.tau), rel=1e-9)
+    none, both = bands(values, time, 0.05)
+    assert none.variance == pytest.approx(0.0, abs=1e-9)
+    assert both.variance == pytest.approx(6.5, rel=1e-9)

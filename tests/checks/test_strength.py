@@ -69,6 +69,24 @@ def test_below_the_catalogue_s_range_the_square_holds() -> None:
     assert old == pytest.approx(new * (18.0 / 19.0) ** 2, rel=CLOSE)
 
 
+def test_down_to_the_catalogue_s_smallest_size_its_formula_holds() -> None:
+    """20 mm worn to 19 mm: load(19)/load(20), where the square is 0.9025."""
+    small = replace(CHAIN, nominal_diameter=0.020)
+    service = Service(life=5.0 * YEAR, wear_rate=0.2 * MM_A_YEAR - 1e-12 * MM_A_YEAR)
+    new, old = strength_of(small).MBL, strength_of(small, service).MBL
+    assert new is not None
+    assert old == pytest.approx(new * load(19.0) / load(20.0), rel=1e-9)
+    assert load(19.0) / load(20.0) > 0.904
+
+
+def test_wear_of_the_whole_diameter_leaves_nothing_and_less_of_it_something() -> None:
+    """A loss of 1/8 m in a second, exact in binary."""
+    service = Service(life=1.0, wear_rate=0.125)
+    key, _ = problem(replace(PLAIN, nominal_diameter=0.125), service)
+    assert key == "line.segments[0].diameter"
+    assert strength_of(replace(PLAIN, nominal_diameter=0.25), service).MBL == 50e3
+
+
 @pytest.mark.parametrize("diameter", [0.02, 0.076, 0.18])
 def test_the_square_is_on_the_safe_side_for_chain(diameter: float) -> None:
     """d^2 (44 - 0.08 d): the second factor grows as d falls."""

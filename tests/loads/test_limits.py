@@ -106,6 +106,11 @@ def sunk(horizontal: float = 1.0, vertical: float = 0.0, **how: float) -> object
     return size_sinker(horizontal, vertical, **{"friction": 0.5, **how})  # type: ignore[arg-type]
 
 
+def tanker_of(**size: float) -> Ship:
+    usual = {"length": 100.0, "breadth": 20.0, "draught": 5.0, "moulded_depth": 8.0}
+    return estimated_tanker("t", **{**usual, **size})  # type: ignore[arg-type]
+
+
 def shallow(draught: float) -> Ship:
     return replace(BOX, draught=draught, displacement=1e-9, midship_area=1e-9)
 
@@ -176,6 +181,10 @@ SHIPS: list[Limit] = [
         5.001,
         5.0,
     ),
+    ("length_overall", lambda L: tanker_of(length=L), 60.0, 0.0),
+    ("breadth", lambda B: tanker_of(breadth=B), 20.0, 0.0),
+    ("draught", lambda T: tanker_of(draught=T), 0.05, 0.0),
+    ("moulded_depth", lambda D: tanker_of(draught=0.05, moulded_depth=D), 0.06, 0.0),
     ("T/d", lambda r: transverse_coefficient(r, 0.8), 1.0, 1.001),
     ("T/d", lambda r: transverse_coefficient(r, 0.8), 0.0, -0.001),
     ("C0", lambda C: transverse_coefficient(0.5, C), 3.2, 3.201),
@@ -229,6 +238,7 @@ ANCHORS: list[Limit] = [
     ("uplift_angle", lambda a: anchored(uplift_angle=a, uplift_limit=FAR), FAR, -FAR),
     ("safety_factor", lambda f: anchored(safety_factor=f), 1.0, 0.999),
     ("horizontal_force", anchored, 0.0, -1.0),
+    ("series[0]", lambda m: next_size(1.0, (m, 2.0), "x"), 0.05, 0.0),
     ("horizontal_force", sunk, 0.0, -1.0),
     ("vertical_force", lambda V: sunk(1.0, V), 0.0, -1.0),
     ("safety_factor", lambda f: sunk(safety_factor=f), 1.0, 0.999),

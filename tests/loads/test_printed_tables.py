@@ -123,6 +123,7 @@ def test_a_mass_that_is_not_sold_says_by_how_much() -> None:
     with pytest.raises(NoAnswerError, match="the largest is 30 t") as caught:
         next_size(31.5e3, ANCHOR_MASSES, "anchor")
     assert "lacks 1.5 t" in str(caught.value)
+    assert "31.5 t" in str(caught.value)
 
 
 def test_the_masses_that_are_offered() -> None:

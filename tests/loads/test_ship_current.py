@@ -132,8 +132,8 @@ BLOCK = Ship("block", 100.0, 100.0, 20.0, 5.0, 10e3, 100.0, 800.0, 300.0)
 def test_the_current_across_a_block_by_hand(exponent: float, force: float) -> None:
     """At 1 m/s, 20 m: chi = 100^2 x 100/(20 x 10,000) = 5, C0 = 0.22 sqrt 5 = 0.491935.
 
-    Cyc = 0.491935 + 2.708065 (5/20)^K: 0.661189 with K = 2, 0.534249 with K = 3. At 2 m/s, 30 deg off
-    the bow, it is 4 sin 30 = 2 times as much.
+    Cyc = 0.491935 + 2.708065 (5/20)^K: 0.661189 with K = 2, 0.534249 with K = 3. At 2 m/s, 30 deg
+    off the bow, it is 4 sin 30 = 2 times as much.
     """
     how = {"water_density": RHO, "exponent": exponent}
     beam = transverse_load(BLOCK, 1.0, 20.0, angle=0.5 * math.pi, **how)

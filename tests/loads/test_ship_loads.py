@@ -82,6 +82,7 @@ def test_from_where_on_a_ship_is_warned_of() -> None:
 def test_what_22tcn_leaves_out_is_warned_of_where_there_is_something_to_leave_out() -> None:
     tcn = "22TCN-222-95"
     assert len(loads(method=tcn).warnings) == 1
+    assert len(loads(method=tcn, hmax=0.05).warnings) == 1
     assert loads(method=tcn, hmax=0.0).warnings == ()
     assert loads(method=tcn, wave_coefficient=0.0).warnings == ()
 
@@ -156,6 +157,7 @@ def test_ufc_alone_is_left_out_where_the_wind_is_off_the_bow() -> None:
     with pytest.raises(InputError, match="wind along the ship only"):
         loads(method="UFC-4-159-03", headings=askew)
     assert "UFC-4-159-03" in by_method(headings=Headings(wind=math.pi))
+    assert "UFC-4-159-03" not in by_method(headings=Headings(wind=0.01))
 
 
 def test_an_unknown_method_is_told_with_those_there_are() -> None:

@@ -32,6 +32,9 @@ def test_the_soils_are_navfac_s() -> None:
         if "NAVFAC" in row.source.document
     }
     assert of_navfac == PRINTED
+    (other,) = [row for name, row in SOIL_FRICTION.items() if name not in PRINTED]
+    # CALMAR 7.2: phi = 45 deg
+    assert (other.soil, other.low, other.high) == ("IALA default", 1.0, 1.0)
     for name, (low, _) in PRINTED.items():
         friction, source = friction_of(name)
         assert (friction, source.confidence) == (low, "A")
@@ -74,6 +77,8 @@ def test_a_pull_straight_up_needs_its_own_weight() -> None:
 def test_steel_has_recalled_figures_only() -> None:
     with pytest.raises(InputError, match=r"recalled \(R\)"):
         size_sinker(10e3, soil="fine or silty sand", material="steel")
+    with pytest.raises(InputError, match=r"recalled \(R\)"):
+        friction_of("fine or silty sand", "steel")
     size = size_sinker(10e3, soil="fine or silty sand", material="steel", allow_recalled=True)
     assert size.friction_source is not None
     assert size.friction_source.recalled
