@@ -7,7 +7,17 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Final, cast
 
-from catopt.answers.blocks import Answer, Block, Facts, Figure, Section, Text, Verdict, Warnings
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Facts,
+    Figure,
+    Section,
+    Table,
+    Text,
+    Verdict,
+    Warnings,
+)
 from catopt.casefile.reading import parse_case
 from catopt.desk.fields import DOORS, Door, fields_of
 from catopt.desk.text import door_of, text_of, values_of
@@ -286,7 +296,14 @@ def _sized(text: str, door: Door) -> tuple[Section, list[Answer]]:
     state = next(each for each in of.case.load_cases if each.name == name)
     depth = of.case.site.water_depth + state.water_level
     first = Section(Message("desk.answer"), (Figure(line_in_water(solution, depth)),))
-    return first, [size_answer(of)]
+    answer = size_answer(of)
+    found = sorted(answer.sections, key=lambda each: not _recommends(each))
+    return first, [replace(answer, sections=tuple(found))]
+
+
+def _recommends(section: Section) -> bool:
+    """Whether a section has the recommended line, which the page shows before the inputs."""
+    return any(isinstance(each, Table) and each.name == "sizing" for each in section.blocks)
 
 
 def _open(text: str, language: Language) -> Reply:  # noqa: ARG001

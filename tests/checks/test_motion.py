@@ -76,6 +76,9 @@ def test_without_a_mean_the_whole_takes_the_factor_on_what_is_dynamic() -> None:
     (result,) = report.results
     assert result.utilisation == pytest.approx(900.0 * 2.1 / (0.95 * 3000.0), rel=CLOSE)
     assert said(report, "checks.motion_no_mean")
+    assert not said(judged("DNV-OS-E301-2008-CC2"), "checks.motion_no_mean")
+    no_mean = judged("API-RP-2SK", moved=replace(MOVED, mean=None))
+    assert not said(no_mean, "checks.motion_no_mean")
 
 
 def test_the_number_of_the_case_holds_and_no_code_is_said() -> None:
@@ -155,6 +158,37 @@ def test_a_strength_that_is_missing_is_told_before_a_run() -> None:
     with pytest.raises(InputError, match=r"line\.segments\[0\]\.MBL: missing"):
         check_strengths(replace(asked, line=bare))
     check_strengths(replace(ALONE, line=bare))
+    day = (LoadCase("day", 1e5, kind="reference"),)
+    with pytest.raises(InputError, match="LR-linkspans-2022 needs it"):
+        check_strengths(
+            replace(
+                ALONE,
+                line=bare,
+                checks=Checks(codes=("LR-linkspans-2022",)),
+                load=None,
+                load_cases=day,
+            )
+        )
+
+
+@pytest.mark.parametrize("broken", [None, 2])
+@pytest.mark.parametrize("code", ["API-RP-2SK", "DNV-OS-E301-2008-CC2"])
+def test_the_strengths_of_a_body_s_lines_are_those_of_the_state_it_is_run_in(
+    code: str, broken: int | None
+) -> None:
+    """As a line parts E301 has no factor, so that it needs no strength."""
+    bare = Line([Segment(120.0, 1000.0)])
+    system = System.around(bare, azimuths=[0.0, 2.0, 4.0], anchor_radius=110.0, fairlead_height=20)
+    dynamics = Dynamics(24.0) if broken is None else Dynamics(24.0, broken_line=2, broken_at=12.0)
+    case = Case(
+        Site(20.0), LINE, None, 20.0, system=system, body=Body(1e5, force_file="force.csv"),
+        dynamics=dynamics, checks=Checks(codes=(code,)),
+    )  # fmt: skip
+    if broken is not None and code.startswith("DNV"):
+        check_strengths(case)
+    else:
+        with pytest.raises(InputError, match=r"line\.segments\[0\]\.MBL: missing"):
+            check_strengths(case)
 
 
 def test_normal_and_extreme_factors_in_motion_go_by_the_load_case() -> None:

@@ -204,8 +204,8 @@ def test_every_door_leads_to_its_note_and_nothing_keeps_people_from_it(
     page = tmp_path / "catopt.html"
     page.write_text(document(made), encoding="utf-8")
     seen = [{"name": "prefers-color-scheme", "value": scheme}]
-    tab.call("Emulation.setEmulatedMedia", features=seen)
     tab.open(page, width)
+    tab.call("Emulation.setEmulatedMedia", features=seen)
     wait(tab)
     tab.call("Runtime.evaluate", expression=axe)
     for door in DOORS:
