@@ -33,7 +33,7 @@ def web(
         ),
     ] = None,
 ) -> None:
-    """Write the page on which a line or a moored body is computed in the browser.
+    """Write the page that sizes and computes moorings in the browser.
 
     Nothing has to be installed to open it, and it asks no server for anything. What it is made of
     is pinned by SHA-256; docs/page.md has sizes and times.
@@ -72,8 +72,8 @@ def page_app(
 ) -> None:
     """Open the page with catopt itself behind it; Ctrl-C ends it.
 
-    Only this machine is answered, and only under the address that is printed. Sizings of buoys and
-    ships and calculation notes are there, too.
+    Only this machine is answered, and only under the address that is printed. It computes what the
+    page of catopt web computes in the browser, sooner.
     """
     import webbrowser
 
