@@ -196,3 +196,12 @@ def test_an_answer_beside_itself_differs_in_nothing() -> None:
     html = ask("compare", {"text": kept, "kept": kept, "lang": "vi"})["html"]
     assert say(Message("desk.same"), "vi") in html
     assert "<td" not in html
+
+
+@pytest.mark.slow
+def test_a_sizing_shows_the_recommended_line_before_its_inputs() -> None:
+    html = ask("whole", {"door": "tanker", "values": START["tanker"]})["html"]
+    recommended, inputs = (
+        html.index(say(Message(key), "en")) for key in ("captions.recommended", "sizing.inputs")
+    )
+    assert recommended < inputs
