@@ -313,7 +313,7 @@ def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:
 def _own(checks: Checks) -> Iterator[Criterion]:
     """List the numbers of the case itself; they hold in every state that has none of its own."""
     damaged = checks.safety_factor_line_out
-    whole: tuple[State, ...] = STATES if damaged is None else ("intact",)
+    whole = tuple(state for state in STATES if damaged is None or state != "one_line_out")
     factors: tuple[tuple[float | None, StrengthKind, tuple[State, ...]], ...] = (
         (checks.safety_factor if checks.safety_factor > 1.0 else None, "MBL", whole),
         (damaged, "MBL", ("one_line_out",)),

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import Criteria, allowed_by
 from catopt.checks.criterion import Criterion
+from catopt.checks.excess import ROUNDING
 from catopt.checks.result import CheckReport
 from catopt.checks.state import State
 from catopt.model import Line, Segment, Service
@@ -88,7 +89,10 @@ def _least(
     def passes(diameter: float) -> bool:
         worn = replace(segment, wear_rate=new - diameter, wear_zone=None)
         strength = replace(criteria, service=Service(life=1.0)).strength(worn)
-        return all(pull <= allowed_by(each, strength, "segment") for each, pull in wanted)
+        return all(
+            pull <= (1.0 + ROUNDING) * allowed_by(each, strength, "segment")
+            for each, pull in wanted
+        )
 
     if not passes(new):
         return None

@@ -10,10 +10,11 @@ from catopt import solve_case
 from catopt.checks.case import check_case, is_of_load
 from catopt.checks.criteria import Criteria, Limits, allowed_by, criteria_of
 from catopt.checks.criterion import CHECK_KINDS, CheckKind, Criterion
-from catopt.checks.document import verdict_document
+from catopt.checks.document import motion_document, verdict_document
 from catopt.checks.evaluation import evaluate
 from catopt.checks.remarks import Lifted, in_load_case, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, CheckSource
+from catopt.checks.state import Place
 from catopt.errors import FloatsUpError, InputError
 from catopt.model import Anchor, CatalogueChoice, Checks, Line, LoadCase, PointLoad
 from catopt.words import Message
@@ -160,10 +161,14 @@ def test_a_buoy_that_would_float_up_is_refused_by_the_name_of_its_load_case() ->
 def test_no_result_has_no_place_among_the_results() -> None:
     nothing = CheckReport("", (), ())
     assert verdict_document(nothing)["governing"] is None
+    assert motion_document(nothing)["governing"] is None
+    assert motion_document(nothing)["passes"] is None
     result = CheckResult("tension", "tension", "load", 50e3, 40e3, "N", 0.25, SOURCE)
     verdict = verdict_document(CheckReport("", (result,), ()))
     assert (verdict["checks"], verdict["failed"], verdict["passes"]) == (1, 1, False)
     assert verdict["governing"]["excess"] == 0.25
+    moved = motion_document(CheckReport("", (replace(result, excess=-0.1), result), ()))
+    assert (moved["passes"], moved["governing"]) == (False, 1)
 
 
 def test_a_case_without_load_cases_is_at_its_own_water_level() -> None:
@@ -172,6 +177,39 @@ def test_a_case_without_load_cases_is_at_its_own_water_level() -> None:
     tide = (LoadCase("tide", 10e3, 5.0, "reference"),)
     (other,) = check_case(asking(load_cases=tide, load=None)).to_dict()["load_cases"]
     assert (other["water_level_m"], other["kind"]) == (5.0, "reference")
+
+
+@pytest.mark.parametrize(("excess", "passes"), [(1e-9, True), (1.001e-9, False), (0.0, True)])
+def test_what_rounding_may_add_passes_and_no_more(excess: float, passes: bool) -> None:
+    """At most 1e-9 of the limit."""
+    result = CheckResult("span", "span", "load", 1.0 + excess, 1.0, "m", excess, SOURCE)
+    assert result.passes is passes
+
+
+def test_of_failures_alike_but_for_rounding_the_first_is_the_worst() -> None:
+    """Half of the limit over it, and 2e-10 more."""
+    made = [
+        CheckResult("span", "span", f"case {k}", 1.5, 1.0, "m", excess, SOURCE)
+        for k, excess in enumerate((0.5, 0.5 + 2e-10, 0.6))
+    ]
+    failed = CheckReport("", tuple(made), ()).failed
+    assert [each.load_case for each in failed] == ["case 2", "case 0", "case 1"]
+
+
+def test_a_limit_of_nothing_that_is_kept_governs_only_where_it_is_alone() -> None:
+    """No uplift has no utilisation; a span at a twentieth of its limit has one."""
+    uplift = CheckResult("uplift", "uplift_angle", "load", 0.0, 0.0, "rad", 0.0, SOURCE)
+    span = CheckResult("span", "span", "load", 5.0, 100.0, "m", -0.95, SOURCE)
+    assert CheckReport("", (uplift, span), ()).governing == span
+    assert CheckReport("", (uplift,), ()).governing == uplift
+
+
+def test_a_line_of_a_body_is_told_by_its_number() -> None:
+    alone = CheckResult("span", "span", "storm", 1.0, 1.0, "m", 0.0, SOURCE)
+    assert str(alone.where) == "storm"
+    of_body = replace(alone, load_case="intact", place=Place(line=2))
+    assert str(of_body.where) == "line 2, intact"
+    assert str(of_body.in_case) == "span (line 2, intact)"
 
 
 @pytest.mark.parametrize("kind", ["span", "tension"])

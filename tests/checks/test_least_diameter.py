@@ -104,3 +104,13 @@ def test_a_fibre_rope_and_a_segment_without_a_diameter_have_none() -> None:
     both = Line([replace(chain, nominal_diameter=None), chain])
     report = check_case(replace(case, line=both))
     assert [each.segment for each in least_diameters(report, criteria_of(case), both)] == [2]
+
+
+@pytest.mark.parametrize(("over", "is_enough"), [(5e-10, True), (2e-9, False)])
+def test_what_the_check_takes_for_rounding_is_rounding_here(over: float, is_enough: bool) -> None:
+    """A tension of 500 kN at a factor of 8 is the MBL of 4,000 kN itself."""
+    case = _case(8.0 * (1.0 + over))
+    assert check_case(case).passes == is_enough
+    least = _least(case)
+    assert (least is not None) == is_enough
+    assert least is None or least == pytest.approx(0.08, rel=1e-8)

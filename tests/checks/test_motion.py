@@ -13,6 +13,7 @@ from catopt.checks.motion import LineInMotion, check_motion, check_strengths
 from catopt.checks.result import CheckReport
 from catopt.errors import InputError
 from catopt.model import (
+    Anchor,
     Body,
     Case,
     Checks,
@@ -87,6 +88,15 @@ def test_the_number_of_the_case_holds_and_no_code_is_said() -> None:
     assert result.utilisation == pytest.approx(0.9, rel=CLOSE)
     assert said(report, "checks.motion_no_code")
     assert not said(judged("API-RP-2SK"), "checks.motion_no_code")
+
+
+def test_a_number_of_the_case_beside_a_code_is_no_code() -> None:
+    """Nor is what is no tension: API RP 2SK's factor on a sinker is for no analysis."""
+    sinker = Anchor("sinker", submerged_weight=1e6, friction=0.5)
+    asked = Checks(codes=("API-RP-2SK",), safety_factor=3.0)
+    report = check_motion(replace(ALONE, checks=asked, anchor=sinker), [MOVED])
+    assert [each.source.code for each in report.results] == ["user", "API-RP-2SK"]
+    assert not said(report, "checks.motion_at_rest")
 
 
 def test_a_maximum_in_doubt_passes_nothing_and_may_fail() -> None:
@@ -197,3 +207,17 @@ def test_normal_and_extreme_factors_in_motion_go_by_the_load_case() -> None:
     case = replace(ALONE, checks=Checks(codes=("LR-linkspans-2022",)), load=None, load_cases=cases)
     report = check_motion(case, [replace(MOVED, load_case=each.name) for each in cases])
     assert [each.utilisation for each in report.results] == pytest.approx([0.9, 0.6], rel=CLOSE)
+
+
+@pytest.mark.parametrize("line_out", [None, 1.5])
+def test_the_case_s_factor_holds_as_a_line_breaks(line_out: float | None) -> None:
+    """The factor with one line out is of the state after it; 2,900 kN by 3 of 3,000 kN is 2.9."""
+    system = System.around(LINE, azimuths=[0.0, 2.0, 4.0], anchor_radius=110.0, fairlead_height=20)
+    case = Case(
+        Site(20.0), LINE, None, 20.0, system=system, body=Body(1e5, force_file="force.csv"),
+        dynamics=Dynamics(24.0, broken_line=2, broken_at=12.0),
+        checks=Checks(safety_factor=3.0, safety_factor_line_out=line_out),
+    )  # fmt: skip
+    moved = [LineInMotion(LINE, (2900e3,), (300e3,), "load", number=each) for each in (1, 2, 3)]
+    report = check_motion(case, moved)
+    assert [each.utilisation for each in report.results] == pytest.approx([2.9, 2.9], rel=CLOSE)

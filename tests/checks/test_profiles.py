@@ -299,6 +299,36 @@ part = 0.95
     }
 
 
+def test_all_that_a_file_of_profiles_may_say_of_a_criterion_is_read() -> None:
+    text = """
+schema = "catopt.profiles/1"
+[[profile]]
+name = "x"
+title = "x"
+document = "y"
+edition = "2001"
+[[profile.criterion]]
+check = "tension"
+of = "MBL"
+value = 1.5
+part = 0.05
+mean_factor = 0.05
+analysis = "dynamic"
+lines = ["wire", "chain"]
+kinds = ["extreme", "reference"]
+states = ["transient", "one_line_out", "intact"]
+clause = "z"
+confidence = "A"
+"""
+    (profile,) = parse_profiles(text)
+    (found,) = profile.criteria
+    assert (found.value, found.part, found.mean_factor) == (1.5, 0.05, 0.05)
+    assert (found.analysis, found.lines) == ("dynamic", ("chain", "wire"))
+    assert found.kinds == ("extreme", "reference")
+    assert found.states == ("intact", "one_line_out", "transient")
+    assert found.source.text == "y (2001), z [A]"
+
+
 def test_a_strength_that_is_missing_is_told_with_the_way_out() -> None:
     bare = Segment(30.0, 1000.0)
     case = asking(

@@ -89,6 +89,10 @@ def test_the_damage_of_a_year_is_in_proportion(name: str) -> None:
         # 0.8^4 (1 - 0.5) + sqrt(0.16 pi) 4 G(2.5)/G(3) = 0.2048 + 1.884956 = 2.089756;
         # 0.0344651 + 0.1 x 0.2^2 = 0.0384651, x (2 sqrt 2)^4 G(3) = 128
         (Band(0.8, 0.02), Band(0.2, 0.1), 4.0, 4.92353),
+        # l = 0.96 and 0.04, m = 2: n_P = 0.96 x 0.02 sqrt(1 + 0.0416667 x 0.25) = 0.0192997;
+        # 0.96^3 (1 - 0.204124) + sqrt(0.0384 pi) 2 G(1.5)/G(2) = 0.704140 + 0.615624 = 1.319764;
+        # 0.0254711 + 0.1 x 0.04 = 0.0294711, x 8
+        (Band(0.96, 0.02), Band(0.04, 0.1), 2.0, 0.235769),
     ],
 )
 def test_jiao_and_moan_by_hand(slow: Band, fast: Band, slope: float, by_hand: float) -> None:
@@ -105,15 +109,25 @@ def test_a_band_of_a_millionth_of_the_variance_is_none() -> None:
     assert range_moment(Band(0.0, 0.0), Band(0.0, 0.0), 3.0) == 0.0
 
 
-def test_the_bands_of_two_sinusoids_by_hand() -> None:
-    """2 cos 0.1 t and 3 cos t over ten and a hundred periods: variances 2 and 4.5, rates w/2 pi."""
+@pytest.mark.parametrize("size", [1.0, 0.01])
+def test_the_bands_of_two_sinusoids_by_hand(size: float) -> None:
+    """2 cos 0.01 t and 3 cos t over one period and a hundred: variances 2 and 4.5, rates w/2 pi."""
     steps = 5000
     t = np.arange(steps) * (200.0 * math.pi / steps)
     time = 200.0 * math.pi * (steps - 1) / steps
-    values = 5.0 + 2.0 * np.cos(0.1 * t) + 3.0 * np.cos(t)
+    values = 5.0 + size * (2.0 * np.cos(0.01 * t) + 3.0 * np.cos(t))
     slow, fast = bands(values, time, 0.5)
-    assert slow == pytest.approx((2.0, 0.1 / math.tau), rel=1e-9)
-    assert fast == pytest.approx((4.5, 1.0 / math.tau), rel=1e-9)
-    none, both = bands(values, time, 0.05)
+    assert slow == pytest.approx((2.0 * size**2, 0.01 / math.tau), rel=1e-9)
+    assert fast == pytest.approx((4.5 * size**2, 1.0 / math.tau), rel=1e-9)
+    none, both = bands(values, time, 0.005)
     assert none.variance == pytest.approx(0.0, abs=1e-9)
-    assert both.variance == pytest.approx(6.5, rel=1e-9)
+    assert both.variance == pytest.approx(6.5 * size**2, rel=1e-9)
+
+
+def test_a_frequency_at_the_split_is_in_one_of_the_bands() -> None:
+    """Of 99 samples, so that no frequency is alone; the whole variance is parted at each."""
+    values = np.random.default_rng(5).normal(size=99)
+    time, whole = 98.0, 98.0 * 99 / 98
+    for k in (1, 7, 49):
+        low, high = bands(values, time, k * (2.0 * math.pi / whole))
+        assert low.variance + high.variance == pytest.approx(values.var(), rel=1e-9)

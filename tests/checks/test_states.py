@@ -238,11 +238,22 @@ def test_a_body_that_cannot_do_without_its_line_fails_by_the_codes_for_that() ->
     assert tension.utilisation == pytest.approx(80.0 * 1.7 / 190.0, rel=SOLVED)
     assert (lost.kind, lost.passes, lost.load_case) == ("equilibrium", False, "line 1 out")
     assert lost.note == "no line is left"
+    assert (lost.demand, lost.capacity, lost.excess, lost.utilisation) == (1.0, 0.0, 1.0, None)
+    assert (lost.place.state, lost.place.missing) == ("one_line_out", 1)
     assert report.governing == lost
     assert not any("has nothing for one line out" in each for each in report.warnings)
     single = check_case(body(1, by("DNV-OS-E301-2008-CC1-SPM")))
     assert single.passes
     assert any("the body hangs on one line" in each for each in single.warnings)
+
+
+def test_a_number_for_every_state_does_not_ask_a_body_to_lose_its_one_line() -> None:
+    """80 * 2 / 200 = 0.8 intact; what a case asks in both states is no code for one line out."""
+    report = check_case(body(1, Checks(safety_factor=2.0)))
+    (tension,) = report.results
+    assert tension.utilisation == pytest.approx(0.8, rel=SOLVED)
+    assert tension.place.state == "intact"
+    assert any("the body hangs on one line" in each for each in report.warnings)
 
 
 def test_wear_anchor_span_and_buoyancy_of_every_line() -> None:

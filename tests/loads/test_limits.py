@@ -43,6 +43,8 @@ Limit = tuple[str, Make, float, float]
 BOX = Ship("box", 100.0, 100.0, 20.0, 5.0, 10e3, 100.0, 800.0, 300.0)
 """It fills length x breadth x draught, 10,000 m3, and breadth x draught amidships, 100 m2."""
 
+TINY = Ship("tiny", 0.05, 0.05, 0.05, 0.05, 1e-9, 1e-9, 1.0, 1.0)
+
 DRUM = BuoyShape("drum", hull_diameter=2.0, hull_depth=2.0, mass=1025.0 * math.pi)
 """It floats at a draught of 1 m."""
 
@@ -150,7 +152,7 @@ WEATHER: list[Limit] = [
 
 SHIPS: list[Limit] = [
     ("length_overall", lambda L: replace(BOX, length_overall=L), 600.0, 600.1),
-    ("length_overall", lambda L: replace(BOX, length_overall=L), 100.0, 0.0),
+    ("length_overall", lambda L: replace(TINY, length_overall=L), 0.05, 0.0),
     (
         "length_waterline",
         lambda L: replace(BOX, length_overall=600.0, length_waterline=L),
@@ -158,9 +160,9 @@ SHIPS: list[Limit] = [
         600.1,
     ),
     ("length_waterline", lambda L: replace(BOX, length_waterline=L), 100.0, 100.1),
-    ("length_waterline", lambda L: replace(BOX, length_waterline=L), 100.0, 0.0),
+    ("length_waterline", lambda L: replace(TINY, length_waterline=L), 0.05, 0.0),
     ("breadth", lambda B: replace(BOX, breadth=B), 100.0, 100.1),
-    ("breadth", lambda B: replace(BOX, breadth=B), 20.0, 0.0),
+    ("breadth", lambda B: replace(TINY, breadth=B), 0.05, 0.0),
     ("draught", lambda T: replace(BOX, breadth=100.0, draught=T), 100.0, 100.1),
     ("draught", lambda T: replace(BOX, draught=T), 20.0, 20.1),
     ("draught", shallow, 0.01, 0.0),
@@ -173,7 +175,7 @@ SHIPS: list[Limit] = [
     ("lateral_centre", lambda x: replace(BOX, lateral_centre=x), 50.0, 50.1),
     ("lateral_centre", lambda x: replace(BOX, lateral_centre=x), -50.0, -50.1),
     ("draught", BOX.check_afloat, 5.001, 5.0),
-    ("depth", BOX.check_afloat, 6.0, 0.0),
+    ("depth", shallow(0.01).check_afloat, 0.05, 0.0),
     ("mooring_point", moored_at, 50.0, 50.1),
     (
         "moulded_depth",
@@ -181,8 +183,8 @@ SHIPS: list[Limit] = [
         5.001,
         5.0,
     ),
-    ("length_overall", lambda L: tanker_of(length=L), 60.0, 0.0),
-    ("breadth", lambda B: tanker_of(breadth=B), 20.0, 0.0),
+    ("length_overall", lambda L: tanker_of(length=L, lateral_area=1.0), 0.05, 0.0),
+    ("breadth", lambda B: tanker_of(breadth=B, draught=0.05), 0.05, 0.0),
     ("draught", lambda T: tanker_of(draught=T), 0.05, 0.0),
     ("moulded_depth", lambda D: tanker_of(draught=0.05, moulded_depth=D), 0.06, 0.0),
     ("T/d", lambda r: transverse_coefficient(r, 0.8), 1.0, 1.001),

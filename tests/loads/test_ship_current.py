@@ -118,6 +118,8 @@ def test_pieces_by_hand() -> None:
     assert wetted_surface(5.0, 100.0, 7000.0) == pytest.approx(2250.0, rel=ROUNDING)
     assert friction_coefficient(1e8) == pytest.approx(0.075 / 36.0, rel=ROUNDING)
     assert propeller_area(83.8, 10.0, 10.0) == pytest.approx(100.0, rel=ROUNDING)
+    # a pitch of half the diameter: 1.067 - 0.1145 = 0.9525
+    assert propeller_area(95.25, 10.0, 10.0, 0.5) == pytest.approx(100.0, rel=ROUNDING)
     assert yaw_moment(1e6, 100.0, 0.1, -0.001, 90.0) == pytest.approx(1e6, rel=ROUNDING)
     assert yaw_moment(1e6, 100.0, 0.1, -0.001, 270.0) == pytest.approx(1e6, rel=ROUNDING)
 

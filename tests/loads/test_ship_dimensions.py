@@ -8,6 +8,7 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads.ship_dimensions import ship_dimensions
+from catopt.loads.ship_estimate import MOULDED
 
 FITS = {
     "tanker": {
@@ -104,3 +105,10 @@ def test_every_row_of_the_table_is_that_of_the_sheet(row: str) -> None:
         if figures:
             found = ship_dimensions(kind, tonnes * 1e3)
             assert list(found) == pytest.approx(figures, rel=1e-12)
+
+
+def test_the_moulded_depth_that_is_taken_for_want_of_another() -> None:
+    """1.3 draughts (docs/sizing.md); the table has 16.4/12.6 = 1.302 for a tanker of 50,000 t."""
+    assert MOULDED == 1.3
+    of = ship_dimensions("tanker", 50e6)
+    assert of.moulded_depth / of.draught == pytest.approx(1.302, abs=5e-4)

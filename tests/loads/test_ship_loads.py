@@ -87,6 +87,20 @@ def test_what_22tcn_leaves_out_is_warned_of_where_there_is_something_to_leave_ou
     assert loads(method=tcn, wave_coefficient=0.0).warnings == ()
 
 
+def test_a_hundredth_of_a_radian_off_the_bow_is_not_head_on() -> None:
+    """Each of the three turns the ship's side to it: what pushes across is shown."""
+    assert Headings().head_on
+    assert not any(each.axis == "sway" for each in loads().components)
+    for askew, name in (
+        (Headings(wind=0.01), "wind across the ship"),
+        (Headings(current=-0.01), "current across the ship"),
+        (Headings(waves=0.01), "wave drift across the ship"),
+    ):
+        assert not askew.head_on
+        (across,) = [e for e in loads(headings=askew).components if e.axis == "sway" and e.force]
+        assert across.name == name
+
+
 def test_a_heading_is_told_in_degrees() -> None:
     of = loads(headings=Headings(math.radians(10.0), math.radians(20.0), math.radians(-30.0)))
     assert of.assumptions[0].startswith("Heading given: wind 10, current 20, waves -30 deg off")
@@ -214,6 +228,7 @@ def test_s3_tanker_does_not_agree_with_its_printed_force() -> None:
 @pytest.mark.parametrize(
     ("kilonewtons", "words"),
     [
+        (450.2, "agrees with 450 kN printed: 0 % above it."),
         (494.9, "agrees with 450 kN printed: 10 % above it."),
         (495.1, "does not agree with 450 kN printed: 10 % above it."),
         (405.1, "agrees with 450 kN printed: 10 % below it."),

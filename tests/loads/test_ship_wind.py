@@ -133,10 +133,11 @@ def test_the_wind_turns_from_ahead_to_astern_where_the_shape_is_zero() -> None:
     """theta_x = 100 deg is 80 deg off the bow; 250 Pa x 300 m2 = 75 kN. Case I, by phi.
 
     60 deg off the bow theta = 120: phi = 90 + 90 x 20/80 = 112.5, cos = -0.382683, x 0.5 ahead:
-    -14.3506 kN. At 90 deg theta = 90: phi = 81, cos = 0.156434, x 0.6 astern: 7.03955 kN.
+    -14.3506 kN. At 90 deg theta = 90: phi = 81, cos = 0.156434, x 0.6 astern: 7.03955 kN; at 84 deg
+    phi = 86.4, cos = 0.0627905: 2.82557 kN.
     """
     own = UfcWind(0.9, 0.5, 0.6, math.radians(100.0), "single")
-    for degrees, kilonewtons in ((60.0, -14.3506), (90.0, 7.03955)):
+    for degrees, kilonewtons in ((60.0, -14.3506), (90.0, 7.03955), (84.0, 2.82557)):
         along, _ = ufc_wind_loads(
             SHIP,
             Wind(20.0),
@@ -170,6 +171,8 @@ def test_ufc_on_the_beam_is_recalled_and_says_so() -> None:
     beam = 0.5 * math.pi
     with pytest.raises(InputError, match="take Blendermann's"):
         ufc_wind_loads(SHIP, Wind(20.0), OWN, angle=beam, air_density=1.25)
+    with pytest.raises(InputError, match="take Blendermann's"):
+        ufc_wind_loads(SHIP, Wind(20.0), OWN, angle=0.01, air_density=1.25)
     parts = ufc_wind_loads(SHIP, Wind(20.0), OWN, angle=beam, air_density=1.25, allow_recalled=True)
     assert parts[1].force == pytest.approx(250.0 * 800.0 * 0.9, rel=ROUNDING)
     assert parts[1].source.recalled

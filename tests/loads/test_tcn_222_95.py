@@ -134,5 +134,8 @@ def test_waves_off_the_bow_are_refused() -> None:
     with pytest.raises(InputError, match="from ahead, from astern or from the beam"):
         forces(askew, chi=0.1)
     assert forces(askew, chi=0.0)["waves along the ship"] == 0.0
+    for nearly in (0.01, 0.5 * math.pi - 0.01):
+        with pytest.raises(InputError, match="from ahead, from astern or from the beam"):
+            forces(Headings(waves=nearly), chi=0.1)
     with pytest.raises(InputError, match="wave_coefficient"):
         forces(chi=-0.1)

@@ -71,7 +71,7 @@ def test_where_the_wind_acts() -> None:
     assert pressure_centre(-math.pi, 200.0, -10.0) == pytest.approx(-66.5487, abs=5e-5)
 
 
-@pytest.mark.parametrize("degrees", [0.0, 40.0, -135.0])
+@pytest.mark.parametrize("degrees", [0.0, 40.0, -135.0, 179.5, 179.9, -179.9])
 def test_one_cause_alone_is_met_head_on(degrees: float) -> None:
     angle = math.radians(degrees)
     sea = SeaState(5.0, 2.0)
@@ -180,6 +180,7 @@ def test_the_bow_is_the_mooring_point_unless_another_is_given() -> None:
     assert turning.lever(tanker()) == pytest.approx(0.5 * 0.97 * 234.0, rel=ROUNDING)
     assert Turning(AMIDSHIPS, -3.0).lever(tanker()) == -3.0
     assert BOX.lateral_centre == 0.0
+    assert not AMIDSHIPS.recalled
 
 
 def test_without_turning_the_directions_are_angles_from_the_bow() -> None:
