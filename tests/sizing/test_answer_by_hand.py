@@ -366,3 +366,14 @@ def test_a_buoy_with_lines_that_pull_too_much_is_tried_with_less_for_each(
     assert "103 kN more than its reserve buoyancy" in str(caught.value)
     less = 0.98 * 100e3 * reserve / 400e3
     assert tried == pytest.approx([reserve] + 7 * [less], rel=1e-12)
+
+
+def test_a_line_of_which_no_proof_load_is_known_has_no_factor_on_it() -> None:
+    """A rope has none; it breaks at its MBL, of which the factor is told."""
+    line = LineChoice(("polyester",), "break/5", diameters=(0.1,), length_step=2.5, life=0.0)
+    of = size_buoy(BuoyRequest(GivenBuoy(10e3, 60e3), place(), line))
+    tension = max(each.fairlead.tension for each in solved(of).values())
+    MBL = of.point.line.segments[0].MBL
+    assert MBL is not None
+    assert of.proof_factor is None
+    assert of.break_factor == pytest.approx(MBL / tension, rel=1e-7)
