@@ -121,7 +121,9 @@ def _case(text: str) -> Case:
     return case
 
 
+@lru_cache(maxsize=4)
 def _sizing(text: str, door: Door) -> Sizing:
+    """Size once what its note and its document are asked of, too."""
     from catopt.sizing.file import parse_file
     from catopt.sizing.requests import size
 

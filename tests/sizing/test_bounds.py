@@ -21,6 +21,7 @@ from catopt.sizing import (
     SinkerGround,
     TankerRequest,
 )
+from catopt.sizing.alternatives import Alternative
 from catopt.sizing.components import sold
 from catopt.sizing.environment import usual_period
 from catopt.sizing.headings import turned_round
@@ -314,6 +315,7 @@ def test_a_wind_is_converted_up_to_the_bounds_of_its_mean(time: float) -> None:
         (180.0, (10.0, -170.0)),
         (90.0, (10.0, 100.0, -170.0, -80.0)),
         (100.0, (10.0, 110.0, -150.0, -50.0)),  # 310 deg; 410 would be 50 again
+        (175.0, (10.0, -175.0, 0.0)),
     ],
 )
 def test_the_current_is_turned_right_round_once(step: float, turns: tuple[float, ...]) -> None:
@@ -339,6 +341,20 @@ def test_what_is_recalled_is_taken_only_where_it_is_allowed() -> None:
         SinkerGround(soil, material="steel")
     assert SinkerGround(soil, material="steel", allow_recalled=True).mu == 0.30
     assert SinkerGround(soil).mu == 0.45  # the lower one of 0.45 to 0.55
+
+
+def test_an_anchor_whose_figures_are_all_recalled_is_taken_only_where_that_is_allowed() -> None:
+    """NAVMOOR's of UFC were read in no document (R)."""
+    with pytest.raises(InputError, match="recalled"):
+        DragGround("NAVMOOR", "sand")
+    assert (
+        DragGround("NAVMOOR", "sand", allow_recalled=True).sized(1e5).capacity.curve.source.recalled
+    )
+
+
+def test_a_line_that_is_not_there_has_no_swing_no_mass_and_no_price() -> None:
+    none = Alternative("balanced", None, reason="too short")
+    assert (none.swing, none.mass, none.cost) == (0.0, 0.0, None)
 
 
 def test_the_factor_on_a_drag_anchor_is_1_at_least() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -239,3 +240,20 @@ def test_a_wind_of_30_s_needs_no_word_and_another_has_one() -> None:
     assert any("Wind of 20 m/s as a mean of" in each for each in raised.estimates)
     still = of_a_ship(wind=0.0, wind_mean="600 s")
     assert still.environment.wind.speed == 0.0
+
+
+@pytest.mark.parametrize(
+    ("name", "directions"),
+    [
+        ("wind_angle", (math.pi / 6.0, 0.0, 0.0)),
+        ("current_angle", (0.0, math.pi / 6.0, 0.0)),
+        ("wave_angle", (0.0, 0.0, math.pi / 6.0)),
+    ],
+)
+def test_what_comes_from_no_side_that_is_given_comes_from_ahead(
+    name: str, directions: tuple[float, float, float]
+) -> None:
+    (found,), turning = of_a_ship(**{name: "30 deg"}, current_yaw="series-60").weathervaning
+    assert (found.wind, found.current, found.waves) == pytest.approx(directions, rel=1e-12)
+    assert turning is not None
+    assert of_a_ship().weathervaning.turning is None

@@ -228,3 +228,12 @@ def test_the_smallest_size_that_was_looked_at_is_told_where_a_smaller_one_is_sol
     assert "looked at, 70 mm:" in said
     free = size_tanker(TankerRequest((LOADED,), deep(), line=ONE_SIZE)).why
     assert free == "It is the lightest line that passes."
+
+
+def test_a_balanced_line_is_the_knee_of_its_front_and_says_by_what() -> None:
+    wider = dataclasses.replace(ONE_SIZE, diameters=(0.06, 0.07, 0.08), prefer="balanced")
+    sized = size_tanker(TankerRequest((LOADED,), deep(), line=wider))
+    assert sized.settled.index == sized.settled.result.recommended
+    assert sized.why == sized.settled.result.recommendation != ""
+    least = dataclasses.replace(ONE_SIZE, prefer="least-swing")
+    assert "least" in size_tanker(TankerRequest((LOADED,), deep(), line=least)).why
