@@ -47,7 +47,7 @@ def ask(call: str, question: Question) -> Reply:
     Parameters
     ----------
     call : str
-        One of `CALLS`, or ``"compare"``.
+        One of `CALLS`.
     question : mapping of str to object
         ``text``: a case file or a file for ``catopt size``; or ``door``, ``values`` by key and
         ``base``, of which it is made. Also ``lang`` and ``units``, as the command line has them,
@@ -73,7 +73,7 @@ def ask(call: str, question: Question) -> Reply:
         text = question["text"] if "text" in question else _made(question)
         if call == "compare":
             return _compare(question.get("kept", ""), text, language)
-        return CALLS[call](text, language)
+        return _ANSWERS[call](text, language)
     except CatoptError as error:
         return _failed(error, language)
     finally:
@@ -83,7 +83,7 @@ def ask(call: str, question: Question) -> Reply:
 def _wrong(call: str, question: Question) -> str:
     """Say what is wrong with a question in itself; empty when nothing is."""
     allowed = {"lang": LANGUAGES, "units": ("", "tf", "kN", "si"), "door": DOORS}
-    if call not in (*CALLS, "compare"):
+    if call not in CALLS:
         return f"no such question: {call}"
     for key, words in allowed.items():
         if key in question and question[key] not in words:
@@ -349,7 +349,7 @@ def _of_body(text: str, file: Any) -> Answer:
     return system_note_answer(system_note(_case(text), (file,), verify=False))
 
 
-CALLS: Final[Mapping[str, Callable[[str, Language], Reply]]] = {
+_ANSWERS: Final[Mapping[str, Callable[[str, Language], Reply]]] = {
     "solve": _solve,
     "check": _check,
     "curve": _curve,
@@ -361,4 +361,5 @@ CALLS: Final[Mapping[str, Callable[[str, Language], Reply]]] = {
     "file": _file,
     "note": _note,
 }
+CALLS: Final = (*_ANSWERS, "compare")
 """What can be asked."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 import hmac
 import json
 import secrets
+import sys
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Lock
-from typing import Final
+from typing import Any, Final
 
 from catopt.desk import CALLS, ask
 from catopt.documents import MOST_BYTES
@@ -34,12 +35,18 @@ class PageServer(ThreadingHTTPServer):
     """
 
     daemon_threads = True
+    request_queue_size = 64
 
     def __init__(self, port: int = 0) -> None:
         self.token = secrets.token_urlsafe(24)
         self.page = document().encode()
         self.one_at_a_time = Lock()
         super().__init__((_HOST, port), _Handler)
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Say what went wrong, but for a page that was closed meanwhile."""
+        if not isinstance(sys.exc_info()[1], ConnectionError):
+            super().handle_error(request, client_address)
 
     @property
     def host(self) -> str:

@@ -22,7 +22,7 @@ from catopt.sizing import (
     TankerRequest,
 )
 from catopt.sizing.alternatives import Alternative
-from catopt.sizing.components import sold
+from catopt.sizing.components import longest_useful, sold
 from catopt.sizing.environment import usual_period
 from catopt.sizing.headings import turned_round
 from catopt.sizing.line_choice import round_step
@@ -254,6 +254,14 @@ def test_sizes_within_the_bounds_are_taken_with_the_bounds() -> None:
     found = told(lambda: sold(line(diameter_min=0.5, diameter_max=0.6), 1025.0))
     assert found == {"components": "no size of it is sold from 500 to 600 mm"}
     assert min(each.nominal_diameter or 0.0 for each in sold(line(), 1025.0)) < 0.05
+
+
+def test_no_line_hangs_over_a_height_at_which_its_own_weight_breaks_it() -> None:
+    """Of h > 2 MBL/w: s^2 = 2 h MBL/w - h^2 is below 0, and only the 30 m on the bed are left."""
+    one = line(diameters=(0.06,))
+    strongest = max((each.MBL or 0.0) / each.submerged_weight for each in sold(one, 1025.0))
+    assert longest_useful(one, 1025.0, 2.01 * strongest) == 30.0
+    assert longest_useful(one, 1025.0, 1.99 * strongest) > 130.0
 
 
 @pytest.mark.parametrize(("body", "key"), [(10.0, "keel_depth"), (12.0, "keel_depth")])

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import http.client
 import json
+import random
+import socket
+import struct
 from collections.abc import Iterator
 from threading import Thread
 
@@ -99,3 +102,64 @@ def test_what_is_no_question_is_refused(
 ) -> None:
     assert reply(server, "POST", f"/{server.token}/{path}", body, **headers)[0] == status
     assert reply(server, "GET", f"/{server.token}/")[0] == 200
+
+
+def test_a_comparison_is_answered(server: PageServer) -> None:
+    kept = ask("file", QUESTION)["text"]
+    status, answer = reply(
+        server, "POST", f"/{server.token}/ask/compare", json.dumps(QUESTION | {"kept": kept})
+    )
+    assert status == 200
+    assert json.loads(answer) == ask("compare", QUESTION | {"kept": kept})
+
+
+def test_two_pages_at_once_get_each_their_own_answer(server: PageServer) -> None:
+    forces = [f"{force} kN" for force in range(100, 120)]
+    found: dict[str, bytes] = {}
+
+    def one(force: str) -> None:
+        values = START["line"] | {"load.horizontal_force": force}
+        question = json.dumps({"door": "line", "values": values})
+        found[force] = reply(server, "POST", f"/{server.token}/ask/solve", question)[1]
+
+    pages = [Thread(target=one, args=(force,)) for force in forces]
+    for page in pages:
+        page.start()
+    for page in pages:
+        page.join()
+    solved = {force: json.loads(found[force])["horizontal_force_N"] for force in forces}
+    assert solved == {force: 1e3 * float(force.split()[0]) for force in forces}
+
+
+def test_a_page_that_is_closed_in_the_middle_of_a_search_ends_nothing(
+    server: PageServer, capfd: pytest.CaptureFixture[str]
+) -> None:
+    question = json.dumps({"door": "tanker", "values": START["tanker"]}).encode()
+    head = f"POST /{server.token}/ask/size HTTP/1.1\r\nHost: {server.host}\r\n"
+    with socket.create_connection(("127.0.0.1", server.server_port)) as closed:
+        closed.sendall(f"{head}Content-Length: {len(question)}\r\n\r\n".encode() + question)
+        closed.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    status, _ = reply(server, "POST", f"/{server.token}/ask/solve", json.dumps(QUESTION))
+    assert status == 200
+    assert "Traceback" not in capfd.readouterr().err
+
+
+@pytest.mark.slow
+def test_it_survives_a_thousand_requests_at_random(
+    server: PageServer, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Words of a request in any order, cut anywhere, with bytes that belong nowhere."""
+    draw = random.Random(29)
+    words = [
+        b"GET ", b"POST ", b"PUT ", b"HEAD ", b"/", server.token.encode(), b"/ask/solve",
+        b"/ask/eval", b" HTTP/1.1", b" HTTP/9.9", b"\r\n", b"\r\n\r\n", b"Host: ",
+        server.host.encode(), b"Content-Length: 5", b"Content-Length: -5", b"Origin: null", b"{}",
+        b'{"text": 3}', b"\x00\xff", b"\xe1\xba\xbf", b": ", b"[" * 3000,
+    ]  # fmt: skip
+    for _ in range(1000):
+        sent = b"".join(draw.choices(words, k=draw.randint(1, 16)))
+        with socket.create_connection(("127.0.0.1", server.server_port)) as connection:
+            connection.sendall(sent[: draw.randint(1, len(sent))])
+    status, _ = reply(server, "POST", f"/{server.token}/ask/solve", json.dumps(QUESTION))
+    assert status == 200
+    assert "Traceback" not in capfd.readouterr().err
