@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Final, cast
+from functools import lru_cache, wraps
+from typing import TYPE_CHECKING, Any, Final, TypeVar, cast
 
 from catopt.answers.blocks import (
     Answer,
@@ -35,6 +36,10 @@ __all__ = ["CALLS", "ask"]
 
 Question = Mapping[str, Any]
 Reply = dict[str, Any]
+Asked = TypeVar("Asked", bound=Callable[..., Any])
+
+_FILE: Final = re.compile(r"""\w*file\s*=|buoys\s*=|["'][^"'\n]*\.[A-Za-z]""")
+"""A key of files, or a value that may be the name of one."""
 
 NAMES: Final[dict[Door, str]] = {
     "line": "case.toml", "body": "case.toml", "buoy": "sizing.toml", "tanker": "sizing.toml",
@@ -113,6 +118,17 @@ def _failed(error: CatoptError, language: Language) -> Reply:
     }
 
 
+def _kept(function: Asked) -> Asked:
+    """Answer once what is asked again; not where a text may name a file, which may change."""
+    once = lru_cache(maxsize=8)(function)
+
+    @wraps(function)
+    def call(text: str, *more: Any, **named: Any) -> Any:
+        return (function if _FILE.search(text) else once)(text, *more, **named)
+
+    return cast("Asked", call)
+
+
 def _case(text: str) -> Case:
     from catopt.checks.profiles import profiles_of
 
@@ -121,7 +137,7 @@ def _case(text: str) -> Case:
     return case
 
 
-@lru_cache(maxsize=4)
+@_kept
 def _sizing(text: str, door: Door) -> Sizing:
     """Size once what its note and its document are asked of, too."""
     from catopt.sizing.file import parse_file
@@ -193,7 +209,7 @@ def _page(text: str, language: Language, *, is_whole: bool) -> Reply:
     }
 
 
-@lru_cache(maxsize=8)
+@_kept
 def _answer(text: str, *, is_whole: bool) -> Answer:
     """Answer once what is asked again in other words or units, or compared."""
     door = door_of(parse_toml(text, ""))

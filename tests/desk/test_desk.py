@@ -205,3 +205,17 @@ def test_a_sizing_shows_the_recommended_line_before_its_inputs() -> None:
         html.index(say(Message(key), "en")) for key in ("captions.recommended", "sizing.inputs")
     )
     assert recommended < inputs
+
+
+def test_what_a_file_beside_the_case_says_now_is_what_counts(
+    tmp_path: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An answer is kept by its text; a file that the text names may have changed."""
+    monkeypatch.chdir(tmp_path)
+    text = ask("file", {"door": "line", "values": START["line"]})["text"]
+    text += '\n[catalogue]\nfile = "own"\n'
+    families = tmp_path / "own"
+    families.write_text('schema = "catopt.families/1"\n', encoding="utf-8")
+    assert "html" in ask("live", {"text": text})
+    families.write_text("families of yesterday", encoding="utf-8")
+    assert ask("live", {"text": text})["status"] == 2
