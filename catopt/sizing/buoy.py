@@ -207,7 +207,7 @@ def _trough(request: BuoyRequest, keel: float) -> tuple[str, ...]:
     """Say where a buoy that is afloat in still water touches the bed between two crests."""
     env = request.environment
     room = env.levels.low - 0.5 * env.sea.height_in(env.levels.low) - keel
-    if room > 0.0:
+    if room >= 0.0:
         return ()
     return (Message("sizing.touches_bed", depth=-room),)
 

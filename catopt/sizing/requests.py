@@ -180,6 +180,10 @@ def _ships(of: Known) -> tuple[MooredShip, ...] | None:
     if None in (of["length"], of["breadth"], of["draught"]):
         return None
     conditions: dict[str, str] = {"loaded": "draught", "ballast": "ballast_draught"}
+    if of["ballast_draught"] is not None and of["ballast_draught"] > of["draught"]:
+        allowed = f"not above the loaded draught, {of['draught']:g} m"
+        of.telling.add("ballast_draught", f"{of['ballast_draught']:g} m", allowed)
+        return None
     ships = [
         of.telling.make(lambda c=condition: _ship(of, c))
         for condition, name in conditions.items()

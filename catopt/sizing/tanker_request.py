@@ -22,6 +22,9 @@ _LEAST_CARGO: Final = 0.4
 0.86."""
 
 
+CONDITIONS: Final = ("loaded", "ballast")
+
+
 @dataclass(frozen=True)
 class MooredShip:
     """The ship in one condition.
@@ -29,7 +32,7 @@ class MooredShip:
     Attributes
     ----------
     condition : str
-        For load cases: ``"loaded"``.
+        ``"loaded"`` or ``"ballast"``.
     ship : Ship
         Afloat at its draught.
     wind_on : str
@@ -48,6 +51,7 @@ class MooredShip:
 
     def __post_init__(self) -> None:
         found = Findings("MooredShip")
+        found.word("condition", self.condition, CONDITIONS)
         found.number("fairlead", self.fairlead, "m", at_least=0.0, at_most=100.0)
         found.raise_if_any()
         if self.deadweight is not None:
@@ -143,7 +147,7 @@ class TankerRequest:
             found.add("ships", "none", "the ship in one condition at least is wanted")
         found.number("hawser", self.hawser, "m", at_least=0.0, at_most=1000.0)
         found.number("pretension", self.pretension, "", above=0.0, at_most=0.9)
-        if self.lines == 2 or not 1 <= self.lines <= 24:
+        if self.lines not in (1, *range(3, 25)):
             found.add("lines", str(self.lines), "1, or 3 to 24 around the body, are wanted")
         if self.hawser > 0.0 and self.buoy is None:
             found.add("hawser", f"{self.hawser:g} m", "goes to a buoy: give one, or leave it out")
@@ -153,7 +157,8 @@ class TankerRequest:
         if self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the ship")
         self._check_methods(found)
-        self._check_swing(found)
+        if self.ships:
+            self._check_swing(found)
         low = self.environment.levels.low
         for each in self.ships:
             if each.ship.draught >= low:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import pytest
 
+import catopt
 from catopt.errors import InputError
 from catopt.loads import Headings, SeaState, SurfaceCurrent, WaterLevels, Wind, buoy
 from catopt.loads.ship_loads import TCN
@@ -368,3 +370,20 @@ def test_a_line_that_is_not_there_has_no_swing_no_mass_and_no_price() -> None:
 def test_the_factor_on_a_drag_anchor_is_1_at_least() -> None:
     assert DragGround(safety_factor=1.0).sized(1e5).safety_factor == 1.0
     assert told(lambda: DragGround(safety_factor=0.99)) == {"safety_factor": "must be 1 or more"}
+
+
+def test_no_ship_a_condition_that_is_none_and_half_a_line_are_refused() -> None:
+    """Each was a fault of Python's own before, not a refusal."""
+    assert told(lambda: TankerRequest((), deep())) == {
+        "ships": "the ship in one condition at least is wanted"
+    }
+    assert told(lambda: dataclasses.replace(LOADED, condition="half")).keys() == {"condition"}
+    for lines in (0, 2, 3.5, 25):
+        asked: Any = lines
+        assert told(partial(TankerRequest, (LOADED,), deep(), lines=asked)).keys() == {"lines"}
+
+
+def test_a_ship_draws_no_more_in_ballast_than_loaded() -> None:
+    sizes = {"length": 200.0, "breadth": 32.0, "draught": 12.0, "depth": 20.0}
+    found = told(lambda: catopt.size_tanker(**sizes, ballast_draught=12.5))
+    assert found == {"ballast_draught": "not above the loaded draught, 12 m"}

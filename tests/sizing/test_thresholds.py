@@ -96,6 +96,12 @@ def test_a_buoy_that_reaches_the_bed_in_the_trough_is_told(
         assert f"the buoy reaches {depth} m into the bed" in each
 
 
+def test_a_buoy_that_just_clears_the_bed_in_the_trough_is_not_told_to_be_in_it() -> None:
+    place = Environment(WaterLevels(4.0, 12.0), sea=SeaState(8.0, maximum_height=2.0))
+    sized = of_a_buoy(GivenBuoy(3e3, 60e3, 3.0), place)
+    assert not [each for each in sized.assumptions if "trough" in each]
+
+
 def test_what_is_worn_off_is_told_in_mm() -> None:
     """Ten years of 0.3 mm are 3 mm; what does not wear stays as new."""
     place = Environment(WaterLevels(10.0, 12.0))
