@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 
 from catopt.answers.blocks import (
     Answer,
@@ -18,32 +18,33 @@ from catopt.answers.blocks import (
 )
 from catopt.words import Message
 
+Row = tuple[str, str, str]
 
-def comparison(kept: Answer, present: Answer, inputs: Mapping[str, tuple[str, str]]) -> Section:
+
+def comparison(kept: Answer, present: Answer, inputs: Sequence[Row]) -> Section:
     """Lay out two answers; what only one of them has is left out.
 
     Parameters
     ----------
     kept, present : Answer
         Of one kind.
-    inputs : mapping of str to (str, str)
-        What was asked differently, by its label: of the kept answer, and of the present one.
+    inputs : sequence of (str, str, str)
+        What was asked differently: its label, of the kept answer, and of the present one.
     """
     return Section(Message("desk.compared"), tuple(_blocks(kept, present, inputs)), "compared")
 
 
-def _blocks(
-    kept: Answer, present: Answer, inputs: Mapping[str, tuple[str, str]]
-) -> Iterator[Block]:
-    if not inputs:
+def _blocks(kept: Answer, present: Answer, inputs: Sequence[Row]) -> Iterator[Block]:
+    said, also_said = _words(kept), _words(present)
+    one, other = _facts(kept), _facts(present)
+    if not inputs and (one, said) == (other, also_said):
         yield Text(Message("desk.same"))
         return
-    yield _beside("asked", "desk.inputs", inputs)
-    said, also_said = _words(kept), _words(present)
-    both = {name: (words, also_said[name]) for name, words in said.items() if name in also_said}
+    if inputs:
+        yield _beside("asked", "desk.inputs", inputs)
+    both = [(name, words, also_said[name]) for name, words in said.items() if name in also_said]
     if both:
         yield _beside("said", "desk.answer", both)
-    one, other = _facts(kept), _facts(present)
     names = [name for name in one if name in other]
     if names:
         units = tuple(each for name in names if (each := one[name].quantity) is not None)
@@ -55,11 +56,11 @@ def _blocks(
         yield Table("compared", (texts("what", names), *columns))
 
 
-def _beside(name: str, caption: str, rows: Mapping[str, tuple[str, str]]) -> Table:
+def _beside(name: str, caption: str, rows: Sequence[Row]) -> Table:
     """Tabulate words of both answers."""
-    kept, present = zip(*rows.values(), strict=True)
+    what, kept, present = zip(*rows, strict=True)
     columns = (
-        texts("what", rows),
+        texts("what", what),
         Column(Message("desk.kept_one"), kept),
         Column(Message("desk.present_one"), present),
     )

@@ -235,11 +235,11 @@ def _compare(kept: str, text: str, language: Language) -> Reply:
     door = door_of(parse_toml(text, ""))
     before = values_of(door, kept) if door_of(parse_toml(kept, "")) == door else {}
     now = values_of(door, text)
-    inputs = {
-        each.label: (before.get(each.key, ""), now.get(each.key, ""))
+    inputs = [
+        (each.label, before.get(each.key, ""), now.get(each.key, ""))
         for each in fields_of(door)
         if before.get(each.key, "") != now.get(each.key, "")
-    }
+    ]
     of_kept, present = _answer(kept, is_whole=True), _answer(text, is_whole=True)
     section = comparison(of_kept, present, inputs)
     return {"html": fragment(replace(present, sections=(section,)), language)}

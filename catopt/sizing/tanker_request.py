@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Final, get_args
 
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Ship
+from catopt.loads.ship_estimate import Condition
 from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
@@ -20,9 +21,6 @@ from catopt.sizing.read_input import ReadInput
 _LEAST_CARGO: Final = 0.4
 """Deadweight over displacement of a loaded ship at least; catopt's own. Merchant ships have 0.55 to
 0.86."""
-
-
-CONDITIONS: Final = ("loaded", "ballast")
 
 
 @dataclass(frozen=True)
@@ -51,7 +49,7 @@ class MooredShip:
 
     def __post_init__(self) -> None:
         found = Findings("MooredShip")
-        found.word("condition", self.condition, CONDITIONS)
+        found.word("condition", self.condition, get_args(Condition))
         found.number("fairlead", self.fairlead, "m", at_least=0.0, at_most=100.0)
         found.raise_if_any()
         if self.deadweight is not None:
@@ -147,7 +145,7 @@ class TankerRequest:
             found.add("ships", "none", "the ship in one condition at least is wanted")
         found.number("hawser", self.hawser, "m", at_least=0.0, at_most=1000.0)
         found.number("pretension", self.pretension, "", above=0.0, at_most=0.9)
-        if self.lines not in (1, *range(3, 25)):
+        if not isinstance(self.lines, int) or self.lines not in (1, *range(3, 25)):
             found.add("lines", str(self.lines), "1, or 3 to 24 around the body, are wanted")
         if self.hawser > 0.0 and self.buoy is None:
             found.add("hawser", f"{self.hawser:g} m", "goes to a buoy: give one, or leave it out")

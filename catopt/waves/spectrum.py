@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Final, Literal, get_args
 
 import numpy as np
@@ -31,10 +31,14 @@ _WIDTH_ABOVE: Final = 0.09
 _REACH: Final = 9.0
 """In widths: how far from the peak gamma^G still differs from 1 by what double precision shows."""
 
-_POINTS: Final = 64
-"""Of Gauss's rule, in each piece of a band."""
-
 _GREATEST_GAMMA: Final = 20.0
+
+
+@cache
+def _gauss() -> tuple[Array, Array]:
+    """Nodes and weights of Gauss and Legendre's rule: made when first used, and once."""
+    nodes, weights = np.polynomial.legendre.leggauss(64)
+    return nodes, weights
 
 
 def pierson_moskowitz(significant_height: float, peak_period: float) -> Spectrum:
@@ -209,7 +213,7 @@ class Spectrum:
     def _added_between(self, start: float, end: Array, order: int) -> Array:
         """Gauss-Legendre over an interval that does not pass the peak."""
         half = 0.5 * (end - start)
-        nodes, weights = np.polynomial.legendre.leggauss(_POINTS)
+        nodes, weights = _gauss()
         r = start + half[..., np.newaxis] * (1.0 + nodes)
         result: Array = half * ((r**order * _plain(r) * np.expm1(self._log_peak(r))) @ weights)
         return result

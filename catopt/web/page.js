@@ -139,7 +139,8 @@ const give = (reply) => {
 const compare = async (asked) => {
   const kept = state.kept[asked.door];
   const reply = kept && answered ? await ask("compare", { ...asked, kept }) : { html: "" };
-  one(".compared").innerHTML = reply.html ?? "";
+  const isOurs = asked.door === state.door && asked.lang === state.lang;
+  if (isOurs) one(".compared").innerHTML = reply.html ?? "";
 };
 
 // Of questions that come while one is answered, only the last is asked.

@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+from catopt.answers.blocks import Answer, Table
+from catopt.answers.comparison import comparison
 from catopt.desk import ask, shell
 from catopt.desk.fields import DOORS, START, Door, fields_of
 from catopt.desk.text import text_of, values_of
@@ -189,6 +191,15 @@ def test_two_answers_stand_beside_each_other(
     assert one != other
     assert one.split(",")[0] in ask("whole", {"text": kept})["html"]
     assert other.split(",")[0] in ask("whole", form)["html"]
+
+
+def test_two_inputs_of_one_name_are_both_compared() -> None:
+    """Soil is asked for an anchor and for a sinker."""
+    report = Answer("desk", "", (), "")
+    rows = [("Soil", "sand", ""), ("Soil", "", "rock")]
+    asked = comparison(report, report, rows).blocks[0]
+    assert isinstance(asked, Table)
+    assert list(zip(*(each.values for each in asked.columns), strict=True)) == rows
 
 
 def test_an_answer_beside_itself_differs_in_nothing() -> None:

@@ -378,7 +378,7 @@ def test_no_ship_a_condition_that_is_none_and_half_a_line_are_refused() -> None:
         "ships": "the ship in one condition at least is wanted"
     }
     assert told(lambda: dataclasses.replace(LOADED, condition="half")).keys() == {"condition"}
-    for lines in (0, 2, 3.5, 25):
+    for lines in (0, 2, 3.0, 3.5, 25):
         asked: Any = lines
         assert told(partial(TankerRequest, (LOADED,), deep(), lines=asked)).keys() == {"lines"}
 
