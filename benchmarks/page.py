@@ -16,7 +16,6 @@ import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 from catopt.web.build import fetched, pieces
 from catopt.web.document import document
@@ -67,12 +66,6 @@ def waited(tab: Tab, since: float) -> float:
     return time.monotonic() - since
 
 
-def ran(tab: Tab, script: str) -> Any:
-    """Wait for what a script comes to."""
-    found = tab.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
-    return json.loads(found["result"]["value"])
-
-
 def chosen(tab: Tab, door: str) -> float:
     """Open a door, and return how long its answer takes, s."""
     began = time.monotonic()
@@ -91,14 +84,14 @@ def rows(made: dict[str, bytes], folder: Path) -> Iterator[tuple[str, str, str]]
         began = time.monotonic()
         tab.open(page, 1280)
         yield "first answer after opening, s", f"{waited(tab, began):.1f}", "8"
-        steps = sorted(ran(tab, SLIDER))
+        steps = sorted(json.loads(tab.awaited(SLIDER)))
         yield "step of the slider, median, ms", f"{steps[STEPS // 2]:.0f}", "40"
         yield "step of the slider, 95th percentile, ms", f"{steps[STEPS * 95 // 100]:.0f}", "100"
         tab.value(FRAMES)
         yield "a buoy's mooring, s", f"{chosen(tab, 'buoy'):.1f}", "5"
-        longest = ran(tab, "JSON.stringify(Math.max(...gaps))")
+        longest = tab.value("Math.max(...gaps)")
         yield "longest frame meanwhile, ms", f"{longest:.0f}", "50"
-        both = chosen(tab, "tanker") + ran(tab, NOTE) / 1e3
+        both = chosen(tab, "tanker") + float(tab.awaited(NOTE)) / 1e3
         yield "a tanker's mooring and its note, s", f"{both:.1f}", "3"
 
 

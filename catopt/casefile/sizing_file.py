@@ -16,7 +16,7 @@ Moored = Literal["buoy", "tanker"]
 SIZING: Final = "sizing.toml"
 """Usual name of a sizing file, as ``case.toml`` is of a case file."""
 
-OF_A_CASE: Final = ("load", "load_cases", "design", "find", "pso", "catalogue")
+_OF_A_CASE: Final = ("load", "load_cases", "design", "find", "pso", "catalogue")
 """Sections that only a case file has."""
 
 
@@ -42,10 +42,17 @@ def not_a_case(document: dict[str, Any]) -> Problem | None:
     return Problem(key, f"[{key}]", allowed)
 
 
+def case_key(document: dict[str, Any]) -> tuple[str, ...]:
+    """Find a key that only a case file has; empty where there is none."""
+    known = next((key for key in _OF_A_CASE if key in document), None)
+    if known is not None:
+        return (known,)
+    return ("line", "segments") if "segments" in table(document, "line") else ()
+
+
 def moored_of(document: dict[str, Any]) -> Moored | None:
     """Say what a document of a file is to find the mooring of; None for that of a case."""
-    has_line = "segments" in table(document, "line")
-    if has_line or any(key in document for key in OF_A_CASE):
+    if case_key(document):
         return None
     if "ship" in document:
         return "tanker"

@@ -16,7 +16,7 @@ from catopt.casefile.document import as_in_file, table
 from catopt.casefile.location import Finding, in_order_of, parts
 from catopt.casefile.names import stands_for
 from catopt.casefile.schema import Table, entries
-from catopt.casefile.sizing_file import OF_A_CASE, Moored, moored_in
+from catopt.casefile.sizing_file import Moored, case_key, moored_in
 from catopt.casefile.structure import structure_findings
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
@@ -244,10 +244,9 @@ def _of_another_kind(document: dict[str, Any], moored: Moored) -> Finding | None
     """Say what the file is for, when it is not for this."""
     if moored == "buoy" and "ship" in document:
         return Finding(("ship",), "a ship", "this file is for catopt size tanker")
-    allowed = "this is a case file, for catopt solve, check and design: its line is known"
-    for key in OF_A_CASE:
-        if key in document:
-            return Finding((key,), f"[{key}]", allowed)
-    if "segments" in table(document, "line"):
-        return Finding(("line", "segments"), "the segments of a line", allowed)
+    key = case_key(document)
+    if key:
+        found = f"[{key[0]}]" if len(key) == 1 else "the segments of a line"
+        allowed = "this is a case file, for catopt solve, check and design: its line is known"
+        return Finding(key, found, allowed)
     return None

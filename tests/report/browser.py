@@ -108,6 +108,12 @@ class Tab:
         while not self._loaded:
             self._next()
 
+    def awaited(self, script: str) -> str:
+        """Wait for the text that a script comes to."""
+        asked = {"expression": script, "awaitPromise": True, "returnByValue": True}
+        text: str = self.call("Runtime.evaluate", **asked)["result"]["value"]
+        return text
+
     def value(self, expression: str) -> Any:
         """Evaluate an expression in the page."""
         found = self.call("Runtime.evaluate", expression=expression, returnByValue=True)

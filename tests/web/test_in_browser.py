@@ -181,13 +181,6 @@ def axe() -> str:
         return file.read().decode()
 
 
-def ran(tab: Tab, script: str) -> str:
-    """Wait for what a script comes to."""
-    found = tab.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
-    value: str = found["result"]["value"]
-    return value
-
-
 @pytest.mark.parametrize(
     ("width", "scheme", "languages"),
     [(1280, "light", LANGUAGES), (390, "dark", ("vi",))],
@@ -215,9 +208,9 @@ def test_every_door_leads_to_its_note_and_nothing_keeps_people_from_it(
             choose(tab, "lang", language)
             assert tab.value("document.querySelector('.compared').textContent.trim()") != ""
             if axe:
-                assert json.loads(ran(tab, VIOLATIONS)) == [], (door, language)
+                assert json.loads(tab.awaited(VIOLATIONS)) == [], (door, language)
             question = {"door": door, "values": START[door], "lang": language}
-            assert words_in(ran(tab, DOWNLOADED)) == words_in(ask("note", question)["html"])
+            assert words_in(tab.awaited(DOWNLOADED)) == words_in(ask("note", question)["html"])
     assert tab.messages == []
 
 
