@@ -172,8 +172,11 @@ def test_no_import_points_up() -> None:
 
 LAID_OUT = BASE - {"compiled", "interrupt", "ties"} | {"model", "catalogue", "answers", "figures"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
-SAID = ("catopt.verify.motion_words.", "catopt.verify.truss_words.", "catopt.verify.compared.")
-"""What results say of themselves in words, or are rounded to."""
+SAID = (
+    *("catopt.verify.motion_words.", "catopt.verify.truss_words.", "catopt.verify.compared."),
+    "catopt.checks.kinds.",
+)
+"""What results say of themselves in words, are rounded to or measured in."""
 
 
 def test_answers_solve_nothing() -> None:

@@ -8,7 +8,8 @@ from itertools import permutations
 
 import pytest
 
-from catopt.checks.result import CheckReport, CheckResult, CheckSource
+from catopt.checks.criterion import CheckSource
+from catopt.checks.result import CheckReport, CheckResult
 from catopt.mooring.watch_circle import watch_circle
 from catopt.ties import first_largest, largest
 from catopt.verify.compared import Compared

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
@@ -19,27 +18,13 @@ from catopt.answers.blocks import (
     measured,
     texts,
 )
+from catopt.checks.kinds import QUANTITY_OF
 from catopt.figures.line import Failing
-from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
-    from catopt.checks.result import CheckReport, CheckResult, CheckSource
-
-QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
-    {
-        "tension": QUANTITIES["tension"],
-        "uplift_angle": QUANTITIES["angle"],
-        "uplift_force": QUANTITIES["vertical_force"],
-        "grounded_length": QUANTITIES["grounded_length"],
-        "span": QUANTITIES["span"],
-        "buoyancy": QUANTITIES["vertical_force"],
-        "sliding": QUANTITIES["point_weight"],
-        "holding": QUANTITIES["horizontal_force"],
-        "equilibrium": Quantity("lines", "", "", "-", "-", 1.0, 0),
-    }
-)
-"""What demand and capacity of each kind of check are."""
+    from catopt.checks.criterion import CheckSource
+    from catopt.checks.result import CheckReport, CheckResult
 
 _LOAD_CASES = {
     "": "checks.load_case",

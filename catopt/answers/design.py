@@ -23,12 +23,12 @@ from catopt.answers.blocks import (
     yes_or_no,
 )
 from catopt.answers.check import (
-    QUANTITY_OF,
     check_columns,
     governing_sentence,
     tightest_checks,
     tightest_table,
 )
+from catopt.checks.kinds import QUANTITY_OF
 from catopt.figures.front import objective
 from catopt.quantities import Quantity
 from catopt.words import Measure, Message, Several, term

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from catopt.answers.blocks import Block, Column, Fact, Facts, Section, Table, Text, measured
 from catopt.answers.check import kind_name
 from catopt.answers.note import column, note_section
+from catopt.checks.kinds import limit_quantity
 from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES
 from catopt.words import Cited, Measure, Message, Several, term
@@ -116,13 +117,6 @@ def _limit_states(sheet: Sheet) -> Table:
         for each in sheet.criteria.all
         if any(_is_in(name, each) for name in states)
     }
-    unit = {
-        "uplift_angle": "angle",
-        "uplift_force": "vertical_force",
-        "grounded_length": "grounded_length",
-        "span": "span",
-        "buoyancy": "vertical_force",
-    }
     return Table(
         "limit_states",
         (
@@ -137,7 +131,7 @@ def _limit_states(sheet: Sheet) -> Table:
             Column(
                 Message("note_sheet.factor_or_limit"),
                 tuple(each.value for each in rows),
-                units=tuple(QUANTITIES[unit.get(each.check, "safety_factor")] for each in rows),
+                units=tuple(limit_quantity(each.check) for each in rows),
             ),
             column(
                 "note_sheet.on",

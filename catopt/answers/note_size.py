@@ -22,7 +22,6 @@ from catopt.answers.blocks import (
     measured,
     texts,
 )
-from catopt.answers.check import QUANTITY_OF
 from catopt.answers.note import (
     column,
     components_section,
@@ -43,6 +42,7 @@ from catopt.answers.size import (
     steady_sentence,
     without_line_table,
 )
+from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.quantities import GREEK, QUANTITIES, Quantity
 from catopt.words import Cited, Measure, Message, Several, Told, say, term

@@ -20,8 +20,9 @@ from catopt.answers.blocks import (
     texts,
     where_known,
 )
-from catopt.answers.check import QUANTITY_OF, check_columns, tightest_table
+from catopt.answers.check import check_columns, tightest_table
 from catopt.answers.loads import forces_table, numbers_table
+from catopt.checks.kinds import QUANTITY_OF
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Several, term

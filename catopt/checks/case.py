@@ -9,6 +9,7 @@ from dataclasses import replace
 from catopt.catenary.case import as_found, solve_case
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import criteria_of
+from catopt.checks.criterion import Place
 from catopt.checks.evaluation import evaluate
 from catopt.checks.remarks import (
     IN_LOAD_CASE,
@@ -19,7 +20,6 @@ from catopt.checks.remarks import (
     of_uplift,
 )
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.checks.state import Place
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Anchor, Case, Line, LoadCase
 from catopt.words import Message

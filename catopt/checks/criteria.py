@@ -7,10 +7,9 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from catopt.checks.criterion import CheckKind, Criterion, StrengthKind
+from catopt.checks.criterion import STATES, Analysis, CheckSource, Criterion, State, StrengthKind
+from catopt.checks.kinds import OF_LINE, CheckKind
 from catopt.checks.profiles import Profile, profiles_of
-from catopt.checks.result import CheckSource
-from catopt.checks.state import STATES, Analysis, State
 from catopt.checks.strength import Strength, strength_of
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, CatalogueChoice, Line, Segment, Service
@@ -36,14 +35,9 @@ UPLIFT: tuple[CheckKind, ...] = ("uplift_angle", "uplift_force")
 
 
 class AllowedTension(NamedTuple):
-    """The largest tension that a segment is allowed.
+    """Strength at the end of life over the factor, N, and by which criterion.
 
-    Attributes
-    ----------
-    tension : float
-        Strength at the end of life over the factor, N; infinite when no criterion covers it.
-    criterion : Criterion or None
-        Which one it is; None when no criterion covers it.
+    Infinite and None when no criterion covers the segment.
     """
 
     tension: float
@@ -283,8 +277,7 @@ def criteria_of(
         if criterion.check != "tension" or criterion.analysis == _analysis_of(each, analysis)
     ]
     found = (
-        *_own(case.checks),
-        *_buoyancy(case),
+        *_own(case),
         *_of_anchor(case.anchor, coded, anchor_key),
         *(each for each in coded if each.check not in ("sliding", "holding")),
     )
@@ -310,8 +303,9 @@ def _notes(checks: Checks, profiles: tuple[Profile, ...]) -> Iterator[Message]:
             yield Message("checks.code_note", code=each.name, note=each.note)
 
 
-def _own(checks: Checks) -> Iterator[Criterion]:
+def _own(case: Case) -> Iterator[Criterion]:
     """List the numbers of the case itself; they hold in every state that has none of its own."""
+    checks = case.checks
     damaged = checks.safety_factor_line_out
     whole = tuple(state for state in STATES if damaged is None or state != "one_line_out")
     factors: tuple[tuple[float | None, StrengthKind, tuple[State, ...]], ...] = (
@@ -322,20 +316,10 @@ def _own(checks: Checks) -> Iterator[Criterion]:
     for factor, strength, states in factors:
         if factor is not None:
             yield Criterion("tension", factor, USER, of=strength, states=states)
-    limits: tuple[tuple[CheckKind, float | None], ...] = (
-        ("uplift_angle", checks.max_anchor_uplift_angle),
-        ("uplift_force", checks.max_anchor_uplift_force),
-        ("grounded_length", checks.min_grounded_length or None),
-        ("span", checks.max_span if checks.max_offset is None else checks.max_offset),
-    )
-    for check, limit in limits:
+    for check, row in OF_LINE.items():
+        limit = None if row.own is None else row.own(case)
         if limit is not None:
             yield Criterion(check, limit, USER)
-
-
-def _buoyancy(case: Case) -> Iterator[Criterion]:
-    if case.buoy is not None:
-        yield Criterion("buoyancy", case.buoy.reserve_buoyancy, USER)
 
 
 def _of_anchor(anchor: Anchor | None, coded: list[Criterion], key: str) -> Iterator[Criterion]:

@@ -1,34 +1,95 @@
-"""One criterion: what is checked, against which number, and where that comes from."""
+"""One criterion: what is checked, against which number, for what, and where that comes from."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from catopt.checks.line_kind import LINE_KINDS, LineKind
-from catopt.checks.result import CheckSource
-from catopt.checks.state import STATES, Analysis, State
+from catopt.catalogue.figure import Confidence
+from catopt.checks.kinds import CheckKind
 from catopt.model.load_case import LoadCaseKind
+from catopt.words import Message
 
-CheckKind = Literal[
-    "tension",
-    "uplift_angle",
-    "uplift_force",
-    "grounded_length",
-    "span",
-    "buoyancy",
-    "sliding",
-    "holding",
-    "equilibrium",
-]
-CHECK_KINDS: tuple[CheckKind, ...] = get_args(CheckKind)
-"""In the order in which a report has them."""
+State = Literal["intact", "one_line_out", "transient"]
+STATES: tuple[State, ...] = get_args(State)
+"""Of a mooring: whole, at rest anew without a line, and on the way there after it parted."""
+
+Analysis = Literal["quasi-static", "dynamic"]
+ANALYSES: tuple[Analysis, ...] = get_args(Analysis)
+"""Tensions of lines at rest, or of lines run in time."""
 
 StrengthKind = Literal["MBL", "proof_load"]
 STRENGTHS: tuple[StrengthKind, ...] = get_args(StrengthKind)
 
 LOAD_KINDS: tuple[LoadCaseKind, ...] = get_args(LoadCaseKind)
-"""Kinds of load case."""
+
+LineKind = Literal["chain", "wire", "rope"]
+"""Chain, steel wire rope of any make, fibre rope: codes have factors of their own for each."""
+LINE_KINDS: tuple[LineKind, ...] = get_args(LineKind)
+
+_ROPES = "rope polyester nylon polyamide polypropylene polyethylene hmpe aramid"
+_WORDS: dict[LineKind, str] = {"chain": "chain", "wire": "wire spiral", "rope": _ROPES}
+"""Words in a component's name by the kind of line; wire comes before rope, for "wire rope"."""
+
+
+def line_kind(component: str) -> LineKind | None:
+    """Return the kind of line by the name of a component; None when it does not say."""
+    name = component.casefold()
+    for kind, words in _WORDS.items():
+        if any(word in name for word in words.split()):
+            return kind
+    return None
+
+
+@dataclass(frozen=True)
+class Place:
+    """Of which line a check is, and in which state of the mooring.
+
+    Attributes
+    ----------
+    state : {"intact", "one_line_out", "transient"}
+        Of the mooring.
+    line, missing : int or None
+        Of a body with several lines: which, from 1, and which one is gone; None for the body as a
+        whole or for a line by itself.
+    segment : int or None
+        Of a tension: from 1 at the anchor.
+    """
+
+    state: State = "intact"
+    line: int | None = None
+    missing: int | None = None
+    segment: int | None = None
+
+
+@dataclass(frozen=True)
+class CheckSource:
+    """Where a criterion comes from.
+
+    Attributes
+    ----------
+    code : str
+        Name of the profile; ``"user"`` for the case's own numbers, ``"anchor"`` for the factor of
+        its anchor where the case says what that is from.
+    document, clause : str
+        What to open, and where in it; empty for the case's own numbers, which are then those of
+        the case file.
+    confidence : {"A", "B", "C", "R"} or None
+        How well it was read; None for the case's own numbers.
+    """
+
+    code: str
+    document: str = ""
+    clause: str = ""
+    confidence: Confidence | None = None
+
+    @property
+    def text(self) -> str:
+        """One line for tables: ``"UFC 4-159-03 (2005), Table 3-7 [A]"``."""
+        if self.confidence is None:
+            return self.document or Message("checks.case_file")
+        where = ", ".join(part for part in (self.document, self.clause) if part)
+        return f"{where} [{self.confidence}]"
 
 
 @dataclass(frozen=True)
@@ -38,7 +99,7 @@ class Criterion:
     Attributes
     ----------
     check : str
-        What is checked, one of `CHECK_KINDS`.
+        What is checked, one of `catopt.checks.kinds.CHECK_KINDS`.
     value : float
         The factor of a tension, a sliding or a holding check; else the limit in SI.
     source : CheckSource
@@ -50,12 +111,8 @@ class Criterion:
     mean_factor : float or None
         Of a tension in motion: the factor on its mean, where `value` is that on what is added to
         the mean; None where `value` is on the whole.
-    lines : tuple of str
-        Of a tension check: kinds of line that it is for.
-    kinds : tuple of str
-        Kinds of load case that it is for.
-    states : tuple of str
-        States of the mooring that it is for.
+    lines, kinds, states : tuple of str
+        For which kinds of line (of a tension check), load cases and states of the mooring it is.
     analysis : {"quasi-static", "dynamic"}
         Of a tension check: from which analysis its tensions are.
     note : str

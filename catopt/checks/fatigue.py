@@ -12,8 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.catalogue.figure import Confidence
-from catopt.checks.line_kind import LineKind, line_kind
-from catopt.checks.result import CheckSource
+from catopt.checks.criterion import CheckSource, LineKind, line_kind
 from catopt.checks.spectral_fatigue import Band, bands, range_moment
 from catopt.checks.strength import strength_of
 from catopt.constants import YEAR

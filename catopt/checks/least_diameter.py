@@ -6,10 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import Criteria, allowed_by
-from catopt.checks.criterion import Criterion
+from catopt.checks.criterion import Criterion, State
 from catopt.checks.excess import ROUNDING
 from catopt.checks.result import CheckReport
-from catopt.checks.state import State
 from catopt.model import Line, Segment, Service
 from catopt.model.load_case import LoadCaseKind
 

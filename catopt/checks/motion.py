@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import USER, Criteria, criteria_of
-from catopt.checks.evaluation import evaluate_tension
+from catopt.checks.criterion import Place, State
+from catopt.checks.evaluation import check_tension
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.checks.state import Place, State
 from catopt.model import Case, Line
 from catopt.model.load_case import LoadCaseKind
 from catopt.words import Listed, Message
@@ -101,7 +101,7 @@ def _tensions(
     for index, (segment, strength) in enumerate(zip(moved.line.segments, strengths, strict=True)):
         for criterion in criteria.of("tension", kind, place.state):
             if criterion.is_for(strength.kind):
-                yield evaluate_tension(
+                yield check_tension(
                     criterion,
                     segment,
                     strength,

@@ -11,16 +11,16 @@ from catopt.catalogue.figure import CONFIDENCES, RECALLED
 from catopt.catalogue.names import nearest
 from catopt.catalogue.table import Table
 from catopt.checks.criterion import (
-    CHECK_KINDS,
+    ANALYSES,
+    LINE_KINDS,
     LOAD_KINDS,
+    STATES,
     STRENGTHS,
-    CheckKind,
+    CheckSource,
     Criterion,
     StrengthKind,
 )
-from catopt.checks.line_kind import LINE_KINDS
-from catopt.checks.result import CheckSource
-from catopt.checks.state import ANALYSES, STATES
+from catopt.checks.kinds import CHECK_KINDS, CheckKind
 from catopt.model.checks import Checks
 from catopt.model.validity import Findings
 from catopt.units import as_written

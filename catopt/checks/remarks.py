@@ -8,8 +8,8 @@ from typing import Final, NamedTuple
 from catopt.catalogue.figure import RECALLED
 from catopt.catenary.solution import Solution
 from catopt.checks.criteria import UPLIFT, Criteria
+from catopt.checks.criterion import State
 from catopt.checks.evaluation import segment_words
-from catopt.checks.state import State
 from catopt.checks.strength import Strength
 from catopt.model import Anchor, Line
 from catopt.model.load_case import LoadCaseKind

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from catopt.catalogue.figure import Confidence
 from catopt.catenary.solution import Solution
-from catopt.checks.document import check_document, result_document
+from catopt.checks.criterion import CheckSource, Place
 from catopt.checks.excess import ROUNDING
-from catopt.checks.state import Place
 from catopt.model import LoadCase
 from catopt.shown import Shown
 from catopt.ties import largest
@@ -22,36 +20,6 @@ def line_in_state(number: int, state: str) -> Message:
     """Say of which line of a body something is, and in which state: ``"line 2, intact"``."""
     line = Message("checks.line_number", number=number)
     return Message("checks.of_line", line=line, name=state)
-
-
-@dataclass(frozen=True)
-class CheckSource:
-    """Where a criterion comes from.
-
-    Attributes
-    ----------
-    code : str
-        Name of the profile; ``"user"`` for the case's own numbers, ``"anchor"`` for the factor of
-        its anchor where the case says what that is from.
-    document, clause : str
-        What to open, and where in it; empty for the case's own numbers, which are then those of
-        the case file.
-    confidence : {"A", "B", "C", "R"} or None
-        How well it was read; None for the case's own numbers.
-    """
-
-    code: str
-    document: str = ""
-    clause: str = ""
-    confidence: Confidence | None = None
-
-    @property
-    def text(self) -> str:
-        """One line for tables: ``"UFC 4-159-03 (2005), Table 3-7 [A]"``."""
-        if self.confidence is None:
-            return self.document or Message("checks.case_file")
-        where = ", ".join(part for part in (self.document, self.clause) if part)
-        return f"{where} [{self.confidence}]"
 
 
 @dataclass(frozen=True)
@@ -99,8 +67,26 @@ class CheckResult:
         return self.demand / self.capacity if self.capacity > 0.0 else None
 
     def to_dict(self) -> dict[str, Any]:
-        """Lay it out as the documents of ``catopt check`` and ``catopt design`` have it."""
-        return result_document(self)
+        """Lay it out, in SI, as the documents of ``catopt check`` and ``catopt design`` have it."""
+        return {
+            "name": self.name,
+            "kind": self.kind,
+            "load_case": self.load_case,
+            "demand": self.demand,
+            "capacity": self.capacity,
+            "unit": self.unit,
+            "utilisation": self.utilisation,
+            "excess": self.excess,
+            "passes": self.passes,
+            "source": self.source.text,
+            "code": self.source.code,
+            "confidence": self.source.confidence,
+            "note": self.note,
+        }
+
+    def to_dict_of_body(self) -> dict[str, Any]:
+        """Lay it out with state and line, as documents of moored bodies have it."""
+        return self.to_dict() | _place(self.place)
 
     @property
     def in_case(self) -> Message:
@@ -216,6 +202,67 @@ class CheckReport(Shown):
         ]
         return max(known, default=None)
 
+    @property
+    def _governing_index(self) -> int | None:
+        return None if self.governing is None else self.results.index(self.governing)
+
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt check --json`` prints (schema catopt.check/1)."""
-        return check_document(self)
+        places = self.places or (None,) * len(self.solutions)
+        load_cases = self.load_cases or (None,) * len(self.solutions)
+        return {
+            "schema": "catopt.check/1",
+            "title": self.title,
+            "passes": self.passes,
+            "governing": self._governing_index,
+            "load_cases": [
+                _load_case(name, solution, of) | ({} if place is None else _place(place))
+                for (name, solution), of, place in zip(
+                    self.solutions, load_cases, places, strict=True
+                )
+            ],
+            "checks": [
+                each.to_dict_of_body() if self.places else each.to_dict() for each in self.results
+            ],
+            "warnings": list(self.warnings),
+        }
+
+    def motion_document(self) -> dict[str, Any]:
+        """Build the checks of lines in motion as ``catopt verify --dynamic --json`` has them."""
+        return {
+            "passes": self.verdict,
+            "governing": self._governing_index,
+            "checks": [each.to_dict_of_body() for each in self.results],
+            "warnings": list(self.warnings),
+        }
+
+    def verdict_document(self) -> dict[str, Any]:
+        """Build the verdict of a body as ``catopt system --json`` has it."""
+        found = self.governing
+        return {
+            "checks": len(self.results),
+            "failed": len(self.failed),
+            "passes": self.passes,
+            "governing": None if found is None else found.to_dict_of_body(),
+            "warnings": list(self.warnings),
+        }
+
+
+def _place(place: Place) -> dict[str, Any]:
+    return {"state": place.state, "line": place.line, "missing_line": place.missing}
+
+
+def _load_case(name: str, solution: Solution, state: LoadCase | None) -> dict[str, Any]:
+    return {
+        "name": name,
+        "kind": "extreme" if state is None else state.kind,
+        "water_level_m": 0.0 if state is None else state.water_level,
+        "horizontal_force_N": solution.horizontal_force,
+        "fairlead_height_m": solution.fairlead_height,
+        "span_m": solution.span,
+        "fairlead_tension_N": solution.fairlead.tension,
+        "anchor_horizontal_force_N": solution.anchor.horizontal_force,
+        "anchor_vertical_force_N": solution.anchor.vertical_force,
+        "anchor_angle_rad": solution.anchor.angle,
+        "grounded_length_m": solution.grounded_length,
+    }

@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING
 
-from catopt.checks.criterion import StrengthKind
-from catopt.checks.line_kind import LineKind, line_kind
+from catopt.checks.criterion import LineKind, StrengthKind, line_kind
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import CatalogueChoice, Segment, Service

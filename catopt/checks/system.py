@@ -7,12 +7,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, criteria_of
-from catopt.checks.criterion import Criterion
+from catopt.checks.criterion import Criterion, Place, State
 from catopt.checks.evaluation import evaluate
 from catopt.checks.excess import buoyancy_excess
 from catopt.checks.remarks import Lifted, of_criteria, of_transient, of_uplift
 from catopt.checks.result import CheckReport, CheckResult, line_in_state
-from catopt.checks.state import Place, State
 from catopt.checks.strength import Strength
 from catopt.model import Anchor, Case, Line
 from catopt.mooring.case import SystemReport, report_system

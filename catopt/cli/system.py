@@ -84,7 +84,6 @@ def system(
     from catopt.answers.system import system_answer
     from catopt.casefile import read_mooring
     from catopt.casefile.design_directory import read_case_or_design
-    from catopt.checks.document import verdict_document
     from catopt.checks.system import check_system
     from catopt.cli.result_files import Asked
     from catopt.model.network import Network
@@ -123,7 +122,7 @@ def system(
         asked.output.note(say(Message("mooring.no_circle"), lang.value))
 
     def document() -> dict[str, Any]:
-        return report.to_dict() | {"checks": verdict_document(checks)}
+        return report.to_dict() | {"checks": checks.verdict_document()}
 
     asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
 

@@ -51,9 +51,7 @@ class _Moved(NamedTuple):
     checks: CheckReport
 
     def to_dict(self) -> dict[str, Any]:
-        from catopt.checks.document import motion_document
-
-        return self.found.to_dict() | {"checks": motion_document(self.checks)}
+        return self.found.to_dict() | {"checks": self.checks.motion_document()}
 
 
 def verify(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from catopt.checks.document import result_document
 from catopt.design.mooring_point import under
 from catopt.model.design_load import loads_of
 from catopt.words.saved import messages_in
@@ -86,7 +85,7 @@ def _point(point: DesignPoint) -> dict[str, Any]:
         "segments": [_segment(segment) for segment in point.line.segments],
         "point_loads": [_point_load(load) for load in point.line.point_loads],
         "sinker": _sinker(point.anchor),
-        "checks": [result_document(check) for check in point.checks.results],
+        "checks": [check.to_dict() for check in point.checks.results],
         "governing": "" if governing is None else governing.in_case,
         "feasible": point.checks.passes,
         "spans_m": []

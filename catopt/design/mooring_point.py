@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from catopt.checks.criteria import criteria_of
+from catopt.checks.criterion import Place, State
 from catopt.checks.result import CheckReport, CheckResult
-from catopt.checks.state import Place, State
 from catopt.checks.system import InState, check_state
 from catopt.design.mooring_tables import states_of
 from catopt.model import DesignLoad, System

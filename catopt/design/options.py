@@ -11,7 +11,7 @@ from catopt.catalogue import Catalogue, Component
 from catopt.catalogue.choice import ChosenCatalogue, chosen
 from catopt.catalogue.figure import RECALLED, within
 from catopt.checks.criteria import Criteria
-from catopt.checks.line_kind import line_kind
+from catopt.checks.criterion import line_kind
 from catopt.design.space import ClumpWeightVariable, DesignSpace, SegmentVariable
 from catopt.errors import InputError, Problem
 from catopt.model import Case, ClumpWeightChoice, LoadCase, Segment, SegmentChoice

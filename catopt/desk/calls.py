@@ -170,13 +170,12 @@ def _curve(text: str, language: Language) -> Reply:  # noqa: ARG001
 
 
 def _system(text: str, language: Language) -> Reply:  # noqa: ARG001
-    from catopt.checks.document import verdict_document
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
 
     case = _case(text)
     report = report_system(case)
-    return report.to_dict() | {"checks": verdict_document(check_system(case, report))}
+    return report.to_dict() | {"checks": check_system(case, report).verdict_document()}
 
 
 def _size(text: str, language: Language) -> Reply:  # noqa: ARG001

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from catopt.checks.criteria import criteria_of
-from catopt.checks.document import motion_document
 from catopt.design.knee import knee
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.notes.motion import checks_in_motion, lines_at_rest
@@ -183,5 +182,5 @@ def _document(each: DesignInMotion) -> dict[str, Any]:
         "largest_tension_N": None if part is None else part.of("fairlead_tension").maximum,
         "quasi_static_tension_N": None if part is None else part.quasi_static_max,
         "amplification": None if part is None else part.amplification,
-        "checks": None if each.checks is None else motion_document(each.checks),
+        "checks": None if each.checks is None else each.checks.motion_document(),
     }

@@ -22,7 +22,7 @@ from catopt.sizing.schema import schema_of
 from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:
-    from catopt.checks.result import CheckSource
+    from catopt.checks.criterion import CheckSource
     from catopt.loads.sinker import SinkerSize
     from catopt.mooring.solution import SystemSolution
     from catopt.sizing import Sizing

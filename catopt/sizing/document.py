@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from catopt.checks.document import result_document
 from catopt.loads.document import loads_document, lying_document
 from catopt.units import Dimension
 
@@ -71,7 +70,7 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
             "line_forces_N": list(settled.assumed.forces),
             "rounds": settled.rounds,
         },
-        "checks": [result_document(check) for check in of.point.checks.results],
+        "checks": [check.to_dict() for check in of.point.checks.results],
         "governing": "" if governing is None else governing.in_case,
         "limits": [{"change": each.change, "fails": each.words} for each in of.limits],
         "alternatives": [_alternative(each, of) for each in of.alternatives],

@@ -9,13 +9,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from catopt.checks.criterion import CheckSource
 from catopt.checks.fatigue import (
     FatigueStrength,
     design_factor,
     fatigue_strengths,
     need_rainflow,
 )
-from catopt.checks.result import CheckSource
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem
 from catopt.model import Case, FatigueSeaState, Segment

@@ -7,14 +7,13 @@ import math
 import pytest
 
 from catopt.answers.check import (
-    QUANTITY_OF,
     check_answer,
     governing_sentence,
     load_case_words,
     verdict_sentence,
 )
 from catopt.checks.case import check_case
-from catopt.checks.criterion import CHECK_KINDS
+from catopt.checks.kinds import CHECK_KINDS, QUANTITY_OF
 from catopt.checks.result import CheckReport
 from catopt.model import Checks, Load, LoadCase
 from catopt.render.workbook import workbook

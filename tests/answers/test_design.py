@@ -19,7 +19,7 @@ from catopt.answers.design import (
     segment_words,
     shown_designs,
 )
-from catopt.checks.criterion import CHECK_KINDS
+from catopt.checks.kinds import CHECK_KINDS
 from catopt.design.result import DesignResult
 from catopt.render.workbook import workbook
 from catopt.words import Message

@@ -9,12 +9,11 @@ import pytest
 from catopt import solve_case
 from catopt.checks.case import check_case, is_of_load
 from catopt.checks.criteria import Criteria, Limits, allowed_by, criteria_of
-from catopt.checks.criterion import CHECK_KINDS, CheckKind, Criterion
-from catopt.checks.document import motion_document, verdict_document
+from catopt.checks.criterion import CheckSource, Criterion, Place
 from catopt.checks.evaluation import evaluate
+from catopt.checks.kinds import CHECK_KINDS, CheckKind
 from catopt.checks.remarks import Lifted, in_load_case, of_uplift
-from catopt.checks.result import CheckReport, CheckResult, CheckSource
-from catopt.checks.state import Place
+from catopt.checks.result import CheckReport, CheckResult
 from catopt.errors import FloatsUpError, InputError
 from catopt.model import Anchor, CatalogueChoice, Checks, Line, LoadCase, PointLoad
 from catopt.words import Message
@@ -160,14 +159,14 @@ def test_a_buoy_that_would_float_up_is_refused_by_the_name_of_its_load_case() ->
 
 def test_no_result_has_no_place_among_the_results() -> None:
     nothing = CheckReport("", (), ())
-    assert verdict_document(nothing)["governing"] is None
-    assert motion_document(nothing)["governing"] is None
-    assert motion_document(nothing)["passes"] is None
+    assert nothing.verdict_document()["governing"] is None
+    assert nothing.motion_document()["governing"] is None
+    assert nothing.motion_document()["passes"] is None
     result = CheckResult("tension", "tension", "load", 50e3, 40e3, "N", 0.25, SOURCE)
-    verdict = verdict_document(CheckReport("", (result,), ()))
+    verdict = CheckReport("", (result,), ()).verdict_document()
     assert (verdict["checks"], verdict["failed"], verdict["passes"]) == (1, 1, False)
     assert verdict["governing"]["excess"] == 0.25
-    moved = motion_document(CheckReport("", (replace(result, excess=-0.1), result), ()))
+    moved = CheckReport("", (replace(result, excess=-0.1), result), ()).motion_document()
     assert (moved["passes"], moved["governing"]) == (False, 1)
 
 
