@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from functools import cache
 
 from catopt.catalogue.collection import ALL, NO_VARIANTS, Catalogue
 from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Provenance
@@ -17,6 +16,7 @@ from catopt.catalogue.family import Family, Sizes
 from catopt.catalogue.figure import Figure, Source
 from catopt.catalogue.names import ComponentName
 from catopt.catalogue.searching import search
+from catopt.catalogue.standard import standard
 from catopt.constants import SEA_WATER_DENSITY
 
 __all__ = [
@@ -38,14 +38,6 @@ __all__ = [
     "search",
     "standard",
 ]
-
-
-@cache
-def standard() -> Catalogue:
-    """Return the catalogue that comes with catopt; it is read once."""
-    from catopt.catalogue.reading import read_standard
-
-    return read_standard()
 
 
 def families(among: Catalogue | None = None) -> tuple[Family, ...]:

@@ -5,14 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from catopt.catalogue.figure import RECALLED, Confidence, Source
 from catopt.errors import InputError, Problem
 from catopt.model import Segment
-
-if TYPE_CHECKING:
-    from catopt.catalogue.evaluation import Evaluation
 from catopt.words import Message
 
 NO_FIGURE = "catalogue.no_figure"
@@ -104,6 +101,14 @@ class Alternative:
     provenance: Provenance
 
 
+class _Figures(Protocol):
+    """The figures of a family that were chosen, at a nominal diameter (`Evaluation`)."""
+
+    def at(self, diameter: float) -> _Figures: ...
+    def value(self, quantity: str) -> float: ...
+    def alternatives(self) -> tuple[Alternative, ...]: ...
+
+
 @dataclass(frozen=True)
 class Component:
     """Chain, wire or rope of one family, grade and nominal diameter, in SI.
@@ -169,7 +174,7 @@ class Component:
     price: float | None
     provenance: Mapping[str, Provenance] = field(repr=False, compare=False)
     missing: Mapping[str, str] = field(repr=False, compare=False)
-    _evaluation: Evaluation = field(repr=False, compare=False)
+    _evaluation: _Figures = field(repr=False, compare=False)
 
     @property
     def MBL_in_water(self) -> float | None:

@@ -8,6 +8,7 @@ from catopt.catalogue.collection import NO_VARIANTS, Catalogue
 from catopt.catalogue.components import Component
 from catopt.catalogue.family import Family
 from catopt.catalogue.figure import SPECS
+from catopt.catalogue.standard import standard
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
@@ -63,8 +64,6 @@ def search(
     InputError
         With every problem of the limits, names and variants.
     """
-    from catopt.catalogue import standard
-
     catalogue = among or standard()
     limits = {
         "MBL_at_least": (MBL_at_least, "N"),

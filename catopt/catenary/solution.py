@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
 
-from catopt.catenary.document import solution_document
 from catopt.catenary.layout import Profile, Stretch, sample
 from catopt.catenary.state import Regime
 from catopt.model import Line
@@ -41,6 +40,15 @@ class EndState:
     horizontal_force: float
     vertical_force: float
     angle: float
+
+    def to_dict(self) -> dict[str, float]:
+        """Lay it out as the documents have it, in SI."""
+        return {
+            "tension_N": self.tension,
+            "horizontal_force_N": self.horizontal_force,
+            "vertical_force_N": self.vertical_force,
+            "angle_rad": self.angle,
+        }
 
 
 @dataclass(frozen=True)
@@ -125,6 +133,18 @@ class SwarmReport:
     best_objective_history: tuple[float, ...]
     tension_history: tuple[float, ...]
     iterations_flown: tuple[int, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        keys = (
+            *("objective", "evaluations", "iterations", "runs", "seed"),
+            *("converged_runs", "best_run"),
+        )
+        return {
+            **{key: getattr(self, key) for key in keys},
+            "span_consistency_m": self.span_consistency,
+            "closed_form_difference": dict(self.closed_form_difference),
+        }
 
 
 @dataclass(frozen=True)
@@ -238,7 +258,63 @@ class Solution(Shown):
 
     def to_dict(self, *, profile: bool = False) -> dict[str, Any]:
         """Build the document that ``catopt solve --json`` prints (schema catopt.solution/1)."""
-        return solution_document(self, with_profile=profile)
+        document: dict[str, Any] = {
+            "schema": "catopt.solution/1",
+            "title": self.title,
+            "method": self.method,
+            "status": "converged",
+            "regime": self.regime,
+            "horizontal_force_N": self.horizontal_force,
+            "span_m": self.span,
+            "fairlead_height_m": self.fairlead_height,
+            "anchor_height_m": self.anchor_height,
+            "seabed_friction": self.seabed_friction,
+            "fairlead": self.fairlead.to_dict(),
+            "anchor": self.anchor.to_dict(),
+            "grounded_length_m": self.grounded_length,
+            "suspended_length_m": self.suspended_length,
+            "stretched_length_m": self.stretched_length,
+            "line_mass_kg": self.line.mass,
+            "safety_factor": self.safety_factor,
+            "segments": [
+                {
+                    "name": segment.name,
+                    "length_m": segment.length,
+                    "max_tension_N": segment.max_tension,
+                    "utilisation": segment.utilisation(self.safety_factor),
+                }
+                for segment in self.segments
+            ],
+            "point_loads": [
+                {
+                    "name": load.name,
+                    "position_m": load.position,
+                    "x_m": load.x,
+                    "z_m": load.z,
+                    "seabed_reaction_N": load.seabed_reaction,
+                }
+                for load in self.point_loads
+            ],
+            "residual": {
+                "height_m": self.residual.height,
+                "span_m": self.residual.span,
+                "force_uncertainty_N": self.residual.force_uncertainty,
+            },
+            "warnings": list(self.warnings),
+        }
+        if self.found is not None:
+            document["found"] = asdict(self.found) | {"unit": self.found.unit}
+        if self.swarm is not None:
+            document["pso"] = self.swarm.to_dict()
+        if profile:
+            at = self.profile()
+            document["profile"] = {
+                "s_m": list(at.s),
+                "x_m": list(at.x),
+                "z_m": list(at.z),
+                "tension_N": list(at.tension),
+            }
+        return document
 
     def with_found(self, found: FoundQuantity) -> Solution:
         """Return the same answer with what was sought."""

@@ -145,8 +145,7 @@ def _network(
 ) -> None:
     """Answer for lines that meet in joints, the body in place and where it is to be held."""
     from catopt.answers.network import network_answer
-    from catopt.mooring.document import network_document
-    from catopt.mooring.held import hold
+    from catopt.mooring.held import hold, network_document
 
     rest, *held = [hold(network, each) for each in ((0.0,) * 6, *displacements)]
     answer = network_answer(rest, held, with_stiffness=with_stiffness)

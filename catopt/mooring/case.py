@@ -11,7 +11,6 @@ from catopt.catenary.surface import named_line
 from catopt.catenary.warnings import above_water
 from catopt.errors import InputError, Problem
 from catopt.model import Case, System
-from catopt.mooring.document import report_document
 from catopt.mooring.held import HeldBody, held_body
 from catopt.mooring.line_out import LineOut, one_line_out
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
@@ -60,7 +59,43 @@ class SystemReport(Shown):
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt system --json`` prints (schema catopt.system/1)."""
-        return report_document(self)
+        rule = self.rule
+        document = self.solution.to_dict()
+        document["sharing_rule"] = {
+            "applies": rule.horizontal_force is not None,
+            "line": None if rule.line is None else rule.line + 1,
+            "horizontal_force_N": rule.horizontal_force,
+            "why_not": rule.why_not,
+        }
+        if self.line_out:
+            document["one_line_out"] = [
+                {
+                    "missing_line": each.missing + 1,
+                    "response": None if each.response is None else each.response.to_dict(),
+                    "refusal": each.refusal,
+                }
+                for each in self.line_out
+            ]
+        if self.circle is not None:
+            document["watch_circle"] = {
+                "force_N": self.circle.force,
+                "directions_rad": list(self.circle.directions),
+                "responses": [each.to_dict() for each in self.circle.responses],
+            }
+        if self.curves:
+            document["restoring_curves"] = [curve.to_dict() for curve in self.curves]
+        if self.levels:
+            document["water_levels"] = [
+                {
+                    "level_m": each.level,
+                    "response": each.response.to_dict(),
+                    "stiffness_N_per_m": [list(row) for row in each.stiffness],
+                }
+                for each in self.levels
+            ]
+        if self.held:
+            document["held_body"] = [each.to_dict() for each in self.held]
+        return document
 
 
 def report_system(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from catopt.catenary.result import solution_of
 from catopt.catenary.root_search import BY_SPAN
@@ -91,6 +92,25 @@ class HeldBody:
         """The displacement by the name of the freedom; m, rad."""
         return dict(zip(FREEDOMS, self.displacement, strict=True))
 
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        return {
+            "displacement": list(self.displacement),
+            "origin_height_m": self.origin_height,
+            "load": list(self.load),
+            "stiffness": [list(row) for row in self.stiffness],
+            "lines": [
+                {
+                    "fairlead_m": list(line.fairlead),
+                    "span_m": line.span,
+                    "horizontal_force_N": line.horizontal_force,
+                    "vertical_force_N": line.vertical_force,
+                    "grounded_length_m": line.grounded,
+                }
+                for line in self.lines
+            ],
+        }
+
 
 @dataclass(frozen=True)
 class NetworkAtRest:
@@ -131,6 +151,49 @@ class NetworkAtRest:
             )
             for run, end in zip(self.runs, self.joints.ends, strict=True)
         )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        points, found = self.network.points, self.joints
+        return {
+            "displacement": list(self.body.displacement),
+            "points": [
+                {
+                    "name": point.name,
+                    "kind": point.kind,
+                    "place_m": list(place),
+                    "bed_reaction_N": up,
+                }
+                for point, place, up in zip(points, found.places, found.reactions, strict=True)
+            ],
+            "lines": [
+                {
+                    "name": run.name,
+                    "from": points[run.first].name,
+                    "to": points[run.second].name,
+                    "span_m": line.span,
+                    "horizontal_force_N": line.horizontal_force,
+                    "from_tension_N": line.anchor.tension,
+                    "to_tension_N": line.fairlead.tension,
+                    "grounded_length_m": line.grounded_length,
+                }
+                for run, line in zip(self.runs, self.lines, strict=True)
+            ],
+            "load": list(self.body.load),
+            "stiffness": [list(row) for row in self.body.stiffness],
+            "residual_N": found.residual,
+            "steps": found.steps,
+        }
+
+
+def network_document(states: Sequence[NetworkAtRest]) -> dict[str, Any]:
+    """Build the document of lines that meet in joints, schema catopt.network/1; all in SI."""
+    return {
+        "schema": "catopt.network/1",
+        "title": states[0].network.title,
+        "status": "converged",
+        "states": [each.to_dict() for each in states],
+    }
 
 
 def held_body(

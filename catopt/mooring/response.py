@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from catopt.mooring.arrangement import Lines
 from catopt.mooring.descent import Rest
@@ -43,6 +44,20 @@ class Response:
     largest_anchor_tension: float
     largest_uplift: float
     least_grounded: float
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it, lines from 1."""
+        return {
+            "x_m": self.x,
+            "y_m": self.y,
+            "yaw_rad": self.yaw,
+            "offset_m": self.offset,
+            "largest_tension_N": self.largest_tension,
+            "most_loaded_line": self.most_loaded + 1,
+            "largest_anchor_tension_N": self.largest_anchor_tension,
+            "largest_anchor_vertical_force_N": self.largest_uplift,
+            "least_grounded_length_m": self.least_grounded,
+        }
 
 
 def response_of(

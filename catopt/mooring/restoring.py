@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from catopt.model.system import System
 from catopt.model.validity import Findings
@@ -47,6 +48,17 @@ class RestoringCurve:
     force: tuple[float, ...]
     force_across: tuple[float, ...]
     responses: tuple[Response, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Lay it out as the documents have it, lines from 1."""
+        return {
+            "direction_rad": self.direction,
+            "offset_m": list(self.offset),
+            "force_N": list(self.force),
+            "force_across_N": list(self.force_across),
+            "largest_tension_N": [each.largest_tension for each in self.responses],
+            "most_loaded_line": [each.most_loaded + 1 for each in self.responses],
+        }
 
 
 def restoring_curve(

@@ -8,7 +8,6 @@ from typing import Any
 
 from catopt.catenary.solution import Solution
 from catopt.model.system import Leg, System
-from catopt.mooring.document import system_document
 from catopt.shown import Shown
 from catopt.ties import first_largest
 
@@ -22,6 +21,10 @@ class Position:
     x: float
     y: float
     yaw: float = 0.0
+
+    def to_dict(self) -> dict[str, float]:
+        """Lay it out as the documents have it."""
+        return {"x_m": self.x, "y_m": self.y, "yaw_rad": self.yaw}
 
 
 @dataclass(frozen=True)
@@ -91,6 +94,24 @@ class LegState:
         known = [value for value in found if value is not None]
         return max(known) if known else None
 
+    def to_dict(self, safety_factor: float = 1.0) -> dict[str, Any]:
+        """Lay it out as the documents have it."""
+        own = self.solution
+        return {
+            "name": self.leg.name,
+            "azimuth_rad": self.leg.azimuth,
+            "direction_rad": self.direction,
+            "horizontal_force_N": self.horizontal_force,
+            "fairlead_tension_N": self.tension,
+            "fairlead_vertical_force_N": own.fairlead.vertical_force,
+            "anchor_tension_N": own.anchor.tension,
+            "anchor_horizontal_force_N": own.anchor.horizontal_force,
+            "anchor_vertical_force_N": own.anchor.vertical_force,
+            "span_m": own.span,
+            "grounded_length_m": own.grounded_length,
+            "utilisation": self.utilisation(safety_factor),
+        }
+
 
 @dataclass(frozen=True, repr=False)
 class SystemSolution(Shown):
@@ -147,4 +168,27 @@ class SystemSolution(Shown):
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt system --json`` prints (schema catopt.system/1)."""
-        return system_document(self)
+        return {
+            "schema": "catopt.system/1",
+            "title": self.title,
+            "method": "closed-form",
+            "status": "converged",
+            "force_N": list(self.system.force),
+            "moment_Nm": self.system.moment,
+            "yaw_is_free": self.system.turns,
+            "position": self.position.to_dict(),
+            "zero_load_position": self.neutral.to_dict(),
+            "offset_m": list(self.offset),
+            "lines": [
+                {"line": number} | line.to_dict(self.safety_factor)
+                for number, line in enumerate(self.lines, start=1)
+            ],
+            "most_loaded_line": self.most_loaded + 1,
+            "stiffness_N_per_m": [list(row) for row in self.stiffness],
+            "stiffness_with_yaw": (
+                [list(row) for row in self.full_stiffness] if self.system.turns else None
+            ),
+            "residual_N": self.residual.force,
+            "residual_moment_Nm": self.residual.moment if self.system.turns else None,
+            "warnings": list(self.warnings),
+        }
