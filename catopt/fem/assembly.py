@@ -13,37 +13,14 @@ linear in the coordinates: that is where the solution starts (`settle`).
 from __future__ import annotations
 
 import math
-from typing import Any, Final, NamedTuple
-
-import numpy as np
-import numpy.typing as npt
+from typing import Any, Final
 
 from catopt.fem.banded import DIAGONAL
-from catopt.fem.bar import axis
-from catopt.fem.bed import (
-    ABSENT,
-    FREE,
-    HELD,
-    ON_BED,
-    PULLED,
-    SPRING,
-    Ground,
-    friction_sense,
-    touches,
-)
-from catopt.fem.friction import drag_spring, limit, rub
-from catopt.fem.loads import BarLoads
-from catopt.fem.touchdown import (
-    hanging_node,
-    own_rest,
-    share_slope,
-    share_weight,
-    shift_slope,
-)
-
-Array = npt.NDArray[np.float64]
-Codes = npt.NDArray[np.int64]
-
+from catopt.fem.bed import ABSENT, FREE, HELD, ON_BED, PULLED, Ground, touches
+from catopt.fem.friction import add_friction
+from catopt.fem.loads import axis
+from catopt.fem.resting import Law, Net
+from catopt.fem.touchdown import hanging_node, own_rest, share_slope, share_weight, shift_slope
 
 _BARRIER: Final = 1e-4
 """On the way (e between 0 and 1) a bar that is too long by d l0 keeps the tension e K 1e-4 / d, so
@@ -57,78 +34,13 @@ _BIGHT: Final = 1e-3
 Where friction has used up the tension of a line that was pulled straight, it stays straight."""
 
 
-class Bars(NamedTuple):
-    """All bars, one line after the other.
+def assemble(line: int, net: Net) -> tuple[int, float]:
+    """Write the equations of a line, and bring contact, reaction and balance up to date.
 
-    `length`, `compliance` (bars,): unstretched length, m, and 1/EA, 1/N; `start` (lines + 1,):
-    first bar of each line. Line k has one node more than bars: bar e lies between nodes e + k and e
-    + k + 1.
+    Returns the number of nodes and bars whose state changed, and the largest misfit of a bar's
+    length relative to it.
     """
-
-    length: Array
-    compliance: Array
-    start: Codes
-
-
-class State(NamedTuple):
-    """Shape and forces.
-
-    Attributes
-    ----------
-    x : array, shape (nodes, 3)
-        Coordinates, m.
-    tension : array, shape (bars,)
-        N.
-    contact : array of int, shape (nodes,)
-        What the bed does to each node (`bed`).
-    reaction : array, shape (nodes,)
-        Upward force of the bed on each node, N.
-    balance : array, shape (nodes, 3)
-        Force on each node from bars, loads and the bed, N: 0 in equilibrium at the inner nodes,
-        the force on the support at the ends.
-    """
-
-    x: Array
-    tension: Array
-    contact: Codes
-    reaction: Array
-    balance: Array
-
-
-class Law(NamedTuple):
-    """How bars behave on the way to the answer.
-
-    Attributes
-    ----------
-    ease : float
-        e: 1 for springs without length, 0 for the bars as they are.
-    soft : float
-        K, N: stiffness of those springs; also the unit of force of the equations.
-    carries_compression : bool
-        Whether a bar pushes when it is shorter than its length.
-    drag_in : float
-        Stiffness, N/m, that holds each node to where it is in one step; it speaks only where
-        nothing else holds a node, and not in the answer.
-    """
-
-    ease: float
-    soft: float
-    carries_compression: bool
-    drag_in: float
-
-
-def assemble(
-    line: int, bars: Bars, state: State, loads: BarLoads, nodal: Any, ground: Ground, law: Law,
-    band: Any, rhs: Any,
-) -> tuple[int, float]:  # fmt: skip
-    """Write the equations of a line into `band` and `rhs`.
-
-    `bars`, `state`, `loads`, `ground`, `law`: what the equations are made of; `state.contact`,
-    `reaction` and `balance` are brought up to date; `nodal` (nodes, 3): forces on the nodes, N;
-    `band`, `rhs` (4 bars, 19): written to, for all lines; forces are divided by `law.soft`.
-    Returns: changed, strain: number of nodes and bars whose state changed, and the largest misfit
-    of a bar's length relative to it.
-    """
+    bars, state, _, nodal, _, law, band, rhs = net
     first, end = bars.start[line], bars.start[line + 1]
     for row in range(4 * first, 4 * end):
         rhs[row] = 0.0
@@ -139,23 +51,21 @@ def assemble(
             state.balance[node, i] = nodal[node, i]
     strain = 0.0
     for e in range(first, end):
-        strain = max(strain, _bar(e, line, first, bars, state, loads, ground, law, band, rhs))
+        strain = max(strain, _bar(e, line, first, net))
     if law.ease == 0.0:
-        _touch_down(line, first, end, state, loads, ground, law, band)
+        _touch_down(line, first, end, net)
     changed = 0
     for e in range(first + 1, end):
-        changed += _node(e, line, bars, state, loads, ground, law, band, rhs)
+        changed += _node(e, line, net)
     for e in range(first, end):
         for i in range(3):
             rhs[4 * e + 1 + i] -= state.balance[e + line + 1, i] / law.soft
     return changed, strain
 
 
-def _bar(
-    e: int, line: int, first: int, bars: Bars, state: State, loads: BarLoads, ground: Ground,
-    law: Law, band: Any, rhs: Any,
-) -> float:  # fmt: skip
-    """Add a bar to the balance of its nodes and write its strain equation."""
+def _bar(e: int, line: int, first: int, net: Net) -> float:
+    """Add a bar to the balance of its nodes and write its strain equation; return its misfit."""
+    bars, state, loads, _, ground, law, band, rhs = net
     a = e + line
     size, tx, ty, tz = axis(state.x, a)
     t = (tx, ty, tz)
@@ -199,11 +109,9 @@ def _bar(
     return 0.0 if slack else abs(misfit) / l0
 
 
-def _touch_down(
-    line: int, first: int, end: int, state: State, loads: BarLoads, ground: Ground, law: Law,
-    band: Any,
-) -> None:  # fmt: skip
+def _touch_down(line: int, first: int, end: int, net: Net) -> None:
     """Let bars that lie in part on a rigid bed share their weight (`touchdown`)."""
+    _, state, loads, _, ground, law, band, _ = net
     for e in range(first, end):
         a = e + line
         hangs = hanging_node(a, state.contact)
@@ -247,11 +155,9 @@ def _is_slack(
     return True
 
 
-def _node(
-    e: int, line: int, bars: Bars, state: State, loads: BarLoads, ground: Ground, law: Law,
-    band: Any, rhs: Any,
-) -> int:  # fmt: skip
+def _node(e: int, line: int, net: Net) -> int:
     """Let the bed act on the first node of bar `e`; returns 1 when its state changed."""
+    bars, state, loads, _, ground, law, band, rhs = net
     node = e + line
     row = 4 * e - 3
     for i in range(3):
@@ -275,7 +181,7 @@ def _node(
         pushed = max(pushed, 0.0)
     state.reaction[node] = pushed
     if now == ON_BED and pushed > 0.0:
-        _add_friction(e, node, row, pushed, rigid, state, ground, law, band)
+        add_friction(e, node, pushed, rigid, net)
     if rigid or now == HELD:
         state.balance[node, 2] = 0.0
         for c in range(band.shape[1]):
@@ -286,22 +192,3 @@ def _node(
         state.balance[node, 2] += pushed
         band[row + 2, DIAGONAL] -= ground.stiffness[node] / law.soft
     return int(was != now)
-
-
-def _add_friction(
-    e: int, node: int, row: int, pushed: float, rigid: bool, state: State, ground: Ground,
-    law: Law, band: Any,
-) -> None:  # fmt: skip
-    balance = state.balance[node]
-    mu, stiffness = ground.friction[node], ground.stiffness[node]
-    most = limit(node, pushed, ground, state.contact)
-    sense = friction_sense(ground.law)
-    if sense != 0.0:
-        most, mu = sense * most, sense * mu
-        T = state.tension[e]
-        rub(state.x, node, row, T, most, mu, law.soft, rigid, stiffness, balance, band)
-    elif ground.law == SPRING:
-        foot, spring = ground.spring_foot[node], ground.tangential[node]
-        x = state.x[node]
-        if not math.isnan(foot[0]):
-            drag_spring(x, foot, spring, row, most, mu, law.soft, rigid, stiffness, balance, band)

@@ -19,9 +19,7 @@ def eliminate(band: Any, rhs: Any, first: int, end: int) -> int:
     """Eliminate all unknowns of a line but the displacements of its last node.
 
     What is left in the last three rows is the line's stiffness and force as the body sees them.
-
-    `band` (rows, 19): coefficients; overwritten; `rhs` (rows,): right hand sides; overwritten.
-    Returns: row at which no pivot was found; -1 when all is well.
+    Returns the row at which no pivot was found; -1 when all is well.
     """
     inner = end - 3
     for j in range(first, inner):
@@ -41,9 +39,7 @@ def eliminate(band: Any, rhs: Any, first: int, end: int) -> int:
                 swap = band[j, c - j + DIAGONAL]
                 band[j, c - j + DIAGONAL] = band[pivot, c - pivot + DIAGONAL]
                 band[pivot, c - pivot + DIAGONAL] = swap
-            swap = rhs[j]
-            rhs[j] = rhs[pivot]
-            rhs[pivot] = swap
+            rhs[j], rhs[pivot] = rhs[pivot], rhs[j]
         inverse = 1.0 / band[j, DIAGONAL]
         for r in range(j + 1, last + 1):
             factor = band[r, j - r + DIAGONAL] * inverse
@@ -56,11 +52,7 @@ def eliminate(band: Any, rhs: Any, first: int, end: int) -> int:
 
 
 def back_substitute(band: Any, rhs: Any, first: int, end: int) -> None:
-    """Turn `rhs` into the unknowns, given those of its last three rows.
-
-    `band`, `rhs`, `first`, `end`: as `eliminate` left them; the last three entries of `rhs` hold
-    the body's displacements.
-    """
+    """Turn `rhs` as `eliminate` left it into the unknowns, given the last three: the body's."""
     for r in range(end - 4, first - 1, -1):
         total = rhs[r]
         for c in range(r + 1, min(r + 2 * REACH, end - 1) + 1):

@@ -18,14 +18,10 @@ from catopt.model.validity import Findings
 
 Array = npt.NDArray[np.float64]
 
-FREE: Final = 0
-"""State of a node that hangs."""
-ON_BED: Final = 1
-"""State of a node that the bed pushes."""
-HELD: Final = 2
-"""State of a node that the bed holds in height both ways."""
-ABSENT: Final = 3
-"""State of a node under which there is no bed."""
+FREE: Final = 0  # a node that hangs
+ON_BED: Final = 1  # one that the bed pushes
+HELD: Final = 2  # one that the bed holds in height both ways
+ABSENT: Final = 3  # one under which there is no bed
 
 NO_FRICTION: Final = 0
 PULLED: Final = 1
@@ -63,8 +59,7 @@ class Bed:
         found = Findings("Bed")
         found.number("normal_stiffness", self.normal_stiffness, "N/m2", above=0.0, infinite=True)
         found.number("tangential_stiffness", self.tangential_stiffness, "N/m2", above=0.0)
-        if self.friction_law not in FRICTION_LAWS:
-            found.add("friction_law", repr(self.friction_law), "one of " + ", ".join(FRICTION_LAWS))
+        found.word("friction_law", self.friction_law, FRICTION_LAWS)
         found.raise_if_any()
 
 
@@ -94,34 +89,16 @@ class HeldBed:
 
 
 class Ground(NamedTuple):
-    """The bed as the kernels take it; arrays have the shape (nodes,).
+    """The bed as the kernels take it; arrays have the shape (nodes,)."""
 
-    Attributes
-    ----------
-    stiffness : array
-        Normal stiffness of the bed under each node, N/m; infinite where rigid.
-    friction : array
-        Coulomb coefficient of each node: that of the bed, or of the point load on it.
-    beside : array, shape (nodes, 2)
-        What the bars towards the anchor and the fairlead, which rub with the bed's coefficient,
-        add to that where they lie, N; 0 without a point load of its own friction.
-    bed_friction : float
-        Coulomb coefficient of the line itself.
-    law : int
-        NO_FRICTION, PULLED, LAID or SPRING.
-    tangential : array
-        Stiffness of each node's friction spring, N/m.
-    spring_foot : array, shape (nodes, 2)
-        Where each friction spring has its foot, m.
-    """
-
-    stiffness: Array
-    friction: Array
-    beside: Array
-    bed_friction: float
-    law: int
-    tangential: Array
-    spring_foot: Array
+    stiffness: Array  # of the bed under each node, normal to it, N/m; infinite where rigid
+    friction: Array  # Coulomb coefficient: that of the bed, or of the point load on the node
+    beside: Array  # (nodes, 2): what the bars towards the anchor and the fairlead, which rub with
+    # the bed's coefficient, add to that where they lie, N; 0 without a point load of its own
+    bed_friction: float  # Coulomb coefficient of the line itself
+    law: int  # NO_FRICTION, PULLED, LAID or SPRING
+    tangential: Array  # stiffness of each node's friction spring, N/m
+    spring_foot: Array  # (nodes, 2): where that has its foot, m
 
 
 def friction_sense(law: int) -> float:
@@ -130,10 +107,9 @@ def friction_sense(law: int) -> float:
 
 
 def touches(contact: int, z: float, reaction: float, depth: float) -> int:
-    """State of a node after its height and the bed's reaction changed.
+    """State of a node at the height z, m, under which a rigid bed would carry `reaction`, N.
 
-    `z`, `reaction`: height, m, and what a rigid bed would carry, N; `depth`: penetration that is
-    rounding, m.
+    `depth`: penetration that is rounding, m.
     """
     if contact == FREE and z < -depth:
         return ON_BED

@@ -1,7 +1,9 @@
-"""What pulls on the nodes: weight in water or in air, point loads, drag of a current.
+"""What pulls on the nodes: bars, weight in water or in air, point loads, drag of a current.
 
-A load per length goes half to each end of its bar, which is what a bar with pinned ends passes on
-(S4 [2.92]-[2.96]).
+The bar has three displacements a node and no bending. With d = x2 - x1, l = |d|, t = d/l and the
+unstretched length l0 its force is T = EA (l - l0)/l0 (per unstretched length), and a change of d
+changes T t by the elastic stiffness EA/l0 along the bar and the geometric stiffness T/l across it
+(S4 [2.80]-[2.96]). A load per length goes half to each end, as by a bar with pinned ends.
 """
 
 from __future__ import annotations
@@ -9,13 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from catopt.compiled import inlined
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.fem.bar import axis
+from catopt.fem.resting import BarLoads, Bars
 from catopt.model.validity import Findings
 
 Array = npt.NDArray[np.float64]
@@ -65,76 +68,56 @@ class Current:
     water_density: float = SEA_WATER_DENSITY
 
 
-class Weights(NamedTuple):
-    """Weight of the bars; arrays of shape (bars,).
-
-    `submerged`, `in_air`: weight of each bar, N; `surface`: height of the still water surface, m;
-    infinite when all is taken to be submerged.
-    """
-
-    submerged: Array
-    in_air: Array
-    surface: float
-
-
-class BarLoads(NamedTuple):
-    """What each bar hands to each of its ends.
-
-    `force` (bars, 3): N; `by_first`, `by_second` (bars, 3, 3): derivatives by the coordinates of
-    its first and second node, N/m; of shape (0, 3, 3) when the loads do not depend on the shape.
-    """
-
-    force: Array
-    by_first: Array
-    by_second: Array
+@inlined
+def axis(x: Any, first: int) -> tuple[float, float, float, float]:
+    """Give the length, m, of the bar between nodes `first` and `first + 1`, and its direction t."""
+    dx = x[first + 1, 0] - x[first, 0]
+    dy = x[first + 1, 1] - x[first, 1]
+    dz = x[first + 1, 2] - x[first, 2]
+    length = math.sqrt(dx * dx + dy * dy + dz * dz)
+    if length == 0.0:
+        return 0.0, 1.0, 0.0, 0.0
+    return length, dx / length, dy / length, dz / length
 
 
 def bar_loads(
-    x: Any,
-    first_node: Any,
-    weights: Weights,
-    length: Any,
-    across: Any,
-    along: Any,
-    velocity: Any,
-    loads: BarLoads,
+    x: Any, first_node: Any, bars: Bars, surface: float, velocity: Any, loads: BarLoads
 ) -> None:
     """Fill `loads` for the shape `x`.
 
-    `x` (nodes, 3): coordinates, m; `first_node` (bars,): first node of each bar; `length` (bars,):
-    unstretched length, m; `across`, `along` (bars,): 0.5 rho D C across and along, N s2/m3; of
-    shape (0,) without a current; `velocity` (bars, 3): of the water at the bars' middles, m/s;
-    `loads`: written to.
+    `first_node` (bars,): first node of each bar; `surface`: height of still water, m; `velocity`
+    (bars, 3): of the water at the bars' middles, m/s.
     """
     force, by_first, by_second = loads
     varies = by_first.shape[0] > 0
     for e in range(force.shape[0]):
         force[e, 0] = 0.0
         force[e, 1] = 0.0
-        force[e, 2] = -0.5 * weights.submerged[e]
+        force[e, 2] = -0.5 * bars.submerged[e]
         if varies:
             by_first[e, :, :] = 0.0
             by_second[e, :, :] = 0.0
-            _lift_from_water(x, first_node[e], e, weights, loads)
-            if across.shape[0] > 0:
-                half = 0.5 * length[e]
-                _drag(x, first_node[e], e, half * across[e], half * along[e], velocity[e], loads)
+            gain = 0.5 * (bars.in_air[e] - bars.submerged[e])
+            _lift_from_water(x, first_node[e], e, gain, surface, loads)
+            if bars.across.shape[0] > 0:
+                half = 0.5 * bars.length[e]
+                across, along = half * bars.across[e], half * bars.along[e]
+                _drag(x, first_node[e], e, across, along, velocity[e], loads)
 
 
-def _lift_from_water(x: Any, a: int, e: int, weights: Weights, loads: BarLoads) -> None:
-    """Add the weight that a bar gains by the part of it above the water."""
+def _lift_from_water(x: Any, a: int, e: int, gain: float, surface: float, loads: BarLoads) -> None:
+    """Add what a bar weighs more by the part of it above the water; `gain`: half of all, N."""
     low, high = 0, 1
     if x[a, 2] > x[a + 1, 2]:
         low, high = 1, 0
     z_low, z_high = x[a + low, 2], x[a + high, 2]
-    if z_high <= weights.surface:
+    if z_high <= surface:
         return
-    gain = 0.5 * (weights.in_air[e] - weights.submerged[e])
-    if z_low >= weights.surface:
+    if z_low >= surface:
         loads.force[e, 2] -= gain
         return
     rise = z_high - z_low
-    dry = (z_high - weights.surface) / rise
+    dry = (z_high - surface) / rise
     loads.force[e, 2] -= gain * dry
     by_low, by_high = gain * dry / rise, gain * (1.0 - dry) / rise
     loads.by_first[e, 2, 2] -= by_low if low == 0 else by_high

@@ -11,16 +11,15 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.errors import InputError, Problem
-from catopt.model import Line
+from catopt.model import Line, PointLoad
 
 Array = npt.NDArray[np.float64]
+Codes = npt.NDArray[np.int64]
 
-_SAME_PLACE = 1e-9
+SAME_PLACE = 1e-9
 """Two joints closer than this part of the line's length are one."""
-
 _SHARP = 2.0
 """A bend is sharp whose radius of curvature is below this many bars."""
-
 _BARS = 4.0
 """Bars over the radius of a sharp bend, and over the distance from it."""
 
@@ -64,17 +63,22 @@ class LineMesh:
         return np.repeat(sizes, self.counts)
 
     @cached_property
-    def segment(self) -> npt.NDArray[np.int64]:
+    def segment(self) -> Codes:
         """Index of the segment to which each bar belongs, shape (elements,)."""
         ends = np.cumsum([s.length for s in self.line.segments])[:-1]
         middles = 0.5 * (self.arc[1:] + self.arc[:-1])
         return np.searchsorted(ends, middles)
 
     @cached_property
-    def load_node(self) -> npt.NDArray[np.int64]:
+    def load_node(self) -> Codes:
         """Node of each point load of the line, shape (point loads,)."""
         positions = [load.position for load in self.line.point_loads]
         return np.array([int(np.abs(self.arc - s).argmin()) for s in positions], dtype=np.int64)
+
+    @property
+    def loads(self) -> list[tuple[PointLoad, int]]:
+        """Point loads of the line with their nodes."""
+        return list(zip(self.line.point_loads, self.load_node.tolist(), strict=True))
 
     def refined(self, factor: int = 2) -> LineMesh:
         """Return the same line with every bar cut into `factor` equal parts."""
@@ -94,8 +98,6 @@ def mesh_line(
 
     Parameters
     ----------
-    line : Line
-        The line.
     elements : int or sequence of int
         Bars of the whole line, shared by length; at least one falls on every piece, so that there
         may be a few more. Or bars of each segment, from the anchor.
@@ -123,10 +125,9 @@ def mesh_line(
 
 def _joints(line: Line, places: Sequence[float]) -> Array:
     """Arc lengths of segment ends, point loads and other places, each once."""
-    tolerance = _SAME_PLACE * line.length
+    tolerance = SAME_PLACE * line.length
     joints: list[float] = []
-    ends = [0.0, line.length]
-    for place in (*ends, *(load.position for load in line.point_loads), *places):
+    for place in (0.0, line.length, *(load.position for load in line.point_loads), *places):
         if all(abs(place - joint) > tolerance for joint in joints):
             joints.append(place)
     return np.sort(np.array(joints))
@@ -180,9 +181,46 @@ def _check(line: Line, elements: int | Sequence[int], element_length: float | No
 
 
 def by_bar(meshes: Sequence[LineMesh], name: str) -> Array:
-    """Figure of the segment to which each bar belongs."""
-    figures = [
-        np.array([getattr(segment, name) for segment in mesh.line.segments], dtype=float)
-        for mesh in meshes
-    ]
-    return np.concatenate([f[mesh.segment] for f, mesh in zip(figures, meshes, strict=True)])
+    """Figure of the segment to which each bar of all lines belongs."""
+    return np.concatenate(
+        [
+            np.array([getattr(segment, name) for segment in mesh.line.segments], float)[
+                mesh.segment
+            ]
+            for mesh in meshes
+        ]
+    )
+
+
+def first_bars(meshes: Sequence[LineMesh]) -> Codes:
+    """First bar of each line, bars of all lines following one another; shape (lines + 1,)."""
+    return np.concatenate([[0], np.cumsum([mesh.elements for mesh in meshes])]).astype(np.int64)
+
+
+def bar_nodes(start: Codes) -> Codes:
+    """First node of each bar, by the first bar of each line; shape (bars,)."""
+    return np.arange(start[-1]) + np.repeat(np.arange(start.size - 1), np.diff(start))
+
+
+def end_nodes(start: Codes) -> tuple[Codes, Codes]:
+    """First and last node of each line, by its first bar; shape (lines,)."""
+    lines = np.arange(start.size - 1)
+    return start[:-1] + lines, start[1:] + lines
+
+
+def to_nodes(per_bar: Array, start: Codes) -> Array:
+    """Half of what each bar has, for either of its nodes; shape (nodes,)."""
+    first = bar_nodes(start)
+    total = np.zeros(first.size + start.size - 1)
+    total[first] += 0.5 * per_bar
+    total[first + 1] += 0.5 * per_bar
+    return total
+
+
+def heaviest(start: Codes, weight: Array, nodal: Array) -> float:
+    """Return what the heaviest line weighs with the loads on its nodes, N."""
+    largest = 0.0
+    for k, (first, end) in enumerate(pairwise(start)):
+        loads = np.abs(nodal[first + k : end + k + 1]).sum()
+        largest = max(largest, float(np.abs(weight[first:end]).sum() + loads))
+    return largest

@@ -5,17 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import numpy.typing as npt
 
 from catopt.compiled import compiled
-from catopt.fem.assembly import Law, State
 from catopt.fem.banded import WIDTH
 from catopt.fem.bed import Ground
-from catopt.fem.loads import BarLoads, bar_loads
+from catopt.fem.loads import bar_loads
 from catopt.fem.problem import Problem
-from catopt.fem.step import StepReport, Workspace, newton_step, take_step
-
-Array = npt.NDArray[np.float64]
+from catopt.fem.resting import BarLoads, Law, Net, State
+from catopt.fem.step import StepReport, newton_step, take_step
 
 _DRAG_IN = 1e-9
 """Stiffness that holds a loose node during one step, over what line and loads weigh per length."""
@@ -26,11 +23,7 @@ _USUAL = 25
 
 
 class Newton:
-    """Iterations on one state, which they move; counts them.
-
-    `state`: where the lines are; `iterations`: taken so far; `last`: what was left over when last
-    looked at.
-    """
+    """Iterations on one state, which they move; counts them, and keeps the last report."""
 
     def __init__(self, problem: Problem, state: State, most: int) -> None:
         self.problem = problem
@@ -38,19 +31,13 @@ class Newton:
         self.iterations = 0
         self.last: StepReport | None = None
         self._most = most
-        self._first_node = problem.first_node
         count = problem.bars.length.size
         self._visits = _USUAL * count
-        self._room = Workspace(np.zeros((4 * count, WIDTH)), np.zeros(4 * count))
-        varies = problem.current is not None or math.isfinite(problem.weights.surface)
+        varies = problem.current is not None or math.isfinite(problem.surface)
         blocks = (count if varies else 0, 3, 3)
-        self._loads = BarLoads(np.zeros((count, 3)), np.zeros(blocks), np.zeros(blocks))
+        self.loads = BarLoads(np.zeros((count, 3)), np.zeros(blocks), np.zeros(blocks))
+        self._room = np.zeros((4 * count, WIDTH)), np.zeros(4 * count)
         self._drag_in = _DRAG_IN * problem.soft / float(problem.bars.length.sum())
-
-    @property
-    def loads(self) -> BarLoads:
-        """What the bars hand to their ends at the state last looked at."""
-        return self._loads
 
     @property
     def is_spent(self) -> bool:
@@ -58,20 +45,25 @@ class Newton:
         return self.iterations >= self._most
 
     def run(self, ease: float, ground: Ground, limit: int, tolerance: float) -> bool:
-        """Iterate until the forces balance.
+        """Iterate until the forces balance; say whether they do.
 
-        `ease`: e of `assembly.Law`; `limit`: iterations, at most; `tolerance`: largest force left
-        over at a node over the largest tension. Returns: whether they do.
+        `ease`: e of `assembly`; `limit`: iterations, at most; `tolerance`: largest force left over
+        at a node over the largest tension.
         """
-        law = Law(ease, self.problem.soft, self.problem.carries_compression, self._drag_in)
+        problem = self.problem
+        law = Law(ease, problem.soft, problem.carries_compression, self._drag_in)
+        net = Net(problem.bars, self.state, self.loads, problem.nodal, ground, law, *self._room)
+        move = compiled(take_step, _MOVING * self._visits)
         if ease == 1.0:
             self._pull_springs()
         for _ in range(limit):
-            report = self._look(law, ground)
+            report = self._look(net)
             if _is_settled(report, tolerance):
                 if ease > 0.0:
                     return True
-                report = self._polish(law, ground)
+                # The step that is at hand: near the answer it leaves rounding errors only.
+                move(net, 1.0)
+                report = self._look(net)
                 # Where a node touches down or lifts off within the tolerance, there is more to do.
                 if _is_settled(report, tolerance):
                     return True
@@ -79,43 +71,28 @@ class Newton:
                 return False
             # A step that turns a bar by more than a radian is not to be followed all the way.
             part = 1.0 if ease == 1.0 or report.turn <= 1.0 else 1.0 / math.sqrt(report.turn)
-            self._step(law, part)
+            move(net, part)
             if ease == 1.0:
                 self._pull_springs()
         return False
 
-    def _polish(self, law: Law, ground: Ground) -> StepReport:
-        """Take the step that is at hand: near the answer it leaves rounding errors only."""
-        self._step(law, 1.0)
-        return self._look(law, ground)
-
-    def _step(self, law: Law, part: float) -> None:
-        """Take a part of the step that is at hand."""
-        take = compiled(take_step, _MOVING * self._visits)
-        take(self.problem.bars, self.state, law, self._room.rhs, part)
-
-    def _look(self, law: Law, ground: Ground) -> StepReport:
+    def _look(self, net: Net) -> StepReport:
         """Measure what is left over at the present shape, and find the step that balances it."""
-        problem, x = self.problem, self.state.x
+        problem, x, a = self.problem, self.state.x, self.problem.first_node
         velocity = np.zeros((0, 3))
         if problem.current is not None:
-            middles = 0.5 * (x[self._first_node] + x[self._first_node + 1])
+            middles = 0.5 * (x[a] + x[a + 1])
             velocity = np.ascontiguousarray(problem.current.velocity(middles), dtype=np.float64)
-        compiled(bar_loads, _LOADING * self._visits)(
-            x, self._first_node, problem.weights, problem.bars.length,
-            problem.across, problem.along, velocity, self._loads,
-        )  # fmt: skip
-        report: StepReport = compiled(newton_step, _SOLVING * self._visits)(
-            problem.bars, self.state, self._loads, problem.nodal, ground, problem.body, law,
-            self._room,
-        )  # fmt: skip
+        load = compiled(bar_loads, _LOADING * self._visits)
+        load(x, a, problem.bars, problem.surface, velocity, self.loads)
+        report: StepReport = compiled(newton_step, _SOLVING * self._visits)(net, problem.body)
         self.iterations += 1
         self.last = report
         return report
 
     def _pull_springs(self) -> None:
         """Tension of springs without a length of their own at the present shape."""
-        a = self._first_node
+        a = self.problem.first_node
         size = np.linalg.norm(self.state.x[a + 1] - self.state.x[a], axis=1)
         self.state.tension[:] = self.problem.soft * size / self.problem.bars.length
 

@@ -1,16 +1,23 @@
-"""What the truss model found, as values."""
+"""What the truss model found, as values: forces at ends, joints and touchdowns, off a state."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
 
+from catopt.fem.bed import ABSENT, HELD, ON_BED, friction_sense
 from catopt.fem.mesh import LineMesh
+from catopt.fem.problem import Problem
 from catopt.fem.settle import Rest
+from catopt.fem.touchdown import hanging_part
 
 Array = npt.NDArray[np.float64]
+
+_NO_TENSION = 1e-9
+"""Tension that is rounding, over the largest one."""
 
 
 @dataclass(frozen=True)
@@ -19,11 +26,9 @@ class EndForce:
 
     Attributes
     ----------
-    tension : float
-        N.
-    horizontal_force, vertical_force : float
-        Its parts, N; the vertical one is positive where the line rises towards the fairlead (at
-        the anchor: where the line pulls the anchor up).
+    tension, horizontal_force, vertical_force : float
+        N; the vertical part is positive where the line rises towards the fairlead (at the anchor:
+        where the line pulls the anchor up).
     angle : float
         Inclination above the horizontal, rad.
     """
@@ -140,3 +145,94 @@ class SystemSolution:
     residual_node: int
     iterations: int
     rest: Rest = field(repr=False, compare=False)
+
+
+def read_line(index: int, mesh: LineMesh, problem: Problem, rest: Rest) -> TrussSolution:
+    """Solution of one of the lines of a state at rest."""
+    first, end = problem.bars.start[index], problem.bars.start[index + 1]
+    bars, at = slice(first, end), slice(first + index, end + index + 1)
+    state = rest.state
+    x, T, half = state.x[at], state.tension[bars], rest.half_loads[bars]
+    reaction = state.reaction[at].copy()
+    pull = state.balance[at]
+    anchor, reaction[0] = _end(pull[0], x[0], x[1] - x[0], problem, -1.0)
+    fairlead, reaction[-1] = _end(pull[-1], x[-1], x[-2] - x[-1], problem, 1.0)
+    lies = (state.contact[at] == ON_BED) | (state.contact[at] == HELD)
+    d = np.diff(x, axis=0)
+    size = np.linalg.norm(d, axis=1)
+    size = np.where(size > 0.0, size, 1.0)
+    part = _hanging_parts(T * d[:, 2] / size, half, lies)
+    friction = friction_sense(problem.ground.law) * problem.ground.bed_friction
+    return TrussSolution(
+        mesh=mesh,
+        nodes=x.copy(),
+        tension=T.copy(),
+        fairlead=fairlead,
+        anchor=anchor,
+        span=math.hypot(*(x[-1, :2] - x[0, :2])),
+        grounded_length=math.fsum(mesh.length * (1.0 - part)),
+        bed_reaction=reaction,
+        penetration=float(max(-x[:, 2].min(), 0.0)),
+        residual=rest.residual,
+        residual_node=rest.node,
+        iterations=rest.iterations,
+        end_tension=_end_tension(d / size[:, np.newaxis], T, half, lies, part, friction),
+        rest=rest,
+    )
+
+
+def _end(
+    pull: Array, x: Array, inwards: Array, problem: Problem, side: float
+) -> tuple[EndForce, float]:
+    """Force on the support of an end node, and what the bed takes of it when it lies there.
+
+    Friction of the half bar there takes something off the pull on an anchor (`side` -1) and adds
+    it to what the fairlead (1) has to pull.
+    """
+    up = float(pull[2])
+    level = float(np.hypot(pull[0], pull[1]))
+    if float(pull[:2] @ inwards[:2]) < 0.0:
+        level = -level
+    reaction = 0.0
+    has_bed = problem.contact[0] not in (HELD, ABSENT)
+    if has_bed and x[2] <= 0.0 and up < 0.0:
+        reaction, up = -up, 0.0
+        rubs = friction_sense(problem.ground.law) * problem.ground.bed_friction
+        level = max(level + side * rubs * reaction, 0.0)
+    # The line rises towards the fairlead where it pulls the anchor up and the fairlead down.
+    vertical = 0.0 - side * up
+    angle = math.atan2(vertical, level) if vertical != 0.0 or level != 0.0 else 0.0
+    return EndForce(math.hypot(level, vertical), level, vertical, angle), reaction
+
+
+def _hanging_parts(rise: Array, half: Array, lies: npt.NDArray[np.bool_]) -> Array:
+    """Part of each bar that hangs, from 0 to 1 (`touchdown`); `rise`: T t_z, N."""
+    part = np.where(lies[:-1] & lies[1:], 0.0, 1.0)
+    for e in np.flatnonzero(lies[:-1] ^ lies[1:]):
+        lift = float(rise[e] if lies[e] else -rise[e])
+        part[e] = hanging_part(lift, float(-2.0 * half[e, 2]))
+    return part
+
+
+def _end_tension(
+    axis: Array, T: Array, half: Array, lies: npt.NDArray[np.bool_], part: Array, friction: float
+) -> Array:
+    """Tension of the line at both ends of each bar, N: by the balance of half a bar that hangs.
+
+    Where a bar ends on the bed the line is level there, and friction has taken mu W/2, or mu W
+    (1 - r) of a bar that lies in part. Where friction has used up the tension there is none left.
+    """
+    level = T * np.hypot(axis[:, 0], axis[:, 1])
+    weight = -2.0 * half[:, 2]
+    rubs = np.where(T > _NO_TENSION * T.max(), friction * weight, 0.0)
+    in_part = lies[:-1] ^ lies[1:]
+    ends = []
+    for side, on_bed in ((1.0, lies[:-1]), (-1.0, lies[1:])):
+        force = T[:, np.newaxis] * axis + side * half
+        hanging = np.linalg.norm(force, axis=1)
+        beside = np.hypot(level, weight * part)
+        lying = level - side * rubs * np.where(in_part, 1.0 - part, 0.5)
+        touching = in_part & (part < 1.0)
+        ends.append(np.where(on_bed & (part < 1.0), lying, np.where(touching, beside, hanging)))
+    tension: Array = np.maximum(np.stack(ends, axis=1), 0.0)
+    return tension

@@ -13,18 +13,19 @@ in a few iterations is taken again, half as far. Friction comes in with the last
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from catopt.errors import NotConvergedError
-from catopt.fem.assembly import State
 from catopt.fem.bed import NO_FRICTION, SPRING, Ground, friction_sense
 from catopt.fem.friction import limit, slipped_foot
 from catopt.fem.newton import Newton
-from catopt.fem.problem import Problem
-from catopt.fem.step import Body
+from catopt.fem.problem import Problem, place_of
+from catopt.fem.resting import Body, State
 from catopt.words import Message
 
 
@@ -47,38 +48,19 @@ class Controls:
 
 @dataclass(frozen=True)
 class Rest:
-    """Lines at rest.
-
-    Attributes
-    ----------
-    state : State
-        Shape and forces.
-    half_loads : ndarray, shape (bars, 3)
-        What each bar hands to each of its ends, N.
-    ground : Ground
-        The bed, with the feet of its friction springs.
-    residual : float
-        Largest force left over at a node, over the largest tension.
-    node : int
-        Where; -1 for the body.
-    iterations : int
-        Newton iterations in all.
-    body : Body
-        Under what.
-    """
+    """Lines at rest."""
 
     state: State
-    half_loads: npt.NDArray[np.float64]
-    ground: Ground
-    residual: float
-    node: int
-    iterations: int
-    body: Body
+    half_loads: npt.NDArray[np.float64]  # (bars, 3): what each bar hands to each of its ends, N
+    ground: Ground  # with the feet of its friction springs
+    residual: float  # largest force left over at a node, over the largest tension
+    node: int  # where; -1 for the body
+    iterations: int  # of Newton's method, in all
+    body: Body  # under what
 
 
 _SOFTNESS = 0.05
 """Depth, over the line's length, to which the whole weight presses the soft bed at e = 1."""
-
 _STAGE_TOLERANCE = 1e-4
 _STAGE_LIMIT = 25
 _LAST_LIMIT = 40
@@ -89,9 +71,8 @@ _LAST_EASE = 1e-6
 
 
 def settle(problem: Problem, start: State, controls: Controls) -> Rest:
-    """Bring lines to rest from any shape.
+    """Bring lines to rest from any shape, such as `problem.straight`; that is not changed.
 
-    `start`: where it starts, such as `problem.straight`; not changed; `controls`: when to stop.
     Raises NotConvergedError with the node and the force left over there.
     """
     newton = Newton(problem, _copied(start), controls.max_iterations)
@@ -113,7 +94,7 @@ def settle(problem: Problem, start: State, controls: Controls) -> Rest:
             raise _stuck(newton, target)
     if friction_sense(problem.ground.law) != 0.0:
         _rub_in(newton, problem.ground, controls)
-    return _rest(newton, problem)
+    return _rest(newton, problem, problem.ground)
 
 
 def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
@@ -128,39 +109,49 @@ def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
     """
     ground = problem.ground._replace(spring_foot=start.ground.spring_foot)
     newton = Newton(problem, _copied(start.state), controls.max_iterations)
-    first, last = start.body, problem.body
-    done, part = 0.0, 1.0
-    while done < 1.0:
-        to = min(1.0, done + part)
-        kept = _copied(newton.state)
-        newton.problem = problem.with_body(_between(first, last, to))
-        if newton.run(0.0, ground, _LAST_LIMIT, controls.tolerance):
-            done = to
+
+    def go_to(part: float) -> bool:
+        nonlocal ground
+        newton.problem = replace(problem, body=_between(start.body, problem.body, part))
+        closed = newton.run(0.0, ground, _LAST_LIMIT, controls.tolerance)
+        if closed:
             ground = _dragged_feet(newton.state, ground)
-            continue
-        _restore(newton.state, kept)
-        part *= 0.5
-        if part < _VAIN_PART and ground.law != SPRING:
-            return settle(problem, start.state, controls)
-        if newton.is_spent or part < _LEAST_PART:
-            raise _stuck(newton, 0.0)
-    return _rest(newton, problem.with_ground(ground))
+        return closed
+
+    if not _in_steps(newton, go_to, vain=0.0 if ground.law == SPRING else _VAIN_PART):
+        return settle(problem, start.state, controls)
+    return _rest(newton, problem, ground)
 
 
 def _rub_in(newton: Newton, ground: Ground, controls: Controls) -> None:
     """Let friction grow to its full coefficient: at once, or in steps where that is too much."""
+
+    def go_to(part: float) -> bool:
+        rough = ground._replace(friction=part * ground.friction, beside=part * ground.beside)
+        return newton.run(0.0, rough, _LAST_LIMIT, controls.tolerance)
+
+    _in_steps(newton, go_to)
+
+
+def _in_steps(newton: Newton, go_to: Callable[[float], bool], vain: float = 0.0) -> bool:
+    """Go to a part of the way and on to all of it, in shorter steps where one does not close.
+
+    Returns False as soon as a step is shorter than `vain`.
+    """
     done, part = 0.0, 1.0
     while done < 1.0:
         to = min(1.0, done + part)
         kept = _copied(newton.state)
-        rough = ground._replace(friction=to * ground.friction, beside=to * ground.beside)
-        if newton.run(0.0, rough, _LAST_LIMIT, controls.tolerance):
+        if go_to(to):
             done = to
             continue
         _restore(newton.state, kept)
         part *= 0.5
+        if part < vain:
+            return False
         if newton.is_spent or part < _LEAST_PART:
             raise _stuck(newton, 0.0)
+    return True
 
 
 def _stage(newton: Newton, ease: float, at_rest: Ground, controls: Controls) -> bool:
@@ -182,11 +173,10 @@ def _between(first: Body, last: Body, part: float) -> Body:
     """Force on the body and its place, part of the way from one to the other."""
     if part == 1.0 or not np.array_equal(first.free, last.free):
         return last
-    return Body(
-        free=last.free,
-        force=(1.0 - part) * first.force + part * last.force,
-        place=(1.0 - part) * first.place + part * last.place,
+    force, place = (
+        (1.0 - part) * old + part * new for old, new in zip(first[1:], last[1:], strict=True)
     )
+    return Body(last.free, force, place)
 
 
 def _dragged_feet(state: State, ground: Ground) -> Ground:
@@ -209,15 +199,14 @@ def _dragged_feet(state: State, ground: Ground) -> Ground:
     return ground._replace(spring_foot=foot)
 
 
-def _rest(newton: Newton, problem: Problem) -> Rest:
+def _rest(newton: Newton, problem: Problem, ground: Ground) -> Rest:
     report = newton.last
     assert report is not None
-    tension = max(report.tension, 1e-300)
     return Rest(
         state=newton.state,
         half_loads=newton.loads.force,
-        ground=_dragged_feet(newton.state, problem.ground),
-        residual=report.imbalance / tension,
+        ground=_dragged_feet(newton.state, ground),
+        residual=report.imbalance / max(report.tension, 1e-300),
         node=report.node,
         iterations=newton.iterations,
         body=problem.body,
@@ -225,13 +214,8 @@ def _rest(newton: Newton, problem: Problem) -> Rest:
 
 
 def _copied(state: State) -> State:
-    return State(
-        state.x.copy(),
-        state.tension.copy(),
-        state.contact.copy(),
-        state.reaction.copy(),
-        state.balance.copy(),
-    )
+    copied: Any = map(np.copy, state)
+    return State(*copied)
 
 
 def _restore(state: State, kept: State) -> None:
@@ -243,17 +227,10 @@ def _stuck(newton: Newton, ease: float) -> NotConvergedError:
     """Say where the forces do not balance."""
     report = newton.last
     assert report is not None
-    where = Message("truss.the_body")
-    if report.node >= 0:
-        lines = newton.problem.bars.start + np.arange(newton.problem.bars.start.size)
-        line = int(np.searchsorted(lines, report.node, side="right")) - 1
-        x, y, z = newton.state.x[report.node]
-        place = {"node": report.node - int(lines[line]), "line": line + 1}
-        where = Message("truss.at_node", x=float(x), y=float(y), z=float(z), **place)
     values = {
         "count": newton.iterations,
         "left": report.imbalance,
-        "where": where,
+        "where": place_of(report.node, newton.problem.bars.start, newton.state.x),
         "part": report.imbalance / max(report.tension, 1e-300),
     }
     if ease == 0.0:

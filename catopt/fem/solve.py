@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
 from catopt.errors import NoEquilibriumError
 from catopt.fem.bed import Bed, HeldBed, friction_sense
-from catopt.fem.mesh import LineMesh, mesh_line
+from catopt.fem.mesh import LineMesh, end_nodes, mesh_line
 from catopt.fem.problem import Problem, Water, build, straight
-from catopt.fem.reading import read_line
-from catopt.fem.result import SystemSolution, TrussSolution
+from catopt.fem.resting import Body
+from catopt.fem.result import SystemSolution, TrussSolution, read_line
 from catopt.fem.settle import Controls, Rest, follow, settle
-from catopt.fem.step import Body
 from catopt.model import Line
 from catopt.model.validity import Findings
 from catopt.words import Message
@@ -63,8 +62,6 @@ def solve_line(
 
     Parameters
     ----------
-    line : Line
-        The line.
     height : float
         Of the fairlead above the seabed, m.
     horizontal_force, span : float, optional
@@ -101,7 +98,7 @@ def solve_line(
     """
     _check_line(height, horizontal_force, span, seabed_friction, anchor_height)
     _check_water([line], water)
-    cut = mesh if mesh is not None else mesh_line(line, elements)
+    cut = mesh or mesh_line(line, elements)
     rise = height - anchor_height
     _check_length(line, math.hypot(span or 0.0, rise))
     free_span = math.sqrt(max(line.length**2 - rise**2, 0.01 * line.length**2))
@@ -111,18 +108,17 @@ def solve_line(
         force=np.array([horizontal_force or 0.0, 0.0, 0.0]),
         place=fairlead,
     )
-    anchor = np.array([0.0, 0.0, anchor_height])
+    ends = np.array([[[0.0, 0.0, anchor_height]], [fairlead]])
     problem = build(
         [cut], body, bed or Bed(), seabed_friction, water or Water(), carries_compression
     )
     if height == 0.0:
         # Half of the last bar lies at the fairlead, where its friction takes part of the force.
         rubs = friction_sense(problem.ground.law) * seabed_friction
-        rubbed = rubs * 0.5 * max(float(problem.weights.submerged[-1]), 0.0)
-        problem = problem.with_body(body._replace(force=body.force - [rubbed, 0.0, 0.0]))
-    rest = _at_rest(
-        problem, anchor[np.newaxis], fairlead[np.newaxis], controls, start.rest if start else None
-    )
+        rubbed = rubs * 0.5 * max(float(problem.bars.submerged[-1]), 0.0)
+        less = body._replace(force=body.force - [rubbed, 0.0, 0.0])
+        problem = replace(problem, body=less)
+    rest = _at_rest(problem, ends, controls, start)
     return read_line(0, cut, problem, rest)
 
 
@@ -187,15 +183,14 @@ def solve_system(
     problem = build(
         cuts, body, bed or Bed(), seabed_friction, water or Water(), carries_compression
     )
-    rest = _at_rest(problem, anchors, origin + offsets, controls, start.rest if start else None)
-    lines = tuple(read_line(k, cut, problem, rest) for k, cut in enumerate(cuts))
-    ends = problem.bars.start[1:] + np.arange(len(cuts))
-    at = rest.state.x[ends[0]] - offsets[0]
-    pull = rest.state.balance[ends].sum(axis=0)
+    rest = _at_rest(problem, np.stack([anchors, origin + offsets]), controls, start)
+    _, ends = end_nodes(problem.bars.start)
+    x, y, z = map(float, rest.state.x[ends[0]] - offsets[0])
+    X, Y, Z = map(float, rest.state.balance[ends].sum(axis=0))
     return SystemSolution(
-        position=(float(at[0]), float(at[1]), float(at[2])),
-        lines=lines,
-        force=(float(pull[0]), float(pull[1]), float(pull[2])),
+        position=(x, y, z),
+        lines=tuple(read_line(k, cut, problem, rest) for k, cut in enumerate(cuts)),
+        force=(X, Y, Z),
         residual=rest.residual,
         residual_node=rest.node,
         iterations=rest.iterations,
@@ -205,14 +200,14 @@ def solve_system(
 
 def _at_rest(
     problem: Problem,
-    anchors: Array,
-    fairleads: Array,
+    ends: Array,
     controls: Controls | None,
-    start: Rest | None,
+    start: TrussSolution | SystemSolution | None,
 ) -> Rest:
+    """Go on from a solution, or start from lines straight between their ends, (2, lines, 3), m."""
     if start is not None:
-        return follow(problem, start, controls or Controls())
-    return settle(problem, straight(problem, anchors, fairleads), controls or Controls())
+        return follow(problem, start.rest, controls or Controls())
+    return settle(problem, straight(problem, *ends), controls or Controls())
 
 
 def _check_line(

@@ -6,80 +6,32 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from catopt.fem.assembly import Bars, Law, State, assemble
+from catopt.fem.assembly import assemble
 from catopt.fem.banded import DIAGONAL, back_substitute, eliminate
-from catopt.fem.bed import Ground
-from catopt.fem.loads import BarLoads
-
-Array = npt.NDArray[np.float64]
-
-
-class Body(NamedTuple):
-    """The node in which the lines meet.
-
-    `free` (3,): 1.0 for each direction in which it may move, 0.0 where it is held; `force` (3,): on
-    it, N; `place` (3,): where the last node of the first line belongs in the directions that are
-    held, m.
-    """
-
-    free: Array
-    force: Array
-    place: Array
-
-
-class Workspace(NamedTuple):
-    """Room for the equations: coefficients, shape (4 bars, 19), right hand sides, (4 bars,)."""
-
-    band: Array
-    rhs: Array
+from catopt.fem.resting import Bars, Body, Law, Net, State
 
 
 class StepReport(NamedTuple):
-    """What a step found at the shape from which it started.
+    """What a step found at the shape from which it started."""
 
-    Attributes
-    ----------
-    imbalance : float
-        Largest force left over at a node, N.
-    node : int
-        Where; -1 for the body.
-    strain : float
-        Largest misfit of a bar's length, relative to it.
-    tension : float
-        Largest tension, N.
-    changed : int
-        Nodes that touched down or lifted off.
-    away : float
-        Distance by which the body is not yet where it is held, m.
-    turn : float
-        Largest change of a bar's direction that the step asks for, rad.
-    singular : bool
-        Whether the equations had no solution.
+    imbalance: float  # largest force left over at a node, N
+    node: int  # where; -1 for the body
+    strain: float  # largest misfit of a bar's length, relative to it
+    tension: float  # largest tension, N
+    changed: int  # nodes that touched down or lifted off
+    away: float  # distance by which the body is not yet where it is held, m
+    turn: float  # largest change of a bar's direction that the step asks for, rad
+    singular: bool  # whether the equations had no solution
+
+
+def newton_step(net: Net, body: Body) -> StepReport:
+    """Assemble, measure what is left over, and solve; the step is left in `net.rhs`.
+
+    Its entry 4 e is the change of the tension of bar e over `law.soft`, entries 4 e + 1 to 4 e + 3
+    are the displacement of the bar's second node.
     """
-
-    imbalance: float
-    node: int
-    strain: float
-    tension: float
-    changed: int
-    away: float
-    turn: float
-    singular: bool
-
-
-def newton_step(
-    bars: Bars, state: State, loads: BarLoads, nodal: Any, ground: Ground, body: Body, law: Law,
-    room: Workspace,
-) -> StepReport:  # fmt: skip
-    """Assemble, measure what is left over, and solve; the step is left in `room.rhs`.
-
-    `bars`, `state`, `loads`, `nodal`, `ground`, `law`: as for `assembly.assemble`; `body`: where
-    the lines meet; `room`: written to: entry 4 e is the change of the tension of bar e over
-    `law.soft`, entries 4 e + 1 to 4 e + 3 the displacement of its second node.
-    """
-    band, rhs = room
+    bars, state, band, rhs = net.bars, net.state, net.band, net.rhs
     lines = bars.start.shape[0] - 1
     schur = np.zeros((3, 3))
     total = np.zeros(3)
@@ -89,10 +41,10 @@ def newton_step(
     singular = False
     for k in range(lines):
         first, end = 4 * bars.start[k], 4 * bars.start[k + 1]
-        news, worst = assemble(k, bars, state, loads, nodal, ground, law, band, rhs)
+        news, worst = assemble(k, net)
         if news > 0:
             # How a bar shares its weight depends on the states of both its nodes.
-            _, worst = assemble(k, bars, state, loads, nodal, ground, law, band, rhs)
+            _, worst = assemble(k, net)
         changed += news
         strain = max(strain, worst)
         for i in range(3):
@@ -105,7 +57,7 @@ def newton_step(
                 schur[i, j] += band[end - 3 + i, DIAGONAL + j - i]
     imbalance, node = _largest_imbalance(bars, state, left, body)
     away = _gap_to_place(state.x, bars.start[1], body, total)
-    move = _body_move(schur, total, body, law)
+    move = _body_move(schur, total, body, net.law)
     for k in range(lines):
         first, end = 4 * bars.start[k], 4 * bars.start[k + 1]
         for i in range(3):
@@ -117,12 +69,13 @@ def newton_step(
     return StepReport(imbalance, node, strain, tension, changed, away, turn, singular)
 
 
-def take_step(bars: Bars, state: State, law: Law, rhs: Any, part: float) -> None:
-    """Move `state` by a part of the step that `newton_step` left in `rhs`.
+def take_step(net: Net, part: float) -> None:
+    """Move the state by a part of the step that `newton_step` left.
 
     On the way (e above 0) a tension falls to a tenth at most: it gives the bar its stiffness across
     itself, and a step too far would take that away.
     """
+    bars, state, law, rhs = net.bars, net.state, net.law, net.rhs
     for k in range(bars.start.shape[0] - 1):
         for e in range(bars.start[k], bars.start[k + 1]):
             T = state.tension[e] + part * law.soft * rhs[4 * e]

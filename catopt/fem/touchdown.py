@@ -25,10 +25,7 @@ _LEAST: Final = 1e-14
 
 
 def hanging_part(lift: float, weight: float) -> float:
-    """Give the part r of a bar that hangs, from 0 to 1.
-
-    `lift`, `weight`: V and W, N.
-    """
+    """Give the part r of a bar that hangs, from 0 to 1; `lift`, `weight`: V and W, N."""
     if weight <= 0.0 or 2.0 * lift >= weight:
         return 1.0
     return math.sqrt(2.0 * lift / weight) if lift > 0.0 else 0.0
@@ -44,10 +41,7 @@ def hanging_node(a: int, contact: Any) -> int:
 
 
 def share_weight(a: int, hangs: int, rise: float, weight: float, balance: Any) -> None:
-    """Shift weight from the hanging node of a bar to the lying one.
-
-    `rise`, `weight`: T t_z of the bar and its weight, N.
-    """
+    """Shift weight from the hanging node of a bar to the lying one; `rise`: T t_z of it, N."""
     lift = rise if hangs > a else -rise
     shifted = 0.5 * weight * (1.0 - hanging_part(lift, weight)) ** 2
     balance[2 * a + 1 - hangs, 2] -= shifted
@@ -60,9 +54,8 @@ def shift_slope(lift: float, weight: float, left: float) -> float:
     The square root is followed from the lift there is to the one that ends the imbalance of the
     hanging node, not along its tangent, which is of no use near r = 0. With the shift that node is
     left with W (q - r), where q is the part that has to hang; so what is wanted is the lift at q.
-    r and q go on below 0, as V/W, and above 1, as V/W + 1/2: there nothing more is shifted.
-
-    `lift`, `weight`: V and W, N; `left`: upward force left over at the hanging node, N.
+    r and q go on below 0, as V/W, and above 1, as V/W + 1/2: there nothing more is shifted. `left`:
+    upward force left over at the hanging node, N.
     """
     if weight <= 0.0 or 2.0 * lift >= weight:
         return 0.0
@@ -75,13 +68,8 @@ def shift_slope(lift: float, weight: float, left: float) -> float:
     return (q - r) / (wanted - now) - 1.0 if wanted != now else 0.0
 
 
-def share_slope(
-    row: int, has_first: bool, slope: float, t: Any, across: float, band: Any
-) -> None:  # fmt: skip
-    """Write the derivatives of `share_weight`.
-
-    `slope`: of the weight that is shifted (`shift_slope`).
-    """
+def share_slope(row: int, has_first: bool, slope: float, t: Any, across: float, band: Any) -> None:
+    """Write the derivatives of `share_weight`; `slope`: of what is shifted (`shift_slope`)."""
     band[row + 3, DIAGONAL - 3] -= slope * t[2]
     if has_first:
         band[row - 1, DIAGONAL + 1] += slope * t[2]

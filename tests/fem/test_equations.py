@@ -10,11 +10,11 @@ import numpy.typing as npt
 import pytest
 
 from catopt.fem import Bed, Current, DragSection, Water, mesh_line
-from catopt.fem.assembly import Law, State, assemble
+from catopt.fem.assembly import assemble
 from catopt.fem.banded import DIAGONAL, REACH, WIDTH, back_substitute, eliminate
-from catopt.fem.loads import BarLoads, bar_loads
+from catopt.fem.loads import bar_loads
 from catopt.fem.problem import Problem, build, straight
-from catopt.fem.step import Body
+from catopt.fem.resting import BarLoads, Body, Law, Net, State
 from catopt.model import Line, PointLoad, Segment
 
 Array = npt.NDArray[np.float64]
@@ -40,19 +40,16 @@ def dense(band: Array) -> Array:
 def equations(problem: Problem, state: State, ground: Any, law: Law) -> tuple[Array, Array]:
     """Matrix and right hand side at a state, which is left as it was."""
     count = problem.bars.length.size
-    varies = problem.current is not None or math.isfinite(problem.weights.surface)
+    varies = problem.current is not None or math.isfinite(problem.surface)
     blocks = (count if varies else 0, 3, 3)
     loads = BarLoads(np.zeros((count, 3)), np.zeros(blocks), np.zeros(blocks))
     velocity = np.zeros((0, 3))
     if problem.current is not None:
         velocity = problem.current.velocity(np.zeros((count, 3)))
-    bar_loads(
-        state.x, problem.first_node, problem.weights, problem.bars.length,
-        problem.across, problem.along, velocity, loads,
-    )  # fmt: skip
+    bar_loads(state.x, problem.first_node, problem.bars, problem.surface, velocity, loads)
     band, rhs = np.zeros((4 * count, WIDTH)), np.zeros(4 * count)
     copy = State(*(a.copy() for a in state))  # type: ignore[arg-type]
-    assemble(0, problem.bars, copy, loads, problem.nodal, ground, law, band, rhs)
+    assemble(0, Net(problem.bars, copy, loads, problem.nodal, ground, law, band, rhs))
     return dense(band), rhs
 
 

@@ -8,8 +8,8 @@ import pytest
 from catopt.fem.bed import Bed
 from catopt.fem.mesh import mesh_line
 from catopt.fem.problem import Water, build, straight
+from catopt.fem.resting import Body
 from catopt.fem.settle import Controls, settle
-from catopt.fem.step import Body
 from catopt.model.network import Network
 from catopt.mooring.held import NetworkAtRest, hold
 from catopt.reproduce.bridle import SURGE, network_of

@@ -1,0 +1,79 @@
+"""Lines at rest as the kernels take them: what they are made of, their shape, the law of the bars.
+
+All bars follow one another, line after line. Line k has one node more than bars: bar e lies between
+nodes e + k and e + k + 1.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from catopt.fem.bed import Ground
+
+Array = npt.NDArray[np.float64]
+Codes = npt.NDArray[np.int64]
+
+
+class Bars(NamedTuple):
+    """All bars; arrays of shape (bars,) but `start`."""
+
+    length: Array  # unstretched, m
+    compliance: Array  # 1/EA, 1/N
+    start: Codes  # (lines + 1,): first bar of each line
+    submerged: Array  # weight in water, N
+    in_air: Array  # weight in air, N
+    across: Array  # 0.5 rho D C across the bar, N s2/m3; of shape (0,) without a current
+    along: Array  # the same along it
+
+
+class BarLoads(NamedTuple):
+    """What each bar hands to each of its ends."""
+
+    force: Array  # (bars, 3), N
+    by_first: Array  # (bars, 3, 3): derivative by the coordinates of its first node, N/m
+    by_second: Array  # of its second; both (0, 3, 3) when loads do not depend on the shape
+
+
+class State(NamedTuple):
+    """Shape and forces."""
+
+    x: Array  # (nodes, 3): coordinates, m
+    tension: Array  # (bars,), N
+    contact: Codes  # (nodes,): what the bed does to each node (`bed`)
+    reaction: Array  # (nodes,): upward force of the bed on each node, N
+    balance: Array  # (nodes, 3): force on each node from bars, loads and bed, N: 0 at the inner
+    # nodes in equilibrium, the force on the support at the ends
+
+
+class Law(NamedTuple):
+    """How bars behave on the way to the answer."""
+
+    ease: float  # e: 1 for springs without length, 0 for the bars as they are
+    soft: float  # K, N: stiffness of those springs; also the unit of force of the equations
+    carries_compression: bool  # whether a bar pushes when it is shorter than its length
+    drag_in: float  # stiffness, N/m, that holds each node to where it is in one step; it speaks
+    # only where nothing else holds a node, and not in the answer
+
+
+class Body(NamedTuple):
+    """The node in which the lines meet; arrays of shape (3,)."""
+
+    free: Array  # 1.0 for each direction in which it may move, 0.0 where it is held
+    force: Array  # on it, N
+    place: Array  # of the last node of the first line in the directions that are held, m
+
+
+class Net(NamedTuple):
+    """All lines in one state under one law, with room for their equations."""
+
+    bars: Bars
+    state: State
+    loads: BarLoads
+    nodal: Array  # (nodes, 3): forces on the nodes, N
+    ground: Ground
+    law: Law
+    band: Array  # (4 bars, 19): coefficients, forces divided by `law.soft`
+    rhs: Array  # (4 bars,)
