@@ -13,14 +13,13 @@ from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
 from catopt.fem.problem import Water
 from catopt.fem.result import EndForce, SystemSolution, TrussSolution
-from catopt.fem.run_settings import BodyInertia, LineProperties, TimeStepping
+from catopt.fem.run_settings import BodyInertia, LineProperties, StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Together
 from catopt.fem.settle import Controls
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg, solve_line, solve_system
 from catopt.fem.statistics import SeriesStatistics, power_spectrum, series_statistics
-from catopt.fem.step_controls import StepControls
 
 __all__ = [
     "Bed",

@@ -16,16 +16,13 @@ from catopt.fem.moving import Equations
 
 
 def eliminate_blocks(equations: Equations, first: int, end: int) -> bool:
-    """Eliminate the nodes from `first` up to the one before `end`.
+    """Eliminate the nodes from `first` up to the one before `end`; say if all were regular.
 
     Diagonal blocks are turned into their inverses. Node `end` keeps its block and right hand side,
     less what the line takes from them.
-
-    `equations`: overwritten. Returns: whether all blocks were regular.
     """
-    diagonal, lower, upper, rest = (
-        equations.diagonal, equations.lower, equations.upper, equations.rest,
-    )  # fmt: skip
+    diagonal, lower = equations.diagonal, equations.lower
+    upper, rest = equations.upper, equations.rest
     regular = True
     for n in range(first, end):
         regular = invert_3(diagonal, n) and regular
@@ -68,13 +65,8 @@ def invert_3(blocks: Any, n: int) -> bool:
     # Of complex numbers, whose division is not everywhere the same to the last digit.
     mirrored = determinant.conjugate()
     over = mirrored * (1.0 / (determinant * mirrored).real)
-    blocks[n, 0, 0], blocks[n, 0, 1], blocks[n, 0, 2] = (
-        A * over, (c * h - b * i) * over, (b * f - c * e) * over,
-    )  # fmt: skip
-    blocks[n, 1, 0], blocks[n, 1, 1], blocks[n, 1, 2] = (
-        B * over, (a * i - c * g) * over, (c * d - a * f) * over,
-    )  # fmt: skip
-    blocks[n, 2, 0], blocks[n, 2, 1], blocks[n, 2, 2] = (
-        C * over, (b * g - a * h) * over, (a * e - b * d) * over,
-    )  # fmt: skip
+    blocks[n, 0, 0], blocks[n, 1, 0], blocks[n, 2, 0] = A * over, B * over, C * over
+    blocks[n, 0, 1], blocks[n, 0, 2] = (c * h - b * i) * over, (b * f - c * e) * over
+    blocks[n, 1, 1], blocks[n, 1, 2] = (a * i - c * g) * over, (c * d - a * f) * over
+    blocks[n, 2, 1], blocks[n, 2, 2] = (b * g - a * h) * over, (a * e - b * d) * over
     return True

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -14,7 +13,7 @@ import numpy.typing as npt
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.fem.bed import HeldBed
 from catopt.fem.damping import LineDamping
-from catopt.fem.mesh import LineMesh, by_bar
+from catopt.fem.mesh import SAME_PLACE, LineMesh, by_bar, first_bars, heaviest, to_nodes
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import MovingLines
 from catopt.fem.problem import node_friction
@@ -23,14 +22,25 @@ from catopt.model import PointLoad
 from catopt.model.validity import Findings
 
 Array = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
 
 MassMatrix = Literal["consistent", "lumped"]
 
+_OF_WATER = [
+    "added_normal",
+    "added_tangential",
+    "drag_normal",
+    "drag_tangential",
+    "drag_by_speed",
+    "drag_by_across",
+]
+_OF_LOADS = ("load_displaced", "load_added", "load_drag", "load_radius")
+"""Figures of `MovingLines` of each bar in the water and of each point load, as their rows are."""
 _SHARES = {"consistent": (1.0 / 3.0, 1.0 / 6.0), "lumped": (0.5, 0.0)}
 _OWN_DEPTH = 0.01
 """Depth to which a line's own weight presses a bed of no given stiffness, m."""
-_SAME_PLACE = 1e-9
 _HOLDING = 1e4
+"""Factor on that stiffness where a `HeldBed` holds."""
 _LEAST_RADIUS = 1e-6
 """Of a point load without volume, m."""
 _FRICTION_REACH = 0.001
@@ -43,10 +53,8 @@ class Fluid:
 
     Attributes
     ----------
-    density : float
-        kg/m3.
-    gravity : float
-        m/s2.
+    density, gravity : float
+        kg/m3 and m/s2.
     """
 
     density: float = SEA_WATER_DENSITY
@@ -65,12 +73,11 @@ def lay_out_moving(
 ) -> MovingLines:
     """Arrays of all lines, one after the other.
 
-    `sections`: one for each segment of every line; None for no load of the water but the weight;
-    `seabed`: None for no bed. A `HeldBed` holds by springs 10,000 times as stiff as a bed of no
-    given stiffness. Raises InputError for what is missing.
+    `sections`: one for each segment of every line; None for no load of the water but the weight.
+    Raises InputError for what is missing.
     """
     _check(meshes, sections, fluid)
-    start = np.concatenate([[0], np.cumsum([mesh.elements for mesh in meshes])]).astype(np.int64)
+    start = first_bars(meshes)
     length = np.concatenate([mesh.length for mesh in meshes])
     EA, mass, weight = (by_bar(meshes, name) for name in ("EA", "mass", "submerged_weight"))
     in_air = mass * fluid.gravity
@@ -80,10 +87,16 @@ def lay_out_moving(
         rows = np.array([_section_row(s, fluid.density) for s in sections]).T
         water = np.concatenate([rows[:, mesh.segment] for mesh in meshes], axis=1)
         water[:2] *= np.maximum(displaced, 0.0)
-    carried, pressing, heavy = _per_node(meshes, length, weight, mass + water[0])
+    carried, pressing, heavy = (
+        to_nodes(length * each, start) for each in (1.0, np.maximum(weight, 0.0), mass + water[0])
+    )
     force = np.zeros((carried.size, 3))
     node_mass = np.zeros(carried.size)
-    loads = _point_loads(meshes, start)
+    loads = [
+        (load, int(start[k]) + k + node)
+        for k, mesh in enumerate(meshes)
+        for load, node in mesh.loads
+    ]
     for load, n in loads:
         force[n, 2] -= load.submerged_weight
         node_mass[n] += load.mass or 0.0
@@ -92,8 +105,10 @@ def lay_out_moving(
     if isinstance(seabed, HeldBed):
         EA = EA * seabed.EA_multiplier
         reach = seabed.grounded_length
-        held = np.concatenate([m.arc <= reach * (1.0 + _SAME_PLACE) for m in meshes])
-    bed = _bed_rows(seabed, carried, pressing, heavy, held)
+        held = np.concatenate([m.arc <= reach * (1.0 + SAME_PLACE) for m in meshes])
+    stiffness, bed_damping, depth, spring, dashpot = _bed_rows(
+        seabed, carried, pressing, heavy, held
+    )
     rise = float(seabed.slope) if isinstance(seabed, Seabed) else 0.0
     near, far = _SHARES[mass_matrix]
     return MovingLines(
@@ -103,28 +118,20 @@ def lay_out_moving(
         damping=damping.per_bar(length, EA, mass),
         mass=mass,
         displaced=displaced if sections is not None else np.zeros(length.size),
-        added_normal=water[0].copy(),
-        added_tangential=water[1].copy(),
-        drag_normal=water[2].copy(),
-        drag_tangential=water[3].copy(),
-        drag_by_speed=water[4].copy(),
-        drag_by_across=water[5].copy(),
+        **{name: row.copy() for name, row in zip(_OF_WATER, water, strict=True)},
         weight=weight,
         weight_in_air=in_air,
         node_force=force,
         node_mass=node_mass,
         load_node=np.array([n for _, n in loads], dtype=np.int64),
-        load_displaced=bodies[0].copy(),
-        load_added=bodies[1].copy(),
-        load_drag=bodies[2].copy(),
-        load_radius=bodies[3].copy(),
+        **{name: row.copy() for name, row in zip(_OF_LOADS, bodies, strict=True)},
         load_gravity=float(fluid.gravity),
-        bed_stiffness=bed[0].copy(),
-        bed_damping=bed[1].copy(),
-        bed_depth=bed[2].copy(),
+        bed_stiffness=stiffness,
+        bed_damping=bed_damping,
+        bed_depth=depth,
         held=held,
-        drag_spring=bed[3].copy(),
-        drag_dashpot=bed[4].copy(),
+        drag_spring=spring,
+        drag_dashpot=dashpot,
         bed_cos=math.cos(rise),
         bed_sin=math.sin(rise),
         friction=_friction(meshes, seabed, pressing),
@@ -134,11 +141,12 @@ def lay_out_moving(
         far=far,
         pushes=carries_compression,
         lower_free=np.zeros(len(meshes), dtype=bool),
-        force_scale=_force_scale(start, length, weight, force, EA),
+        force_scale=max(heaviest(start, weight * length, force), 1e-9 * float(EA.max())),
     )
 
 
 def _section_row(section: MorisonSection, density: float) -> tuple[float, ...]:
+    """Figures as `_OF_WATER`, those of added mass over the mass of displaced water."""
     half = 0.5 * density * section.diameter
     return (
         section.added_mass_normal,
@@ -149,19 +157,8 @@ def _section_row(section: MorisonSection, density: float) -> tuple[float, ...]:
     )
 
 
-def _point_loads(
-    meshes: Sequence[LineMesh], start: npt.NDArray[np.int64]
-) -> list[tuple[PointLoad, int]]:
-    """All point loads with their nodes."""
-    return [
-        (load, int(start[k]) + k + int(node))
-        for k, mesh in enumerate(meshes)
-        for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True)
-    ]
-
-
 def _body_row(load: PointLoad, fluid: Fluid) -> tuple[float, float, float, float]:
-    """Displaced and added mass, drag, and the radius of a sphere of the volume, of a point load."""
+    """Figures of a point load as `_OF_LOADS`."""
     displaced = max((load.mass or 0.0) - load.submerged_weight / fluid.gravity, 0.0)
     volume = displaced / fluid.density if fluid.density > 0.0 else 0.0
     return (
@@ -172,39 +169,16 @@ def _body_row(load: PointLoad, fluid: Fluid) -> tuple[float, float, float, float
     )
 
 
-def _per_node(
-    meshes: Sequence[LineMesh], length: Array, weight: Array, mass: Array
-) -> tuple[Array, Array, Array]:
-    """Length, submerged weight and mass (with what is added) that each node carries of its bars."""
-    first = np.concatenate([np.full(mesh.elements, k) for k, mesh in enumerate(meshes)])
-    first = first + np.arange(length.size)
-    nodes = length.size + len(meshes)
-    sums = []
-    for figure in (np.ones(length.size), np.maximum(weight, 0.0), mass):
-        half = np.zeros(nodes)
-        np.add.at(half, first, 0.5 * length * figure)
-        np.add.at(half, first + 1, 0.5 * length * figure)
-        sums.append(half)
-    return sums[0], sums[1], sums[2]
-
-
 def _bed_rows(
-    seabed: Seabed | HeldBed | None,
-    carried: Array,
-    pressing: Array,
-    heavy: Array,
-    held: npt.NDArray[np.bool_],
-) -> Array:
+    seabed: Seabed | HeldBed | None, carried: Array, pressing: Array, heavy: Array, held: Flags
+) -> tuple[Array, Array, Array, Array, Array]:
     """Stiffness, damping, depth of full damping, friction spring and dashpot under each node."""
-    rows = np.zeros((5, carried.size))
-    rows[2] = 1.0
-    if seabed is None:
-        return rows
+    k, none = np.zeros(carried.size), np.zeros(carried.size)
     usual = max(float((pressing / carried).mean()), 1e-12)
-    if isinstance(seabed, HeldBed):
-        rows[0] = np.where(held, _HOLDING * usual / _OWN_DEPTH * carried, 0.0)
-        rows[1] = 2.0 * np.sqrt(rows[0] * heavy)
-        return rows
+    if not isinstance(seabed, Seabed):
+        if seabed is not None:
+            k = np.where(held, _HOLDING * usual / _OWN_DEPTH * carried, 0.0)
+        return k, 2.0 * np.sqrt(k * heavy), np.ones(carried.size), none, none
     per_length = seabed.normal_stiffness
     k = (per_length if per_length is not None else usual / _OWN_DEPTH) * carried
     critical = 2.0 * np.sqrt(k * heavy)
@@ -214,8 +188,7 @@ def _bed_rows(
         along = max(seabed.friction, 1e-3) * usual / _FRICTION_REACH
     spring = along * carried
     depth = np.maximum(pressing, 1e-3 * usual * carried) / k
-    rows[:] = np.stack([k, c, depth, spring, 2.0 * np.sqrt(spring * heavy)])
-    return rows
+    return k, c, depth, spring, 2.0 * np.sqrt(spring * heavy)
 
 
 def _friction(
@@ -235,20 +208,9 @@ def _friction(
 def _pressing_loads(mesh: LineMesh) -> Array:
     """Submerged weight of the clump weights on each node, N."""
     weight = np.zeros(mesh.elements + 1)
-    for load, node in zip(mesh.line.point_loads, mesh.load_node, strict=True):
+    for load, node in mesh.loads:
         weight[node] += max(load.submerged_weight, 0.0)
     return weight
-
-
-def _force_scale(
-    start: npt.NDArray[np.int64], length: Array, weight: Array, force: Array, EA: Array
-) -> float:
-    """Return what the heaviest line weighs, N."""
-    heaviest = 0.0
-    for k, (first, end) in enumerate(pairwise(start)):
-        loads = np.abs(force[first + k : end + k + 1]).sum()
-        heaviest = max(heaviest, float(np.abs(weight * length)[first:end].sum() + loads))
-    return max(heaviest, 1e-9 * float(EA.max()))
 
 
 def _check(

@@ -6,7 +6,7 @@ Static equilibrium comes first, in the current; then motion, force and waves gro
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,20 +15,13 @@ import numpy.typing as npt
 from catopt.fem.bed import Bed, HeldBed
 from catopt.fem.dynamic_model import lay_out_moving
 from catopt.fem.history import STOPPED, History
-from catopt.fem.mesh import LineMesh, mesh_line
+from catopt.fem.march import StepCounts
+from catopt.fem.mesh import SAME_PLACE, LineMesh, mesh_line
 from catopt.fem.moving import BodyNode, MovingLines
 from catopt.fem.plausible_step import record_warnings, step_warnings
 from catopt.fem.run_settings import BodyInertia, LineProperties, TimeStepping
-from catopt.fem.sampling import Record
 from catopt.fem.seabed import Seabed
-from catopt.fem.series import (
-    Harmonic,
-    Sampled,
-    Series,
-    Together,
-    fill_series,
-    series_rows,
-)
+from catopt.fem.series import Harmonic, Sampled, Series, Together, fill_series, series_rows
 from catopt.fem.simulation import Break, Simulation
 from catopt.fem.sloped_rest import settle_on_slope
 from catopt.fem.solve import Leg, solve_line, solve_system
@@ -40,11 +33,26 @@ from catopt.words import Measure, Message
 Array = npt.NDArray[np.float64]
 
 _SERIES = (Harmonic, Sampled, Together)
-_SAME_PLACE = 1e-9
 _JERK = 0.01
 """Jump of the tension as a motion sets off, over the largest at rest, that is passed over."""
 _SHALLOW = 0.001
 """Least depth to which a line's weight presses the bed on which it first comes to rest, m."""
+_KEPT_OF_STEPPING = ("scheme", "controls", "nodes", "energy", "tensions")
+_KEPT_OF_RECORD = [
+    "time",
+    "bar_tension",
+    "fairlead",
+    "grounded_length",
+    "nodes",
+    "at_rest",
+    "energy",
+    "tension",
+    "slack_time",
+    "longest_slack",
+    "max_end_force",
+    "time_of_max_end_force",
+]
+_KEPT_OF_COUNTS = ("steps", "iterations", "halvings", "refinements", "unresolved")
 
 
 def run_dynamics(
@@ -70,18 +78,12 @@ def run_dynamics(
     ----------
     line : Line
         From its anchor at x = y = 0; every segment with mass and EA.
-    stepping : TimeStepping
-        How long and in which steps.
     height, span, horizontal_force, anchor_height
         Rest, as for `solve_line`; the motion goes on about the fairlead's place there.
-    motion : Harmonic or Sampled, optional
-        Of the fairlead, m, from its place at rest; it stays by default.
-    anchor_motion : Harmonic or Sampled, optional
-        Of the lower end likewise.
+    motion, anchor_motion : Harmonic or Sampled, optional
+        Of the fairlead and of the lower end, m, from their places at rest; they stay by default.
     anchor_lost : float, optional
         When the lower end becomes free, s, to the nearest sample but not at the start.
-    properties : LineProperties, optional
-        Water, damping, bed.
     sea : Sea, optional
         Waves and current; its depth is that of the bed at z = 0. Without, all is submerged in
         still water. A sea whose waves have no ramp of their own takes that of `stepping`.
@@ -98,17 +100,22 @@ def run_dynamics(
         With time, node and force left over; or when what is computed is the scheme's own ringing.
     """
     warnings = _check_run(stepping, motion, anchor_motion, sea=sea)
-    cut = mesh if mesh is not None else mesh_line(line, elements)
+    cut = mesh or mesh_line(line, elements)
     simulation = line_at_rest(
-        cut, height=height, span=span, horizontal_force=horizontal_force,
-        anchor_height=anchor_height, properties=properties, sea=_ramped(sea, stepping),
-    )  # fmt: skip
+        cut,
+        height=height,
+        span=span,
+        horizontal_force=horizontal_force,
+        anchor_height=anchor_height,
+        properties=properties,
+        sea=_ramped(sea, stepping),
+    )
     ends, led = simulation.state.x[-1:], [motion]
     if anchor_motion is not None:
         ends, led = simulation.state.x[[-1, 0]], [motion, anchor_motion]
     simulation.led = series_rows(ends, led, stepping.ramp_time)
-    breaks = None if anchor_lost is None else _break(stepping, 0, anchor_lost, at_anchor=True)
-    return _run(simulation, stepping, [cut], warnings, progress, breaks)
+    broken = None if anchor_lost is None else (0, anchor_lost, True)
+    return _run(simulation, stepping, [cut], warnings, progress, broken)
 
 
 def line_at_rest(
@@ -122,21 +129,33 @@ def line_at_rest(
     sea: Sea | None = None,
 ) -> Simulation:
     """Bring one line to rest in the current, ready to be set in motion."""
-    with_what = properties or LineProperties()
-    lines = lay_out_moving(
-        [mesh], with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,
-        with_what.mass_matrix,
-    )  # fmt: skip
-    bed, friction = _static_bed(with_what.seabed, lines)
+    lines, seabed = _lay_out([mesh], properties)
+    bed, friction = _static_bed(seabed, lines)
     rest = solve_line(
-        mesh.line, height=height, span=span, horizontal_force=horizontal_force, mesh=mesh, bed=bed,
-        anchor_height=anchor_height, seabed_friction=friction,
-    )  # fmt: skip
-    if isinstance(with_what.seabed, Seabed) and with_what.seabed.slope != 0.0:
-        return _on_slope(lines, rest.nodes, with_what.seabed, horizontal_force, sea)
+        mesh.line,
+        height=height,
+        span=span,
+        horizontal_force=horizontal_force,
+        anchor_height=anchor_height,
+        mesh=mesh,
+        bed=bed,
+        seabed_friction=friction,
+    )
+    if isinstance(seabed, Seabed) and seabed.slope != 0.0:
+        return _on_slope(lines, rest.nodes, seabed, horizontal_force, sea)
     simulation = Simulation(lines, rest.nodes, sea=sea)
-    simulation.settle(rubbed=_begins_rubbed(with_what.seabed))
+    simulation.settle(rubbed=_begins_rubbed(seabed))
     return simulation
+
+
+def _lay_out(
+    meshes: Sequence[LineMesh], properties: LineProperties | None
+) -> tuple[MovingLines, Seabed | HeldBed | None]:
+    """Lay out lines by their properties; give the bed, too."""
+    of = properties or LineProperties()
+    return lay_out_moving(
+        meshes, of.sections, of.fluid, of.seabed, of.damping, of.mass_matrix
+    ), of.seabed
 
 
 def _on_slope(
@@ -192,10 +211,6 @@ def run_system_dynamics(
 
     Parameters
     ----------
-    legs : sequence of Leg
-        Lines with their anchors and fairleads.
-    stepping : TimeStepping
-        How long and in which steps.
     height : float
         Of the body's origin above the bed, m; held unless `motion` moves it.
     mean_force : tuple of float
@@ -215,10 +230,7 @@ def run_system_dynamics(
     at_anchor : bool
         It breaks at its anchor instead: its lower end is then free.
 
-    Raises
-    ------
-    InputError, NoEquilibriumError, NotConvergedError
-        As `run_dynamics`.
+    Raises as `run_dynamics`.
     """
     is_led = position is not None
     _check_system(is_led, motion, force, mean_force)
@@ -226,12 +238,20 @@ def run_system_dynamics(
     led = [motion] * len(cuts) if motion is None or isinstance(motion, _SERIES) else list(motion)
     warnings = _check_run(stepping, *(led if is_led else [force]), sea=sea)
     simulation = body_at_rest(
-        legs, cuts, height=height, mean_force=mean_force, force=force, body=body,
-        position=position, led=led, properties=properties, ramp_time=stepping.ramp_time,
+        legs,
+        cuts,
+        height=height,
+        mean_force=mean_force,
+        force=force,
+        body=body,
+        position=position,
+        led=led,
+        properties=properties,
+        ramp_time=stepping.ramp_time,
         sea=_ramped(sea, stepping),
-    )  # fmt: skip
-    breaks = None if broken is None else _break(stepping, *broken, at_anchor=at_anchor)
-    return _run(simulation, stepping, cuts, warnings, progress, breaks)
+    )
+    parted = None if broken is None else (*broken, at_anchor)
+    return _run(simulation, stepping, cuts, warnings, progress, parted)
 
 
 def body_at_rest(
@@ -249,36 +269,32 @@ def body_at_rest(
     sea: Sea | None = None,
 ) -> Simulation:
     """Bring the lines of a body to rest in the current, ready to be set in motion."""
-    with_what = properties or LineProperties()
     is_led = position is not None
-    _check_level(with_what.seabed)
-    lines = lay_out_moving(
-        cuts, with_what.sections, with_what.fluid, with_what.seabed, with_what.damping,
-        with_what.mass_matrix,
-    )  # fmt: skip
-    bed, friction = _static_bed(with_what.seabed, lines)
+    _check_level((properties or LineProperties()).seabed)
+    lines, seabed = _lay_out(cuts, properties)
+    bed, friction = _static_bed(seabed, lines)
     rest = solve_system(
-        legs, height=height, force=None if is_led else mean_force, position=position, meshes=cuts,
-        bed=bed, seabed_friction=friction,
-    )  # fmt: skip
-    x = np.concatenate([each.nodes for each in rest.lines])
+        legs,
+        height=height,
+        force=None if is_led else mean_force,
+        position=position,
+        meshes=cuts,
+        bed=bed,
+        seabed_friction=friction,
+    )
     ends = np.array([each.nodes[-1] for each in rest.lines])
     inertia = body or BodyInertia()
     free = np.array([0.0, 0.0, 0.0] if is_led else [1.0, 1.0, 0.0])
     simulation = Simulation(
         lines,
-        x,
+        rest.rest.state.x,
         body=BodyNode(free, np.full(3, inertia.mass), np.full(3, inertia.damping)),
         led=series_rows(ends, led or [None] * len(cuts), ramp_time),
         load=series_rows(np.array([[*mean_force, 0.0]]), [force], ramp_time),
         sea=sea,
     )
-    simulation.settle(rubbed=_begins_rubbed(with_what.seabed))
+    simulation.settle(rubbed=_begins_rubbed(seabed))
     return simulation
-
-
-def _break(stepping: TimeStepping, line: int, time: float, *, at_anchor: bool) -> Break:
-    return Break(line, max(1, round(time / (stepping.every * stepping.step))), at_anchor)
 
 
 def _check_beginning(simulation: Simulation) -> list[str]:
@@ -288,7 +304,7 @@ def _check_beginning(simulation: Simulation) -> list[str]:
     for end in range(led.base.shape[0]):
         fill_series(0.0, led, end, out)
         away = float(np.linalg.norm(out[0] - led.base[end]))
-        if away > _SAME_PLACE * max(1.0, float(np.abs(led.base[end]).max())):
+        if away > SAME_PLACE * max(1.0, float(np.abs(led.base[end]).max())):
             found = Findings("TimeStepping")
             wanted = f"the motion begins {away:.3g} m away from rest: it needs a ramp to grow over"
             found.add("ramp_time", f"{led.ramp_time:g} s", wanted)
@@ -309,91 +325,57 @@ def _run(
     cuts: Sequence[LineMesh],
     warnings: list[str],
     progress: Callable[[float], None] | None,
-    breaks: Break | None = None,
+    broken: tuple[int, float, bool] | None,
 ) -> History:
+    """Set off from rest; `broken`: which line, when, s, and whether at its anchor."""
     warnings = warnings + _check_beginning(simulation)
-    simulation.start()
+    breaks = None
+    if broken is not None:
+        line, time, at_anchor = broken
+        breaks = Break(line, max(1, round(time / (stepping.every * stepping.step))), at_anchor)
     since = stepping.ramp_time if stepping.since is None else stepping.since
+    simulation.start()
     record, complete = simulation.run(
         stepping.samples,
         stepping.every,
         stepping.step,
-        scheme=stepping.scheme,
-        controls=stepping.controls,
+        **{name: getattr(stepping, name) for name in _KEPT_OF_STEPPING},
         since=since,
-        nodes=stepping.nodes,
-        energy=stepping.energy,
-        tensions=stepping.tensions,
         breaks=breaks,
         progress=progress,
     )
-    return _history(simulation, record, stepping, since, cuts, complete, warnings)
-
-
-def _history(
-    simulation: Simulation,
-    record: Record,
-    stepping: TimeStepping,
-    since: float,
-    cuts: Sequence[LineMesh],
-    complete: bool,
-    warnings: list[str],
-) -> History:
-    counts = simulation.counts
-    if counts.halvings > 0:
-        warnings.append(
-            Message(
-                "motion.halvings",
-                count=counts.halvings,
-                shortest=counts.shortest,
-                step=stepping.step,
-            )
-        )
-    if counts.unresolved > 0:
-        warnings.append(
-            Message(
-                "motion.unresolved",
-                count=counts.unresolved,
-                steps=counts.steps,
-                shortest=counts.shortest,
-            )
-        )
-    if not complete:
-        warnings.append(
-            Message(STOPPED, reached=float(record.time[-1]), duration=stepping.duration)
-        )
-    seen = np.isfinite(record.highest)
+    counts, seen = simulation.counts, np.isfinite(record.max_tension)
+    warnings += _warnings_of(counts, stepping, None if complete else float(record.time[-1]))
     return History(
-        time=record.time,
+        **{name: getattr(record, name) for name in _KEPT_OF_RECORD},
         fairlead_force=record.end_force[:, :, 1],
         anchor_force=record.end_force[:, :, 0],
-        bar_tension=record.end_tension,
-        fairlead=record.fairlead,
-        grounded_length=record.grounded,
-        nodes=record.place,
-        at_rest=record.rest,
-        energy=record.energy,
-        tension=record.tension,
         first_bar=simulation.lines.start,
         arc=np.concatenate([0.5 * (cut.arc[1:] + cut.arc[:-1]) for cut in cuts]),
-        max_tension=np.where(seen, record.highest, np.nan),
-        min_tension=np.where(seen, record.lowest, np.nan),
-        slack_time=record.slack_time,
-        longest_slack=record.longest_slack,
-        max_end_force=record.end_highest,
-        time_of_max_end_force=record.end_time,
+        max_tension=np.where(seen, record.max_tension, np.nan),
+        min_tension=np.where(seen, record.min_tension, np.nan),
         balance=simulation.balance(record),
         since=since,
         step=stepping.step,
         shortest_step=min(counts.shortest, stepping.step),
-        steps=counts.steps,
-        iterations=counts.iterations,
-        halvings=counts.halvings,
-        refinements=counts.refinements,
-        unresolved=counts.unresolved,
+        **{name: getattr(counts, name) for name in _KEPT_OF_COUNTS},
         is_complete=complete,
         warnings=tuple(warnings),
     )
+
+
+def _warnings_of(
+    counts: StepCounts, stepping: TimeStepping, stopped: float | None
+) -> Iterator[str]:
+    """Yield what about a run is to be doubted; `stopped`: when it was, s."""
+    shortest, step = counts.shortest, stepping.step
+    if counts.halvings > 0:
+        yield Message("motion.halvings", count=counts.halvings, shortest=shortest, step=step)
+    if counts.unresolved > 0:
+        count, steps = counts.unresolved, counts.steps
+        yield Message("motion.unresolved", count=count, steps=steps, shortest=shortest)
+    if stopped is not None:
+        yield Message(STOPPED, reached=stopped, duration=stepping.duration)
 
 
 def _check_run(stepping: TimeStepping, *series: Series | None, sea: Sea | None) -> list[str]:
@@ -416,12 +398,11 @@ def _static_bed(seabed: Seabed | HeldBed | None, lines: MovingLines) -> tuple[Be
     if isinstance(seabed, HeldBed):
         return seabed, 0.0
     length = float(lines.length.sum())
-    stiffness = float(lines.bed_stiffness.sum()) / length
     softest = float((np.abs(lines.weight) * lines.length).sum()) / length / _SHALLOW
+    stiffness = min(float(lines.bed_stiffness.sum()) / length, softest)
     if seabed.initial_friction == "none" or seabed.slope != 0.0:
-        return Bed(normal_stiffness=min(stiffness, softest)), 0.0
-    bed = Bed(min(stiffness, softest), friction_law=seabed.initial_friction)
-    return bed, seabed.friction
+        return Bed(stiffness), 0.0
+    return Bed(stiffness, friction_law=seabed.initial_friction), seabed.friction
 
 
 def _begins_rubbed(seabed: Seabed | HeldBed | None) -> bool:

@@ -21,39 +21,24 @@ from catopt.compiled import inlined
 from catopt.fem.moving import Moving, MovingLines, WaterAt
 from catopt.fem.moving_load import book_loads, load_works
 from catopt.fem.rows import clear_blocks
+from catopt.fem.sampling import Room
 from catopt.fem.seabed import across_bed, along_bed
 
 
 @dataclass(frozen=True)
 class EnergyBalance:
-    """Energy of one run from its first moment to its last, J.
+    """Energy of one run from its first moment to its last, J."""
 
-    Attributes
-    ----------
-    ends : float
-        Work put in by what holds and leads the ends.
-    water : float
-        Work put in by the pressure of waves, with the added mass, and by weight out of the water.
-    kinetic, elastic, potential : float
-        Stored more at the end than at the beginning: in the line's own mass, in its strain and the
-        bed's, in its weight.
-    drag, bed, friction, damping : float
-        Taken by the water's drag (negative where a current drives the line), the bed's damping and
-        friction, and the damping of the line itself.
-    put_in : float
-        Work of ends, water and drag in the steps in which they put it in.
-    """
-
-    ends: float
-    water: float
-    kinetic: float
-    elastic: float
-    potential: float
-    drag: float
-    bed: float
+    ends: float  # work put in by what holds and leads the ends
+    water: float  # by the pressure of waves, with the added mass, and by weight out of the water
+    kinetic: float  # stored more at the end than at the beginning: in the line's own mass
+    elastic: float  # in its strain and the bed's
+    potential: float  # in its weight
+    drag: float  # taken by the water's drag; negative where a current drives the line
+    bed: float  # by the bed's damping
     friction: float
-    damping: float
-    put_in: float
+    damping: float  # of the line itself
+    put_in: float  # work of ends, water and drag in the steps in which they put it in
 
     @property
     def numerical(self) -> float:
@@ -87,7 +72,7 @@ def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, t
         for e in range(lines.start[k], lines.start[k + 1]):
             a, b = e + k, e + k + 1
             l0 = length[e]
-            tx, ty, tz = axis[e, 0], axis[e, 1], axis[e, 2]
+            t = (axis[e, 0], axis[e, 1], axis[e, 2])
             wet_a, wet_b = wetness[e, 0], wetness[e, 1]
             wet = 0.5 * (wet_a + wet_b)
             near, far = l0 * lines.near, l0 * lines.far
@@ -98,10 +83,10 @@ def fill_forces(lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, t
                 out[a, 2] -= (1.0 - wet_a) * lost
                 out[b, 2] -= (1.0 - wet_b) * lost
                 push = displaced[e] * wet + added
-                _add_inertia(pressed, latest, a, b, tx, ty, tz, near, far, push, more)
+                _add_inertia(pressed, latest, a, t, near, far, push, more)
             if alpha > 0.0:
                 own = -alpha * (masses[e] + added)
-                _add_inertia(damped, v, a, b, tx, ty, tz, near, far, own, -alpha * more)
+                _add_inertia(damped, v, a, t, near, far, own, -alpha * more)
             if beta > 0.0:
                 elastic = _elastic_force(e, a, lines, at)
                 if elastic > 0.0:
@@ -128,10 +113,11 @@ def _elastic_force(e: int, a: int, lines: MovingLines, at: Moving) -> float:
 
 @inlined
 def _add_inertia(
-    to: Any, u: Any, a: int, b: int, tx: float, ty: float, tz: float, near: float, far: float,
-    own: float, more: float,
-) -> None:  # fmt: skip
+    to: Any, u: Any, a: int, t: Any, near: float, far: float, own: float, more: float
+) -> None:
     """Add a bar's mass matrix (own in all directions, more along it) times a row of `u` a node."""
+    b = a + 1
+    tx, ty, tz = t
     ux, wx = near * u[a, 0] + far * u[b, 0], near * u[b, 0] + far * u[a, 0]
     uy, wy = near * u[a, 1] + far * u[b, 1], near * u[b, 1] + far * u[a, 1]
     uz, wz = near * u[a, 2] + far * u[b, 2], near * u[b, 2] + far * u[a, 2]
@@ -162,10 +148,7 @@ def _add_turning(e: int, a: int, force: float, at: Moving, to: Any) -> None:
 def begin_works(
     lines: MovingLines, at: Moving, water: WaterAt, has_sea: bool, booked: Any, works: Any
 ) -> None:
-    """Write what `add_works` needs of the first moment.
-
-    `booked` (4, nodes, 3): its forces; `works` (8,): kinetic energy counts from here.
-    """
+    """Write what `add_works` needs of the first moment, from which kinetic energy counts."""
     fill_forces(lines, at, water, has_sea, booked)
     works[6] = -own_kinetic_energy(lines, at)
 
@@ -189,15 +172,14 @@ def own_kinetic_energy(lines: MovingLines, at: Moving) -> float:
 
 
 def add_works(
-    h: float, lines: MovingLines, before: Moving, now: Moving, water: WaterAt, is_booked: bool,
-    room: Any, works: Any,
-) -> None:  # fmt: skip
-    """Add what the forces did in a step.
+    h: float, lines: MovingLines, before: Moving, is_booked: bool, room: Room, works: Any
+) -> None:
+    """Add what the forces did in a step of h, s; `is_booked`: those of `fill_forces`, too.
 
-    `h`: length of the step, s; `is_booked`: whether there are forces of `fill_forces`; `works`
-    (8,): of the ends, the water, drag, bed, friction and line damping on the line; kinetic energy
-    (not written to); what ends, water and drag put in, J.
+    `works` (8,): of the ends, the water, drag, bed, friction and line damping on the line; kinetic
+    energy (not written to); what ends, water and drag put in, J.
     """
+    now, water = room.now, room.water
     x, x_0, R, R_0, rub, rub_0 = now.x, before.x, now.reaction, before.reaction, now.rub, before.rub
     force, force_0, steady = now.force, before.force, lines.node_force
     booked, booked_0 = room.booked, room.booked_before

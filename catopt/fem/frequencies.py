@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from catopt.fem.dynamics import line_at_rest
-from catopt.fem.mesh import LineMesh
+from catopt.fem.mesh import LineMesh, end_nodes
 from catopt.fem.moving import Blend
 from catopt.fem.run_settings import LineProperties
 from catopt.fem.simulation import Simulation
@@ -32,17 +32,20 @@ def line_frequencies(
 
     Parameters
     ----------
-    mesh : LineMesh
-        The line, cut.
     count : int
         How many.
     height, span, horizontal_force, anchor_height, properties, sea
         As for `run_dynamics`.
     """
     simulation = line_at_rest(
-        mesh, height=height, span=span, horizontal_force=horizontal_force,
-        anchor_height=anchor_height, properties=properties, sea=sea,
-    )  # fmt: skip
+        mesh,
+        height=height,
+        span=span,
+        horizontal_force=horizontal_force,
+        anchor_height=anchor_height,
+        properties=properties,
+        sea=sea,
+    )
     return natural_frequencies(simulation, count)
 
 
@@ -63,13 +66,8 @@ def natural_frequencies(simulation: Simulation, count: int = 10) -> Array:
 
     K = _matrix(simulation, Blend(0.0, 0.0, 1.0, 0.0, 0.0))
     M = _matrix(simulation, Blend(0.0, 0.0, 0.0, 0.0, 1.0))
-    size = K.shape[0]
-    squares = eigh(
-        0.5 * (K + K.T),
-        0.5 * (M + M.T),
-        eigvals_only=True,
-        subset_by_index=[0, min(count, size) - 1],
-    )
+    lowest = [0, min(count, K.shape[0]) - 1]
+    squares = eigh(0.5 * (K + K.T), 0.5 * (M + M.T), eigvals_only=True, subset_by_index=lowest)
     frequencies: Array = np.sqrt(np.maximum(squares, 0.0))
     return frequencies
 
@@ -78,17 +76,14 @@ def _matrix(simulation: Simulation, blend: Blend) -> Array:
     """Whole matrix of the unknowns: inner nodes of all lines, then the body's free directions."""
     simulation.assemble(blend)
     blocks, lines, body = simulation.equations, simulation.lines, simulation.body
-    inner = [
-        (int(first) + k + 1, int(last) + k)
-        for k, (first, last) in enumerate(zip(lines.start[:-1], lines.start[1:], strict=True))
-    ]
-    unknowns = 3 * sum(last - first for first, last in inner)
+    firsts, lasts = end_nodes(lines.start)
+    unknowns = 3 * int((lasts - firsts - 1).sum())
     full = np.zeros((unknowns + 3, unknowns + 3))
     body_rows = slice(unknowns, unknowns + 3)
     full[body_rows, body_rows] = np.diag(blend.by_a * body.mass)
     row = 0
-    for first, last in inner:
-        for n in range(first, last):
+    for first, last in zip(firsts, lasts, strict=True):
+        for n in range(first + 1, last):
             here = slice(row, row + 3)
             after = slice(row + 3, row + 6) if n + 1 < last else body_rows
             full[here, here] += blocks.diagonal[n]

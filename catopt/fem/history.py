@@ -158,15 +158,7 @@ class History:
         return float(self.longest_slack[self._bars(line)].max())
 
     def amplification(self, quasi_static_max: float, line: int = 0) -> float:
-        """Largest tension at a fairlead over the largest quasi-static one.
-
-        Parameters
-        ----------
-        quasi_static_max : float
-            Largest tension at rest over the same places of the fairlead, N.
-        line : int
-            Which.
-        """
+        """Largest tension at a fairlead over the largest at rest at the same places of it, N."""
         return self.tension_statistics(line).maximum / quasi_static_max
 
     def _bars(self, line: int) -> slice:

@@ -26,6 +26,7 @@ from catopt.compiled import compiled
 from catopt.errors import NotConvergedError
 from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks
 from catopt.fem.equivalent_drag import equivalent_drag
+from catopt.fem.mesh import bar_nodes
 from catopt.fem.moving import Blend, Equations
 from catopt.fem.simulation import Simulation
 from catopt.model.validity import Findings
@@ -33,6 +34,7 @@ from catopt.waves import Sea
 from catopt.words import Message
 
 Array = npt.NDArray[np.float64]
+Codes = npt.NDArray[np.int64]
 Complex = npt.NDArray[np.complex128]
 
 _CLOSE: Final = 1e-4
@@ -62,103 +64,64 @@ class Blocks(NamedTuple):
 
 
 class Drags(NamedTuple):
-    """Places of drag |r| r: of half bars across and along themselves, and of point loads.
+    """Places of drag |r| r: of half bars across and along themselves, and of point loads."""
 
-    `node` (n,): of each; `coefficient` (n,): 0.5 rho C A, N s2/m2; `onto` (n, 3, 3): the part of
-    the velocity that counts.
-    """
-
-    node: npt.NDArray[np.int64]
-    coefficient: Array
-    onto: Array
+    node: Codes  # (n,)
+    coefficient: Array  # (n,): 0.5 rho C A, N s2/m2
+    onto: Array  # (n, 3, 3): the part of the velocity that counts
 
 
 class Rubs(NamedTuple):
-    """Friction of the bed under the nodes, shape (nodes,): `spring`, N/m, and `most`, mu N, N.
+    """Friction of the bed under the nodes."""
 
-    `along` (2, 3): directions along the bed.
-    """
-
-    spring: Array
-    most: Array
-    along: Array
+    spring: Array  # (nodes,), N/m
+    most: Array  # (nodes,): mu N, N
+    along: Array  # (2, 3): directions along the bed
 
 
-@dataclass(frozen=True, eq=False)
-class LinearModel:
-    """Lines linearised about rest, their last nodes led; made by `linear_model`.
+class LinearModel(NamedTuple):
+    """Lines linearised about rest, their last nodes led; made by `linear_model`."""
 
-    Attributes
-    ----------
-    start : ndarray of int, shape (lines + 1,)
-        First bar of each line.
-    x, stream : ndarray, shape (nodes, 3)
-        Places at rest, m, and the steady velocity of the water there, m/s.
-    stiffness, damping, mass, water_mass : Blocks
-        K, C, M and M_w.
-    drags : Drags
-        Where drag acts.
-    rubs : Rubs
-        Where the bed rubs.
-    axis : ndarray, shape (bars, 3)
-        Directions of the bars.
-    tension, by_stretch, by_rate : ndarray, shape (bars,)
-        Tension at rest, N, and what a stretch (N/m) and its rate (N s/m) add to it.
-    """
-
-    start: npt.NDArray[np.int64]
-    x: Array
-    stream: Array
-    stiffness: Blocks
-    damping: Blocks
-    mass: Blocks
-    water_mass: Blocks
+    start: Codes  # (lines + 1,): first bar of each line
+    x: Array  # (nodes, 3): places at rest, m
+    stream: Array  # (nodes, 3): steady velocity of the water there, m/s
+    stiffness: Blocks  # K
+    damping: Blocks  # C
+    mass: Blocks  # M
+    water_mass: Blocks  # M_w
     drags: Drags
     rubs: Rubs
-    axis: Array
-    tension: Array
-    by_stretch: Array
-    by_rate: Array
+    axis: Array  # (bars, 3): directions
+    tension: Array  # (bars,): at rest, N
+    by_stretch: Array  # (bars,): what a stretch adds to it, N/m
+    by_rate: Array  # (bars,): what its rate adds, N s/m
 
-    @property
-    def ends(self) -> npt.NDArray[np.int64]:
-        """Last node of each line."""
-        return self.start[1:] + np.arange(self.start.size - 1)
+
+class Room(NamedTuple):
+    """What a sea makes of a model, and room for the equations of one wave."""
+
+    equations: Equations
+    spread: Array  # (nodes, 3, 3): covariance of velocities against the water, (m/s)2
+    slip: Array  # (nodes,): mean square speed of what slips on the bed, (m/s)2
+    tension: Complex  # (waves, bars), N
 
 
 @dataclass(frozen=True, eq=False)
 class LinearMotion:
     """What a sea makes of lines by linear motion.
 
-    Attributes
-    ----------
-    mean : ndarray, shape (bars,)
-        Tension at rest, N.
-    omega : ndarray, shape (waves,)
-        Of each wave, rad/s.
-    tension : ndarray of complex, shape (waves, bars)
-        What each wave adds: its real part times exp(-i omega t), N.
-    start : ndarray of int, shape (lines + 1,)
-        First bar of each line.
-    iterations : int
-        Until the drag fits the velocities.
-    change : float
-        Of the fairleads' deviations in the last of them, over the largest.
-
-    Notes
-    -----
     Of a chain in 56 m of water the deviation at the fairlead is within 5 % of the run in time in
     seas of 1 to 4 m (tests/fem/test_linear_motion.py). Where a line lies on a bed with friction it
     is not: friction depends on what came before. The largest tensions are above those of a normal
     distribution with this deviation, by 1 % in small seas to a quarter in steep ones.
     """
 
-    mean: Array
-    omega: Array
-    tension: Complex
-    start: npt.NDArray[np.int64]
-    iterations: int
-    change: float
+    mean: Array  # (bars,): tension at rest, N
+    omega: Array  # (waves,), rad/s
+    tension: Complex  # (waves, bars): what each adds, its real part times exp(-i omega t), N
+    start: Codes  # (lines + 1,): first bar of each line
+    iterations: int  # until the drag fits the velocities
+    change: float  # of the fairleads' deviations in the last of them, over the largest
 
     def moment(self, order: int) -> Array:
         """Spectral moment of each bar's tension, N2 (rad/s)^order, shape (bars,)."""
@@ -212,13 +175,14 @@ def linear_model(simulation: Simulation) -> LinearModel:
     wet = water.wet.mean(axis=1)
     displaced = np.bincount(lines.load_node, lines.load_displaced, at.x.shape[0]).astype(float)
     pushed = still._replace(mass=lines.displaced * wet, node_mass=displaced)
+    K, C, M = (_blocks(simulation, still, by) for by in (_DISPLACEMENT, _VELOCITY, _ACCELERATION))
     return LinearModel(
         lines.start,
         at.x.copy(),
         water.velocity.copy(),
-        _blocks(simulation, still, _DISPLACEMENT),
-        _blocks(simulation, still, _VELOCITY),
-        _blocks(simulation, still, _ACCELERATION),
+        K,
+        C,
+        M,
         _blocks(simulation, pushed, _ACCELERATION),
         _drags(simulation, water.wet),
         _rubs(simulation),
@@ -248,9 +212,7 @@ def _blocks(simulation: Simulation, lines: Any, blend: Blend) -> Blocks:
 
 def _drags(simulation: Simulation, wet: Array) -> Drags:
     lines, axis = simulation.lines, simulation.state.axis
-    count = lines.length.size
-    line = np.repeat(np.arange(lines.start.size - 1), np.diff(lines.start))
-    first = np.arange(count) + line
+    first = bar_nodes(lines.start)
     along = axis[:, :, np.newaxis] * axis[:, np.newaxis, :]
     across = np.eye(3) - along
     half = 0.5 * lines.length[:, np.newaxis] * wet
@@ -276,42 +238,27 @@ def _rubs(simulation: Simulation) -> Rubs:
 
 
 def linear_motion(model: LinearModel, sea: Sea, led: Complex) -> LinearMotion:
-    """Find the standard deviations of all tensions in a sea.
+    """Find the standard deviations of all tensions in a sea with the current of the model.
 
-    Parameters
-    ----------
-    model : LinearModel
-        The lines.
-    sea : Sea
-        Its waves; that of the model has the same current.
-    led : ndarray of complex, shape (lines, waves, 3)
-        Where each wave leads the last node of each line, m (`Harmonic.amplitudes`).
-
-    Raises
-    ------
-    NotConvergedError
-        Where the drag does not come to fit the velocities.
+    `led` (lines, waves, 3): where each wave leads the last node of each line, m
+    (`Harmonic.amplitudes`). Raises NotConvergedError where the drag does not come to fit the
+    velocities.
     """
     waves = sea.waves
     assert waves is not None
     flow = _velocities(model, sea)
     nodes = len(model.x)
-    spread, slip = _covariance(flow), np.zeros(nodes)
-    room = Equations(
-        *np.zeros((3, nodes, 3, 3), dtype=complex), *np.zeros((2, nodes, 3), dtype=complex)
-    )
-    tension = np.zeros((waves.omega.size, model.tension.size), dtype=complex)
+    blocks, rows = np.zeros((3, nodes, 3, 3), complex), np.zeros((2, nodes, 3), complex)
+    equations = Equations(*blocks, *rows)
+    tension = np.zeros((waves.omega.size, model.tension.size), complex)
+    room = Room(equations, _covariance(flow), np.zeros(nodes), tension)
     solve = compiled(respond_linearly, _A_BAR * tension.size)
     fairleads = model.start[1:] - 1
     last, change = np.full(fairleads.size, np.inf), math.inf
     for iteration in range(1, _LIMIT + 1):
-        drag = _drag(model, spread)
-        dashpot = _dashpots(model.rubs, slip)
-        solve(
-            waves.omega, model.start, model.stiffness, model.damping, model.mass,
-            model.water_mass, drag, model.rubs, dashpot, flow, led, model.axis, model.by_stretch,
-            model.by_rate, room, spread, slip, tension,
-        )  # fmt: skip
+        drag = _drag(model, room.spread)
+        dashpot = _dashpots(model.rubs, room.slip)
+        solve(waves.omega, flow, led, model, drag, dashpot, room)
         deviation = np.sqrt(0.5 * (np.abs(tension[:, fairleads]) ** 2).sum(axis=0))
         largest = float(deviation.max())
         change = float(np.abs(deviation - last).max()) / largest if largest > 0.0 else 0.0
@@ -355,34 +302,32 @@ def _drag(model: LinearModel, spread: Array) -> Array:
 
 
 def _dashpots(rubs: Rubs, slip: Array) -> Array:
-    """Dashpot of each node behind its spring, N s/m; infinite where nothing slips.
-
-    `slip` (nodes,): mean square speed of it, (m/s)2.
-    """
+    """Dashpot of each node behind its spring, N s/m; infinite where nothing slips."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(slip > 0.0, rubs.most / np.sqrt(slip), math.inf)
 
 
 def respond_linearly(
-    omega: Any, start: Any, stiffness: Blocks, damping: Blocks, mass: Blocks, water_mass: Blocks,
-    drag: Any, rubs: Rubs, dashpot: Any, flow: Any, led: Any, axis: Any, by_stretch: Any,
-    by_rate: Any, room: Equations, spread: Any, slip: Any, tension: Any,
-) -> None:  # fmt: skip
+    omega: Any, flow: Any, led: Any, model: LinearModel, drag: Any, dashpot: Any, room: Room
+) -> None:
     """Solve for each wave; write tensions, and the squares of velocities against water and bed."""
+    equations, spread, slip, tension = room
+    start, rubs, axis = model.start, model.rubs, model.axis
+    by_stretch, by_rate = model.by_stretch, model.by_rate
     spread[:] = 0.0
     slip[:] = 0.0
-    y = room.rest
+    y = equations.rest
     for w in range(omega.shape[0]):
-        _set_up(omega[w], stiffness, damping, mass, drag, room)
-        _rub(omega[w], rubs, dashpot, room.diagonal)
-        _push(omega[w], start, water_mass, drag, flow[w], room)
+        _set_up(omega[w], model.stiffness, model.damping, model.mass, drag, equations)
+        _rub(omega[w], rubs, dashpot, equations.diagonal)
+        _push(omega[w], start, model.water_mass, drag, flow[w], equations)
         for k in range(start.shape[0] - 1):
             first, last = start[k] + k, start[k + 1] + k
-            eliminate_blocks(room, first + 1, last)
+            eliminate_blocks(equations, first + 1, last)
             for i in range(3):
                 y[last, i] = led[k, w, i]
                 y[first, i] = 0.0
-            back_substitute_blocks(room, first + 1, last)
+            back_substitute_blocks(equations, first + 1, last)
             for e in range(start[k], start[k + 1]):
                 stretch = y[0, 0] * 0.0
                 for i in range(3):

@@ -5,34 +5,34 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
+from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines
 from catopt.fem.moving_bar import add_bars
 from catopt.fem.moving_load import add_loads
+from catopt.fem.sampling import Room
 from catopt.fem.seabed import across_bed, push_and_rub
 
 
 def assemble_moving(
-    lines: MovingLines, body: BodyNode, water: WaterAt, force: Any, now: Moving, before: Moving,
-    blend: Blend, to: Equations,
-) -> tuple[float, int]:  # fmt: skip
-    """Write what is left over at every node, and its derivatives.
+    lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, room: Room
+) -> tuple[float, int]:
+    """Write what is left over at every node, and its derivatives, to `room.equations`.
 
-    `force` (3,): on the body, N; `now`, `before`: at the step's end, whose forces are written, and
-    at its start; `to`: written to: `rest` is what forces exceed inertia by. Returns: worst, node:
-    largest force left over at a node that moves, over the largest tension or what a line weighs;
-    its node, -1 for the body.
+    `now`, `before`: at the step's end, whose forces are written, and at its start. Returns the
+    largest force left over at a node that moves, over the largest tension or what a line weighs,
+    and its node, -1 for the body.
     """
+    to, force = room.equations, room.force
     _clear(lines, now, before, blend, to)
-    add_loads(lines, now, before, water, blend, to)
+    add_loads(lines, now, before, room.water, blend, to)
+    largest = add_bars(lines, now, before, room.water, blend, to)
     x, v, a, old_x, old_a = now.x, now.v, now.a, before.x, before.a
     bed, held, start, ahead = lines.bed_stiffness, lines.held, lines.start, 0.5 * blend.step
     late, early = 1.0 - blend.before_force, blend.before_force
     at = start[1]
     left0 = left1 = left2 = 0.0
-    largest, square, place = 0.0, 0.0, 0
+    square, place = 0.0, 0
     for k in range(start.shape[0] - 1):
         first, last = start[k] + k, start[k + 1] + k
-        largest = max(largest, add_bars(k, lines, now, before, water, blend, to))
         for n in range(first, last + 1):
             falls = ahead * min(across_bed(v, n, lines), 0.0)
             low = min(across_bed(x, n, lines) + falls, across_bed(old_x, n, lines))

@@ -19,16 +19,13 @@ from catopt.fem.moving import Blend, Equations, Moving, MovingLines, WaterAt
 
 
 def add_bars(
-    line: int, lines: MovingLines, now: Moving, before: Moving, water: WaterAt, blend: Blend,
-    to: Equations,
-) -> float:  # fmt: skip
+    lines: MovingLines, now: Moving, before: Moving, water: WaterAt, blend: Blend, to: Equations
+) -> float:
     """Add the bars' forces to `now.force`, their inertia to `to.rest`, derivatives to the blocks.
 
-    All arrays are taken out of their tuples before the loop: numba counts references to those that
-    are taken out within it, which would be most of the time.
-
-    `now`, `before`: state at the step's end, of which force, tension and axis are written, and at
-    its start. Returns: largest force in a bar, N.
+    Writes their tension and axis, too; returns the largest force in one, N. All arrays are taken
+    out of their tuples before the loop: numba counts references to those that are taken out within
+    it, which would be most of the time.
     """
     x, v, force, axis, tension = now.x, now.v, now.force, now.axis, now.tension
     acc, old_axis = to.acceleration, before.axis
@@ -39,12 +36,14 @@ def add_bars(
     drag_normal, drag_tangential = lines.drag_normal, lines.drag_tangential
     drag_by_speed, drag_by_across = lines.drag_by_speed, lines.drag_by_across
     diagonal, upper, lower, rest = to.diagonal, to.upper, to.lower, to.rest
-    start, end, pushes = lines.start[line], lines.start[line + 1], lines.pushes
+    start, line, pushes = lines.start, 0, lines.pushes
     by_x, by_v = blend.by_x, blend.by_v
     by_inertia = blend.by_a + lines.mass_factor * by_v
     beta = lines.stiffness_factor
     largest = 0.0
-    for e in range(start, end):
+    for e in range(length.shape[0]):
+        if e == start[line + 1]:
+            line += 1
         a, b = e + line, e + line + 1
         dx, dy, dz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
         size = math.sqrt(dx * dx + dy * dy + dz * dz)
@@ -135,58 +134,55 @@ def add_bars(
         hbz = f_b * tz + k * (Bz - Vz) - h_b * bz
         m_near, m_far = by_inertia * near, by_inertia * far
         i_a, i_b, i_far = et_a + m_near * more, et_b + m_near * more, m_far * more
-        _add_block(diagonal, a, q - d_a + en_a + m_near * own, tx, ty, tz,
-                   gx - hax + i_a * tx + ec_a * ax, gy - hay + i_a * ty + ec_a * ay,
-                   gz - haz + i_a * tz + ec_a * az, o_a + eo_a, ax, ay, az)  # fmt: skip
-        _add_block(diagonal, b, q + d_b + en_b + m_near * own, tx, ty, tz,
-                   gx + hbx + i_b * tx + ec_b * bx, gy + hby + i_b * ty + ec_b * by,
-                   gz + hbz + i_b * tz + ec_b * bz, eo_b - o_b, bx, by, bz)  # fmt: skip
-        _set_block(upper, a, d_a - q + m_far * own, tx, ty, tz, hax - gx + i_far * tx,
-                   hay - gy + i_far * ty, haz - gz + i_far * tz, -o_a, ax, ay, az)  # fmt: skip
-        _set_block(lower, b, m_far * own - q - d_b, tx, ty, tz, i_far * tx - gx - hbx,
-                   i_far * ty - gy - hby, i_far * tz - gz - hbz, o_b, bx, by, bz)  # fmt: skip
+        t, side_a, side_b = (tx, ty, tz), (ax, ay, az), (bx, by, bz)
+        hx = gx - hax + i_a * tx + ec_a * ax
+        hy = gy - hay + i_a * ty + ec_a * ay
+        hz = gz - haz + i_a * tz + ec_a * az
+        c = q - d_a + en_a + m_near * own
+        _add_block(diagonal, a, c, t, (hx, hy, hz), o_a + eo_a, side_a)
+        hx = gx + hbx + i_b * tx + ec_b * bx
+        hy = gy + hby + i_b * ty + ec_b * by
+        hz = gz + hbz + i_b * tz + ec_b * bz
+        c = q + d_b + en_b + m_near * own
+        _add_block(diagonal, b, c, t, (hx, hy, hz), eo_b - o_b, side_b)
+        h = (hax - gx + i_far * tx, hay - gy + i_far * ty, haz - gz + i_far * tz)
+        _set_block(upper, a, d_a - q + m_far * own, t, h, -o_a, side_a)
+        h = (i_far * tx - gx - hbx, i_far * ty - gy - hby, i_far * tz - gz - hbz)
+        _set_block(lower, b, m_far * own - q - d_b, t, h, o_b, side_b)
         if beta > 0.0 and elastic > 0.0:
-            t, Pw = (tx, ty, tz), (wx - along * tx, wy - along * ty, wz - along * tz)
-            _add_turning_damping(
-                a, beta * elastic, beta * rigidity, size, along, t, Pw, now, blend, to
-            )
+            N, K = beta * elastic * over, beta * rigidity * over
+            _add_turning_damping(a, N, K, over, t, (wx, wy, wz), now, blend, to)
     return largest
 
 
 @inlined
-def _add_block(
-    to: Any, n: int, c: float, tx: float, ty: float, tz: float, hx: float, hy: float, hz: float,
-    o: float, nx: float, ny: float, nz: float,
-) -> None:  # fmt: skip
-    """Add c + t h' + o n n' to a block."""
-    ox, oy, oz = o * nx, o * ny, o * nz
-    to[n, 0, 0] += c + tx * hx + ox * nx
-    to[n, 0, 1] += tx * hy + ox * ny
-    to[n, 0, 2] += tx * hz + ox * nz
-    to[n, 1, 0] += ty * hx + oy * nx
-    to[n, 1, 1] += c + ty * hy + oy * ny
-    to[n, 1, 2] += ty * hz + oy * nz
-    to[n, 2, 0] += tz * hx + oz * nx
-    to[n, 2, 1] += tz * hy + oz * ny
-    to[n, 2, 2] += c + tz * hz + oz * nz
+def _add_block(to: Any, n: int, c: float, t: Any, h: Any, o: float, across: Any) -> None:
+    """Add c + t h' + o n n' to a block, n being the flow across the bar."""
+    ox, oy, oz = o * across[0], o * across[1], o * across[2]
+    to[n, 0, 0] += c + t[0] * h[0] + ox * across[0]
+    to[n, 0, 1] += t[0] * h[1] + ox * across[1]
+    to[n, 0, 2] += t[0] * h[2] + ox * across[2]
+    to[n, 1, 0] += t[1] * h[0] + oy * across[0]
+    to[n, 1, 1] += c + t[1] * h[1] + oy * across[1]
+    to[n, 1, 2] += t[1] * h[2] + oy * across[2]
+    to[n, 2, 0] += t[2] * h[0] + oz * across[0]
+    to[n, 2, 1] += t[2] * h[1] + oz * across[1]
+    to[n, 2, 2] += c + t[2] * h[2] + oz * across[2]
 
 
 @inlined
-def _set_block(
-    to: Any, n: int, c: float, tx: float, ty: float, tz: float, hx: float, hy: float, hz: float,
-    o: float, nx: float, ny: float, nz: float,
-) -> None:  # fmt: skip
+def _set_block(to: Any, n: int, c: float, t: Any, h: Any, o: float, across: Any) -> None:
     """Set a block to c + t h' + o n n'."""
-    ox, oy, oz = o * nx, o * ny, o * nz
-    to[n, 0, 0] = c + tx * hx + ox * nx
-    to[n, 0, 1] = tx * hy + ox * ny
-    to[n, 0, 2] = tx * hz + ox * nz
-    to[n, 1, 0] = ty * hx + oy * nx
-    to[n, 1, 1] = c + ty * hy + oy * ny
-    to[n, 1, 2] = ty * hz + oy * nz
-    to[n, 2, 0] = tz * hx + oz * nx
-    to[n, 2, 1] = tz * hy + oz * ny
-    to[n, 2, 2] = c + tz * hz + oz * nz
+    ox, oy, oz = o * across[0], o * across[1], o * across[2]
+    to[n, 0, 0] = c + t[0] * h[0] + ox * across[0]
+    to[n, 0, 1] = t[0] * h[1] + ox * across[1]
+    to[n, 0, 2] = t[0] * h[2] + ox * across[2]
+    to[n, 1, 0] = t[1] * h[0] + oy * across[0]
+    to[n, 1, 1] = c + t[1] * h[1] + oy * across[1]
+    to[n, 1, 2] = t[1] * h[2] + oy * across[2]
+    to[n, 2, 0] = t[2] * h[0] + oz * across[0]
+    to[n, 2, 1] = t[2] * h[1] + oz * across[1]
+    to[n, 2, 2] = c + t[2] * h[2] + oz * across[2]
 
 
 @inlined
@@ -202,23 +198,32 @@ def _blended_axis(
 
 
 def _add_turning_damping(
-    a: int, force: float, rigidity: float, size: float, along: float, t: Any, Pw: Any, now: Moving,
-    blend: Blend, to: Equations,
-) -> None:  # fmt: skip
-    """Add Rayleigh's damping of the turning bar, beta N_e P w / l, with its derivatives."""
+    a: int,
+    N: float,
+    K: float,
+    over: float,
+    t: Any,
+    w: Any,
+    now: Moving,
+    blend: Blend,
+    to: Equations,
+) -> None:
+    """Add Rayleigh's damping of the turning bar, beta N_e P w / l, with its derivatives.
+
+    `N`, `K`: beta N_e/l and its derivative by the bar's length; `over`: 1/l.
+    """
     b = a + 1
-    over = 1.0 / size
+    along = w[0] * t[0] + w[1] * t[1] + w[2] * t[2]
+    Pw = (w[0] - along * t[0], w[1] - along * t[1], w[2] - along * t[2])
     for i in range(3):
-        F = force * over * Pw[i]
+        F = N * Pw[i]
         now.force[a, i] += F
         now.force[b, i] -= F
         for j in range(3):
             P = (1.0 if i == j else 0.0) - t[i] * t[j]
-            by_w = force * over * P
-            by_d = rigidity * over * Pw[i] * t[j] - force * over * over * (
-                along * P + t[i] * Pw[j] + Pw[i] * t[j]
-            )
-            S = blend.by_x * by_d + blend.by_v * by_w
+            turned = N * over * (along * P + t[i] * Pw[j] + Pw[i] * t[j])
+            by_d = K * Pw[i] * t[j] - turned
+            S = blend.by_x * by_d + blend.by_v * (N * P)
             to.diagonal[a, i, j] += S
             to.diagonal[b, i, j] += S
             to.upper[a, i, j] -= S
@@ -228,10 +233,7 @@ def _add_turning_damping(
 def inertia_of_half(
     e: int, node: int, other: int, lines: MovingLines, at: Moving, a: Any, water: WaterAt
 ) -> tuple[float, float, float]:
-    """Inertia of a bar at one of its nodes, N.
-
-    `a` (nodes, 3): accelerations, m/s2.
-    """
+    """Inertia of a bar at one of its nodes, N; `a` (nodes, 3): accelerations, m/s2."""
     l0 = lines.length[e]
     near, far, alpha = l0 * lines.near, l0 * lines.far, lines.mass_factor
     part = 0.5 * (water.wet[e, 0] + water.wet[e, 1])

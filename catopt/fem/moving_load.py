@@ -21,10 +21,7 @@ from catopt.fem.moving import Blend, Equations, Moving, MovingLines, WaterAt
 
 @inlined
 def immersion(below: float, radius: float) -> tuple[float, float]:
-    """Part of a sphere that is under water, and how it grows with the depth, 1/m.
-
-    `below`: depth of its middle below the surface, m.
-    """
+    """Part of a sphere that is under water, its middle `below` the surface; its growth, 1/m."""
     s = 0.5 * below / radius + 0.5
     if s >= 1.0:
         return 1.0, 0.0
@@ -36,11 +33,7 @@ def immersion(below: float, radius: float) -> tuple[float, float]:
 def add_loads(
     lines: MovingLines, now: Moving, before: Moving, water: WaterAt, blend: Blend, to: Equations
 ) -> None:
-    """Add the water's forces on point loads to `now.force` and `to.rest`, with their derivatives.
-
-    `now`, `before`: state at the step's end, of which force is written, and at its start; `to`: of
-    which rest holds the inertia and acceleration what inertia acts by.
-    """
+    """Add the water's forces on point loads to `now.force` and `to`, with their derivatives."""
     force, rest, acc, diagonal = now.force, to.rest, to.acceleration, to.diagonal
     flow, u, v = water.velocity, water.acceleration, now.v
     by_inertia = blend.by_a + lines.mass_factor * blend.by_v
@@ -72,11 +65,7 @@ def add_loads(
 def book_loads(
     lines: MovingLines, at: Moving, water: WaterAt, out: Any, pressed: Any, damped: Any
 ) -> None:
-    """Add the forces on point loads whose work is booked, N.
-
-    `out`, `pressed`, `damped` (nodes, 3): added to: lift that is lost out of the water; pressure of
-    the waves with the added mass; Rayleigh's damping of the added mass.
-    """
+    """Add the forces on point loads whose work is booked, N, as `energy_balance.fill_forces`."""
     for k in range(lines.load_node.shape[0]):
         n, added = lines.load_node[k], lines.load_added[k]
         part, _ = immersion(water.surface[n] - at.x[n, 2], lines.load_radius[k])
@@ -87,10 +76,7 @@ def book_loads(
 
 
 def load_works(lines: MovingLines, before: Moving, now: Moving, surface: Any) -> float:
-    """Work that point loads do on their added mass in a step, J.
-
-    `surface` (nodes,): height up to which there is water, m.
-    """
+    """Work that point loads do on their added mass in a step, J; `surface`: of the water, m."""
     work = 0.0
     for k in range(lines.load_node.shape[0]):
         n, radius = lines.load_node[k], lines.load_radius[k]

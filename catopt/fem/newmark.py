@@ -22,10 +22,11 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from catopt.fem.block_tridiagonal import back_substitute_blocks, eliminate_blocks, invert_3
-from catopt.fem.moving import Blend, BodyNode, Equations, Moving, MovingLines, WaterAt
+from catopt.fem.moving import Blend, BodyNode, Moving, MovingLines
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.rows import copy_rows
-from catopt.fem.series import SeriesRows, fill_series
+from catopt.fem.sampling import Room, Setting
+from catopt.fem.series import fill_series
 from catopt.model.validity import Findings
 
 _LEAST: Final = 1.0 / 32.0
@@ -84,19 +85,15 @@ class Scheme:
         return cls(m, f, 0.25 * (1.0 - m + f) ** 2, 0.5 - m + f)
 
 
-def predict(
-    t: float, h: float, scheme: Any, lines: MovingLines, body: BodyNode, led: SeriesRows,
-    before: Moving, now: Moving, change: Any, room: Any,
-) -> None:  # fmt: skip
-    """Set the state at the step's end as if accelerations went on; led ends to where they are led.
+def predict(t: float, h: float, setting: Setting, before: Moving, room: Room) -> None:
+    """Set the state at the end of a step of h from t, s, as if accelerations went on.
 
-    `t`, `h`: start and length of the step, s; `lines`, `body`, `led`: what moves, and where to;
-    `before`, `now`: at the step's start; written to; `change` (nodes, 3): of the accelerations over
-    the step, as it is expected, m/s2; `room` (2, 3, 3): work space.
+    They change as `room.change` expects; led ends go to where they are led.
     """
-    shift = (scheme[0] - scheme[1]) * h
-    beta, gamma = scheme[2], scheme[3]
-    x, v, a, free = now.x, now.v, now.a, body.free
+    rules, lines, led, free = setting.rules, setting.lines, setting.led, setting.body.free
+    shift = (rules.alpha_m - rules.alpha_f) * h
+    beta, gamma = rules.beta, rules.gamma
+    x, v, a, small, change = room.now.x, room.now.v, room.now.a, room.small, room.change
     x_0, v_0, a_0 = before.x, before.v, before.a
     for n in range(x.shape[0]):
         for i in range(3):
@@ -107,32 +104,32 @@ def predict(
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
         if not lines.lower_free[k]:
-            _lead_first(k, first, t + h, shift, lines, led, before, now, room)
+            _lead_first(k, first, t + h, shift, setting, before, room)
         if free[0] * free[1] * free[2] == 0.0:
-            fill_series(t + h, led, k, room[0])
+            fill_series(t + h, led, k, small[0])
             if shift != 0.0:
-                fill_series(t + h + shift, led, k, room[1])
+                fill_series(t + h + shift, led, k, small[1])
             else:
-                copy_rows(room[0], room[1])
+                copy_rows(small[0], small[1])
             for i in range(3):
                 if free[i] == 0.0:
-                    x[last, i] = room[0, 0, i]
-                    v[last, i] = room[0, 1, i]
-                    a[last, i] = room[1, 2, i]
+                    x[last, i] = small[0, 0, i]
+                    v[last, i] = small[0, 1, i]
+                    a[last, i] = small[1, 2, i]
 
 
 def _lead_first(
-    k: int, first: int, t: float, shift: float, lines: MovingLines, led: SeriesRows,
-    before: Moving, now: Moving, room: Any,
-) -> None:  # fmt: skip
+    k: int, first: int, t: float, shift: float, setting: Setting, before: Moving, room: Room
+) -> None:
     """Put the first node of line k where it is led, or leave it where it is held."""
-    row = lines.start.shape[0] - 1 + k
+    led, now, small = setting.led, room.now, room.small
+    row = setting.lines.start.shape[0] - 1 + k
     if row < led.base.shape[0]:
-        fill_series(t, led, row, room[0])
-        fill_series(t + shift, led, row, room[1])
+        fill_series(t, led, row, small[0])
+        fill_series(t + shift, led, row, small[1])
         for i in range(3):
-            now.x[first, i], now.v[first, i] = room[0, 0, i], room[0, 1, i]
-            now.a[first, i] = room[1, 2, i]
+            now.x[first, i], now.v[first, i] = small[0, 0, i], small[0, 1, i]
+            now.a[first, i] = small[1, 2, i]
     else:
         for i in range(3):
             now.x[first, i] = before.x[first, i]
@@ -140,17 +137,12 @@ def _lead_first(
 
 
 def solve_moving(
-    lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, to: Equations,
-    room: Any,
-) -> bool:  # fmt: skip
-    """Turn the equations into displacements, in `to.rest`; False when they have no solution.
-
-    `room` (2, 3, 3): work space: the body's matrix, and its right hand side in the first row of the
-    second.
-    """
+    lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, room: Room
+) -> bool:
+    """Turn the equations into displacements, in their `rest`; False when they have no solution."""
+    to, matrix, pull = room.equations, room.small[0], room.small[1, 0]
     moves = body.free[0] + body.free[1] + body.free[2] > 0.0
-    matrix, pull = room[0], room[1, 0]
-    _start_body(lines, body, now, before, blend, matrix, pull)
+    _start_body(lines.start[1], body, now, before, blend, matrix, pull)
     regular = True
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
@@ -161,7 +153,7 @@ def solve_moving(
                 matrix[i, j] += to.diagonal[last, i, j]
     if moves:
         _hold_body(body, matrix, pull)
-        regular = invert_3(room, 0) and regular
+        regular = invert_3(room.small, 0) and regular
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k + (not lines.lower_free[k]), lines.start[k + 1] + k
         for i in range(3):
@@ -174,11 +166,10 @@ def solve_moving(
 
 
 def _start_body(
-    lines: MovingLines, body: BodyNode, now: Moving, before: Moving, blend: Blend, matrix: Any,
-    pull: Any,
-) -> None:  # fmt: skip
-    """Write the body's own equations, before what the lines hand over."""
-    at, early_f, early_m = lines.start[1], blend.before_force, blend.before_inertia
+    at: int, body: BodyNode, now: Moving, before: Moving, blend: Blend, matrix: Any, pull: Any
+) -> None:
+    """Write the body's own equations, before what the lines hand over; node `at` moves with it."""
+    early_f, early_m = blend.before_force, blend.before_inertia
     for i in range(3):
         acc = (1.0 - early_m) * now.a[at, i] + early_m * before.a[at, i]
         pull[i] = (1.0 - early_f) * now.body_force[i] + early_f * before.body_force[i]
@@ -199,33 +190,29 @@ def _hold_body(body: BodyNode, matrix: Any, pull: Any) -> None:
 
 
 def close_step(
-    h: float, scheme: Any, limit: int, tolerance: float, lines: MovingLines, body: BodyNode,
-    water: WaterAt, force: Any, before: Moving, now: Moving, to: Equations, room: Any,
-) -> tuple[bool, int, float, int]:  # fmt: skip
-    """Iterate until the forces balance at every node.
+    h: float, setting: Setting, before: Moving, room: Room
+) -> tuple[bool, int, float, int]:
+    """Iterate on what `predict` left until the forces balance at every node.
 
-    `h`: length of the step, s; `limit`: iterations, at most; `tolerance`: largest force left over
-    at a node, over the largest tension; `force` (3,): on the body at the step's end, N; `before`,
-    `now`: at the step's start; as `predict` left it, and then at the step's end; `to`, `room`: work
-    space, as for `solve_moving`. Returns: closed, iterations, worst, node: whether they balance,
-    how many equations were solved, and the largest force left over, over the largest tension, with
-    its node (-1: the body).
+    Returns whether they do, how many equations were solved, and the largest force left over, over
+    the largest tension or what a line weighs, with its node (-1: the body).
     """
-    alpha_m, alpha_f, beta, gamma = scheme
+    rules, lines, body, now = setting.rules, setting.lines, setting.body, room.now
+    alpha_m, alpha_f, beta, gamma = rules.alpha_m, rules.alpha_f, rules.beta, rules.gamma
     by_v, by_a = gamma / (beta * h), 1.0 / (beta * h * h)
     late = 1.0 - alpha_f
     blend = Blend(alpha_f, alpha_m, late, late * by_v, (1.0 - alpha_m) * by_a, h)
-    x, v, a, rest, start = now.x, now.v, now.a, to.rest, lines.start
+    x, v, a, rest, start = now.x, now.v, now.a, room.equations.rest, lines.start
     worst, node, part = math.inf, 0, 1.0
-    for iteration in range(limit + 1):
+    for iteration in range(rules.limit + 1):
         last = worst
-        worst, node = assemble_moving(lines, body, water, force, now, before, blend, to)
+        worst, node = assemble_moving(lines, body, now, before, blend, room)
         # One solution at least: a guess that is good enough once feeds on itself over many steps.
-        if worst <= tolerance and iteration > 0:
+        if worst <= rules.tolerance and iteration > 0:
             return True, iteration, worst, node
-        if iteration == limit or not worst < 1e3 * max(last, 1.0):
+        if iteration == rules.limit or not worst < 1e3 * max(last, 1.0):
             break
-        if not solve_moving(lines, body, now, before, blend, to, room):
+        if not solve_moving(lines, body, now, before, blend, room):
             break
         # Bars that go taut and slack by turns, or nodes on and off the bed, settle in between.
         part = min(2.0 * part, 1.0) if worst < last else max(0.5 * part, _LEAST)
@@ -236,4 +223,4 @@ def close_step(
                     x[n, i] += move
                     v[n, i] += by_v * move
                     a[n, i] += by_a * move
-    return False, limit, worst, node
+    return False, rules.limit, worst, node

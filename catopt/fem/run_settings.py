@@ -12,8 +12,47 @@ from catopt.fem.dynamic_model import Fluid, MassMatrix
 from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
 from catopt.fem.seabed import Seabed
-from catopt.fem.step_controls import StepControls
 from catopt.model.validity import Findings
+
+
+@dataclass(frozen=True)
+class StepControls:
+    """When a step is closed, and what is done when it does not close.
+
+    Attributes
+    ----------
+    tolerance : float
+        Largest force left over at a node, over the largest tension or what a line weighs.
+    max_iterations : int
+        Newton iterations before a step is halved.
+    max_halvings : int
+        Times that a step may be halved before the run stops.
+    surprise : float
+        Difference of a bar's tension from what it was heading for in the last step beyond which a
+        step is halved, over the largest tension of the run so far or what a line weighs.
+    max_refinements : int
+        Times that a step may be halved for that. A step as short as that is taken as it is.
+    max_ringing : float
+        Part of the strain energy, over time, that such differences may hold. Beyond it the run
+        stops: what it shows is ringing that its steps do not resolve.
+    """
+
+    tolerance: float = 1e-6
+    max_iterations: int = 30
+    max_halvings: int = 10
+    surprise: float = 0.05
+    max_refinements: int = 10
+    max_ringing: float = 0.2
+
+    def __post_init__(self) -> None:
+        found = Findings("StepControls")
+        found.number("tolerance", self.tolerance, "", above=0.0)
+        found.number("max_iterations", self.max_iterations, "", at_least=1.0)
+        found.number("max_halvings", self.max_halvings, "", at_least=0.0)
+        found.number("surprise", self.surprise, "", above=0.0)
+        found.number("max_refinements", self.max_refinements, "", at_least=0.0)
+        found.number("max_ringing", self.max_ringing, "", at_least=0.0, infinite=True)
+        found.raise_if_any()
 
 
 @dataclass(frozen=True)
@@ -57,10 +96,8 @@ class TimeStepping:
         found.number("duration", self.duration, "s", above=0.0)
         found.number("step", self.step, "s", above=0.0)
         found.number("ramp_time", self.ramp_time, "s", at_least=0.0)
-        if self.since is not None:
-            found.number("since", self.since, "s", at_least=0.0)
-        if self.output_interval is not None:
-            found.number("output_interval", self.output_interval, "s", above=0.0)
+        found.numbers(self, "s", "since", at_least=0.0)
+        found.numbers(self, "s", "output_interval", above=0.0)
         found.raise_if_any()
         if self.step > self.duration:
             found.add("step", f"{self.step:g} s", f"longer than the run of {self.duration:g} s")

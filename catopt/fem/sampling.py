@@ -11,141 +11,90 @@ import numpy.typing as npt
 from catopt.fem.moving import BodyNode, Equations, Moving, MovingLines, WaterAt
 from catopt.fem.moving_bar import inertia_of_half
 from catopt.fem.moving_load import immersion
+from catopt.fem.rows import copy_values
 from catopt.fem.seabed import across_bed
 from catopt.fem.series import SeriesRows, fill_series
+from catopt.waves.kinematics import Flow
 
 Array = npt.NDArray[np.float64]
+Codes = npt.NDArray[np.int64]
 
 
 class Rules(NamedTuple):
-    """How to step.
+    """How to step."""
 
-    Attributes
-    ----------
-    alpha_m, alpha_f, beta, gamma : float
-        Of `newmark.Scheme`.
-    step : float
-        s.
-    every : int
-        Steps from one sample to the next.
-    limit : int
-        Newton iterations of a step before it is halved.
-    halvings : int
-        Times that a step may be halved.
-    refinements : int
-        Times that it is halved at most because a tension surprises.
-    surprise : float
-        Difference of a tension from what it was heading for beyond which that is done, over the
-        largest tension of the run so far or what a line weighs.
-    tolerance : float
-        Largest force left over at a node, over the largest tension or what a line weighs.
-    since : float
-        Time from which envelopes and slack times are taken, s.
-    """
-
-    alpha_m: float
+    alpha_m: float  # of `newmark.Scheme`
     alpha_f: float
     beta: float
     gamma: float
-    step: float
-    every: int
-    limit: int
-    halvings: int
-    refinements: int
-    surprise: float
-    tolerance: float
-    since: float
+    step: float  # s
+    every: int  # steps from one sample to the next
+    limit: int  # Newton iterations of a step before it is halved
+    halvings: int  # times that a step may be halved
+    refinements: int  # times that it is halved at most because a tension surprises
+    surprise: float  # difference of a tension from what it was heading for beyond which that is
+    # done, over the largest tension of the run so far or what a line weighs
+    tolerance: float  # largest force left over at a node, over the same
+    since: float  # time from which envelopes and slack times are taken, s
+
+
+class Setting(NamedTuple):
+    """What steps in time are taken of: none of it changes meanwhile."""
+
+    rules: Rules
+    lines: MovingLines
+    body: BodyNode
+    led: SeriesRows  # where the ends are led
+    load: SeriesRows  # force on the body, of one end
+    flow: Flow
+    has_sea: bool
 
 
 class Record(NamedTuple):
-    """What is kept of a run; the first axis of the first eight counts samples.
+    """What is kept of a run; the first axis of the first eight counts samples."""
 
-    Attributes
-    ----------
-    time : array, shape (samples,)
-        s.
-    end_force : array, shape (samples, lines, 2, 3)
-        Force of each line on what holds its anchor (0) and its fairlead (1), N.
-    end_tension : array, shape (samples, lines, 2)
-        Of the first and the last bar, N.
-    fairlead : array, shape (samples, lines, 3)
-        Place of each line's last node, m.
-    grounded : array, shape (samples, lines)
-        Unstretched length that nodes on the bed carry, m.
-    place : array, shape (samples, chosen nodes, 3)
-        m.
-    energy : array, shape (samples or 0, 4)
-        Kinetic, of strain, of weight, of the bed, J.
-    tension : array, shape (samples or 0, bars)
-        N.
-    chosen : array of int, shape (chosen nodes,)
-        Which.
-    highest, lowest : array, shape (bars,)
-        Tension, N.
-    slack_time, longest_slack, slack_now : array, shape (bars,)
-        s without tension: in all, at a stretch, and at the stretch that goes on.
-    end_highest, end_time : array, shape (lines, 2)
-        Largest size of the forces at the ends, N, and when, s, of every step.
-    works : array, shape (8,)
-        As `energy_balance.add_works` adds them, of every step, J.
-    rest : array, shape (nodes, 3)
-        Places from which the energies of strain, weight and bed count, m.
-    """
-
-    time: Array
-    end_force: Array
-    end_tension: Array
-    fairlead: Array
-    grounded: Array
-    place: Array
-    energy: Array
-    tension: Array
-    chosen: npt.NDArray[np.int64]
-    highest: Array
-    lowest: Array
-    slack_time: Array
-    longest_slack: Array
-    slack_now: Array
-    end_highest: Array
-    end_time: Array
-    works: Array
-    rest: Array
+    time: Array  # (samples,), s
+    end_force: Array  # (samples, lines, 2, 3): on what holds anchor (0) and fairlead (1), N
+    bar_tension: Array  # (samples, lines, 2): of the first and the last bar, N
+    fairlead: Array  # (samples, lines, 3): place of the last node, m
+    grounded_length: Array  # (samples, lines): unstretched, of nodes on the bed, m
+    nodes: Array  # (samples, chosen nodes, 3): places, m
+    energy: Array  # (samples or 0, 4): kinetic, of strain, of weight, of the bed, J
+    tension: Array  # (samples or 0, bars), N
+    chosen: Codes  # (chosen nodes,)
+    max_tension: Array  # (bars,), of every step, N
+    min_tension: Array
+    slack_time: Array  # (bars,): without tension in all, s
+    longest_slack: Array  # at a stretch
+    slack_now: Array  # at the stretch that goes on
+    max_end_force: Array  # (lines, 2): largest size of the forces at the ends, of every step, N
+    time_of_max_end_force: Array  # s
+    works: Array  # (8,): as `energy_balance.add_works` adds them, of every step, J
+    at_rest: Array  # (nodes, 3): places from which energies of strain, weight and bed count, m
 
 
 class Room(NamedTuple):
-    """Work space: the state and the water at a step's end, equations, small matrices, a force.
+    """Work space of a step."""
 
-    `slope` is the rate of each bar's tension in the last step, N/s, `highest` the largest of all,
-    and `change` that of the accelerations, m/s2;
-    `booked` and `booked_before` are the forces whose work is booked, shape (4, nodes, 3), N, `ends`
-    and `ends_before` those at the ends, shape (lines, 2, 3), at a step's end and at its start, and
-    `wet_before` what is in the water at its start.
-    """
-
-    now: Moving
+    now: Moving  # at its end
     water: WaterAt
-    water_before: Array
+    water_before: Array  # (nodes, 3): acceleration of the water at its start, m/s2
     equations: Equations
-    small: Array
-    force: Array
-    slope: Array
-    highest: Array
-    change: Array
-    booked: Array
-    booked_before: Array
-    ends: Array
+    small: Array  # (2, 3, 3)
+    force: Array  # (3,): on the body at its end, N
+    slope: Array  # (bars,): rate of the tensions in the last step, N/s
+    highest: Array  # (1,): largest tension of all, N
+    change: Array  # (nodes, 3): of the accelerations, m/s2
+    booked: Array  # (4, nodes, 3): forces whose work is booked, N
+    booked_before: Array  # at its start
+    ends: Array  # (lines, 2, 3): forces at the ends, N
     ends_before: Array
-    wet_before: Array
+    wet_before: Array  # (bars, 2): `WaterAt.wet` at its start
 
 
-def take_sample(
-    sample: int, rules: Rules, lines: MovingLines, led: SeriesRows, body: BodyNode, at: Moving,
-    room: Room, record: Record,
-) -> None:  # fmt: skip
-    """Write a sample.
-
-    `room`: accelerations at its time are in `room.equations.acceleration`; `record`: written to.
-    """
+def take_sample(sample: int, setting: Setting, at: Moving, room: Room, record: Record) -> None:
+    """Write a sample; accelerations at its time are in `room.equations.acceleration`."""
+    rules, lines, led = setting.rules, setting.lines, setting.led
     t = sample * rules.every * rules.step
     record.time[sample] = t
     a = room.equations.acceleration
@@ -158,34 +107,25 @@ def take_sample(
                 a[first, i] = room.small[0, 2, i]
         fill_series(t, led, k, room.small[0])
         for i in range(3):
-            if body.free[i] == 0.0:
+            if setting.body.free[i] == 0.0:
                 a[last, i] = room.small[0, 2, i]
             record.fairlead[sample, k, i] = at.x[last, i]
         bar, bar_last = lines.start[k], lines.start[k + 1] - 1
-        record.end_tension[sample, k, 0] = at.tension[bar]
-        record.end_tension[sample, k, 1] = at.tension[bar_last]
-        record.grounded[sample, k] = length_on_bed(k, lines, at)
+        record.bar_tension[sample, k, 0] = at.tension[bar]
+        record.bar_tension[sample, k, 1] = at.tension[bar_last]
+        record.grounded_length[sample, k] = length_on_bed(k, lines, at)
     fill_end_forces(lines, at, a, room, record.end_force[sample])
     for c in range(record.chosen.shape[0]):
         for i in range(3):
-            record.place[sample, c, i] = at.x[record.chosen[c], i]
-    keep_tensions(sample, at, record)
-    if record.energy.shape[0] > 0:
-        fill_energy(lines, at, room, record.rest, record.energy[sample])
-
-
-def keep_tensions(sample: int, at: Moving, record: Record) -> None:
-    """Write the tension of every bar, N, where they are asked for."""
+            record.nodes[sample, c, i] = at.x[record.chosen[c], i]
     if record.tension.shape[0] > 0:
-        for e in range(record.tension.shape[1]):
-            record.tension[sample, e] = at.tension[e]
+        copy_values(at.tension, record.tension[sample])
+    if record.energy.shape[0] > 0:
+        fill_energy(lines, at, room, record.at_rest, record.energy[sample])
 
 
 def fill_end_forces(lines: MovingLines, at: Moving, a: Any, room: Room, to: Any) -> None:
-    """Write the forces of all lines on what holds their anchors and fairleads, N.
-
-    `a` (nodes, 3): accelerations, m/s2; `to` (lines, 2, 3): written to.
-    """
+    """Write the forces on what holds anchors and fairleads, N, to `to`; `a`: accelerations."""
     for k in range(lines.start.shape[0] - 1):
         first, last = lines.start[k] + k, lines.start[k + 1] + k
         if lines.lower_free[k]:
@@ -220,8 +160,7 @@ def length_on_bed(line: int, lines: MovingLines, at: Moving) -> float:
 def fill_energy(lines: MovingLines, at: Moving, room: Room, rest: Any, energy: Any) -> None:
     """Write kinetic energy and what strain, weight and bed hold more than at rest, J.
 
-    `rest` (nodes, 3): places at rest, m; `energy` (4,): written to. Added mass counts in the
-    kinetic energy.
+    `rest` (nodes, 3): places at rest, m. Added mass counts in the kinetic energy.
     """
     for i in range(4):
         energy[i] = 0.0

@@ -60,16 +60,11 @@ class Seabed:
 
     def __post_init__(self) -> None:
         found = Findings("Seabed")
-        if self.normal_stiffness is not None:
-            found.number("normal_stiffness", self.normal_stiffness, "N/m2", above=0.0)
-        if self.normal_damping is not None:
-            found.number("normal_damping", self.normal_damping, "N s/m2", at_least=0.0)
+        found.numbers(self, "N/m2", "normal_stiffness", above=0.0)
+        found.numbers(self, "N s/m2", "normal_damping", at_least=0.0)
         found.number("friction", self.friction, "", at_least=0.0)
-        if self.tangential_stiffness is not None:
-            found.number("tangential_stiffness", self.tangential_stiffness, "N/m2", above=0.0)
-        if self.initial_friction not in INITIAL_FRICTION:
-            wanted = "one of " + ", ".join(INITIAL_FRICTION)
-            found.add("initial_friction", repr(self.initial_friction), wanted)
+        found.numbers(self, "N/m2", "tangential_stiffness", above=0.0)
+        found.word("initial_friction", self.initial_friction, INITIAL_FRICTION)
         found.number("slope", self.slope, "rad", at_least=-STEEPEST, at_most=STEEPEST)
         found.raise_if_any()
 
@@ -167,12 +162,10 @@ def _add_along(stiff: Any, n: int, lines: MovingLines, xx: float, xy: float, yy:
 
 
 def drag_feet(lines: MovingLines, now: Moving, h: float) -> None:
-    """Bring the feet of the friction springs up to date after a step.
+    """Bring the feet of the friction springs up to date after a step of h, s.
 
     The foot of a slipping node follows so that spring and dashpot together pull with mu R; a node
     that has come down sets its foot where it lies, and one that hangs has none.
-
-    `now`: at the step's end; the feet are written to; `h`: length of the step, s.
     """
     foot: Any = now.foot
     for n in range(foot.shape[0]):

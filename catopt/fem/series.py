@@ -169,25 +169,17 @@ Series = Harmonic | Sampled | Together
 
 
 class SeriesRows(NamedTuple):
-    """Series of one or more ends as the kernels read them.
+    """Series of one or more ends as the kernels read them."""
 
-    `base` (ends, 3): value at rest, before the series has begun; `harmonics` (ends, n, 7): as
-    of `Harmonic.rows`; `times` (m,): of the spline; empty without one; `spline` (ends, m - 1, 3,
-    4): its coefficients; `ramp_time`: s over which it grows as (1 - cos(pi t/T))/2.
-    """
-
-    base: Array
-    harmonics: Array
-    times: Array
-    spline: Array
-    ramp_time: float
+    base: Array  # (ends, 3): value at rest, before the series has begun
+    harmonics: Array  # (ends, n, 7): as of `Harmonic.rows`
+    times: Array  # (m,): of the spline; empty without one
+    spline: Array  # (ends, m - 1, 3, 4): its coefficients
+    ramp_time: float  # s over which it grows as (1 - cos(pi t/T))/2
 
 
 def series_rows(base: Array, series: Sequence[Series | None], ramp_time: float) -> SeriesRows:
-    """Lay out the series of all ends; those sampled must share their times.
-
-    `base` (ends, 3): values at rest; `ramp_time`: s.
-    """
+    """Lay out the series of all ends, (ends, 3) at rest; those sampled must share their times."""
     ends = len(series)
     regular = [s.harmonic if isinstance(s, Together) else s for s in series]
     measured = [s.sampled if isinstance(s, Together) else s for s in series]
@@ -228,10 +220,7 @@ def _fill_values(times: Any, rows: SeriesRows, room: Any, to: Any) -> None:
 
 
 def fill_series(t: float, rows: SeriesRows, end: int, out: Any) -> None:
-    """Write value, rate and second derivative at a time.
-
-    `t`: s; `out` (3, 3): written to: rows of value, first and second derivative along x, y and z.
-    """
+    """Write rows of value, first and second derivative along x, y and z at a time t, s."""
     for i in range(3):
         out[0, i] = out[1, i] = out[2, i] = 0.0
     for n in range(rows.harmonics.shape[1]):

@@ -12,13 +12,15 @@ import math
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
 from catopt.errors import NotConvergedError
-from catopt.fem.moving import MovingLines
 from catopt.fem.seabed import along_bed
 from catopt.fem.simulation import Simulation
 from catopt.model.dynamics import InitialFriction
 from catopt.words import Message
+
+Array = npt.NDArray[np.float64]
 
 _NO_SLIP: Final = 10.0
 """Factor on the friction at which springs slip while they are drawn out."""
@@ -53,16 +55,13 @@ def settle_on_slope(simulation: Simulation, initial_friction: InitialFriction) -
                 break
         else:
             raise NotConvergedError(Message("truss.friction_changes", part=change))
-        _take_over(simulation, lines)
+        # Put the feet of springs as stiff as they are to where they pull as much as the soft ones.
+        at = simulation.state
+        for n in map(int, np.flatnonzero(at.reaction > 0.0)):
+            lies = along_bed(at.x, n, lines), at.x[n, 1]
+            at.foot[n] = lies + at.rub[n] / lines.drag_spring[n]
     simulation.lines = lines
     simulation.slip_feet()
-
-
-def _take_over(simulation: Simulation, lines: MovingLines) -> None:
-    """Put the feet of springs as stiff as they are to where they pull as much as the soft ones."""
-    at = simulation.state
-    for n in map(int, np.flatnonzero(at.reaction > 0.0)):
-        at.foot[n] = (along_bed(at.x, n, lines), at.x[n, 1]) + at.rub[n] / lines.drag_spring[n]
 
 
 def _check_slide(simulation: Simulation) -> None:
@@ -75,10 +74,7 @@ def _check_slide(simulation: Simulation) -> None:
         raise NotConvergedError(Message("truss.slides_down", angle=angle, way=way))
 
 
-def _draw_out(
-    simulation: Simulation, friction: np.ndarray[tuple[int], np.dtype[np.float64]], *,
-    is_pulled: bool,
-) -> float:  # fmt: skip
+def _draw_out(simulation: Simulation, friction: Array, *, is_pulled: bool) -> float:
     """Draw each spring out to its friction; return the largest change, over the largest tension.
 
     From the fairlead down. In a line that was pulled friction acts towards the anchor, and takes no

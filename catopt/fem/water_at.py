@@ -12,11 +12,9 @@ from catopt.waves.kinematics import Flow, fill_kinematics
 def fill_water(
     t: float, x: Any, start: Any, flow: Flow, early: float, before: Any, water: WaterAt
 ) -> None:
-    """Write the water's motion at the nodes at a step's end.
+    """Write the water's motion at a step's end t, s, where the nodes are expected, x, m.
 
-    `t`: time of the step's end, s; `x` (nodes, 3): where the nodes are expected, m; `start` (lines
-    + 1,): first bar of each line; `before` (nodes, 3): acceleration at the step's start, m/s2;
-    `water`: written to.
+    `start`: first bar of each line; `before` (nodes, 3): acceleration at the step's start, m/s2.
     """
     fill_kinematics(t, x, flow, water.velocity, water.latest, water.surface)
     for n in range(x.shape[0]):

@@ -20,10 +20,9 @@ from catopt.fem.damping import LineDamping
 from catopt.fem.dynamic_model import Fluid
 from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import Scheme
-from catopt.fem.run_settings import LineProperties, TimeStepping
+from catopt.fem.run_settings import LineProperties, StepControls, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Sampled, Series
-from catopt.fem.step_controls import StepControls
 from catopt.model import Case, Dynamics, Motion, Segment, WaveState, WaveTrain
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.dynamics import BARS

@@ -15,9 +15,9 @@ from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import Blend, Equations, Moving
 from catopt.fem.moving_assembly import assemble_moving
 from catopt.fem.newmark import Scheme
+from catopt.fem.run_settings import StepControls
 from catopt.fem.seabed import Seabed
 from catopt.fem.simulation import Simulation
-from catopt.fem.step_controls import StepControls
 from catopt.model import Line, Segment
 from tests.fem.strings import plain_simulation
 
@@ -54,10 +54,8 @@ def _shaken(seed: int, friction: float = 0.4, slope: float = 0.0) -> Simulation:
 def _left_over(
     simulation: Simulation, now: Moving, before: Moving, blend: Blend, to: Equations
 ) -> np.ndarray:
-    assemble_moving(
-        simulation.lines, simulation.body, simulation._room.water, np.zeros(3), now, before, blend,
-        to,
-    )  # fmt: skip
+    room = simulation._room
+    assemble_moving(simulation.lines, simulation.body, now, before, blend, room)
     return to.rest.copy()
 
 

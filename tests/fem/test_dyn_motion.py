@@ -16,10 +16,10 @@ from catopt.fem.frequencies import natural_frequencies
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import Blend
 from catopt.fem.newmark import Scheme
+from catopt.fem.run_settings import StepControls
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, series_rows
 from catopt.fem.simulation import Simulation
-from catopt.fem.step_controls import StepControls
 from catopt.model import Line, Segment
 from tests.fem.strings import G, free_body, orders, plain_simulation
 
@@ -120,7 +120,7 @@ def test_second_order_in_the_mesh() -> None:
         simulation = _smooth_line(elements, MOTION)
         record, _ = simulation.run(500, 1, 0.02, controls=TIGHT, nodes=[elements // 2])
         forces.append(record.end_force[:, 0, 1])
-        middles.append(record.place[:, 0])
+        middles.append(record.nodes[:, 0])
     for series in (forces, middles):
         apart = [np.linalg.norm(b - a) for a, b in pairwise(series)]
         # |r| r of the drag is not smooth where the flow turns: the order wanders by a tenth.
@@ -203,7 +203,7 @@ def test_slack_flight_and_snap() -> None:
     simulation.start()
     h = 0.0005
     record, _ = simulation.run(1000, 1, h, controls=TIGHT)
-    tension = record.end_tension[:, 0, 1]
+    tension = record.bar_tension[:, 0, 1]
     assert tension.min() == 0.0
     # On the way up the spring gives back (M g)^2/(2 k) and gravity takes M g stretch: v changes.
     left = math.sqrt(v**2 + M * G**2 * L / EA - 2.0 * G * stretch)
@@ -234,4 +234,4 @@ def test_line_dragged_along_a_rough_bed() -> None:
     expected = np.sqrt(2.0 * mu * w * 1e7 * pulled[part])
     assert part.sum() > 3
     # The spring of friction gives 1 mm before it slips; bars of 2.5 m.
-    assert record.end_tension[part, 0, 1] == pytest.approx(expected, rel=0.1)
+    assert record.bar_tension[part, 0, 1] == pytest.approx(expected, rel=0.1)

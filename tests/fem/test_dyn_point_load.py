@@ -55,7 +55,7 @@ def test_a_sinking_body_comes_to_its_terminal_velocity() -> None:
     record, _ = simulation.run(600, 1, 0.02, nodes=[1])
     final = math.sqrt(2.0 * weight / (RHO * cd * area))
     tau = final * (mass + ca * (mass - weight / G)) / weight
-    sunk = 30.0 - record.place[:, 0, 2]
+    sunk = 30.0 - record.nodes[:, 0, 2]
     expected = final * tau * np.log(np.cosh(record.time / tau))
     # Second order in steps of tau/60.
     assert sunk[1:] == pytest.approx(expected[1:], rel=2e-3, abs=1e-4)
@@ -114,8 +114,8 @@ def test_a_swaying_buoy_on_a_taut_line_is_the_equation_of_one_body() -> None:
         rate, (0.0, 4.0), [*start, 0.0, 0.0], t_eval=record.time, rtol=1e-9, atol=1e-9
     ).y
     # Steps of a fortieth of the faster period along the line: (omega h)^2/12 of phase.
-    assert record.place[:, 0, 0] == pytest.approx(exact[0], abs=2e-3)
-    assert record.place[:, 0, 2] == pytest.approx(exact[1], abs=2e-3)
+    assert record.nodes[:, 0, 0] == pytest.approx(exact[0], abs=2e-3)
+    assert record.nodes[:, 0, 2] == pytest.approx(exact[1], abs=2e-3)
 
 
 @pytest.mark.parametrize("scheme", [Scheme.average_acceleration(), Scheme()])
@@ -140,11 +140,11 @@ def test_a_buoy_that_falls_into_the_water_is_a_sphere(scheme: Scheme) -> None:
     ).y  # fmt: skip
     assert np.ptp(exact[0]) > 1.5
     # Second order in steps of a 250th of the period; added mass that changes is frozen in a step.
-    assert record.place[:, 0, 2] == pytest.approx(exact[0], abs=0.02)
+    assert record.nodes[:, 0, 2] == pytest.approx(exact[0], abs=0.02)
     # It comes to float where the water carries it: a sphere under water by m/(rho V).
     s = np.roots([-2.0, 3.0, 0.0, -mass / (RHO * volume)])
     part = float(s[(s > 0.0) & (s < 1.0)][0])
-    late = record.place[-160:, 0, 2].mean()
+    late = record.nodes[-160:, 0, 2].mean()
     assert late == pytest.approx(DEPTH - (part - 0.5) * 2.0 * radius, abs=0.05)
 
 
@@ -181,9 +181,7 @@ def test_tangent_is_the_derivative(scheme: Scheme) -> None:
         from catopt.fem.moving_assembly import assemble_moving
 
         state.x[1], state.v[1], state.a[1] = x + by, v + by_v * by, a + by_a * by
-        assemble_moving(
-            lines, simulation.body, room.water, np.zeros(3), state, before, blend, room.equations
-        )
+        assemble_moving(lines, simulation.body, state, before, blend, room)
         return np.array(room.equations.rest[1])
 
     left(np.zeros(3))

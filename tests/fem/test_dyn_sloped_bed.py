@@ -160,7 +160,7 @@ def test_a_line_dragged_up_and_let_down_the_slope() -> None:
         assert pull.mean() == pytest.approx(expected, rel=0.01)
         assert pull == pytest.approx(expected, rel=0.04)
     balance = simulation.balance(record)
-    ways = np.abs(np.diff(record.place @ np.array(way), axis=0)).sum(axis=0)
+    ways = np.abs(np.diff(record.nodes @ np.array(way), axis=0)).sum(axis=0)
     carried = np.r_[1.0, np.full(99, 2.0), 1.0]
     taken = friction * W * math.cos(angle) * float(ways @ carried)
     # At each of the five turns nodes go back 1 mm before they slip, of a metre or two.
