@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from catopt.casefile.fields import Measured
+from catopt.model.kinds import Measured
 from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import kind_of
 from catopt.units import as_written

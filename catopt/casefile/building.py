@@ -3,61 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 from catopt.casefile.components import SIZES, FromCatalogue, catalogue_choice
-from catopt.casefile.fatigue_consistency import share_of_year
-from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII, Values
+from catopt.casefile.motion_consistency import share_of_year
+from catopt.casefile.ranges import values_of
 from catopt.casefile.schema import (
-    BodyTable,
     CaseTable,
-    CatalogueTable,
-    ChecksTable,
-    CurrentTable,
-    DesignTable,
-    FatigueTable,
-    LineTable,
-    MotionTable,
+    FatigueSeaStateTable,
     SegmentChoiceTable,
     SegmentTable,
-    WavesTable,
+    Table,
+    entries,
 )
 from catopt.constants import STANDARD_GRAVITY
-from catopt.model import (
-    Anchor,
-    Body,
-    Buoy,
-    Case,
-    CatalogueChoice,
-    Checks,
-    ClumpWeightChoice,
-    CurrentProfile,
-    Design,
-    DesignLoad,
-    Dynamics,
-    Fatigue,
-    FatigueSeaState,
-    Find,
-    Line,
-    Load,
-    LoadCase,
-    Motion,
-    PointLoad,
-    Segment,
-    SegmentChoice,
-    SegmentCurve,
-    Service,
-    SinkerChoice,
-    Site,
-    SwarmSettings,
-    System,
-    WaveState,
-    WaveTrain,
-)
+from catopt.documents import Path
+from catopt.model import Case, Checks, Line, SegmentChoice, Site, System
 from catopt.model.immersion import weight_in_water
+from catopt.model.kinds import File
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component
@@ -66,112 +31,103 @@ if TYPE_CHECKING:
 def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     """Build a case."""
     site = Site(**table.site.given())
-    line = _line(table.line, site, catalogue)
-    fairlead_height = _or_else(table.line.fairlead_height, site.water_depth)
-    anchor_height = _or_else(table.line.anchor_height, 0.0)
+    build = _Builder(catalogue, FilePath(folder).absolute(), site, table)
+    line = Line(
+        [build.part(each, ("line", "segments", k)) for k, each in enumerate(table.line.segments)],
+        [build.part(each) for each in table.line.point_loads or ()],
+    )
+    heights = {
+        "fairlead_height": _or_else(table.line.fairlead_height, site.water_depth),
+        "anchor_height": _or_else(table.line.anchor_height, 0.0),
+    }
     if lift := site.contact_offset:  # a bed higher by it; an end on the bed stays on it
         site = replace(site, water_depth=site.water_depth - lift)
-        fairlead_height = fairlead_height - lift if fairlead_height else 0.0
-        anchor_height = anchor_height - lift if anchor_height else 0.0
-    return Case(
-        site=site,
-        line=line,
-        load=Load(**table.load.given()) if table.load else None,
-        fairlead_height=fairlead_height,
-        anchor_height=anchor_height,
-        checks=_checks(table.checks) if table.checks else Checks(),
-        swarm=SwarmSettings(**table.pso.given()) if table.pso else SwarmSettings(),
-        title=table.title or "",
-        source=table.source or "",
-        find=Find(**table.find.given()) if table.find else None,
-        load_cases=tuple(LoadCase(**state.given()) for state in table.load_cases or ()),
-        service=Service(**table.service.given()) if table.service else None,
-        buoy=Buoy(**table.buoy.given()) if table.buoy else None,
-        anchor=Anchor(**_weighed(table.anchor.given(), site)) if table.anchor else None,
-        catalogue=_catalogue(table.catalogue, folder) if table.catalogue else CatalogueChoice(),
-        design=_design(table.design, table.line, catalogue) if table.design else None,
-        system=(
-            System.around(
-                line,
-                fairlead_height=fairlead_height,
-                anchor_height=anchor_height,
-                seabed_friction=site.seabed_friction,
-                **table.system.given(),
-            )
-            if table.system
-            else None
-        ),
-        waves=_waves(table.waves, folder) if table.waves else None,
-        current=_current(table.current, folder) if table.current else None,
-        motion=_motion(table.motion, folder) if table.motion else None,
-        anchor_motion=(
-            Motion(**_found_from(folder, table.anchor_motion.given(), ("file",)))
-            if table.anchor_motion
-            else None
-        ),
-        body=_body(table.body, folder) if table.body else None,
-        dynamics=Dynamics(**table.dynamics.given()) if table.dynamics else None,
-        fatigue=_fatigue(table.fatigue, folder) if table.fatigue else None,
-    )
+        heights = {key: height - lift if height else 0.0 for key, height in heights.items()}
+    given = {
+        {"pso": "swarm"}.get(key, key): build.value(each, (key,))
+        for key, each in table.given().items()
+        if key not in ("site", "line", "system", "catalogue")
+    }
+    if table.catalogue:
+        given["catalogue"] = catalogue_choice(build.given(table.catalogue), folder)
+    if table.system:
+        around = {"seabed_friction": site.seabed_friction, **heights, **table.system.given()}
+        given["system"] = System.around(line, **around)
+    return Case(**{"load": None, **heights, **given, "site": site, "line": line})
 
 
-def _waves(table: WavesTable, folder: str) -> WaveState:
-    given = _found_from(folder, table.given(), ("elevation_file",))
-    if table.trains is not None:
-        given["trains"] = tuple(WaveTrain(**train.given()) for train in table.trains)
-    return WaveState(**given)
+@dataclass(frozen=True)
+class _Builder:
+    """Makes parts of the model out of tables, with what they take from elsewhere."""
+
+    catalogue: FromCatalogue
+    folder: FilePath
+    site: Site
+    case: CaseTable
+
+    def value(self, value: Any, path: Path) -> Any:
+        """Return a value as the model has it: a table as its part, an array as a tuple."""
+        if isinstance(value, list):
+            return tuple(self.value(each, (*path, k)) for k, each in enumerate(value))
+        return self.part(value, path) if isinstance(value, Table) else value
+
+    def given(self, table: Table, path: Path = ()) -> dict[str, Any]:
+        """Return what a table gives, as the model has it; paths of files count from the folder."""
+        given = {key: self.value(each, (*path, key)) for key, each in table.given().items()}
+        for key in given:
+            if isinstance(entries(type(table))[key].kind, File):
+                given[key] = str(self.folder / given[key])
+        for values in table.choices:
+            own = {key: given.pop(key) for key in values.keys if key in given}
+            given[values.many] = values_of(values, own)
+        return given
+
+    def part(self, table: Table, path: Path = ()) -> Any:
+        """Build what a table holds; of variants of figures, a mapping."""
+        if isinstance(table, SegmentTable):
+            return _segment(table, self.catalogue.segments.get(path))
+        given = self.given(table, path)
+        if isinstance(table, SegmentChoiceTable):
+            return self._segment_choice(given, path)
+        if isinstance(table, FatigueSeaStateTable):
+            given["share"] = share_of_year(given) or 0.0
+            given.pop("time_per_year", None)
+        if table.model is Checks and "code" in given:
+            given["codes"] = (given.pop("code"),)
+        if {"density", "volume"} & set(given) and not table.choices:
+            given = self._weighed(given)
+        return given if table.model is None else table.model(**given)
+
+    def _weighed(self, given: dict[str, Any]) -> dict[str, Any]:
+        """Put the weight in water in the place of a body's density or volume."""
+        density, volume = given.pop("density", None), given.pop("volume", None)
+        water = self.site.water_density
+        if volume is not None:
+            weight = (given["mass"] - water * volume) * STANDARD_GRAVITY
+        else:
+            weight = weight_in_water(given["mass"], density, water)
+        return given | {"submerged_weight": weight}
+
+    def _segment_choice(self, given: dict[str, Any], path: Path) -> SegmentChoice:
+        """Build what a segment may be; what is left out is as the line has it at the same place."""
+        own: Path = ("line", "segments", path[-1])
+        names = self.catalogue.names
+        if not given["lengths"]:
+            given["lengths"] = (self.case.line.segments[int(path[-1])].given()["length"],)
+        single, several = given.pop("component", None), given.pop("components", None)
+        components: tuple[str, ...] = ()
+        if several is not None:
+            components = tuple(names[*path, "components", k] for k in range(len(several)))
+        elif single is not None:
+            components = (names[*path, "component"],)
+        elif any(key in given for key in SIZES):  # of the component of the line
+            components = (names[*own, "component"],)
+        one, many = given.pop("diameter", None), given.pop("diameters", ())
+        diameters = tuple(sorted(many)) if one is None else (one,)
+        return SegmentChoice(**given, components=components, diameters=diameters)
 
 
-def _current(table: CurrentTable, folder: str) -> CurrentProfile:
-    given = table.given()
-    arrays = [key for key in ("depths", "speeds", "directions") if key in given]
-    given |= {key: tuple(given[key]) for key in arrays}
-    return CurrentProfile(**_found_from(folder, given, ("series_file",)))
-
-
-def _motion(table: MotionTable, folder: str) -> Motion:
-    given = table.given()
-    for key in ("rao_reference", "rao_crest", "drift"):
-        given[key] = tuple(given.get(key, ()))
-    return Motion(**_found_from(folder, given, ("file", "rao_file", "drift_file")))
-
-
-def _body(table: BodyTable, folder: str) -> Body:
-    given = table.given()
-    given["wave_force"] = tuple(given.get("wave_force", ()))
-    return Body(**_found_from(folder, given, ("force_file",)))
-
-
-def _fatigue(table: FatigueTable, folder: str) -> Fatigue:
-    given = table.given()
-    given["curves"] = tuple(SegmentCurve(**curve.given()) for curve in table.curves or ())
-    states = [state.given() for state in table.sea_states or ()]
-    given["sea_states"] = tuple(
-        FatigueSeaState(
-            **{key: state[key] for key in state if key not in ("share", "time_per_year")},
-            share=share_of_year(state) or 0.0,
-        )
-        for state in states
-    )
-    return Fatigue(**_found_from(folder, given, ("sea_states_file",)))
-
-
-def _found_from(folder: str, given: dict[str, Any], files: Sequence[str]) -> dict[str, Any]:
-    """Let the paths of files count from the folder of the case file."""
-    base = FilePath(folder).absolute()
-    return given | {key: str(base / given[key]) for key in files if key in given}
-
-
-def _line(table: LineTable, site: Site, catalogue: FromCatalogue) -> Line:
-    segments = [
-        _segment(segment, catalogue.segments.get(("line", "segments", index)))
-        for index, segment in enumerate(table.segments)
-    ]
-    loads = [PointLoad(**_weighed(each.given(), site)) for each in table.point_loads]
-    return Line(segments, loads)
-
-
-def _segment(table: SegmentTable, component: Component | None) -> Segment:
+def _segment(table: SegmentTable, component: Component | None) -> Any:
     """Build a segment; what the file gives goes before what the catalogue has."""
     given = table.given()
     given.pop("component", None)
@@ -181,89 +137,9 @@ def _segment(table: SegmentTable, component: Component | None) -> Segment:
         given["drag_axial"] *= math.pi
     made = component.segment(1.0) if component else None
     figures = {each.name: getattr(made, each.name) for each in fields(made)} if made else {}
-    if table.drag_method == "roughness":
+    if given.get("drag_method") == "roughness":
         figures |= dict.fromkeys(("drag_normal", "drag_axial", "added_mass_normal"))
-    return Segment(**figures | given)
-
-
-def _checks(table: ChecksTable) -> Checks:
-    given = table.given()
-    code = given.pop("code", None)
-    codes = given.pop("codes", [])
-    return Checks(**given, codes=tuple(codes) if code is None else (code,))
-
-
-def _weighed(given: dict[str, Any], site: Site) -> dict[str, Any]:
-    """Put the weight in water in the place of a body's density or volume."""
-    density, volume = given.pop("density", None), given.pop("volume", None)
-    if volume is not None:
-        lift = site.water_density * volume
-        given["submerged_weight"] = (given["mass"] - lift) * STANDARD_GRAVITY
-    if density is not None:
-        given["submerged_weight"] = weight_in_water(given["mass"], density, site.water_density)
-    return given
-
-
-def _catalogue(table: CatalogueTable, folder: str) -> CatalogueChoice:
-    given = table.given()
-    if table.variants is not None:
-        given["variants"] = table.variants.given()
-    return catalogue_choice(given, folder)
-
-
-def _design(table: DesignTable, line: LineTable, catalogue: FromCatalogue) -> Design:
-    given = _with_values(table.given(), RADII, PRETENSIONS)
-    given |= {key: tuple(given[key]) for key in ("objectives", "lines") if key in given}
-    given["segments"] = tuple(
-        _segment_choice(segment, index, line, catalogue)
-        for index, segment in enumerate(table.segments)
-    )
-    given["clump_weights"] = tuple(
-        ClumpWeightChoice(**_with_values(each.given(), MASSES, POSITIONS))
-        for each in table.clump_weights
-    )
-    given["loads"] = tuple(DesignLoad(**each.given()) for each in table.loads or ())
-    if table.sinker is not None:
-        given["sinker"] = SinkerChoice(**_with_values(table.sinker.given(), MASSES))
-    return Design(**given)
-
-
-def _segment_choice(
-    table: SegmentChoiceTable, index: int, line: LineTable, catalogue: FromCatalogue
-) -> SegmentChoice:
-    """Build what a segment may be; what is left out is as the line has it at the same place."""
-    given = _with_values(table.given(), LENGTHS)
-    given["lengths"] = given["lengths"] or (line.segments[index].length,)
-    components = _component_names(given, index, catalogue)
-    single, several = given.pop("diameter", None), given.pop("diameters", [])
-    diameters = several if single is None else [single]
-    return SegmentChoice(**given, components=components, diameters=tuple(sorted(diameters)))
-
-
-def _component_names(
-    given: dict[str, Any], index: int, catalogue: FromCatalogue
-) -> tuple[str, ...]:
-    """Take the components out of what is given, as the catalogue names them.
-
-    Sizes without a component are sizes of that of the line; neither is the line's own segment.
-    """
-    path = ("design", "segments", index)
-    single, several = given.pop("component", None), given.pop("components", None)
-    if several is not None:
-        return tuple(catalogue.names[*path, "components", k] for k in range(len(several)))
-    if single is not None:
-        return (catalogue.names[*path, "component"],)
-    if any(key in given for key in SIZES):
-        return (catalogue.names["line", "segments", index, "component"],)
-    return ()
-
-
-def _with_values(given: dict[str, Any], *quantities: Values) -> dict[str, Any]:
-    """Put all values of quantities in the place of the keys that give them."""
-    for values in quantities:
-        own = {key: given.pop(key) for key in values.keys if key in given}
-        given[values.many] = values.of(own)
-    return given
+    return table.model(**figures | given)
 
 
 def _or_else(value: float | None, default: float) -> float:

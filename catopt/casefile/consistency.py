@@ -15,12 +15,14 @@ from typing import TYPE_CHECKING, Any
 from catopt.casefile.document import (
     Place,
     as_in_file,
+    in_file,
     misspelt,
     number,
+    refusals,
     table,
     tables,
     text,
-    value,
+    values,
 )
 from catopt.casefile.location import Finding, parts
 from catopt.casefile.ranges import duplicates
@@ -28,7 +30,6 @@ from catopt.casefile.schema import (
     AnchorTable,
     CaseTable,
     ChecksTable,
-    DesignLoadTable,
     FindTable,
     LineTable,
     LoadCaseTable,
@@ -46,12 +47,11 @@ from catopt.errors import InputError
 from catopt.model import Anchor, Find, Load
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.checks import NEEDS_SEVERAL_LINES
-from catopt.model.drag_method import drag_misfits
 from catopt.model.find import FIND_QUANTITIES, FORCES, misfits
-from catopt.model.line import END_ROUNDING, break_test_misfits
+from catopt.model.line import END_ROUNDING, break_test_misfits, drag_misfits, point_drag_misfits
+from catopt.model.service import wear_misfits
 from catopt.model.site import LEVEL_ONLY
 from catopt.model.system import system_misfits
-from catopt.model.wear import wear_misfits
 from catopt.units import Dimension, as_written
 
 if TYPE_CHECKING:
@@ -68,9 +68,9 @@ def consistency_findings(
         *_load(document),
         *_find(document),
         *_misfits(document, line, components),
-        *(f for place in tables(line, "line", "segments") for f in _segment(place)),
+        *(f for place in tables(line, "line", "segments") for f in _segment(document, place)),
         *(f for place in loads for f in _weight(PointLoadTable, place)),
-        *(f for place in loads for f in _drag(place)),
+        *(f for place in loads for f in _drag(document, place)),
         *_positions(line),
         *_contact_offset(document),
         *_load_cases(document),
@@ -87,20 +87,15 @@ def _load(document: dict[str, Any]) -> Iterator[Finding]:
     if not isinstance(load, dict) or (sought is not None and sought.seeks_force):
         return
     known = [key for key in entries(LoadTable) if key in load]
-    if not known and misspelt(LoadTable, entries(LoadTable), load):
-        return
-    try:
-        Load(**dict.fromkeys(known, 1.0))
-    except InputError as error:
-        for problem in error.problems:
-            yield Finding(("load",), problem.found, problem.allowed)
+    if known or not misspelt(LoadTable, entries(LoadTable), load):
+        problems = refusals(Load, **dict.fromkeys(known, 1.0))
+        yield from (Finding(("load",), each.found, each.allowed) for each in problems)
 
 
 def _wear(document: dict[str, Any], line: dict[str, Any]) -> Iterator[Finding]:
     """Find rates, tables and zones of wear that do not go together, as the model has it."""
     segments = [segment for _, segment in tables(line, "line", "segments")]
-    for problem in wear_misfits(table(document, "service"), segments):
-        yield as_in_file(document, Finding(parts(problem.key), problem.found, problem.allowed))
+    yield from in_file(document, wear_misfits(table(document, "service"), segments))
 
 
 def _find(document: dict[str, Any]) -> Iterator[Finding]:
@@ -109,12 +104,9 @@ def _find(document: dict[str, Any]) -> Iterator[Finding]:
     if _sought(document) is None or misspelt(FindTable, entries(FindTable), find):
         return
     given: dict[str, Any] = {key: 1 for key in entries(FindTable) if key in find}
-    try:
-        Find(**given | {"quantity": find["quantity"]})
-    except InputError as error:
-        for problem in error.problems:
-            path = ("find", problem.key) if problem.key in find else ("find",)
-            yield as_in_file(document, Finding(path, problem.found, problem.allowed))
+    for problem in refusals(Find, **given | {"quantity": find["quantity"]}):
+        path = ("find", problem.key) if problem.key in find else ("find",)
+        yield as_in_file(document, Finding(path, problem.found, problem.allowed))
 
 
 def _misfits(
@@ -142,7 +134,7 @@ def _misfits(
         if about_load or (segments and not unsure):
             either = about_load and sought is None
             allowed = problem.allowed + (", or [[load_cases]]" if either else "")
-            yield as_in_file(document, Finding(parts(problem.key), problem.found, allowed))
+            yield from in_file(document, [replace(problem, allowed=allowed)])
 
 
 def _has_MBL(segment: dict[str, Any], component: Component | None) -> bool:
@@ -166,7 +158,7 @@ def _sought(document: dict[str, Any]) -> Find | None:
     return sought
 
 
-def _segment(place: Place) -> Iterator[Finding]:
+def _segment(document: dict[str, Any], place: Place) -> Iterator[Finding]:
     """Find a segment without weight or component, and a component without its diameter."""
     path, segment = place
     if "component" in segment:
@@ -183,14 +175,8 @@ def _segment(place: Place) -> Iterator[Finding]:
         allowed = "goes with drag_axial, which is missing; the catalogue's has its own area"
         yield Finding((*path, "drag_axial_area"), as_written(segment["drag_axial_area"]), allowed)
     if not misspelt(SegmentTable, ("drag_method", "roughness"), segment):
-        given = {
-            key: value(SegmentTable, key, segment)
-            for key in segment
-            if key in entries(SegmentTable)
-        }
-        for problem in (*drag_misfits(given), *break_test_misfits(segment)):
-            found = as_written(segment[problem.key]) if problem.found else ""
-            yield Finding((*path, problem.key), found, problem.allowed)
+        problems = drag_misfits(values(SegmentTable, segment)) + break_test_misfits(segment)
+        yield from in_file(document, problems, *path)
 
 
 def _weight(schema: type[Table], place: Place) -> Iterator[Finding]:
@@ -218,15 +204,11 @@ def _weight(schema: type[Table], place: Place) -> Iterator[Finding]:
         yield Finding((*path, "submerged_weight"), "", f"missing; {wanted}")
 
 
-def _drag(place: Place) -> Iterator[Finding]:
+def _drag(document: dict[str, Any], place: Place) -> Iterator[Finding]:
     """Find a drag of a point load that lacks its area or its coefficient."""
     path, body = place
-    keys = ("drag_area", "drag_coefficient")
-    if misspelt(PointLoadTable, keys, body):
-        return
-    for key, other in (keys, keys[::-1]):
-        if key in body and other not in body:
-            yield Finding((*path, other), "", f"missing; goes with {key}")
+    if not misspelt(PointLoadTable, ("drag_area", "drag_coefficient"), body):
+        yield from in_file(document, point_drag_misfits(body), *path)
 
 
 def _positions(line: dict[str, Any]) -> Iterator[Finding]:
@@ -240,10 +222,8 @@ def _positions(line: dict[str, Any]) -> Iterator[Finding]:
     for path, load in tables(line, "line", "point_loads"):
         position = number(PointLoadTable, "position", load)
         if position is not None and not position < total * (1.0 - END_ROUNDING):
-            found = as_written(load["position"])
-            yield Finding(
-                (*path, "position"), found, f"must be below {total:g} m, the length of the line"
-            )
+            allowed = f"must be below {total:g} m, the length of the line"
+            yield Finding((*path, "position"), as_written(load["position"]), allowed)
 
 
 def _contact_offset(document: dict[str, Any]) -> Iterator[Finding]:
@@ -254,30 +234,26 @@ def _contact_offset(document: dict[str, Any]) -> Iterator[Finding]:
         return
     if number(SiteTable, "seabed_slope", site):
         yield Finding(("site", "contact_offset"), as_written(site["contact_offset"]), LEVEL_ONLY)
-    heights = (
-        (LineTable, "line", line, "fairlead_height"),
-        (LineTable, "line", line, "anchor_height"),
-    )
-    for schema, part, given, key in ((SiteTable, "site", site, "water_depth"), *heights):
+    allowed = f"must be above {offset:g} m, the contact_offset of the site"
+    for part, key in (
+        ("site", "water_depth"),
+        ("line", "fairlead_height"),
+        ("line", "anchor_height"),
+    ):
+        schema, given = (SiteTable, site) if part == "site" else (LineTable, line)
         height = number(schema, key, given)
         if height and height <= offset:
-            allowed = f"must be above {offset:g} m, the contact_offset of the site"
             on_bed = "; 0 is an end on the seabed" if part == "line" else ""
             yield Finding((part, key), as_written(given[key]), allowed + on_bed)
 
 
 def _load_cases(document: dict[str, Any]) -> Iterator[Finding]:
     """Find names used twice, and water levels that leave no water, at rest and of a design."""
-    of_design = tables(table(document, "design"), "design", "loads")
-    yield from _levels(document, tables(document, "load_cases"), LoadCaseTable)
-    yield from _levels(document, of_design, DesignLoadTable)
+    yield from _levels(document, tables(document, "load_cases"))
+    yield from _levels(document, tables(table(document, "design"), "design", "loads"))
 
 
-def _levels(
-    document: dict[str, Any],
-    states: list[Place],
-    schema: type[LoadCaseTable] | type[DesignLoadTable],
-) -> Iterator[Finding]:
+def _levels(document: dict[str, Any], states: list[Place]) -> Iterator[Finding]:
     depth = number(SiteTable, "water_depth", table(document, "site"))
     line = table(document, "line")
     height = number(LineTable, "fairlead_height", line)
@@ -285,12 +261,12 @@ def _levels(
     unclear = depth is None or (given and height is None)
     names: list[str] = []
     for path, state in states:
-        name = text(schema, "name", state)
+        name = text(LoadCaseTable, "name", state)
         if name in names:
             yield Finding((*path, "name"), as_written(name), "another load case has this name")
         names += [name] if name is not None else []
-        level = number(schema, "water_level", state)
-        rise = number(schema, "fairlead_rise", state) or 0.0
+        level = number(LoadCaseTable, "water_level", state)
+        rise = number(LoadCaseTable, "fairlead_rise", state) or 0.0
         lowest = min(depth or 0.0, (depth or 0.0 if height is None else height) + rise)
         if level is not None and not unclear and not level > -lowest:
             allowed = f"must leave the fairlead above the seabed: above {-lowest:g} m"
@@ -303,8 +279,7 @@ def _system(document: dict[str, Any]) -> Iterator[Finding]:
         return
     others: dict[str, object] = {k: 1 for k in ("load", "load_cases", "find") if k in document}
     others["site.seabed_slope"] = number(SiteTable, "seabed_slope", table(document, "site"))
-    for problem in system_misfits(others):
-        yield Finding(parts(problem.key), problem.found, problem.allowed)
+    yield from (Finding(parts(p.key), p.found, p.allowed) for p in system_misfits(others))
     system = table(document, "system")
     if misspelt(SystemTable, entries(SystemTable), system):
         return
@@ -353,14 +328,9 @@ def _anchor(document: dict[str, Any]) -> Iterator[Finding]:
     elif "density" in anchor:
         allowed = "does not go with a drag anchor; leave it out"
         yield Finding((*path, "density"), as_written(anchor["density"]), allowed)
-    try:
-        Anchor(**given | {"kind": kind})
-    except InputError as error:
-        for problem in error.problems:
-            missing = problem.key not in anchor
-            if not (missing and misspelt(AnchorTable, [problem.key], anchor)):
-                finding = Finding((*path, problem.key), problem.found, problem.allowed)
-                yield as_in_file(document, finding)
+    for problem in refusals(Anchor, **given | {"kind": kind}):
+        if problem.key in anchor or not misspelt(AnchorTable, [problem.key], anchor):
+            yield from in_file(document, [problem], "anchor")
 
 
 def sinks_findings(
@@ -370,10 +340,9 @@ def sinks_findings(
     path, body = place
     site = table(document, "site")
     water = number(SiteTable, "water_density", site)
-    if water is None:
-        if "water_density" in site:
-            return
-        water = SEA_WATER_DENSITY
+    if water is None and "water_density" in site:
+        return
+    water = water or SEA_WATER_DENSITY
     density = number(schema, "density", body)
     if density is not None and not density > water:
         allowed = f"must be above {water:g} kg/m^3, the density of the water, for a sinker to sink"

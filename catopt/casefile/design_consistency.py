@@ -6,12 +6,27 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from catopt.casefile import ranges
 from catopt.casefile.components import SIZES
 from catopt.casefile.consistency import sinks_findings
-from catopt.casefile.document import Place, as_in_file, misspelt, number, table, tables, value
+from catopt.casefile.document import (
+    Place,
+    as_in_file,
+    misspelt,
+    number,
+    refusals,
+    table,
+    tables,
+    value,
+)
 from catopt.casefile.location import Finding, parts
-from catopt.casefile.ranges import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII, duplicates
+from catopt.casefile.ranges import duplicates
 from catopt.casefile.schema import (
+    LENGTHS,
+    MASSES,
+    POSITIONS,
+    PRETENSIONS,
+    RADII,
     CaseTable,
     ClumpWeightChoiceTable,
     DesignTable,
@@ -22,7 +37,6 @@ from catopt.casefile.schema import (
     SystemTable,
 )
 from catopt.documents import Path
-from catopt.errors import InputError
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice
 from catopt.model.design import body_misfits
 from catopt.units import as_written
@@ -74,11 +88,12 @@ class _Line:
 def _segment(place: Place, index: int, line: _Line) -> Iterator[Finding]:
     """Find what is given in two ways, and what the line has not got to be taken over."""
     path, given = place
-    yield from LENGTHS.findings(SegmentChoiceTable, place)
-    yield from _components(place)
+    yield from ranges.findings(LENGTHS, SegmentChoiceTable, place)
+    if all(key in given for key in _COMPONENTS):
+        yield Finding(path, "component and components", "only one of them is wanted")
     yield from _sizes(place)
     nothing = f"missing; the line has no segment {index + 1} to take it from"
-    unclear = LENGTHS.is_given(given) or misspelt(SegmentChoiceTable, LENGTHS.keys, given)
+    unclear = ranges.is_given(LENGTHS, given) or misspelt(SegmentChoiceTable, LENGTHS.keys, given)
     if line.lacks(index) and not unclear:
         yield Finding((*path, "lengths"), "", nothing)
     named = any(key in given for key in _COMPONENTS)
@@ -91,12 +106,6 @@ def _segment(place: Place, index: int, line: _Line) -> Iterator[Finding]:
         if "component" not in own and not misspelt(SegmentTable, ["component"], own):
             why = f"missing; diameters are of a component, and segment {index + 1} of the line"
             yield Finding((*path, "components"), "", f"{why} has none")
-
-
-def _components(place: Place) -> Iterator[Finding]:
-    path, given = place
-    if all(key in given for key in _COMPONENTS):
-        yield Finding(path, "component and components", "only one of them is wanted")
 
 
 def _sizes(place: Place) -> Iterator[Finding]:
@@ -118,15 +127,15 @@ def _sizes(place: Place) -> Iterator[Finding]:
 def _clump_weight(place: Place) -> Iterator[Finding]:
     """Find a clump weight without mass or place, or with two."""
     path, given = place
-    yield from MASSES.findings(ClumpWeightChoiceTable, place, required=True)
-    yield from POSITIONS.findings(ClumpWeightChoiceTable, place)
+    yield from ranges.findings(MASSES, ClumpWeightChoiceTable, place, required=True)
+    yield from ranges.findings(POSITIONS, ClumpWeightChoiceTable, place)
     placed = [key for key in POSITIONS.keys if key in given]
     if placed and "joint" in given:
         found = " and ".join([*placed, "joint"])
         yield Finding(path, found, "it hangs either at positions or at a joint")
     misread = misspelt(ClumpWeightChoiceTable, [*POSITIONS.keys, "joint"], given)
     if not placed and "joint" not in given and not misread:
-        wanted = f"missing; {POSITIONS.wanted}, or a joint is wanted"
+        wanted = f"missing; {ranges.wanted(POSITIONS)}, or a joint is wanted"
         yield Finding((*path, "positions"), "", wanted)
 
 
@@ -134,8 +143,8 @@ def _positions(segments: list[Place], weights: list[Place], line: _Line) -> Iter
     """Find clump weights that are beyond the end of the longest line at every position."""
     longest = []
     for index, (_, given) in enumerate(segments):
-        if LENGTHS.is_given(given):
-            length = max(LENGTHS.read(SegmentChoiceTable, given), default=None)
+        if ranges.is_given(LENGTHS, given):
+            length = max(ranges.read(LENGTHS, SegmentChoiceTable, given), default=None)
         else:
             length = line.length(index)
         if length is None or misspelt(SegmentChoiceTable, LENGTHS.keys, given):
@@ -143,7 +152,7 @@ def _positions(segments: list[Place], weights: list[Place], line: _Line) -> Iter
         longest.append(length)
     total = math.fsum(longest)
     for path, given in weights:
-        positions = POSITIONS.read(ClumpWeightChoiceTable, given)
+        positions = ranges.read(POSITIONS, ClumpWeightChoiceTable, given)
         if longest and positions and not positions[0] < total:
             key = next(key for key in POSITIONS.keys if key in given)
             which = "one of them " if key == POSITIONS.many else ""
@@ -152,7 +161,7 @@ def _positions(segments: list[Place], weights: list[Place], line: _Line) -> Iter
 
 
 def _sinker(document: dict[str, Any], place: Place) -> Iterator[Finding]:
-    yield from MASSES.findings(SinkerChoiceTable, place, required=True)
+    yield from ranges.findings(MASSES, SinkerChoiceTable, place, required=True)
     yield from sinks_findings(document, SinkerChoiceTable, place)
 
 
@@ -165,29 +174,30 @@ def _as_the_model_has_it(
         return
     objectives = value(DesignTable, "objectives", design)
     joints = [value(ClumpWeightChoiceTable, "joint", given) for _, given in weights]
-    try:
-        Design(
-            tuple(SegmentChoice((1.0,), optional=s.get("optional") is True) for _, s in segments),
-            tuple(
-                ClumpWeightChoice((1.0,), 1.0, positions=() if joint else (1.0,), joint=joint)
-                for joint in joints
-            ),
-            objectives=tuple(objectives) if objectives else ("mass", "offset"),
-            lines=tuple(value(DesignTable, "lines", design) or ()),
-            anchor_radii=(1.0,) if RADII.is_given(design) else (),
-            pretensions=(1.0,) if PRETENSIONS.is_given(design) else (),
-        )
-    except InputError as error:
-        for problem in error.problems:
-            path = _as_given(("design", *parts(problem.key)), design)
-            yield as_in_file(document, Finding(path, problem.found, problem.allowed))
+    problems = refusals(
+        Design,
+        segments=tuple(
+            SegmentChoice((1.0,), optional=s.get("optional") is True) for _, s in segments
+        ),
+        clump_weights=tuple(
+            ClumpWeightChoice((1.0,), 1.0, positions=() if joint else (1.0,), joint=joint)
+            for joint in joints
+        ),
+        objectives=tuple(objectives) if objectives else ("mass", "offset"),
+        lines=tuple(value(DesignTable, "lines", design) or ()),
+        anchor_radii=(1.0,) if ranges.is_given(RADII, design) else (),
+        pretensions=(1.0,) if ranges.is_given(PRETENSIONS, design) else (),
+    )
+    for problem in problems:
+        path = _as_given(("design", *parts(problem.key)), design)
+        yield as_in_file(document, Finding(path, problem.found, problem.allowed))
 
 
 def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
     """Find radii given in two ways, and what goes with several lines alone or not with them."""
     design, system = table(document, "design"), table(document, "system")
-    yield from RADII.findings(DesignTable, (("design",), design))
-    yield from PRETENSIONS.findings(DesignTable, (("design",), design))
+    yield from ranges.findings(RADII, DesignTable, (("design",), design))
+    yield from ranges.findings(PRETENSIONS, DesignTable, (("design",), design))
     has_system = "system" in document
     if not has_system and misspelt(CaseTable, ["system"], document):
         return
@@ -195,8 +205,8 @@ def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
     unclear = not force and ("force" in system or misspelt(SystemTable, ["force"], system))
     given = {key: value(DesignTable, key, design) for key in ("lines", "headings", "objectives")}
     given |= {"line_out": design.get("line_out") is True, "sinker": "sinker" in design}
-    given |= {"anchor_radii": RADII.is_given(design), "loads": "loads" in design}
-    given |= {"pretensions": PRETENSIONS.is_given(design)}
+    given |= {"anchor_radii": ranges.is_given(RADII, design), "loads": "loads" in design}
+    given |= {"pretensions": ranges.is_given(PRETENSIONS, design)}
     has_force = bool(unclear or any(force))
     for problem in body_misfits(given, has_system=has_system, has_force=has_force):
         path = _as_given(parts(problem.key), design)

@@ -5,14 +5,14 @@ What is missing or wrong in itself is passed over: it is reported by its own key
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import Any
 
-from catopt.casefile.location import Finding
+from catopt.casefile.location import Finding, parts
 from catopt.casefile.names import stands_for
 from catopt.casefile.schema import MOST_LISTED, MOST_TABLES, Table, entries
 from catopt.documents import Path
-from catopt.errors import InputError
+from catopt.errors import InputError, Problem
 from catopt.units import as_written
 
 Place = tuple[Path, dict[str, Any]]
@@ -68,10 +68,33 @@ def text(schema: type[Table], key: str, given: dict[str, Any]) -> str | None:
     return found if isinstance(found, str) else None
 
 
+def values(schema: type[Table], given: dict[str, Any]) -> dict[str, Any]:
+    """Return what is given of the keys of a table; None of what cannot be read."""
+    return {key: value(schema, key, given) for key in entries(schema) if key in given}
+
+
 def misspelt(schema: type[Table], keys: Collection[str], given: dict[str, Any]) -> bool:
     """Whether one of the keys is there under another name, which is reported already."""
     unknown = [key for key in given if key not in entries(schema)]
     return any(stands_for(schema, key) in keys for key in unknown)
+
+
+def refusals(part: Callable[..., object], **given: Any) -> Sequence[Problem]:
+    """List what a part of the model refuses in what is given."""
+    try:
+        part(**given)
+    except InputError as error:
+        return error.problems
+    return ()
+
+
+def in_file(
+    document: dict[str, Any], problems: Iterable[Problem], *at: str | int
+) -> Iterator[Finding]:
+    """Place what the model refuses in the file, by its keys below a path."""
+    for problem in problems:
+        path = (*at, *parts(problem.key))
+        yield as_in_file(document, Finding(path, problem.found, problem.allowed))
 
 
 def as_in_file(document: dict[str, Any], finding: Finding) -> Finding:

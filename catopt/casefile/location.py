@@ -6,7 +6,7 @@ import re
 from typing import Any, NamedTuple
 
 from catopt.documents import Path, dotted
-from catopt.errors import Problem
+from catopt.errors import InputError, Problem
 
 
 class Finding(NamedTuple):
@@ -33,6 +33,13 @@ def header(path: Path, *, array: bool = False) -> str:
         return "the top of the file, before the first section"
     name = dotted(tuple(part for part in path if isinstance(part, str)))
     return f"[[{name}]]" if array else f"[{name}]"
+
+
+def refuse(document: dict[str, Any], findings: list[Finding], source: str) -> None:
+    """Raise InputError if there are findings: with each of them once, in the file's order."""
+    if findings:
+        ordered = in_order_of(document, list(dict.fromkeys(findings)))
+        raise InputError([each.as_problem() for each in ordered], source)
 
 
 def in_order_of(document: dict[str, Any], findings: list[Finding]) -> list[Finding]:

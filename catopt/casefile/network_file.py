@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pydantic import ValidationError
-
-from catopt.casefile.location import Finding, in_order_of, parts
+from catopt.casefile.location import Finding, parts, refuse
 from catopt.casefile.schema import LineBetweenTable, NetworkTable
-from catopt.casefile.structure import structure_findings
+from catopt.casefile.structure import read_tables
 from catopt.documents import parse_toml
 from catopt.errors import InputError, Problem
 from catopt.model import Line, PointLoad, Segment, Site
@@ -23,27 +21,22 @@ def is_network(document: dict[str, Any]) -> bool:
 def parse_network(text: str, source: str = "") -> Network:
     """Read the text of such a file.
 
-    Raises
-    ------
-    InputError
-        With every problem of its keys; where those are in order, of how its parts fit together.
+    InputError: with every problem of its keys; where those are in order, of how its parts fit
+    together.
     """
     document = parse_toml(text, source)
-    try:
-        table = NetworkTable.model_validate(document)
-    except ValidationError as error:
-        findings = structure_findings(error.errors(include_url=False), NetworkTable)
-        ordered = in_order_of(document, findings)
-        raise InputError([finding.as_problem() for finding in ordered], source) from None
+    table, findings = read_tables(document, NetworkTable)
     problems: list[Problem] = []
-    points = [
-        _built(problems, f"points[{k}]", Point, **each.given())
-        for k, each in enumerate(table.points)
-    ]
-    lines = [_line(problems, f"lines[{k}]", each) for k, each in enumerate(table.lines)]
-    if problems:
+    points: list[Any] = []
+    lines: list[Any] = []
+    if not findings:
+        points = [
+            _built(problems, f"points[{k}]", Point, **each.given())
+            for k, each in enumerate(table.points)
+        ]
+        lines = [_line(problems, f"lines[{k}]", each) for k, each in enumerate(table.lines)]
         findings = [Finding(parts(each.key), each.found, each.allowed) for each in problems]
-        raise InputError([each.as_problem() for each in in_order_of(document, findings)], source)
+    refuse(document, findings, source)
     head = {key: getattr(table, key) or "" for key in ("title", "source")}
     try:
         return Network(Site(**table.site.given()), tuple(points), tuple(lines), **head)

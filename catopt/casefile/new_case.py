@@ -70,8 +70,8 @@ def _with_others(text: str) -> str:
     """Put the other words that a key takes where a comment has ``{others}``."""
     import re
 
-    from catopt.casefile.fields import OneOf
     from catopt.casefile.schema import CaseTable, Table, entries
+    from catopt.model.kinds import OneOf
 
     table: type[Table] = CaseTable
     lines = []

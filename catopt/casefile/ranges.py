@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from catopt.casefile.document import Place, misspelt, number, value
 from catopt.casefile.location import Finding
-from catopt.casefile.schema import Table
+from catopt.casefile.schema import Table, Values
 from catopt.units import as_written
 
 MOST_VALUES = 10_000
@@ -23,96 +22,70 @@ _DIGITS = 14
 two steps of 0.1 m are 0.3 m."""
 
 
-@dataclass(frozen=True)
-class Values:
-    """The keys that give the values of one quantity, of which one way is chosen.
-
-    Attributes
-    ----------
-    one, many : str
-        Key of a single value, and of an array; a range has keys that begin with `one`.
-    """
-
-    one: str
-    many: str
-
-    @property
-    def range(self) -> tuple[str, str, str]:
-        """Keys of a range: smallest, largest, step."""
-        return f"{self.one}_min", f"{self.one}_max", f"{self.one}_step"
-
-    @property
-    def keys(self) -> tuple[str, ...]:
-        """All of them."""
-        return self.many, self.one, *self.range
-
-    @property
-    def wanted(self) -> str:
-        """The ways, in words."""
-        low, high, step = self.range
-        return f"{self.many}, {self.one}, or {low} with {high} and {step}"
-
-    def is_given(self, table: dict[str, Any]) -> bool:
-        """Whether a table has any of the keys."""
-        return any(key in table for key in self.keys)
-
-    def of(self, given: dict[str, Any]) -> tuple[float, ...]:
-        """Return the values, rising; empty where none is given, in SI and without fault."""
-        if self.many in given:
-            return tuple(sorted(given[self.many]))
-        if self.one in given:
-            return (given[self.one],)
-        low, high, step = (given.get(key) for key in self.range)
-        return () if low is None or high is None or step is None else _steps(low, high, step)
-
-    def read(self, schema: type[Table], table: dict[str, Any]) -> tuple[float, ...]:
-        """Return the values of a table of the document; empty where they are not clear."""
-        place: Place = ((), table)
-        if not self.is_given(table) or any(self.findings(schema, place)):
-            return ()
-        given = {key: value(schema, key, table) for key in self.keys if key in table}
-        return () if None in given.values() else self.of(given)
-
-    def findings(
-        self, schema: type[Table], place: Place, *, required: bool = False
-    ) -> Iterator[Finding]:
-        """Find values given in two ways, in half of one, twice, or (where required) not at all."""
-        path, table = place
-        ranged = [key for key in self.range if key in table]
-        singly = [key for key in (self.one, self.many) if key in table]
-        unclear = misspelt(schema, self.keys, table)
-        if not ranged and not singly and required and not unclear:
-            yield Finding((*path, self.many), "", f"missing; {self.wanted} is wanted")
-        elif len(singly) + bool(ranged) > 1:
-            found = " and ".join([*singly, *ranged])
-            yield Finding(path, found, f"only one way is wanted: {self.wanted}")
-        elif ranged and not unclear:
-            yield from self._range_findings(schema, place)
-        yield from duplicates(schema, place, self.many)
-
-    def _range_findings(self, schema: type[Table], place: Place) -> Iterator[Finding]:
-        path, table = place
-        low_key, high_key, step_key = self.range
-        together = f"missing; {low_key}, {high_key} and {step_key} go together"
-        yield from (Finding((*path, key), "", together) for key in self.range if key not in table)
-        low, high, step = (number(schema, key, table) for key in self.range)
-        if low is None or high is None:
-            return
-        if high < low:
-            shown = as_written(table[low_key]).strip('"')
-            allowed = f"must be {low_key} or more, which is {shown}"
-            yield Finding((*path, high_key), as_written(table[high_key]), allowed)
-        elif step is not None and (high - low) / step >= MOST_VALUES - 1 + _HITS:
-            count = f"{(high - low) / step + 1.0:.6g}"
-            allowed = f"makes {count} values; {MOST_VALUES} are the most"
-            yield Finding((*path, step_key), as_written(table[step_key]), allowed)
+def wanted(values: Values) -> str:
+    """Say in words in which ways a quantity may be given."""
+    low, high, step = values.range
+    return f"{values.many}, {values.one}, or {low} with {high} and {step}"
 
 
-LENGTHS = Values("length", "lengths")
-MASSES = Values("mass", "masses")
-POSITIONS = Values("position", "positions")
-RADII = Values("anchor_radius", "anchor_radii")
-PRETENSIONS = Values("pretension", "pretensions")
+def is_given(values: Values, table: dict[str, Any]) -> bool:
+    """Whether a table has any of the keys."""
+    return any(key in table for key in values.keys)
+
+
+def values_of(values: Values, given: dict[str, Any]) -> tuple[float, ...]:
+    """Return the values, rising; empty where none is given, in SI and without fault."""
+    if values.many in given:
+        return tuple(sorted(given[values.many]))
+    if values.one in given:
+        return (given[values.one],)
+    low, high, step = (given.get(key) for key in values.range)
+    return () if low is None or high is None or step is None else _steps(low, high, step)
+
+
+def read(values: Values, schema: type[Table], table: dict[str, Any]) -> tuple[float, ...]:
+    """Return the values of a table of the document; empty where they are not clear."""
+    place: Place = ((), table)
+    if not is_given(values, table) or any(findings(values, schema, place)):
+        return ()
+    given = {key: value(schema, key, table) for key in values.keys if key in table}
+    return () if None in given.values() else values_of(values, given)
+
+
+def findings(
+    values: Values, schema: type[Table], place: Place, *, required: bool = False
+) -> Iterator[Finding]:
+    """Find values given in two ways, in half of one, twice, or (where required) not at all."""
+    path, table = place
+    ranged = [key for key in values.range if key in table]
+    singly = [key for key in (values.one, values.many) if key in table]
+    unclear = misspelt(schema, values.keys, table)
+    if not ranged and not singly and required and not unclear:
+        yield Finding((*path, values.many), "", f"missing; {wanted(values)} is wanted")
+    elif len(singly) + bool(ranged) > 1:
+        found = " and ".join([*singly, *ranged])
+        yield Finding(path, found, f"only one way is wanted: {wanted(values)}")
+    elif ranged and not unclear:
+        yield from _range_findings(values, schema, place)
+    yield from duplicates(schema, place, values.many)
+
+
+def _range_findings(values: Values, schema: type[Table], place: Place) -> Iterator[Finding]:
+    path, table = place
+    low_key, high_key, step_key = values.range
+    together = f"missing; {low_key}, {high_key} and {step_key} go together"
+    yield from (Finding((*path, key), "", together) for key in values.range if key not in table)
+    low, high, step = (number(schema, key, table) for key in values.range)
+    if low is None or high is None:
+        return
+    if high < low:
+        shown = as_written(table[low_key]).strip('"')
+        allowed = f"must be {low_key} or more, which is {shown}"
+        yield Finding((*path, high_key), as_written(table[high_key]), allowed)
+    elif step is not None and (high - low) / step >= MOST_VALUES - 1 + _HITS:
+        count = f"{(high - low) / step + 1.0:.6g}"
+        allowed = f"makes {count} values; {MOST_VALUES} are the most"
+        yield Finding((*path, step_key), as_written(table[step_key]), allowed)
 
 
 def duplicates(schema: type[Table], place: Place, key: str) -> Iterator[Finding]:

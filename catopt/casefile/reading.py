@@ -6,18 +6,16 @@ import os
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from catopt.casefile.building import build_case
 from catopt.casefile.components import from_catalogue
 from catopt.casefile.consistency import consistency_findings
 from catopt.casefile.design_consistency import design_findings
-from catopt.casefile.dynamics_consistency import dynamics_findings
-from catopt.casefile.fatigue_consistency import fatigue_findings
-from catopt.casefile.location import Finding, in_order_of
+from catopt.casefile.location import refuse
+from catopt.casefile.motion_consistency import motion_findings
 from catopt.casefile.network_file import is_network, parse_network
 from catopt.casefile.schema import CaseTable
-from catopt.casefile.structure import structure_findings
+from catopt.casefile.sizing_file import not_a_case
+from catopt.casefile.structure import read_tables
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Case
@@ -54,20 +52,7 @@ def read_case(path: str | os.PathLike[str]) -> Case:
 def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
     """Read a case file, or a file of lines that meet in joints.
 
-    Parameters
-    ----------
-    path : str or path
-        As for `read_case`; a file with ``[[points]]`` and ``[[lines]]`` too.
-
-    Returns
-    -------
-    Case or Network
-        In SI.
-
-    Raises
-    ------
-    InputError
-        When the file cannot be read, or with every problem of what it says.
+    As `read_case`; the latter has ``[[points]]`` and ``[[lines]]``.
     """
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
@@ -97,11 +82,6 @@ def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
     folder : str
         Where the paths in the file count from; the working directory when left out.
 
-    Returns
-    -------
-    Case
-        In SI.
-
     Raises
     ------
     InputError
@@ -112,24 +92,13 @@ def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
 
 def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> Case:
     """Make the case of a document, as the TOML reader returns it; as `parse_case`."""
-    findings: list[Finding] = []
-    table: CaseTable | None = None
-    try:
-        table = CaseTable.model_validate(document)
-    except ValidationError as error:
-        findings += structure_findings(error.errors(include_url=False))
+    table, findings = read_tables(document, CaseTable)
     catalogue = from_catalogue(document, folder)
     findings += catalogue.findings
     findings += consistency_findings(document, catalogue.segments)
     findings += design_findings(document)
-    findings += dynamics_findings(document)
-    findings += fatigue_findings(document)
-    if table is None or findings:
-        from catopt.casefile.sizing_file import not_a_case
-
-        other = not_a_case(document)
-        if other is not None:
-            raise InputError([other], source)
-        ordered = in_order_of(document, list(dict.fromkeys(findings)))
-        raise InputError([finding.as_problem() for finding in ordered], source)
+    findings += motion_findings(document)
+    if findings and (other := not_a_case(document)):
+        raise InputError([other], source)
+    refuse(document, findings, source)
     return build_case(table, catalogue, folder)

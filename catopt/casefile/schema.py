@@ -1,80 +1,85 @@
 """Every section and key of a case file.
 
-The keys of a table carry the names of the model's attributes, and their defaults are the model's:
-a key that may be left out is None here, and the model is then built without it.
+The keys of a table are the attributes of a part of the model, by the same names: with their kinds
+(`catopt.model.kinds`) and their defaults. Here is only what a file has otherwise. A key that may be
+left out and is left out is not there, and the model is then built without it.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
 from types import MappingProxyType
-from typing import Annotated, Any, ClassVar, get_args
+from typing import Annotated, Any, ClassVar
 
-from pydantic import BaseModel, ConfigDict, Field
-
-from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
-from catopt.model.anchor import ANCHOR_KINDS
-from catopt.model.case import BOUNDARY_HANDLINGS
-from catopt.model.current_profile import CURRENT_PROFILES
-from catopt.model.design import OBJECTIVES, SEARCH_METHODS
-from catopt.model.drag_method import DRAG_METHODS
-from catopt.model.dynamics import BROKEN_ENDS, INITIAL_FRICTION, TIME_SCHEMES
-from catopt.model.fatigue import CURVE_NAMES, FATIGUE_CODES
-from catopt.model.find import FIND_QUANTITIES
-from catopt.model.line import HIGHEST_COV
-from catopt.model.load_case import LOAD_CASE_KINDS, LOAD_CASE_STATES
-from catopt.model.motion import RAO_PER, RAO_PHASES, RAO_ROTATIONS
-from catopt.model.network import POINT_KINDS
-from catopt.model.site import HIGHEST, STEEPEST
-from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
-from catopt.model.wear import WEAR_TABLES, WEAR_ZONES
+from catopt import model
+from catopt.model.checks import Code
+from catopt.model.design import Component
+from catopt.model.kinds import (
+    Angle,
+    Density,
+    File,
+    Force,
+    Height,
+    Kind,
+    Length,
+    Measured,
+    Moment,
+    OneOf,
+    Share,
+    Size,
+    Source,
+    Weight,
+    annotated,
+)
+from catopt.model.network import Point, PointName
 from catopt.units import Dimension
 
 MOST_LISTED, MOST_TABLES = 1_000, 200
-"""Values that an array may have, and tables that an array of tables may."""
-
-SOME = Field(min_length=1, max_length=MOST_LISTED)
-SOME_TABLES = Field(min_length=1, max_length=MOST_TABLES)
-
-Component = Annotated[str, Text(filled=True, example='"chain studless R3"')]
-Length = Annotated[float, Measured(Dimension.LENGTH, above=0.0)]
-Mass = Annotated[float, Measured(Dimension.MASS, above=0.0)]
-Density = Annotated[float, Measured(Dimension.DENSITY, above=0.0)]
-Friction = Annotated[float, Measured(Dimension.NUMBER, above=0.0)]
-Factor = Annotated[float, Measured(Dimension.NUMBER, at_least=1.0)]
-WearRate = Annotated[float, Measured(Dimension.SPEED, at_least=0.0, example='"0.4 mm/year"')]
-Code = Annotated[str, Text(filled=True, example='"break/5"')]
-Name = Annotated[str, Text()]
-Angle = Annotated[float, Measured(Dimension.ANGLE)]
-Place = Annotated[float, Measured(Dimension.LENGTH)]
-Force = Annotated[float, Measured(Dimension.FORCE)]
-Variant = Annotated[str, Text(filled=True)]
-Lengths = Annotated[list[Length], SOME]
-Masses = Annotated[list[Mass], SOME]
-Time = Annotated[float, Measured(Dimension.TIME, above=0.0)]
-Height = Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)]
-Weight = Annotated[float, Measured(Dimension.FORCE_PER_LENGTH)]
-Area = Annotated[float, Measured(Dimension.AREA, at_least=0.0, example='"1.5 m^2"')]
-Strength = Annotated[float, Measured(Dimension.FORCE, above=0.0)]
-Share = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)]
-Uplift = Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)]
-Duration = Annotated[float, Measured(Dimension.TIME, at_least=0.0)]
-Seed = Annotated[int, Whole("seed", example=1)]
-Yes = Annotated[bool, Flag()]
-Exponent = Annotated[float, Measured(Dimension.NUMBER, above=0.0)]
-Coefficient = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, example="1.2")]
+"""Values that an array may have, and tables that an array of tables may; at least one, unless said
+otherwise."""
 
 
-class Table(BaseModel):
-    """A table of a case file: no other keys than its own.
+@dataclass(frozen=True)
+class Values:
+    """The keys that give the values of one quantity, of which one way is chosen.
 
-    Every value is checked by its `Kind`, which converts nothing but units.
+    One has the key `one`; several have that of the model's attribute, `many`; a range has keys that
+    begin with `one`.
     """
 
-    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
+    one: str
+    many: str
+
+    @property
+    def range(self) -> tuple[str, str, str]:
+        """Keys of a range: smallest, largest, step."""
+        return f"{self.one}_min", f"{self.one}_max", f"{self.one}_step"
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """All of them."""
+        return self.many, self.one, *self.range
+
+
+LENGTHS = Values("length", "lengths")
+MASSES = Values("mass", "masses")
+POSITIONS = Values("position", "positions")
+RADII = Values("anchor_radius", "anchor_radii")
+PRETENSIONS = Values("pretension", "pretensions")
+
+
+class Table:
+    """A table of a file: its keys, and of one that was read what the file gives."""
+
+    model: ClassVar[Any] = None
+    """Part of the model whose attributes the keys are, beside those annotated in the class."""
+
+    keys: ClassVar[str] = ""
+    """The keys in their order, where it is not that of the model."""
+
+    choices: ClassVar[tuple[Values, ...]] = ()
+    """Attributes of the model whose values a file may give in several ways."""
 
     later: ClassVar[Mapping[str, str]] = {}
     """Keys that belong to a later version, each with the required key it would stand for."""
@@ -85,29 +90,19 @@ class Table(BaseModel):
     symbols: ClassVar[Mapping[str, str]] = {}
     """The field's symbols for some keys, so that a user who writes one is told the key."""
 
+    def __init__(self, given: Mapping[str, Any]) -> None:
+        vars(self).update(given)
+
     def given(self) -> dict[str, Any]:
         """Return what the file gives, by key."""
-        return {key: getattr(self, key) for key in self.model_fields_set}
-
-
-OFFSET = Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"')
-SLOPE = Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"')
+        return dict(vars(self))
 
 
 class SiteTable(Table):
     """Water and seabed."""
 
-    symbols: ClassVar[Mapping[str, str]] = {
-        "d": "water_depth",
-        "mu": "seabed_friction",
-        "rho": "water_density",
-    }
-
-    water_depth: Length
-    seabed_friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    water_density: Density | None = None
-    seabed_slope: Annotated[float, SLOPE] | None = None
-    contact_offset: Annotated[float, OFFSET] | None = None
+    model = model.Site
+    symbols: ClassVar = {"d": "water_depth", "mu": "seabed_friction", "rho": "water_density"}
 
 
 DRAG_AREAS = ("D", "pi D")
@@ -117,7 +112,12 @@ DRAG_AREAS = ("D", "pi D")
 class SegmentTable(Table):
     """A uniform stretch of the line."""
 
-    symbols: ClassVar[Mapping[str, str]] = {
+    model = model.Segment
+    keys = """name length component diameter submerged_weight mass EA MBL MBL_mean MBL_cov
+        proof_load price wear_rate wear_zone drag_diameter drag_normal drag_axial drag_axial_area
+        added_mass_normal added_mass_axial drag_method roughness keulegan_carpenter
+        wake_amplification"""
+    symbols: ClassVar = {
         "L": "length",
         "w": "submerged_weight",
         "m": "mass",
@@ -129,38 +129,18 @@ class SegmentTable(Table):
         "added_mass_tangential": "added_mass_axial",
     }
 
-    name: Name | None = None
-    length: Length
-    component: Component | None = None
     diameter: Length | None = None
     submerged_weight: Weight | None = None
-    mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
-    EA: Strength | None = None
-    MBL: Strength | None = None
-    MBL_mean: Strength | None = None
-    MBL_cov: (
-        Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=HIGHEST_COV)] | None
-    ) = None
-    proof_load: Strength | None = None
-    price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
-    wear_rate: WearRate | None = None
-    wear_zone: Annotated[str, OneOf(WEAR_ZONES)] | None = None
-    drag_diameter: Length | None = None
-    drag_normal: Coefficient | None = None
-    drag_axial: Coefficient | None = None
     drag_axial_area: Annotated[str, OneOf(DRAG_AREAS)] | None = None
-    added_mass_normal: Coefficient | None = None
-    added_mass_axial: Coefficient | None = None
-    drag_method: Annotated[str, OneOf(DRAG_METHODS)] | None = None
-    roughness: Height | None = None
-    keulegan_carpenter: Coefficient | None = None
-    wake_amplification: Exponent | None = None
 
 
 class PointLoadTable(Table):
     """A clump weight (sinker) or a buoy on the line."""
 
-    symbols: ClassVar[Mapping[str, str]] = {
+    model = model.PointLoad
+    keys = """name position submerged_weight mass density volume friction drag_area
+        drag_coefficient added_mass_coefficient"""
+    symbols: ClassVar = {
         "s": "position",
         "W": "submerged_weight",
         "m": "mass",
@@ -170,16 +150,9 @@ class PointLoadTable(Table):
         "Ca": "added_mass_coefficient",
     }
 
-    name: Name | None = None
-    position: Length
     submerged_weight: Force | None = None
-    mass: Annotated[float, Measured(Dimension.MASS, at_least=0.0)] | None = None
     density: Density | None = None
     volume: Annotated[float, Measured(Dimension.VOLUME, above=0.0)] | None = None
-    friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    drag_area: Area | None = None
-    drag_coefficient: Coefficient | None = None
-    added_mass_coefficient: Coefficient | None = None
 
 
 class LineTable(Table):
@@ -187,35 +160,23 @@ class LineTable(Table):
 
     fairlead_height: Height | None = None
     anchor_height: Height | None = None
-    segments: Annotated[list[SegmentTable], SOME_TABLES]
-    point_loads: Annotated[list[PointLoadTable], Field(max_length=MOST_TABLES)] = []
+    segments: list[SegmentTable]
+    point_loads: Annotated[list[PointLoadTable], Size(0, MOST_TABLES)] | None = None
 
 
 class LoadTable(Table):
     """The one known quantity at the fairlead."""
 
-    symbols: ClassVar[Mapping[str, str]] = {
-        "H": "horizontal_force",
-        "S": "span",
-        "T": "fairlead_tension",
-    }
-
-    horizontal_force: Strength | None = None
-    span: Length | None = None
-    fairlead_tension: Strength | None = None
+    model = model.Load
+    symbols: ClassVar = {"H": "horizontal_force", "S": "span", "T": "fairlead_tension"}
 
 
 class LoadCaseTable(Table):
     """A state of the sea that the line has to meet."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"H": "horizontal_force"}
-
-    name: Annotated[str, Text(filled=True, example='"storm"')]
-    horizontal_force: Strength
-    water_level: Place | None = None
-    fairlead_rise: Place | None = None
-    kind: Annotated[str, OneOf(LOAD_CASE_KINDS)] | None = None
-    state: Annotated[str, OneOf(LOAD_CASE_STATES)] | None = None
+    model = model.LoadCase
+    keys = "name horizontal_force water_level fairlead_rise kind state"
+    symbols: ClassVar = {"H": "horizontal_force"}
 
 
 class SystemTable(Table):
@@ -223,219 +184,140 @@ class SystemTable(Table):
 
     anchor_radius: Length
     fairlead_radius: Height | None = None
-    azimuths: Annotated[list[Angle], SOME]
-    force: Annotated[list[Force], Field(min_length=2, max_length=2)] | None = None
-    moment: Annotated[float, Measured(Dimension.MOMENT)] | None = None
-    yaw_free: Yes | None = None
+    azimuths: list[Angle]
+    force: Annotated[list[Force], Size(2, 2)] | None = None
+    moment: Moment | None = None
+    yaw_free: bool | None = None
 
 
 class FindTable(Table):
     """What is sought, in place of how the line hangs."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"theta0": "anchor_angle"}
-
-    quantity: Annotated[str, OneOf(FIND_QUANTITIES)]
-    segment: Annotated[int, Whole("segment", example=1)] | None = None
-    point_load: Annotated[int, Whole("point_load", example=1)] | None = None
-    anchor_angle: Uplift | None = None
-    grounded_length: Length | None = None
+    model = model.Find
+    symbols: ClassVar = {"theta0": "anchor_angle"}
 
 
 class ChecksTable(Table):
     """Limits a design has to keep."""
 
-    symbols: ClassVar[Mapping[str, str]] = {
-        "SF": "safety_factor",
-        "factor_of_safety": "safety_factor",
-    }
+    model = model.Checks
+    keys = """safety_factor safety_factor_line_out code codes proof_load_factor
+        max_anchor_uplift_angle max_anchor_uplift_force min_grounded_length max_span max_offset
+        allow_recalled"""
+    symbols: ClassVar = {"SF": "safety_factor", "factor_of_safety": "safety_factor"}
 
-    safety_factor: Factor | None = None
-    safety_factor_line_out: Factor | None = None
     code: Code | None = None
-    codes: Annotated[list[Code], SOME] | None = None
-    proof_load_factor: Factor | None = None
-    max_anchor_uplift_angle: Uplift | None = None
-    max_anchor_uplift_force: Annotated[float, Measured(Dimension.FORCE, at_least=0.0)] | None = None
-    min_grounded_length: Height | None = None
-    max_span: Length | None = None
-    max_offset: Length | None = None
-    allow_recalled: Yes | None = None
 
 
 class ServiceTable(Table):
     """How long the line is to last, and how fast it wears."""
 
-    life: Annotated[float, Measured(Dimension.TIME, at_least=0.0, example='"10 years"')]
-    wear_rate: WearRate | None = None
-    wear_table: Annotated[str, OneOf(tuple(WEAR_TABLES))] | None = None
+    model = model.Service
 
 
 class BuoyTable(Table):
     """The floating body that the line pulls down on."""
 
-    reserve_buoyancy: Strength
+    model = model.Buoy
 
 
 class AnchorTable(Table):
     """What holds the line at the bed."""
 
-    symbols: ClassVar[Mapping[str, str]] = {
-        "W": "submerged_weight",
-        "m": "mass",
-        "SF": "safety_factor",
-    }
+    model = model.Anchor
+    keys = """kind submerged_weight mass density friction holding_capacity safety_factor
+        safety_factor_line_out factor_source"""
+    symbols: ClassVar = {"W": "submerged_weight", "m": "mass", "SF": "safety_factor"}
 
-    kind: Annotated[str, OneOf(ANCHOR_KINDS)]
-    submerged_weight: Strength | None = None
-    mass: Mass | None = None
     density: Density | None = None
-    friction: Friction | None = None
-    holding_capacity: Strength | None = None
-    safety_factor: Factor | None = None
-    safety_factor_line_out: Factor | None = None
-    factor_source: Annotated[str, Text(filled=True)] | None = None
 
 
 class VariantsTable(Table):
     """Which of disagreeing figures to follow, by quantity of the catalogue."""
 
-    all: Variant | None = None
-    mass: Variant | None = None
-    volume_diameter: Variant | None = None
-    MBL: Variant | None = None
-    proof_load: Variant | None = None
-    wet_strength_factor: Variant | None = None
-    EA: Variant | None = None
-    EA_dynamic: Variant | None = None
-    drag_normal: Variant | None = None
-    drag_axial: Variant | None = None
-    added_mass_normal: Variant | None = None
-    added_mass_axial: Variant | None = None
-    price: Variant | None = None
+    all: Source | None = None
+    mass: Source | None = None
+    volume_diameter: Source | None = None
+    MBL: Source | None = None
+    proof_load: Source | None = None
+    wet_strength_factor: Source | None = None
+    EA: Source | None = None
+    EA_dynamic: Source | None = None
+    drag_normal: Source | None = None
+    drag_axial: Source | None = None
+    added_mass_normal: Source | None = None
+    added_mass_axial: Source | None = None
+    price: Source | None = None
 
 
 class CatalogueTable(Table):
     """Where components come from."""
 
-    file: Annotated[str, Text(filled=True)] | None = None
-    allow_recalled: Yes | None = None
+    model = model.CatalogueChoice
+
     variants: VariantsTable | None = None
 
 
 class SegmentChoiceTable(Table):
     """What one segment of a design may be."""
 
-    name: Name | None = None
+    model = model.SegmentChoice
+    keys = """name component components diameter diameters diameter_min diameter_max lengths
+        optional"""
+    choices = (LENGTHS,)
+
     component: Component | None = None
-    components: Annotated[list[Component], SOME] | None = None
     diameter: Length | None = None
-    diameters: Lengths | None = None
-    diameter_min: Length | None = None
-    diameter_max: Length | None = None
-    length: Length | None = None
-    lengths: Lengths | None = None
-    length_min: Length | None = None
-    length_max: Length | None = None
-    length_step: Length | None = None
-    optional: Yes | None = None
 
 
 class ClumpWeightChoiceTable(Table):
     """What one clump weight of a design may be."""
 
-    name: Name | None = None
-    mass: Mass | None = None
-    masses: Masses | None = None
-    mass_min: Mass | None = None
-    mass_max: Mass | None = None
-    mass_step: Mass | None = None
-    density: Density
-    position: Length | None = None
-    positions: Lengths | None = None
-    position_min: Length | None = None
-    position_max: Length | None = None
-    position_step: Length | None = None
-    joint: Annotated[int, Whole("joint", example=1)] | None = None
-    friction: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    optional: Yes | None = None
+    model = model.ClumpWeightChoice
+    keys = "name masses density positions joint friction optional"
+    choices = (MASSES, POSITIONS)
 
 
 class SinkerChoiceTable(Table):
     """Sinkers at the anchor to choose from."""
 
-    mass: Mass | None = None
-    masses: Masses | None = None
-    mass_min: Mass | None = None
-    mass_max: Mass | None = None
-    mass_step: Mass | None = None
-    density: Density
-    friction: Friction
-    safety_factor: Factor | None = None
-    factor_source: Annotated[str, Text(filled=True)] | None = None
+    model = model.SinkerChoice
+    choices = (MASSES,)
 
 
 class DesignLoadTable(Table):
     """A force on a moored body that every design has to meet."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"horizontal_force": "force"}
-
-    name: Annotated[str, Text(filled=True, example='"storm"')]
-    force: Strength
-    direction: Angle | None = None
-    headings: Annotated[int, Whole("headings", example=12)] | None = None
-    water_level: Place | None = None
-    fairlead_rise: Place | None = None
-    line_out: Yes | None = None
+    model = model.DesignLoad
+    symbols: ClassVar = {"horizontal_force": "force"}
 
 
 class DesignTable(Table):
     """What may vary, and what it is to be best in."""
 
-    objectives: Annotated[list[Annotated[str, OneOf(OBJECTIVES)]], SOME] | None = None
-    method: Annotated[str, OneOf(SEARCH_METHODS)] | None = None
-    evaluations: Annotated[int, Whole("evaluations", example=10_000)] | None = None
-    population: Annotated[int, Whole("population", example=100)] | None = None
-    seed: Seed | None = None
-    max_enumerated: Annotated[int, Whole("max_enumerated", example=5_000_000)] | None = None
-    segments: Annotated[list[SegmentChoiceTable], SOME_TABLES]
-    clump_weights: Annotated[list[ClumpWeightChoiceTable], Field(max_length=MOST_TABLES)] = []
+    model = model.Design
+    keys = """objectives method evaluations population seed max_enumerated segments clump_weights
+        sinker lines anchor_radii pretensions headings line_out loads"""
+    choices = (RADII, PRETENSIONS)
+
+    segments: list[SegmentChoiceTable]
+    clump_weights: Annotated[list[ClumpWeightChoiceTable], Size(0, MOST_TABLES)] | None = None
     sinker: SinkerChoiceTable | None = None
-    lines: Annotated[list[Annotated[int, Whole("lines", example=6)]], SOME] | None = None
-    anchor_radius: Length | None = None
-    anchor_radii: Lengths | None = None
-    anchor_radius_min: Length | None = None
-    anchor_radius_max: Length | None = None
-    anchor_radius_step: Length | None = None
-    pretension: Strength | None = None
-    pretensions: Annotated[list[Strength], SOME] | None = None
-    pretension_min: Strength | None = None
-    pretension_max: Strength | None = None
-    pretension_step: Strength | None = None
-    headings: Annotated[int, Whole("headings", example=12)] | None = None
-    line_out: Yes | None = None
-    loads: Annotated[list[DesignLoadTable], SOME_TABLES] | None = None
+    loads: list[DesignLoadTable] | None = None
 
 
 class PsoTable(Table):
     """Settings of the particle swarm."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"c1": "cognitive", "c2": "social", "w": "inertia"}
-
-    particles: Annotated[int, Whole("particles", example=200)] | None = None
-    iterations: Annotated[int, Whole("iterations", example=200)] | None = None
-    runs: Annotated[int, Whole("runs", example=200)] | None = None
-    seed: Seed | None = None
-    cognitive: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=4.0)] | None = None
-    social: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=4.0)] | None = None
-    inertia: Share | None = None
-    boundary: Annotated[str, OneOf(BOUNDARY_HANDLINGS)] | None = None
+    model = model.SwarmSettings
+    symbols: ClassVar = {"c1": "cognitive", "c2": "social", "w": "inertia"}
 
 
-Gamma = Annotated[float, Measured(Dimension.NUMBER, at_least=1.0, at_most=20.0, example="3.3")]
+class WaveTrainTable(Table):
+    """Waves of one spectrum among several."""
 
-
-class _OneTrainTable(Table):
-    symbols: ClassVar[Mapping[str, str]] = {
+    model = model.WaveTrain
+    symbols: ClassVar = {
         "Hs": "height",
         "H": "height",
         "Tp": "period",
@@ -443,178 +325,102 @@ class _OneTrainTable(Table):
         "gamma": "peak_enhancement",
     }
 
-    spectrum: Annotated[str, OneOf(WAVE_SPECTRA)] | None = None
-    height: Length | None = None
-    period: Time | None = None
-    peak_enhancement: Gamma | None = None
-    direction: Angle | None = None
-    components: Annotated[int, Whole("components", example=200)] | None = None
-    spreading_exponent: Exponent | None = None
-    spreading_directions: Annotated[int, Whole("spreading_directions", example=20)] | None = None
 
-
-class WaveTrainTable(_OneTrainTable):
-    """Waves of one spectrum among several."""
-
-    spectrum: Annotated[str, OneOf(WAVE_SPECTRA)]
-    height: Length
-    period: Time
-
-
-class WavesTable(_OneTrainTable):
+class WavesTable(Table):
     """The waves of the sea, for a line in motion."""
 
-    elevation_file: Annotated[str, Text(filled=True, example='"elevation.csv"')] | None = None
-    elevation_x: Place | None = None
-    shortest_period: Time | None = None
-    stretching: Annotated[str, OneOf(STRETCHINGS)] | None = None
-    seed: Seed | None = None
-    trains: Annotated[list[WaveTrainTable], SOME_TABLES] | None = None
+    model = model.WaveState
+    keys = """spectrum height period peak_enhancement direction components spreading_exponent
+        spreading_directions elevation_file elevation_x shortest_period stretching seed trains"""
+    symbols: ClassVar = WaveTrainTable.symbols
+
+    trains: list[WaveTrainTable] | None = None
 
 
 class CurrentTable(Table):
     """A current over the depth, for a line in motion."""
 
-    profile: Annotated[str, OneOf(CURRENT_PROFILES)]
-    speed: Annotated[float, Measured(Dimension.SPEED, at_least=0.0)] | None = None
-    exponent: Exponent | None = None
-    depth: Length | None = None
-    depths: Annotated[list[Height], SOME] | None = None
-    speeds: Annotated[list[Annotated[float, Measured(Dimension.SPEED)]], SOME] | None = None
-    direction: Angle | None = None
-    directions: Annotated[list[Angle], SOME] | None = None
-    series_file: Annotated[str, Text(filled=True, example='"current.csv"')] | None = None
+    model = model.CurrentProfile
 
 
 class AnchorMotionTable(Table):
     """How the lower end of a line moves."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"T": "period"}
+    model = model.Motion
+    keys = "period surge sway heave surge_phase sway_phase heave_phase file"
+    symbols: ClassVar = {"T": "period"}
 
-    period: Time | None = None
-    surge: Height | None = None
-    sway: Height | None = None
-    heave: Height | None = None
-    surge_phase: Angle | None = None
-    sway_phase: Angle | None = None
-    heave_phase: Angle | None = None
-    file: Annotated[str, Text(filled=True, example='"lower-end.csv"')] | None = None
+    file: Annotated[str, File(example='"lower-end.csv"')] | None = None
 
 
-class MotionTable(AnchorMotionTable):
+class MotionTable(Table):
     """How the fairlead moves."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"T": "period", "RAO": "rao_file"}
-
-    file: Annotated[str, Text(filled=True, example='"motion.csv"')] | None = None
-    rao_file: Annotated[str, Text(filled=True, example='"rao.csv"')] | None = None
-    rao_phase: Annotated[str, OneOf(RAO_PHASES)] | None = None
-    rao_reference: Annotated[list[Place], Field(min_length=3, max_length=3)] | None = None
-    rao_rotation: Annotated[str, OneOf(RAO_ROTATIONS)] | None = None
-    rao_per: Annotated[str, OneOf(RAO_PER)] | None = None
-    rao_crest: Annotated[list[Place], Field(min_length=2, max_length=2)] | None = None
-    drift: Annotated[list[Place], Field(min_length=2, max_length=2)] | None = None
-    drift_file: Annotated[str, Text(filled=True, example='"drift.csv"')] | None = None
+    model = model.Motion
+    symbols: ClassVar = {"T": "period", "RAO": "rao_file"}
 
 
 class BodyTable(Table):
     """The body that several lines moor, where it moves under forces."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"m": "mass"}
-
-    mass: Mass
-    added_mass: Annotated[float, Measured(Dimension.MASS, at_least=0.0)] | None = None
-    damping: Annotated[float, Measured(Dimension.DAMPING, at_least=0.0)] | None = None
-    force_file: Annotated[str, Text(filled=True, example='"force.csv"')] | None = None
-    wave_force: Annotated[list[Weight], Field(min_length=2, max_length=2)] | None = None
-
-
-Storm = Annotated[float, Measured(Dimension.TIME, above=0.0, example='"3 h"')]
-BedStiffness = Annotated[float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"')]
-BedDamping = Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.0)]
+    model = model.Body
+    symbols: ClassVar = {"m": "mass"}
 
 
 class DynamicsTable(Table):
     """How the line is run in time."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"step": "time_step", "seeds": "runs"}
-
-    duration: Annotated[float, Measured(Dimension.TIME, above=0.0, example='"20 min"')]
-    ramp: Duration | None = None
-    time_step: Time | None = None
-    output_interval: Time | None = None
-    elements: Annotated[int, Whole("elements", example=100)] | None = None
-    scheme: Annotated[str, OneOf(TIME_SCHEMES)] | None = None
-    spectral_radius: Share | None = None
-    runs: Annotated[int, Whole("runs", example=5)] | None = None
-    seabed_stiffness: BedStiffness | None = None
-    seabed_damping: BedDamping | None = None
-    line_damping: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)] | None = None
-    damping_time: Duration | None = None
-    broken_line: Annotated[int, Whole("broken_line", example=2)] | None = None
-    broken_at: Time | None = None
-    broken_end: Annotated[str, OneOf(BROKEN_ENDS)] | None = None
-    initial_friction: Annotated[str, OneOf(INITIAL_FRICTION)] | None = None
-    duration_of_interest: Storm | None = None
+    model = model.Dynamics
+    symbols: ClassVar = {"step": "time_step", "seeds": "runs"}
 
 
 class FatigueSeaStateTable(Table):
     """Waves that last a part of the year."""
 
-    symbols = _OneTrainTable.symbols
+    model = model.FatigueSeaState
+    keys = "height period share time_per_year direction"
+    symbols: ClassVar = WaveTrainTable.symbols
 
-    height: Length
-    period: Time
-    share: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)] | None = None
+    share: Share | None = None
     time_per_year: (
         Annotated[float, Measured(Dimension.TIME, above=0.0, example='"2190 h"')] | None
     ) = None
-    direction: Angle | None = None
 
 
 class FatigueCurveTable(Table):
     """Curve of a segment, in place of the code's."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"a_D": "log_a_D"}
-
-    segment: Annotated[int, Whole("segment", example=1)] | None = None
-    name: Annotated[str, OneOf(CURVE_NAMES)] | None = None
-    log_a_D: Annotated[float, Measured(Dimension.NUMBER, above=0.0, example="10.78")] | None = None
-    m: Exponent | None = None
-    K: Annotated[float, Measured(Dimension.NUMBER, above=0.0, example="316")] | None = None
-    M: Exponent | None = None
+    model = model.SegmentCurve
+    symbols: ClassVar = {"a_D": "log_a_D"}
 
 
 class FatigueTable(Table):
     """What the damage of a line in motion is found from."""
 
-    symbols: ClassVar[Mapping[str, str]] = {"DFF": "design_factor"}
+    model = model.Fatigue
+    keys = "code design_factor curves sea_states sea_states_file"
+    symbols: ClassVar = {"DFF": "design_factor"}
 
-    code: Annotated[str, OneOf(FATIGUE_CODES)] | None = None
-    design_factor: Factor | None = None
-    curves: Annotated[list[FatigueCurveTable], SOME_TABLES] | None = None
-    sea_states: Annotated[list[FatigueSeaStateTable], SOME_TABLES] | None = None
-    sea_states_file: Annotated[str, Text(filled=True, example='"sea-states.csv"')] | None = None
+    curves: list[FatigueCurveTable] | None = None
+    sea_states: list[FatigueSeaStateTable] | None = None
 
 
 class CaseTable(Table):
     """A whole case file."""
 
-    later: ClassVar[Mapping[str, str]] = {
-        "verify": "",
-    }
-    elsewhere: ClassVar[Mapping[str, str]] = {
+    later: ClassVar = {"verify": ""}
+    elsewhere: ClassVar = {
         "environment": "belongs to a file for catopt size and catopt loads (docs/sizing.md), "
         "which finds the force; a case file gives it",
     }
-    symbols: ClassVar[Mapping[str, str]] = {"catalog": "catalogue"}
+    symbols: ClassVar = {"catalog": "catalogue"}
 
-    title: Name | None = None
-    source: Name | None = None
+    title: str | None = None
+    source: str | None = None
     site: SiteTable
     line: LineTable
     load: LoadTable | None = None
-    load_cases: Annotated[list[LoadCaseTable], SOME_TABLES] | None = None
+    load_cases: list[LoadCaseTable] | None = None
     system: SystemTable | None = None
     find: FindTable | None = None
     checks: ChecksTable | None = None
@@ -633,96 +439,82 @@ class CaseTable(Table):
     pso: PsoTable | None = None
 
 
-_PointName = Annotated[str, Text(filled=True, example='"joint 1"')]
-
-
 class PointTable(Table):
     """An anchor, a fairlead or a free joint."""
 
-    name: _PointName
-    kind: Annotated[str, OneOf(POINT_KINDS)]
-    x: Place | None = None
-    y: Place | None = None
-    height: Height | None = None
-    submerged_weight: Force | None = None
+    model = Point
 
 
 class NetworkSegmentTable(Table):
     """A uniform stretch of a line between points."""
 
-    name: Name | None = None
-    length: Length
-    submerged_weight: Weight
-    EA: Strength | None = None
-    MBL: Strength | None = None
+    model = model.Segment
+    keys = "name length submerged_weight EA MBL"
 
 
 class NetworkLoadTable(Table):
     """A clump weight or a buoy on a line between points."""
 
-    name: Name | None = None
-    position: Length
-    submerged_weight: Force
+    model = model.PointLoad
+    keys = "name position submerged_weight"
 
 
 class LineBetweenTable(Table):
     """A line from one point to another."""
 
-    name: Name | None = None
-    start: _PointName
-    end: _PointName
-    segments: Annotated[list[NetworkSegmentTable], SOME_TABLES]
-    point_loads: Annotated[list[NetworkLoadTable], SOME_TABLES] | None = None
+    name: str | None = None
+    start: PointName
+    end: PointName
+    segments: list[NetworkSegmentTable]
+    point_loads: list[NetworkLoadTable] | None = None
 
 
 class NetworkTable(Table):
     """A whole file of lines that meet in joints."""
 
-    title: Name | None = None
-    source: Name | None = None
+    title: str | None = None
+    source: str | None = None
     site: SiteTable
-    points: Annotated[list[PointTable], SOME_TABLES]
-    lines: Annotated[list[LineBetweenTable], SOME_TABLES]
+    points: list[PointTable]
+    lines: list[LineBetweenTable]
 
 
 @dataclass(frozen=True)
 class Entry:
-    """What a key of a table holds.
+    """What a key of a table holds: a single value, or a table; or an array of either.
 
-    Attributes
-    ----------
-    kind : Kind or None
-        For a single value, and for each of an array of values.
-    table : type of Table or None
-        For a table or an array of tables.
-    array : bool
-        Whether it is an array, of values or of tables.
-    required : bool
-        Whether it has to be there.
+    The kind is that of each value of an array.
     """
 
     kind: Kind | None
     table: type[Table] | None
     array: bool
     required: bool
+    size: Size
 
 
-@cache
+_KNOWN: dict[type[Table], Mapping[str, Entry]] = {}
+
+
 def entries(table: type[Table]) -> Mapping[str, Entry]:
     """List the keys of a table, in order, with what each holds."""
-    listed = {}
-    for key, field in table.model_fields.items():
-        parts = [*field.metadata, *_parts(field.annotation)]
-        kind = next((part for part in parts if isinstance(part, Kind)), None)
-        inner = next((p for p in parts if isinstance(p, type) and issubclass(p, Table)), None)
-        listed[key] = Entry(kind, inner, list in parts, field.is_required())
-    return MappingProxyType(listed)
+    if table not in _KNOWN:
+        _KNOWN[table] = MappingProxyType(dict(_entries(table)))
+    return _KNOWN[table]
 
 
-def _parts(annotation: Any) -> list[Any]:
-    """Take an annotation apart: ``Annotated[float, k] | None`` gives ``float``, ``k`` and None."""
-    origin = getattr(annotation, "__origin__", None)
-    parts = [annotation] if origin is None else [origin]
-    for inner in (*get_args(annotation), *getattr(annotation, "__metadata__", ())):
-        parts += _parts(inner)
-    return parts
+def _entries(table: type[Table]) -> Iterator[tuple[str, Entry]]:
+    own = annotated(table)
+    of_model = annotated(table.model) if table.model else {}
+    several = {values.many: values for values in table.choices}
+    for key in table.keys.split() or [*of_model, *own]:
+        kind, array, size, classes = own[key] if key in own else of_model[key]
+        if key in several:
+            ways = several[key]
+            for way in (ways.one, ways.many, *ways.range):
+                yield way, Entry(kind, None, way == key, False, Size(1, MOST_LISTED))
+            continue
+        inner = next((each for each in classes if issubclass(each, Table)), None)
+        required = not hasattr(table if key in own else table.model, key)
+        most = MOST_LISTED if inner is None else MOST_TABLES
+        yield key, Entry(kind, inner, array, required, size or Size(1, most))

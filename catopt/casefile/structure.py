@@ -1,72 +1,111 @@
-"""Turns what pydantic found wrong into findings in the user's terms."""
+"""Reads the tables of a file by their schema, with every fault of their form."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from typing import Any, TypeVar
 
-from pydantic_core import ErrorDetails
-
-from catopt.casefile.fields import REFUSED
 from catopt.casefile.location import Finding, header
 from catopt.casefile.names import hint, stands_for
-from catopt.casefile.schema import CaseTable, Entry, LoadTable, Table, entries
+from catopt.casefile.schema import Entry, LoadTable, Table, entries
 from catopt.documents import Path
+from catopt.errors import InputError
 from catopt.units import as_written
 
 _MOST = 200
 """Findings of one file: a file with more has one fault, that it is another kind of file."""
 
+AnyTable = TypeVar("AnyTable", bound=Table)
 
-def structure_findings(
-    errors: Sequence[ErrorDetails], top: type[Table] = CaseTable
-) -> list[Finding]:
-    """Translate pydantic's errors of a file, whose schema is `top`.
 
-    A missing key is not reported when an unknown key beside it is a misspelling of it, or belongs
-    to a later version and would stand for it: one mistake, one message.
+def read_tables(document: dict[str, Any], top: type[AnyTable]) -> tuple[AnyTable, list[Finding]]:
+    """Read a document by the schema of the whole file, with what is wrong in its form.
+
+    What is wrong is left out of the table, which is for use where nothing is.
     """
-    errors = errors[:_MOST]
-    unknown = [_path(error) for error in errors if error["type"] == "extra_forbidden"]
-    meant = {(*path[:-1], _stands_for(path, top)) for path in unknown}
-    return [
-        _finding(error, top)
-        for error in errors
-        if not (error["type"] == "missing" and _path(error) in meant)
-    ]
+    reader = _Reader(top)
+    table = reader.table((), top, document)
+    return table, reader.findings[:_MOST]
 
 
-def _finding(error: ErrorDetails, top: type[Table]) -> Finding:
-    path, given = _path(error), error["input"]
-    if error["type"] == REFUSED:
-        return Finding(path, error["ctx"]["found"], error["ctx"]["allowed"])
-    if error["type"] == "extra_forbidden":
-        return _unknown(path, given, top)
-    if error["type"] == "missing":
-        return Finding(path, "", f"missing; {_wanted(path, top)}")
-    most = f"; {error['ctx']['max_length']} are the most" if error["type"] == "too_long" else ""
-    return Finding(path, as_written(given), _wanted(path, top) + most)  # no table, or no such array
+class _Reader:
+    def __init__(self, top: type[Table]) -> None:
+        self.top = top
+        self.findings: list[Finding] = []
+
+    def table(self, path: Path, schema: type[AnyTable], given: dict[str, Any]) -> AnyTable:
+        """Read a table.
+
+        A missing key is not reported when an unknown key beside it is a misspelling of it, or
+        belongs to a later version and would stand for it: one mistake, one message.
+        """
+        if len(self.findings) >= _MOST:
+            return schema({})
+        known = entries(schema)
+        unknown = [key for key in given if key not in known]
+        meant = {stands_for(schema, key, self.top) for key in unknown}
+        read = {}
+        for key, entry in known.items():
+            here = (*path, key)
+            if key in given:
+                read[key] = self._entry(here, entry, given[key])
+            elif entry.required and key not in meant:
+                self.findings.append(Finding(here, "", f"missing; {_wanted(here, entry)}"))
+        self.findings += (self._unknown(path, schema, key, given[key]) for key in unknown)
+        return schema(read)
+
+    def _entry(self, path: Path, entry: Entry, given: Any) -> Any:
+        """Read what a key gives; an array as a list."""
+        if not entry.array:
+            return self._one(path, entry, given, _wanted(path, entry))
+        if not isinstance(given, list):
+            self._note(path, given, _wanted(path, entry))
+            return None
+        before, sound = len(self.findings), []
+        for index, each in enumerate(given):
+            noted = len(self.findings)
+            one = self._one((*path, index), entry, each, "a table is wanted")
+            sound += [one] if len(self.findings) == noted else []
+        if len(sound) > entry.size.most:
+            del self.findings[before:]
+            most = f"; {entry.size.most} are the most"
+            self._note(path, given, _wanted(path, entry) + most)
+        elif len(self.findings) == before and len(sound) < entry.size.fewest:
+            self._note(path, given, _wanted(path, entry))
+        return sound
+
+    def _one(self, path: Path, entry: Entry, given: Any, wanted: str) -> Any:
+        """Read one value or one table."""
+        if entry.kind is not None:
+            try:
+                return entry.kind.read(given)
+            except InputError as error:
+                self.findings += (Finding(path, p.found, p.allowed) for p in error.problems)
+        elif entry.table is not None and isinstance(given, dict):
+            return self.table(path, entry.table, given)
+        else:
+            self._note(path, given, wanted)
+        return None
+
+    def _note(self, path: Path, given: Any, allowed: str) -> None:
+        self.findings.append(Finding(path, as_written(given), allowed))
+
+    def _unknown(self, path: Path, schema: type[Table], key: str, given: Any) -> Finding:
+        here = (*path, key)
+        if key in schema.elsewhere:
+            return Finding(here, as_written(given), schema.elsewhere[key])
+        if key not in schema.later:
+            return Finding(here, "an unknown key", hint(schema, key, self.top))
+        advice = ""
+        if instead := schema.later[key]:
+            is_value = entries(schema)[instead].table is None
+            name = instead if is_value else header((*path, instead))
+            advice = f"; give {name} instead"
+        return Finding(
+            here, as_written(given), f"this version of catopt does not know it yet{advice}"
+        )
 
 
-def _unknown(path: Path, given: object, top: type[Table]) -> Finding:
-    table, key = _table(path[:-1], top), str(path[-1])
-    if key in table.elsewhere:
-        return Finding(path, as_written(given), table.elsewhere[key])
-    if key not in table.later:
-        return Finding(path, "an unknown key", hint(table, key, top))
-    instead = _stands_for(path, top)
-    advice = f"; give {_name_of(path[:-1], instead, top)} instead" if instead else ""
-    return Finding(path, as_written(given), "this version of catopt does not know it yet" + advice)
-
-
-def _stands_for(path: Path, top: type[Table]) -> str:
-    """Return the key that an unknown key was to give."""
-    return stands_for(_table(path[:-1], top), str(path[-1]), top) or ""
-
-
-def _wanted(path: Path, top: type[Table]) -> str:
-    if isinstance(path[-1], int):
-        return "a table is wanted"
-    entry = _entry(path, top)
+def _wanted(path: Path, entry: Entry) -> str:
     if entry.kind is not None:
         return entry.kind.wanted + (", in brackets" if entry.array else "")
     line = header(path, array=entry.array)
@@ -75,27 +114,3 @@ def _wanted(path: Path, top: type[Table]) -> str:
     if entry.table is LoadTable:
         return f"a table {line} with one of {', '.join(entries(LoadTable))} is wanted"
     return f"a table {line} is wanted"
-
-
-def _name_of(parent: Path, key: str, top: type[Table]) -> str:
-    path = (*parent, key)
-    return key if _entry(path, top).table is None else header(path)
-
-
-def _entry(path: Path, top: type[Table]) -> Entry:
-    return entries(_table(path[:-1], top))[str(path[-1])]
-
-
-def _table(path: Path, top: type[Table]) -> type[Table]:
-    """Return the schema of the table at a path."""
-    table = top
-    for part in path:
-        if isinstance(part, str):
-            inner = entries(table)[part].table
-            assert inner is not None, path
-            table = inner
-    return table
-
-
-def _path(error: ErrorDetails) -> Path:
-    return error["loc"]

@@ -3,52 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from hashlib import sha256
 from typing import Any, Final
 
-from catopt.casefile.fields import Measured
+from catopt.casefile.location import header
 from catopt.casefile.schema import (
-    AnchorMotionTable,
-    AnchorTable,
-    BodyTable,
-    BuoyTable,
     CaseTable,
-    CatalogueTable,
-    ChecksTable,
-    ClumpWeightChoiceTable,
-    CurrentTable,
-    DesignLoadTable,
-    DesignTable,
-    DynamicsTable,
-    FatigueCurveTable,
-    FatigueSeaStateTable,
-    FatigueTable,
-    FindTable,
-    LineBetweenTable,
-    LineTable,
-    LoadCaseTable,
-    LoadTable,
-    MotionTable,
-    NetworkLoadTable,
-    NetworkSegmentTable,
     NetworkTable,
-    PointLoadTable,
-    PointTable,
-    PsoTable,
-    SegmentChoiceTable,
-    SegmentTable,
-    ServiceTable,
-    SinkerChoiceTable,
-    SiteTable,
-    SystemTable,
     Table,
     VariantsTable,
     WavesTable,
     WaveTrainTable,
     entries,
 )
-from catopt.documents import unfit
+from catopt.documents import Path, unfit
 from catopt.errors import InputError, Problem
 from catopt.model import (
     Case,
@@ -65,12 +34,10 @@ from catopt.model import (
     System,
     WaveState,
 )
+from catopt.model.kinds import Measured
 from catopt.model.motion import HARMONIC
-from catopt.model.network import Network, Point
+from catopt.model.network import LineBetween, Network, Point
 from catopt.units import UNITS, Dimension
-
-_UNITS = {"seabed_stiffness": "N/m^2"}
-"""Of keys that are not written in the unit of their dimension."""
 
 _ESCAPES = {
     '"': '\\"',
@@ -80,9 +47,6 @@ _ESCAPES = {
 }
 
 _WIDTH = 100
-
-Blocks = Iterator[list[str]]
-"""Tables of a file, each as its lines, the one that opens it first."""
 
 
 def case_digest(case: Case) -> str:
@@ -105,84 +69,40 @@ def write_case(case: Case | Network) -> str:
         (an EA of an inextensible segment, an unknown mass) is left out; a segment of a component
         takes it from the catalogue again. Paths are absolute.
     """
-    blocks = _of_network(case) if isinstance(case, Network) else _blocks(case)
+    if isinstance(case, Network):
+        blocks = _blocks(NetworkTable, _given(case))
+    else:
+        blocks = _blocks(CaseTable, _of_case(case))
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
-def _blocks(case: Case) -> Blocks:
-    if head := list(_lines(CaseTable, _given(case))):
-        yield head
+def _blocks(
+    schema: type[Table], given: Mapping[str, Any], path: Path = (), *, array: bool = False
+) -> Iterator[list[str]]:
+    """Write a table and those below it, each as its lines; one that says nothing is not opened."""
+    known = entries(schema)
+    if lines := list(_lines(schema, given)):
+        yield [header(path, array=array), *lines] if path else lines
+    for key, value in given.items():
+        inner = known[key].table if key in known else None
+        if inner is not None:
+            several = known[key].array
+            for part in value if several else [value]:
+                below = part if isinstance(part, dict) else _given(part)
+                yield from _blocks(inner, below, (*path, key), array=several)
+
+
+def _of_case(case: Case) -> dict[str, Any]:
+    """Return what a case has to say, by the keys of its file and in their order."""
     site = case.site
-    yield ["[site]", *_lines(SiteTable, _given(site) | {"water_depth": site.depth_to_seabed})]
+    given = _given(case) | {"pso": case.swarm}
+    given["site"] = _given(site) | {"water_depth": site.depth_to_seabed}
     ends = ("fairlead_height", "anchor_height")
     heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
-    yield ["[line]", *_lines(LineTable, heights)]
-    yield from _tables("[[line.segments]]", SegmentTable, *case.line.segments)
-    yield from _tables("[[line.point_loads]]", PointLoadTable, *case.line.point_loads)
-    yield from _tables("[load]", LoadTable, case.load)
-    yield from _tables("[[load_cases]]", LoadCaseTable, *case.load_cases)
+    given["line"] = heights | vars(case.line)
     if case.system is not None:
-        yield ["[system]", *_lines(SystemTable, _around(case, case.system))]
-    yield from _tables("[find]", FindTable, case.find)
-    yield from _tables("[checks]", ChecksTable, case.checks)
-    yield from _tables("[service]", ServiceTable, case.service)
-    yield from _tables("[buoy]", BuoyTable, case.buoy)
-    yield from _tables("[anchor]", AnchorTable, case.anchor)
-    yield from _catalogue(case.catalogue)
-    if case.design is not None:
-        yield from _design(case.design)
-    if case.waves is not None:
-        yield from _waves(case.waves)
-    yield from _tables("[current]", CurrentTable, case.current)
-    yield from _tables("[motion]", MotionTable, case.motion)
-    yield from _tables("[anchor_motion]", AnchorMotionTable, case.anchor_motion)
-    yield from _tables("[body]", BodyTable, case.body)
-    yield from _tables("[dynamics]", DynamicsTable, case.dynamics)
-    if case.fatigue is not None:
-        yield from _tables("[fatigue]", FatigueTable, case.fatigue)
-        yield from _tables("[[fatigue.sea_states]]", FatigueSeaStateTable, *case.fatigue.sea_states)
-        yield from _tables("[[fatigue.curves]]", FatigueCurveTable, *case.fatigue.curves)
-    yield from _tables("[pso]", PsoTable, case.swarm)
-
-
-def _of_network(network: Network) -> Blocks:
-    if head := list(_lines(NetworkTable, _given(network))):
-        yield head
-    yield from _tables("[site]", SiteTable, network.site)
-    yield from _tables("[[points]]", PointTable, *network.points)
-    for each in network.lines:
-        yield from _tables("[[lines]]", LineBetweenTable, each)
-        yield from _tables("[[lines.segments]]", NetworkSegmentTable, *each.line.segments)
-        yield from _tables("[[lines.point_loads]]", NetworkLoadTable, *each.line.point_loads)
-
-
-def _catalogue(choice: CatalogueChoice) -> Blocks:
-    if own := list(_lines(CatalogueTable, _given(choice))):
-        yield ["[catalogue]", *own]
-    if choice.variants:
-        yield [
-            "[catalogue.variants]",
-            *(_line(VariantsTable, quantity, name) for quantity, name in choice.variants),
-        ]
-
-
-def _design(design: Design) -> Blocks:
-    yield from _tables("[design]", DesignTable, design)
-    yield from _tables("[[design.segments]]", SegmentChoiceTable, *design.segments)
-    yield from _tables("[[design.clump_weights]]", ClumpWeightChoiceTable, *design.clump_weights)
-    yield from _tables("[design.sinker]", SinkerChoiceTable, design.sinker)
-    yield from _tables("[[design.loads]]", DesignLoadTable, *design.loads)
-
-
-def _waves(waves: WaveState) -> Blocks:
-    given = _given(waves)
-    keys = ["stretching", "seed"]
-    if waves.elevation_file:
-        keys = ["stretching", "elevation_file", "elevation_x", "shortest_period", "direction"]
-    train = () if waves.spectrum is None else _lines(WaveTrainTable, given)
-    sea = (_line(WavesTable, key, given[key]) for key in keys if key in given)
-    yield ["[waves]", *train, *sea]
-    yield from _tables("[[waves.trains]]", WaveTrainTable, *waves.trains)
+        given["system"] = _around(case, case.system)
+    return {key: given[key] for key in entries(CaseTable) if key in given}
 
 
 def _around(case: Case, system: System) -> dict[str, Any]:
@@ -209,14 +129,8 @@ def _around(case: Case, system: System) -> dict[str, Any]:
     return {key: value for key, value in arrangement.items() if value is not None}
 
 
-def _tables(opening: str, schema: type[Table], *parts: object) -> Blocks:
-    """Write parts of the model, each as a table; nothing for None."""
-    for part in parts:
-        if part is not None:
-            yield [opening, *_lines(schema, _given(part))]
-
-
 _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
+    Segment: {"EA": math.inf, "drag_method": "given"},
     Site: {"seabed_slope": 0.0, "contact_offset": 0.0},
     PointLoad: {"added_mass_coefficient": 0.0},
     LoadCase: {"state": "intact", "fairlead_rise": 0.0},
@@ -230,25 +144,39 @@ _UNSAID: Final[Mapping[type, Mapping[str, object]]] = {
 def _given(part: object) -> dict[str, Any]:
     """Return what a part of the model has to say, by key; what is its default goes unsaid."""
     given = {key: value for key, value in vars(part).items() if not _is_nothing(value)}
-    unsaid: tuple[str, ...] = ()
     match part:
         case Segment():
             if part.nominal_diameter is not None:
                 given["diameter"] = part.nominal_diameter
             if part.component:  # which would give its own name to a segment without one
                 given["name"] = part.name
-            unsaid = ("EA",) if math.isinf(part.EA) else ()
-            unsaid += ("drag_method",) if part.drag_method == "given" else ()
-        case CurrentProfile() if part.directions:
-            unsaid = ("direction",)
-        case Motion(period=None):
-            unsaid = HARMONIC
-        case Dynamics(broken_line=None):
-            unsaid = ("broken_end",)
-        case Site() | PointLoad() | LoadCase() | Service() | Design() | Point():
-            defaults = _UNSAID[type(part)].items()
-            unsaid = tuple(key for key, default in defaults if given.get(key) == default)
+        case CatalogueChoice():
+            given["variants"] = part.by_quantity
+        case LineBetween():
+            given |= vars(part.line)
+        case WaveState():
+            given = {key: given[key] for key in _keys_of_waves(part) if key in given}
+    unsaid = _unsaid(part, given)
     return {key: value for key, value in given.items() if key not in unsaid}
+
+
+def _unsaid(part: object, given: Mapping[str, Any]) -> Collection[str]:
+    """List the keys that go unsaid, beside those with nothing."""
+    match part:
+        case CurrentProfile() if part.directions:
+            return ("direction",)
+        case Motion(period=None):
+            return HARMONIC
+        case Dynamics(broken_line=None):
+            return ("broken_end",)
+    defaults = _UNSAID.get(type(part), {})
+    return [key for key, default in defaults.items() if given.get(key) == default]
+
+
+def _keys_of_waves(waves: WaveState) -> list[str]:
+    if waves.elevation_file:
+        return ["stretching", "elevation_file", "elevation_x", "shortest_period", "direction"]
+    return [*(entries(WaveTrainTable) if waves.spectrum else ()), "stretching", "seed", "trains"]
 
 
 def _is_nothing(value: object) -> bool:
@@ -256,18 +184,17 @@ def _is_nothing(value: object) -> bool:
 
 
 def _lines(schema: type[Table], given: Mapping[str, Any]) -> Iterator[str]:
-    """Write the keys of a table that are given, in the order of the table."""
-    for key, entry in entries(schema).items():
-        if entry.kind is not None and key in given:
+    """Write the keys of a table that are given, most in the order of the table."""
+    known = entries(schema)
+    for key in given if schema in (VariantsTable, WavesTable) else known:
+        if key in given and known[key].kind is not None:
             yield _line(schema, key, given[key])
 
 
 def _line(schema: type[Table], key: str, value: Any) -> str:
     """Write a key with its value, or with its array on as many lines as it needs."""
     entry = entries(schema)[key]
-    unit = None
-    if isinstance(entry.kind, Measured):
-        unit = _UNITS.get(key, entry.kind.dimension.si_unit)
+    unit = entry.kind.si_unit if isinstance(entry.kind, Measured) else None
     if key == "wear_rate":
         return f"{key} = {_wear(value)}"
     if not entry.array:

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from catopt.design.mooring_point import under
-from catopt.model.design_load import loads_of
+from catopt.model.design import loads_of
 from catopt.words.saved import messages_in
 
 if TYPE_CHECKING:

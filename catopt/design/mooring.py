@@ -31,7 +31,7 @@ from catopt.design.problem import Floats, Genes
 from catopt.design.space import ClumpWeightVariable, DesignSpace, LayoutVariable, SegmentVariable
 from catopt.design.tables import room, tables_of
 from catopt.model import Case, Design, DesignLoad, LoadCase, System
-from catopt.model.design_load import loads_of
+from catopt.model.design import loads_of
 from catopt.model.validity import Findings
 from catopt.words import Message
 

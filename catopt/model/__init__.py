@@ -1,14 +1,18 @@
 """What is moored, as frozen values in SI: no input, no output, no solving."""
 
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body
-from catopt.model.buoy import Buoy
+from catopt.model.body import Body, Buoy
 from catopt.model.case import Case, SwarmSettings
 from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import Checks
 from catopt.model.current_profile import CurrentProfile
-from catopt.model.design import ClumpWeightChoice, Design, SegmentChoice, SinkerChoice
-from catopt.model.design_load import DesignLoad
+from catopt.model.design import (
+    ClumpWeightChoice,
+    Design,
+    DesignLoad,
+    SegmentChoice,
+    SinkerChoice,
+)
 from catopt.model.dynamics import Dynamics
 from catopt.model.fatigue import Fatigue, FatigueSeaState, SegmentCurve
 from catopt.model.find import Find

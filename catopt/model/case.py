@@ -2,37 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal, get_args
+from typing import Annotated, Literal
 
 from catopt.model.anchor import Anchor
-from catopt.model.body import Body
-from catopt.model.buoy import Buoy
+from catopt.model.body import Body, Buoy
 from catopt.model.catalogue_choice import CatalogueChoice
 from catopt.model.checks import NEEDS_SEVERAL_LINES, Checks
 from catopt.model.current_profile import CurrentProfile
-from catopt.model.design import Design, body_misfits
-from catopt.model.design_load import DesignLoad
-from catopt.model.dynamics import Dynamics, dynamics_misfits
+from catopt.model.design import Design, DesignLoad, body_misfits
+from catopt.model.dynamics import FOR_MOTION, Dynamics, broken_line_misfits, dynamics_misfits
 from catopt.model.fatigue import Fatigue, sections_misfits
 from catopt.model.find import Find, misfits
+from catopt.model.kinds import Height, Measured, Seed, Share, Whole
 from catopt.model.line import Line
 from catopt.model.load import Load
 from catopt.model.load_case import LoadCase
 from catopt.model.motion import Motion
-from catopt.model.service import Service
+from catopt.model.service import Service, wear_misfits
 from catopt.model.site import Site
 from catopt.model.system import System, system_misfits
 from catopt.model.validity import Findings
 from catopt.model.wave_state import WaveState
-from catopt.model.wear import wear_misfits
+from catopt.units import Dimension
 
 Boundary = Literal["nearest", "reflective", "shrink", "random", "intermediate", "periodic"]
-BOUNDARY_HANDLINGS: tuple[str, ...] = get_args(Boundary)
-
-_FOR_MOTION = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "system")
-
 
 MOST_EVALUATIONS = 10**10
 """Of a swarm: hours on one core."""
@@ -44,49 +39,35 @@ class SwarmSettings:
 
     The defaults are the article's numbers (S1) with the coefficients and the boundary handling
     under which its problem does not stall (docs/theory.md).
-
-    Attributes
-    ----------
-    particles, iterations, runs : int
-        Size of the swarm, iterations a run, independent runs.
-    seed : int
-        Run k draws from the generator seeded with (seed, k).
-    cognitive, social, inertia : float
-        c1, c2 and w of the velocity rule.
-    boundary : str
-        What happens to a particle beyond a bound; the names are those of pyswarms.
     """
 
-    particles: int = 200
-    iterations: int = 200
-    runs: int = 1
-    seed: int = 1
-    cognitive: float = 1.5
-    social: float = 1.5
-    inertia: float = 0.4
+    particles: Annotated[int, Whole("particles", example=200)] = 200
+    """Size of the swarm."""
+    iterations: Annotated[int, Whole("iterations", example=200)] = 200
+    """Of a run."""
+    runs: Annotated[int, Whole("runs", example=200)] = 1
+    """Independent ones."""
+    seed: Seed = 1
+    """Run k draws from the generator seeded with (seed, k)."""
+    cognitive: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=4.0)] = 1.5
+    """c1 of the velocity rule."""
+    social: Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=4.0)] = 1.5
+    """c2 of the velocity rule."""
+    inertia: Share = 0.4
+    """w of the velocity rule."""
     boundary: Boundary = "reflective"
+    """What happens to a particle beyond a bound; the names are those of pyswarms."""
 
     def __post_init__(self) -> None:
-        found = Findings("SwarmSettings", self)
-        for key in ("particles", "iterations", "runs"):
-            found.count(key, getattr(self, key))
-        if not found.problems:
-            self._check_evaluations(found)
-        found.count("seed", self.seed)
-        for key in ("cognitive", "social"):
-            found.number(key, getattr(self, key), "", at_least=0.0, at_most=4.0)
-        found.number("inertia", self.inertia, "", at_least=0.0, at_most=1.0)
-        found.word("boundary", self.boundary, BOUNDARY_HANDLINGS)
-        found.raise_if_any()
-
-    def _check_evaluations(self, found: Findings) -> None:
-        evaluations = self.particles * self.iterations * self.runs
+        found = Findings(of=self).check("particles", "iterations", "runs")
+        evaluations = 0 if found.problems else self.particles * self.iterations * self.runs
         if evaluations > MOST_EVALUATIONS:
             allowed = (
                 f"with particles and iterations {evaluations:,} evaluations; {MOST_EVALUATIONS:,} "
                 "are the most, which take hours"
             )
             found.add("runs", f"{self.runs}", allowed)
+        found.check("seed", "cognitive", "social", "inertia", "boundary").raise_if_any()
 
 
 @dataclass(frozen=True)
@@ -143,8 +124,8 @@ class Case:
     site: Site
     line: Line
     load: Load | None
-    fairlead_height: float
-    anchor_height: float = 0.0
+    fairlead_height: Height
+    anchor_height: Height = 0.0
     checks: Checks = field(default_factory=Checks)
     swarm: SwarmSettings = field(default_factory=SwarmSettings)
     title: str = ""
@@ -166,51 +147,33 @@ class Case:
     fatigue: Fatigue | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Case", self)
-        found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
-        found.number("anchor_height", self.anchor_height, "m", at_least=0.0)
+        found = Findings(of=self).check("fairlead_height", "anchor_height")
+        has_system = self.system is not None
         found.problems += misfits(
             self.find,
             load=None if self.load is None else self.load.given,
             MBL_known=[segment.MBL is not None for segment in self.line.segments],
             point_loads=len(self.line.point_loads),
             anchor_height=self.anchor_height,
-            has_load_cases=bool(self.load_cases) or self.system is not None,
+            has_load_cases=bool(self.load_cases) or has_system,
         )
-        if self.system is not None:
+        if has_system:
+            others = {key: getattr(self, key) for key in ("load", "load_cases", "find")}
             found.problems += system_misfits(
-                {
-                    "load": self.load,
-                    "load_cases": self.load_cases,
-                    "find": self.find,
-                    "site.seabed_slope": self.site.seabed_slope,
-                }
+                {**others, "site.seabed_slope": self.site.seabed_slope}
             )
         if self.design is not None:
             has_force = self.system is not None and any(self.system.force)
             found.problems += body_misfits(
-                vars(self.design), has_system=self.system is not None, has_force=has_force
+                vars(self.design), has_system=has_system, has_force=has_force
             )
         for part, of in (("checks", self.checks), ("anchor", self.anchor)):
             factor = None if of is None else of.safety_factor_line_out
-            if factor is not None and self.system is None:
+            if factor is not None and not has_system:
                 found.add(f"{part}.safety_factor_line_out", f"{factor:g}", NEEDS_SEVERAL_LINES)
-        found.problems += dynamics_misfits(
-            [k for k in _FOR_MOTION if getattr(self, k) is not None],
-            list(self._given_for_motion()),
-        )
-        number = None if self.dynamics is None else self.dynamics.broken_line
-        lines = 1 if self.system is None else len(self.system.legs)
-        if number is not None and number > lines:
-            allowed = f"there are {lines} lines" if lines > 1 else "there is one line"
-            found.add("dynamics.broken_line", f"{number}", allowed)
-        lower = self.anchor_motion
-        if lower is not None and (lower.rao_file or lower.of_a_body):
-            found.add("anchor_motion", "RAOs or a drift", "give period, or file")
-        found.problems += wear_misfits(
-            {} if self.service is None else vars(self.service),
-            [vars(segment) for segment in self.line.segments],
-        )
+        self._check_motion(found)
+        service = {} if self.service is None else vars(self.service)
+        found.problems += wear_misfits(service, [vars(each) for each in self.line.segments])
         if self.fatigue is not None:
             found.problems += sections_misfits(
                 [k for k in ("dynamics", "waves", "service") if getattr(self, k) is not None],
@@ -218,29 +181,30 @@ class Case:
                 [curve.segment for curve in self.fatigue.curves],
                 len(self.line.segments),
             )
-        self._check_load_cases(found)
-        found.raise_if_any()
-
-    def _given_for_motion(self) -> Iterator[str]:
-        """Yield which keys of motion and body are given, of those that need others."""
-        if self.motion is not None:
-            yield from (f"motion.{key}" for key in self.motion.of_a_body)
-            files = (key for key in ("file", "rao_file") if getattr(self.motion, key))
-            yield from (f"motion.{key}" for key in files)
-        if self.dynamics is not None and self.dynamics.broken_line is not None:
-            yield "dynamics.broken_line"
-            if self.dynamics.broken_end == "anchor":
-                yield "dynamics.broken_end"
-        if self.body is not None:
-            if self.body.force_file:
-                yield "body.force_file"
-            if self.body.wave_force:
-                yield "body.wave_force"
-
-    def _check_load_cases(self, found: Findings) -> None:
         self._check_levels("load_cases", self.load_cases, found)
         if self.design is not None:
             self._check_levels("design.loads", self.design.loads, found)
+        found.raise_if_any()
+
+    def _check_motion(self, found: Findings) -> None:
+        """Find what does not go together of the parts for a line in motion."""
+        present = [key for key in FOR_MOTION if getattr(self, key) is not None]
+        found.problems += dynamics_misfits(
+            present,
+            {
+                f"{part}.{key}": value
+                for part in ("motion", "body", "dynamics")
+                if part in present
+                for key, value in vars(getattr(self, part)).items()
+                if value
+            },
+        )
+        if self.dynamics is not None:
+            lines = 1 if self.system is None else len(self.system.legs)
+            found.problems += broken_line_misfits(self.dynamics.broken_line, lines)
+        lower = self.anchor_motion
+        if lower is not None and (lower.rao_file or lower.of_a_body):
+            found.add("anchor_motion", "RAOs or a drift", "give period, or file")
 
     def _check_levels(
         self, place: str, states: Sequence[LoadCase | DesignLoad], found: Findings
@@ -251,11 +215,8 @@ class Case:
                 found.add(f"{place}[{index}].name", state.name, "another has this name")
             lowest = min(self.site.water_depth, self.fairlead_height + state.fairlead_rise)
             if not state.water_level > -lowest:
-                found.add(
-                    f"{place}[{index}].water_level",
-                    f"{state.water_level:g} m",
-                    f"must leave the fairlead above the seabed: above {-lowest:g} m",
-                )
+                allowed = f"must leave the fairlead above the seabed: above {-lowest:g} m"
+                found.add(f"{place}[{index}].water_level", f"{state.water_level:g} m", allowed)
 
     @property
     def place(self) -> dict[str, float]:

@@ -6,8 +6,9 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
-from typing import Literal, get_args
+from typing import Annotated, Literal, get_args
 
+from catopt.model.kinds import Angle, File, Height, Length, Positive, SomeSpeed, Speed
 from catopt.model.validity import Findings
 
 ProfileKind = Literal["power", "wind", "table"]
@@ -17,11 +18,7 @@ _NEEDS = MappingProxyType(
     {"power": ("speed",), "wind": ("speed", "depth"), "table": ("depths", "speeds")}
 )
 _TAKES = MappingProxyType(
-    {
-        "power": ("speed", "exponent"),
-        "wind": ("speed", "depth"),
-        "table": ("depths", "speeds", "directions"),
-    }
+    {**_NEEDS, "power": ("speed", "exponent"), "table": ("depths", "speeds", "directions")}
 )
 _TURN = 0.5 * math.pi * (1.0 + 1e-12)
 """Most by which a current may turn from row to row: its speeds along x and y are interpolated."""
@@ -29,52 +26,37 @@ _TURN = 0.5 * math.pi * (1.0 + 1e-12)
 
 @dataclass(frozen=True)
 class CurrentProfile:
-    """A current over the depth, steady or over time; docs/waves.md has the formulas.
-
-    Attributes
-    ----------
-    profile : {"power", "wind", "table"}
-        How the speed depends on the depth.
-    speed : float or None
-        At the surface, m/s; of a power law or of a current that is driven by wind. None where a
-        file gives it.
-    exponent : float or None
-        Of a power law, above 0; None: 1/7.
-    depth : float or None
-        Below still water, where a current that is driven by wind ends, m.
-    depths, speeds : tuple of float
-        Of a table: below still water, m, each greater than the one before; and m/s.
-    direction : float
-        Where it flows to, rad from the x axis, which points from the anchor to the fairlead.
-    directions : tuple of float
-        Of a table that turns with depth, one for each of the depths, in place of `direction`.
-    series_file : str
-        Path of a CSV file of the current at the surface over time, by which the profile is scaled
-        and turned; empty for a steady one.
-    """
+    """A current over the depth, steady or over time; docs/waves.md has the formulas."""
 
     profile: ProfileKind
-    speed: float | None = None
-    exponent: float | None = None
-    depth: float | None = None
-    depths: tuple[float, ...] = ()
-    speeds: tuple[float, ...] = ()
-    direction: float = 0.0
-    directions: tuple[float, ...] = ()
-    series_file: str = ""
+    """How the speed depends on the depth."""
+    speed: SomeSpeed | None = None
+    """At the surface, m/s; of a power law or of a current that is driven by wind. None where a file
+    gives it."""
+    exponent: Positive | None = None
+    """Of a power law; None: 1/7."""
+    depth: Length | None = None
+    """Below still water, where a current that is driven by wind ends, m."""
+    depths: tuple[Height, ...] = ()
+    """Of a table: below still water, m, each greater than the one before."""
+    speeds: tuple[Speed, ...] = ()
+    """Of a table, m/s."""
+    direction: Angle = 0.0
+    """Where it flows to, rad from the x axis, which points from the anchor to the fairlead."""
+    directions: tuple[Angle, ...] = ()
+    """Of a table that turns with depth, one for each of the depths, in place of `direction`."""
+    series_file: Annotated[str, File(example='"current.csv"')] = ""
+    """Path of a CSV file of the current at the surface over time, by which the profile is scaled
+    and turned; empty for a steady one."""
 
     def __post_init__(self) -> None:
-        found = Findings("CurrentProfile", self)
-        found.word("profile", self.profile, CURRENT_PROFILES)
+        found = Findings(of=self).check("profile")
         found.raise_if_any()
-        found.each("depths", "m", at_least=0.0)
+        found.check("depths")
         found.each("speeds", "m/s", at_least=0.0 if self.directions else None)
-        found.each("directions", "rad")
+        found.check("directions")
         self._check_keys(found)
-        found.numbers(self, "m/s", "speed", at_least=0.0)
-        found.numbers(self, "", "exponent", above=0.0)
-        found.numbers(self, "m", "depth", above=0.0)
-        found.number("direction", self.direction, "rad")
+        found.check("speed", "exponent", "depth", "direction")
         self._check_table(found)
         found.raise_if_any()
 
@@ -92,30 +74,30 @@ class CurrentProfile:
             elif not is_given and key in _NEEDS[self.profile]:
                 found.add(key, "", f"missing; the profile {self.profile} needs it")
         if self.directions and self.direction != 0.0:
-            found.add(
-                "direction", repr(self.direction), "goes with one of all depths; leave it out"
-            )
+            allowed = "goes with one of all depths; leave it out"
+            found.add("direction", repr(self.direction), allowed)
         if self.series_file and self.speeds and self.speeds[0] <= 0.0:
             allowed = "must be above 0 m/s: the series_file scales the table by its first speed"
             found.add("speeds[0]", f"{self.speeds[0]:g} m/s", allowed)
 
     def _check_table(self, found: Findings) -> None:
-        if self.depths and self.speeds and len(self.depths) != len(self.speeds):
-            sizes = f"{len(self.depths)} depths, {len(self.speeds)} speeds"
-            found.add("speeds", sizes, "as many speeds as depths are wanted")
-        for index, depth in enumerate(self.depths):
-            if index and depth <= self.depths[index - 1]:
-                above = f"must be more than {self.depths[index - 1]:g} m, the one before"
-                found.add(f"depths[{index}]", f"{depth:g} m", above)
-        if self.directions and self.depths and len(self.depths) != len(self.directions):
-            sizes = f"{len(self.depths)} depths, {len(self.directions)} directions"
-            found.add("directions", sizes, "as many directions as depths are wanted")
+        self._check_length("speeds", found)
+        for index, (above, depth) in enumerate(pairwise(self.depths), start=1):
+            if depth <= above:
+                allowed = f"must be more than {above:g} m, the one before"
+                found.add(f"depths[{index}]", f"{depth:g} m", allowed)
+        self._check_length("directions", found)
         for index, turn in enumerate(turns(self.directions), start=1):
             if turn > _TURN:
                 allowed = "more than a right angle from the row before: give a row between them"
-                found.add(
-                    f"directions[{index}]", f"a turn of {math.degrees(turn):.4g} deg", allowed
-                )
+                shown = f"a turn of {math.degrees(turn):.4g} deg"
+                found.add(f"directions[{index}]", shown, allowed)
+
+    def _check_length(self, key: str, found: Findings) -> None:
+        depths, others = len(self.depths), len(getattr(self, key))
+        if depths and others and depths != others:
+            allowed = f"as many {key} as depths are wanted"
+            found.add(key, f"{depths} depths, {others} {key}", allowed)
 
 
 def turns(directions: tuple[float, ...]) -> list[float]:

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Final, Literal, get_args
+from typing import Annotated, Any, Final, Literal, get_args
 
 from catopt.errors import Problem
+from catopt.model.kinds import Duration, Measured, NotNegative, Share, Time, Whole
 from catopt.model.motion import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.validity import Findings
+from catopt.units import Dimension
+
+BedStiffness = Annotated[
+    float, Measured(Dimension.PRESSURE, above=0.0, example='"30 kN/m^2"', si="N/m^2")
+]
+BedDamping = Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.0)]
 
 BrokenEnd = Literal["fairlead", "anchor"]
 BROKEN_ENDS: tuple[str, ...] = get_args(BrokenEnd)
@@ -18,6 +25,9 @@ TIME_SCHEMES: tuple[str, ...] = get_args(TimeScheme)
 
 InitialFriction = Literal["pulled", "none", "laid"]
 INITIAL_FRICTION: tuple[str, ...] = get_args(InitialFriction)
+
+FOR_MOTION = ("waves", "current", "motion", "anchor_motion", "body", "dynamics", "system")
+"""Parts of a case that are for a line in motion, or that change what goes with them."""
 
 BARS: Final = 100
 """Bars of a line unless said; damping is a part of what is critical for the line's hundredth."""
@@ -30,109 +40,65 @@ tension of a line that snaps hangs on it."""
 
 @dataclass(frozen=True)
 class Dynamics:
-    """Settings of ``catopt verify --dynamic``.
+    """Settings of ``catopt verify --dynamic``."""
 
-    Attributes
-    ----------
-    duration : float
-        Of one run, the ramp included, s.
-    ramp : float or None
-        Over which motion and waves grow from nothing, s; statistics begin after it. None: a tenth
-        of the duration.
-    time_step : float or None
-        s; None: a sixtieth of the shortest period that drives the line.
-    output_interval : float or None
-        From sample to sample, s, taken as the nearest whole number of steps; None: every step, and
-        at most 20 000 samples.
-    elements : int or None
-        Bars of the line. None: `BARS`, and twice as many where the line goes slack and its maxima
-        change too much with twice the bars.
-    scheme : {"newmark", "generalised-alpha"}
-        Newmark's average acceleration, or with damping of what is much faster than the step.
-    spectral_radius : float
-        Of generalised-alpha: what is left of such vibrations after a step.
-    runs : int
-        Runs that differ in their seed.
-    seabed_stiffness : float or None
-        Force per length of line and depth, N/m2; None: the line's weight presses it 1 cm deep.
-    seabed_damping : float or None
-        Force per length of line and speed, N s/m2; None: critical.
-    line_damping : float or None
-        Of the line itself: axial, as a part of what is critical for a bar of a hundredth of the
-        line, L/100 sqrt(EA m), however many bars there are. None: `LINE_DAMPING`, and nothing
-        beside a `damping_time` that is given.
-    damping_time : float
-        Of the line itself: axial force per rate of strain, over EA, s. Both are added up.
-    broken_line : int or None
-        The line, from 1, that breaks.
-    broken_at : float or None
-        When it does, s.
-    broken_end : {"fairlead", "anchor"}
-        Where: at its fairlead, of a body that moves under forces; or at its anchor, so that its
-        lower end is free.
-    initial_friction : {"pulled", "none", "laid"}
-        The bed's at rest: of a line last pulled towards the fairlead (as at rest everywhere else),
-        none, or of one laid under a greater tension and slackened since.
-    duration_of_interest : float
-        Of the storm for which extremes of a random sea are given, s.
-    """
-
-    duration: float
-    ramp: float | None = None
-    time_step: float | None = None
-    output_interval: float | None = None
-    elements: int | None = None
+    duration: Annotated[float, Measured(Dimension.TIME, above=0.0, example='"20 min"')]
+    """Of one run, the ramp included, s."""
+    ramp: Duration | None = None
+    """Over which motion and waves grow from nothing, s; statistics begin after it. None: a tenth of
+    the duration."""
+    time_step: Time | None = None
+    """s; None: a sixtieth of the shortest period that drives the line."""
+    output_interval: Time | None = None
+    """From sample to sample, s, taken as the nearest whole number of steps; None: every step, and
+    at most 20 000 samples."""
+    elements: Annotated[int, Whole("elements", example=100)] | None = None
+    """Bars of the line. None: `BARS`, and twice as many where the line goes slack and its maxima
+    change too much with twice the bars."""
     scheme: TimeScheme = "generalised-alpha"
-    spectral_radius: float = 0.5
-    runs: int = 1
-    seabed_stiffness: float | None = None
-    seabed_damping: float | None = None
-    line_damping: float | None = None
-    damping_time: float = 0.0
-    broken_line: int | None = None
-    broken_at: float | None = None
+    """Newmark's average acceleration, or with damping of what is much faster than the step."""
+    spectral_radius: Share = 0.5
+    """Of generalised-alpha: what is left of such vibrations after a step."""
+    runs: Annotated[int, Whole("runs", example=5)] = 1
+    """Runs that differ in their seed."""
+    seabed_stiffness: BedStiffness | None = None
+    """Force per length of line and depth, N/m2; None: the line's weight presses it 1 cm deep."""
+    seabed_damping: BedDamping | None = None
+    """Force per length of line and speed, N s/m2; None: critical."""
+    line_damping: NotNegative | None = None
+    """Of the line itself: axial, as a part of what is critical for a bar of a hundredth of the
+    line, L/100 sqrt(EA m), however many bars there are. None: `LINE_DAMPING`, and nothing beside a
+    `damping_time` that is given."""
+    damping_time: Duration = 0.0
+    """Of the line itself: axial force per rate of strain, over EA, s. Both are added up."""
+    broken_line: Annotated[int, Whole("broken_line", example=2)] | None = None
+    """The line, from 1, that breaks."""
+    broken_at: Time | None = None
+    """When it does, s."""
     broken_end: BrokenEnd = "fairlead"
+    """Where: at its fairlead, of a body that moves under forces; or at its anchor, so that its
+    lower end is free."""
     initial_friction: InitialFriction = "pulled"
-    duration_of_interest: float = 10800.0
+    """The bed's at rest: of a line last pulled towards the fairlead (as at rest everywhere else),
+    none, or of one laid under a greater tension and slackened since."""
+    duration_of_interest: Annotated[float, Measured(Dimension.TIME, above=0.0, example='"3 h"')] = (
+        10800.0
+    )
+    """Of the storm for which extremes of a random sea are given, s."""
 
     def __post_init__(self) -> None:
-        found = Findings("Dynamics", self)
-        found.number("duration", self.duration, "s", above=0.0)
-        found.numbers(self, "s", "ramp", at_least=0.0)
-        found.numbers(self, "s", "time_step", "output_interval", above=0.0)
-        found.count("elements", self.bars)
-        found.word("scheme", self.scheme, TIME_SCHEMES)
-        found.word("initial_friction", self.initial_friction, INITIAL_FRICTION)
-        found.word("broken_end", self.broken_end, BROKEN_ENDS)
-        found.number("spectral_radius", self.spectral_radius, "", at_least=0.0, at_most=1.0)
-        found.count("runs", self.runs)
-        found.numbers(self, "N/m2", "seabed_stiffness", above=0.0)
-        found.numbers(self, "N s/m2", "seabed_damping", at_least=0.0)
-        found.number("line_damping", self.line_damping or 0.0, "", at_least=0.0)
-        found.number("damping_time", self.damping_time, "s", at_least=0.0)
-        self._check_break(found)
-        found.number("duration_of_interest", self.duration_of_interest, "s", above=0.0)
+        found = Findings(of=self)
+        found.check("duration", "ramp", "time_step", "output_interval", "elements", "scheme")
+        found.check("initial_friction", "broken_end", "spectral_radius", "runs")
+        found.check("seabed_stiffness", "seabed_damping", "line_damping", "damping_time")
+        found.check("broken_line", "broken_at")
+        given = [key for key in ("broken_line", "broken_at") if getattr(self, key) is not None]
+        given += ["broken_end"] if self.broken_end != "fairlead" else []
+        found.problems += break_misfits(given)
+        found.check("duration_of_interest")
         if not found.problems:
-            self._check_times(found)
+            found.problems += time_misfits(vars(self))
         found.raise_if_any()
-
-    def _check_times(self, found: Findings) -> None:
-        """Find times that do not fit into a run."""
-        for key in ("ramp", "broken_at", "time_step", "output_interval"):
-            value = getattr(self, key)
-            if value is not None and not value < self.duration:
-                allowed = f"must be below {self.duration:g} s, the duration"
-                found.add(key, f"{value:g} s", allowed)
-
-    def _check_break(self, found: Findings) -> None:
-        if self.broken_line is not None:
-            found.count("broken_line", self.broken_line)
-        found.numbers(self, "s", "broken_at", above=0.0)
-        if (self.broken_line is None) != (self.broken_at is None):
-            missing = "broken_at" if self.broken_at is None else "broken_line"
-            found.add(missing, "", "missing; broken_line and broken_at go together")
-        elif self.broken_line is None and self.broken_end != "fairlead":
-            found.add("broken_line", "", "missing; broken_end needs it, and broken_at")
 
     @property
     def bars(self) -> int:
@@ -147,12 +113,39 @@ class Dynamics:
         return 0.0 if self.damping_time > 0.0 else LINE_DAMPING
 
 
-def dynamics_misfits(present: Collection[str], given: Collection[str] = ()) -> list[Problem]:
+def time_misfits(given: Mapping[str, Any]) -> list[Problem]:
+    """List times of a run, in s, that do not fit into it; one that is not given is None."""
+    duration = given["duration"]
+    return [
+        Problem(key, f"{given[key]:g} s", f"must be below {duration:g} s, the duration")
+        for key in ("ramp", "broken_at", "time_step", "output_interval")
+        if given[key] is not None and not given[key] < duration
+    ]
+
+
+def break_misfits(given: Collection[str]) -> list[Problem]:
+    """List what is missing where a line breaks: which one, or when."""
+    for key, other in (("broken_line", "broken_at"), ("broken_at", "broken_line")):
+        if key in given and other not in given:
+            return [Problem(other, "", "missing; broken_line and broken_at go together")]
+    if "broken_end" in given and "broken_line" not in given:
+        return [Problem("broken_line", "", "missing; broken_end needs it, and broken_at")]
+    return []
+
+
+def broken_line_misfits(number: int | None, lines: int) -> list[Problem]:
+    """List a line that breaks and is not one of so many."""
+    if number is None or number <= lines:
+        return []
+    allowed = f"there are {lines} lines" if lines > 1 else "there is one line"
+    return [Problem("dynamics.broken_line", f"{number}", allowed)]
+
+
+def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list[Problem]:
     """List what does not go together of the parts that are for lines in motion.
 
-    Present are some of waves, current, motion, anchor_motion, body, dynamics and system; given some
-    keys of motion and body, such as ``"motion.rao_file"``, with ``"dynamics.broken_end"`` for a
-    break at the anchor.
+    Present are some of `FOR_MOTION`; given what motion, body and dynamics have, such as
+    ``"motion.rao_file"``.
     """
     problems = []
     if "dynamics" not in present:
@@ -166,7 +159,7 @@ def dynamics_misfits(present: Collection[str], given: Collection[str] = ()) -> l
     elif not {"motion", "waves", "anchor_motion"} & set(present):
         problems.append(Problem("dynamics", "", "nothing moves: [motion] or [waves] is missing"))
     if "dynamics.broken_line" in given and not (
-        {"system", "body"} <= set(present) or "dynamics.broken_end" in given
+        {"system", "body"} <= set(present) or given.get("dynamics.broken_end") == "anchor"
     ):
         allowed = (
             "goes with [system] and [body]: a body that is led feels nothing of it; a line that "

@@ -4,10 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Annotated, Any, Final
 
 from catopt.errors import Problem
+from catopt.model.kinds import (
+    Angle,
+    Factor,
+    File,
+    Length,
+    Measured,
+    OneOf,
+    OneSegment,
+    Positive,
+    Share,
+    Time,
+)
 from catopt.model.validity import Findings
+from catopt.units import Dimension
 
 FATIGUE_CODES: Final = ("DNV-OS-E301-2008", "API-RP-2SK")
 """Codes of which catopt has curves."""
@@ -33,99 +46,61 @@ _WAYS: Final = (("name",), ("log_a_D", "m"), ("K", "M"))
 
 @dataclass(frozen=True)
 class FatigueSeaState:
-    """Waves that last a part of the year.
+    """Waves that last a part of the year."""
 
-    Attributes
-    ----------
-    height, period : float
-        Significant height and peak period, m and s; of regular waves their own.
-    share : float
-        Part of the year.
-    direction : float or None
-        Where they travel to, rad; None: as the waves of the case.
-    """
-
-    height: float
-    period: float
-    share: float
-    direction: float | None = None
+    height: Length
+    """Significant, m; of regular waves their own, as the period."""
+    period: Time
+    """Of the peak, s."""
+    share: Share
+    """Part of the year."""
+    direction: Angle | None = None
+    """Where they travel to, rad; None: as the waves of the case."""
 
     def __post_init__(self) -> None:
-        found = Findings("FatigueSeaState", self)
-        found.number("height", self.height, "m", above=0.0)
-        found.number("period", self.period, "s", above=0.0)
-        found.number("share", self.share, "", at_least=0.0, at_most=1.0)
-        if self.direction is not None:
-            found.number("direction", self.direction, "rad")
-        found.raise_if_any()
+        Findings(of=self).check().raise_if_any()
 
 
 @dataclass(frozen=True)
 class SegmentCurve:
     """Curve of a segment, in place of that which the code has for its component.
 
-    Attributes
-    ----------
-    segment : int or None
-        From 1 at the anchor; None: of every one that is not named.
-    name : str
-        A key of the table of curves; empty where the numbers are given.
-    log_a_D, m : float or None
-        N = 10^log_a_D s^-m with the stress range s in MPa.
-    K, M : float or None
-        N = K R^-M with R the tension range over the reference strength.
+    By name, or N = 10^log_a_D s^-m with the stress range s in MPa, or N = K R^-M with R the tension
+    range over the reference strength.
     """
 
-    segment: int | None = None
-    name: str = ""
-    log_a_D: float | None = None
-    m: float | None = None
-    K: float | None = None
-    M: float | None = None
+    segment: OneSegment | None = None
+    """From 1 at the anchor; None: of every one that is not named."""
+    name: Annotated[str, OneOf(CURVE_NAMES, quoted=True)] = ""
+    """A key of the table of curves; empty where the numbers are given."""
+    log_a_D: Annotated[float, Measured(Dimension.NUMBER, above=0.0, example="10.78")] | None = None
+    m: Positive | None = None
+    K: Annotated[float, Measured(Dimension.NUMBER, above=0.0, example="316")] | None = None
+    M: Positive | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("SegmentCurve", self)
-        if self.segment is not None:
-            found.count("segment", self.segment)
-        if self.name and self.name not in CURVE_NAMES:
-            found.add("name", f'"{self.name}"', "one of " + ", ".join(CURVE_NAMES))
-        for key in ("log_a_D", "m", "K", "M"):
-            if getattr(self, key) is not None:
-                found.number(key, getattr(self, key), "", above=0.0)
+        found = Findings(of=self).check()
         found.problems += curve_misfits([key for way in _WAYS for key in way if getattr(self, key)])
         found.raise_if_any()
 
 
 @dataclass(frozen=True)
 class Fatigue:
-    """What the damage of a line in motion is found from.
-
-    Attributes
-    ----------
-    sea_states : tuple of FatigueSeaState
-        Each is run as the case's waves are.
-    sea_states_file : str
-        Path of a CSV file with them instead; empty when not used.
-    code : str
-        One of `FATIGUE_CODES`, which has curves and a design factor; empty: all is given.
-    design_factor : float or None
-        By which the damage in the service life is multiplied; None: the code's.
-    curves : tuple of SegmentCurve
-        Of segments, in place of the code's.
-    """
+    """What the damage of a line in motion is found from."""
 
     sea_states: tuple[FatigueSeaState, ...] = ()
-    sea_states_file: str = ""
-    code: str = ""
-    design_factor: float | None = None
+    """Each is run as the case's waves are."""
+    sea_states_file: Annotated[str, File(example='"sea-states.csv"')] = ""
+    """Path of a CSV file with them instead; empty when not used."""
+    code: Annotated[str, OneOf(FATIGUE_CODES, quoted=True)] = ""
+    """It has curves and a design factor; empty: all is given."""
+    design_factor: Factor | None = None
+    """By which the damage in the service life is multiplied; None: the code's."""
     curves: tuple[SegmentCurve, ...] = ()
+    """Of segments, in place of the code's."""
 
     def __post_init__(self) -> None:
-        found = Findings("Fatigue", self)
-        if self.code and self.code not in FATIGUE_CODES:
-            found.add("code", f'"{self.code}"', "one of " + ", ".join(FATIGUE_CODES))
-        if self.design_factor is not None:
-            found.number("design_factor", self.design_factor, "", at_least=1.0)
+        found = Findings(of=self).check()
         given = ("sea_states", "sea_states_file", "code", "design_factor", "curves")
         found.problems += fatigue_misfits([key for key in given if getattr(self, key)])
         found.problems += share_misfits([state.share for state in self.sea_states])
@@ -170,16 +145,8 @@ def sections_misfits(
 ) -> list[Problem]:
     """List what fatigue needs of other sections, and curves of segments that are not there.
 
-    Parameters
-    ----------
-    present : collection of str
-        Which sections a case has.
-    waves : mapping
-        What is given of its waves.
-    curves : sequence of int or None
-        Segment of each curve.
-    segments : int
-        How many the line has; 0: not known.
+    Of the sections that a case has, of what is given of its waves, of the segment of each curve,
+    and of how many segments the line has; 0: not known.
     """
     problems = []
     for section, why in (

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Annotated, Literal, get_args
 
 from catopt.errors import Problem
+from catopt.model.kinds import Length, OneSegment, Uplift, Whole
 from catopt.model.load import LOADS
 from catopt.model.validity import Findings
 
@@ -21,39 +21,24 @@ CONDITIONS = ("anchor_angle", "grounded_length")
 
 @dataclass(frozen=True)
 class Find:
-    """What is sought, and the condition that it has to meet.
-
-    Attributes
-    ----------
-    quantity : str
-        ``"length"`` of a segment or ``"clump_weight"`` of a point load under the case's load;
-        ``"touchdown_force"``, the horizontal force at which the touchdown reaches the anchor;
-        ``"limit_force"``, the one at which a segment reaches MBL over the safety factor.
-    segment : int or None
-        Which one, counted from 1 at the anchor. None is, for a length, the last one, at the
-        fairlead; for a limit force, whichever reaches its limit first.
-    point_load : int or None
-        For a clump weight: which one, counted from 1 at the anchor; None is the first.
-    anchor_angle : float or None
-        For length and clump weight: inclination at the anchor, rad.
-    grounded_length : float or None
-        For length, instead of the angle: unstretched length on the bed, m.
-    """
+    """What is sought, and the condition that it has to meet."""
 
     quantity: FindQuantity
-    segment: int | None = None
-    point_load: int | None = None
-    anchor_angle: float | None = None
-    grounded_length: float | None = None
+    """``"length"`` of a segment or ``"clump_weight"`` of a point load under the case's load;
+    ``"touchdown_force"``, the horizontal force at which the touchdown reaches the anchor;
+    ``"limit_force"``, the one at which a segment reaches MBL over the safety factor."""
+    segment: OneSegment | None = None
+    """Which one, counted from 1 at the anchor. None is, for a length, the last one, at the
+    fairlead; for a limit force, whichever reaches its limit first."""
+    point_load: Annotated[int, Whole("point_load", example=1)] | None = None
+    """For a clump weight: which one, counted from 1 at the anchor; None is the first."""
+    anchor_angle: Uplift | None = None
+    """For length and clump weight: inclination at the anchor, rad."""
+    grounded_length: Length | None = None
+    """For length, instead of the angle: unstretched length on the bed, m."""
 
     def __post_init__(self) -> None:
-        found = Findings("Find", self)
-        found.word("quantity", self.quantity, FIND_QUANTITIES)
-        for key in ("segment", "point_load"):
-            if getattr(self, key) is not None:
-                found.count(key, getattr(self, key))
-        found.numbers(self, "rad", "anchor_angle", at_least=0.0, at_most=math.pi / 2.0)
-        found.numbers(self, "m", "grounded_length", above=0.0)
+        found = Findings(of=self).check()
         self._check_keys(found)
         found.raise_if_any()
 
@@ -68,9 +53,8 @@ class Find:
         elif self.seeks_force and given:
             found.add("find", what, f"{self.quantity} takes no condition; leave it out")
         if self.segment is not None and self.quantity not in ("length", "limit_force"):
-            found.add(
-                "segment", str(self.segment), "goes with length and limit_force; leave it out"
-            )
+            allowed = "goes with length and limit_force; leave it out"
+            found.add("segment", str(self.segment), allowed)
         if self.point_load is not None and self.quantity != "clump_weight":
             found.add("point_load", str(self.point_load), "goes with clump_weight; leave it out")
 
@@ -94,7 +78,7 @@ def misfits(
     `load` has the keys of the load that are given, None without a load; load cases stand in for it
     where nothing is sought. Segments and point loads count from 1 in keys as ``find.segment``.
     """
-    found = Findings("")
+    found = Findings()
     seeks_force = find is not None and find.seeks_force
     seeks_length = find is not None and find.quantity == "length"
     if load is None and not seeks_force and not (has_load_cases and find is None):
@@ -103,22 +87,19 @@ def misfits(
     if find is None:
         return found.problems
     if load is not None and seeks_force:
-        found.add(
-            "load", " and ".join(load) or "a load", f"leave it out: {find.quantity} seeks the force"
-        )
+        allowed = f"leave it out: {find.quantity} seeks the force"
+        found.add("load", " and ".join(load) or "a load", allowed)
     if seeks_length and load is not None and "span" in load:
-        found.add(
-            "load.span", "a span", "a length is sought under horizontal_force or fairlead_tension"
-        )
+        allowed = "a length is sought under horizontal_force or fairlead_tension"
+        found.add("load.span", "a span", allowed)
     _count(found, "segment", find.segment, len(MBL_known))
     if find.quantity == "clump_weight" and point_loads == 0:
         found.add("find.quantity", find.quantity, "the line has no point load to be sought")
     else:
         _count(found, "point_load", find.point_load, point_loads)
     if find.quantity == "touchdown_force" and anchor_height > 0.0:
-        found.add(
-            "line.anchor_height", f"{anchor_height:g} m", "touchdown_force wants it on the bed: 0"
-        )
+        allowed = "touchdown_force wants it on the bed: 0"
+        found.add("line.anchor_height", f"{anchor_height:g} m", allowed)
     if find.quantity == "limit_force":
         _strength(found, find.segment, MBL_known)
     return found.problems

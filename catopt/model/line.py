@@ -3,18 +3,45 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Final
+from typing import Annotated, Any, Final, Literal, get_args
 
-from catopt.errors import InputError, Problem
-from catopt.model.drag_method import DRAG_METHODS, DragMethod, drag_misfits
+from catopt.errors import Problem
+from catopt.model.kinds import (
+    Area,
+    Coefficient,
+    Force,
+    Height,
+    Length,
+    Measured,
+    NotNegative,
+    OneOf,
+    Positive,
+    SomeMass,
+    Strength,
+    Text,
+    WearRate,
+    Weight,
+)
+from catopt.model.service import WEAR_ZONES
 from catopt.model.validity import Findings
-from catopt.model.wear import WEAR_ZONES
+from catopt.units import Dimension
 
 HIGHEST_COV: Final = 0.25
 """Coefficient of variation from which c (3 - 6 c) falls: more scatter would make more strength."""
+
+Cov = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=HIGHEST_COV)]
+
+DragMethod = Literal["given", "roughness"]
+DRAG_METHODS: tuple[str, ...] = get_args(DragMethod)
+
+STEADY_FROM: Final = 12.0
+"""KC from which S4 has the wake amplification in a graph (figure 2.10), which is not at hand."""
+
+_GIVEN = ("drag_normal", "drag_axial", "added_mass_normal")
+_ROUGH = ("roughness", "keulegan_carpenter", "wake_amplification")
 
 
 TESTS: Final = ("MBL_mean", "MBL_cov")
@@ -27,6 +54,34 @@ def break_test_misfits(given: Collection[str]) -> list[Problem]:
     if len(missing) != 1:
         return []
     return [Problem(missing[0], "", "missing; MBL_mean and MBL_cov go together")]
+
+
+def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
+    """List what does not go with the way in which a segment's drag is found.
+
+    By its name in `Segment`, what the segment is given; a value that cannot be read is None.
+    """
+    if given.get("drag_method") != "roughness":
+        allowed = 'goes with drag_method = "roughness", which is missing'
+        return [Problem(key, repr(given[key]), allowed) for key in _ROUGH if key in given]
+    problems = [
+        Problem(key, repr(given[key]), "follows from the roughness; leave it out")
+        for key in _GIVEN
+        if key in given
+    ]
+    if str(given.get("component") or "").startswith("chain"):
+        allowed = "is for round wires and ropes; a chain is none: give drag_normal, or leave it out"
+        problems.append(Problem("drag_method", "'roughness'", allowed))
+    problems += [
+        Problem(key, "", 'missing; drag_method = "roughness" needs it')
+        for key in _ROUGH[:2]
+        if key not in given
+    ]
+    KC = given.get("keulegan_carpenter")
+    if KC is not None and KC >= STEADY_FROM and "wake_amplification" not in given:
+        graph = f"missing; for a KC of {STEADY_FROM:g} or more S4 has it in a graph (figure 2.10)"
+        problems.append(Problem("wake_amplification", "", graph))
+    return problems
 
 
 @dataclass(frozen=True)
@@ -81,46 +136,41 @@ class Segment:
         not known.
     """
 
-    length: float
-    submerged_weight: float
-    EA: float = math.inf
-    mass: float | None = None
-    MBL: float | None = None
+    length: Length
+    submerged_weight: Weight
+    EA: Annotated[float, Measured(Dimension.FORCE, above=0.0, infinite=True)] = math.inf
+    mass: Annotated[float, Measured(Dimension.MASS_PER_LENGTH, at_least=0.0)] | None = None
+    MBL: Strength | None = None
     name: str = ""
-    component: str = ""
-    nominal_diameter: float | None = None
-    proof_load: float | None = None
-    price: float | None = None
-    wear_rate: float | None = None
-    wear_zone: str | None = None
-    drag_diameter: float | None = None
-    drag_normal: float | None = None
-    drag_axial: float | None = None
-    added_mass_normal: float | None = None
-    added_mass_axial: float | None = None
+    component: Annotated[str, Text(filled=True, example='"chain studless R3"')] = ""
+    nominal_diameter: Length | None = None
+    proof_load: Strength | None = None
+    price: Annotated[float, Measured(Dimension.PRICE_PER_LENGTH, at_least=0.0)] | None = None
+    wear_rate: WearRate | None = None
+    wear_zone: Annotated[str, OneOf(WEAR_ZONES, quoted=True)] | None = None
+    drag_diameter: Length | None = None
+    drag_normal: Coefficient | None = None
+    drag_axial: Coefficient | None = None
+    added_mass_normal: Coefficient | None = None
+    added_mass_axial: Coefficient | None = None
     drag_method: DragMethod = "given"
-    roughness: float | None = None
-    keulegan_carpenter: float | None = None
-    wake_amplification: float | None = None
-    MBL_mean: float | None = None
-    MBL_cov: float | None = None
+    roughness: Height | None = None
+    keulegan_carpenter: Coefficient | None = None
+    wake_amplification: Positive | None = None
+    MBL_mean: Strength | None = None
+    MBL_cov: Cov | None = None
 
     def __post_init__(self) -> None:
-        found = Findings("Segment", self)
-        found.number("length", self.length, "m", above=0.0)
-        found.number("submerged_weight", self.submerged_weight, "N/m")
-        found.number("EA", self.EA, "N", above=0.0, infinite=True)
-        found.numbers(self, "kg/m", "mass", at_least=0.0)
-        found.numbers(self, "N", "MBL", "MBL_mean", above=0.0)
-        found.numbers(self, "", "MBL_cov", at_least=0.0, at_most=HIGHEST_COV)
+        found = Findings(of=self)
+        found.check("length", "submerged_weight", "EA", "mass", "MBL", *TESTS)
         found.problems += break_test_misfits({k for k in TESTS if getattr(self, k) is not None})
-        found.numbers(self, "m", "nominal_diameter", above=0.0)
-        found.numbers(self, "N", "proof_load", above=0.0)
-        found.numbers(self, "USD/m", "price", at_least=0.0)
-        found.numbers(self, "m/s", "wear_rate", at_least=0.0)
-        if self.wear_zone is not None and self.wear_zone not in WEAR_ZONES:
-            found.add("wear_zone", f'"{self.wear_zone}"', "one of " + ", ".join(WEAR_ZONES))
-        self._check_drag(found)
+        found.check("nominal_diameter", "proof_load", "price", "wear_rate", "wear_zone")
+        found.check("drag_diameter", "drag_normal", "drag_axial", "added_mass_normal")
+        found.check("added_mass_axial", "drag_method", "roughness", "keulegan_carpenter")
+        found.check("wake_amplification")
+        if not found.problems:
+            given = {key: value for key, value in vars(self).items() if value not in (None, "")}
+            found.problems += drag_misfits(given)
         found.raise_if_any()
 
     @property
@@ -133,20 +183,17 @@ class Segment:
             return None
         return self.MBL_mean * (1.0 - self.MBL_cov * (3.0 - 6.0 * self.MBL_cov))
 
-    def _check_drag(self, found: Findings) -> None:
-        found.numbers(self, "m", "drag_diameter", above=0.0)
-        found.numbers(self, "", "drag_normal", "drag_axial", at_least=0.0)
-        found.numbers(self, "", "added_mass_normal", "added_mass_axial", at_least=0.0)
-        found.word("drag_method", self.drag_method, DRAG_METHODS)
-        found.numbers(self, "m", "roughness", at_least=0.0)
-        found.numbers(self, "", "keulegan_carpenter", at_least=0.0)
-        found.numbers(self, "", "wake_amplification", above=0.0)
-        if not found.problems:
-            given = {key: value for key, value in vars(self).items() if value not in (None, "")}
-            found.problems += drag_misfits(given)
-
 
 _DRAG = ("drag_area", "drag_coefficient")
+
+
+def point_drag_misfits(given: Collection[str]) -> list[Problem]:
+    """List which of the area and the coefficient of a point load's drag lacks the other."""
+    return [
+        Problem(other, "", f"missing; goes with {key}")
+        for key, other in (_DRAG, _DRAG[::-1])
+        if key in given and other not in given
+    ]
 
 
 @dataclass(frozen=True)
@@ -172,27 +219,19 @@ class PointLoad:
         Ca on the displaced water, in all directions.
     """
 
-    position: float
-    submerged_weight: float
-    mass: float | None = None
+    position: Length
+    submerged_weight: Force
+    mass: SomeMass | None = None
     name: str = ""
-    friction: float | None = None
-    drag_area: float | None = None
-    drag_coefficient: float | None = None
-    added_mass_coefficient: float = 0.0
+    friction: NotNegative | None = None
+    drag_area: Area | None = None
+    drag_coefficient: Coefficient | None = None
+    added_mass_coefficient: Coefficient = 0.0
 
     def __post_init__(self) -> None:
-        found = Findings("PointLoad", self)
-        found.number("position", self.position, "m", above=0.0)
-        found.number("submerged_weight", self.submerged_weight, "N")
-        found.numbers(self, "kg", "mass", at_least=0.0)
-        found.numbers(self, "", "friction", at_least=0.0)
-        found.number("drag_area", self.drag_area or 0.0, "m2", at_least=0.0)
-        found.number("drag_coefficient", self.drag_coefficient or 0.0, "", at_least=0.0)
-        found.number("added_mass_coefficient", self.added_mass_coefficient, "", at_least=0.0)
-        for given, other in (_DRAG, _DRAG[::-1]):
-            if getattr(self, given) is not None and getattr(self, other) is None:
-                found.add(other, "", f"missing; goes with {given}")
+        found = Findings(of=self).check()
+        given = [key for key in _DRAG if getattr(self, key) is not None]
+        found.problems += point_drag_misfits(given)
         found.raise_if_any()
 
     @property
@@ -224,30 +263,23 @@ class Line:
         loads = tuple(sorted(point_loads, key=lambda load: load.position))
         object.__setattr__(self, "segments", tuple(segments))
         object.__setattr__(self, "point_loads", loads)
-        self._check()
-
-    def _check(self) -> None:
-        found = Findings("Line")
+        found = Findings(of=self)
         if not self.segments:
             found.add("segments", "none", "a line has at least one segment")
         for index, load in enumerate(self.point_loads):
             nearest = min(load.position, self.length - load.position)
             if self.segments and not nearest > END_ROUNDING * self.length:
-                found.add(
-                    f"point_loads[{index}].position",
-                    f"{load.position:g} m",
+                allowed = (
                     f"must lie between the ends of the line, which is {self.length:g} m long, and "
-                    "farther from them than its rounding",
+                    "farther from them than its rounding"
                 )
+                found.add(f"point_loads[{index}].position", f"{load.position:g} m", allowed)
         for lower, upper in pairwise(self.point_loads):
             if lower.position == upper.position and lower.friction != upper.friction:
-                found.add(
-                    "point_loads.friction",
-                    f"{lower.friction} and {upper.friction} at {lower.position:g} m",
-                    "point loads in one place lie on the bed with one friction: give both the same",
-                )
-        if found.problems:
-            raise InputError(found.problems, "Line")
+                shown = f"{lower.friction} and {upper.friction} at {lower.position:g} m"
+                allowed = "point loads in one place lie on the bed with one friction: "
+                found.add("point_loads.friction", shown, f"{allowed}give both the same")
+        found.raise_if_any()
 
     @property
     def length(self) -> float:
@@ -257,12 +289,8 @@ class Line:
     @property
     def submerged_weight(self) -> float:
         """Weight in water of the whole line with its point loads, N."""
-        return math.fsum(
-            [
-                *(segment.length * segment.submerged_weight for segment in self.segments),
-                *(load.submerged_weight for load in self.point_loads),
-            ]
-        )
+        weights = [segment.length * segment.submerged_weight for segment in self.segments]
+        return math.fsum([*weights, *(load.submerged_weight for load in self.point_loads)])
 
     @property
     def mass(self) -> float | None:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from catopt.errors import InputError, Problem
+from catopt.model.kinds import Length, Strength
 from catopt.model.validity import Findings
 
-LOADS = {"horizontal_force": "N", "span": "m", "fairlead_tension": "N"}
-"""The quantities of which one is known, with their units."""
+LOADS = ("horizontal_force", "span", "fairlead_tension")
+"""The quantities of which one is known."""
 
 
 @dataclass(frozen=True)
@@ -25,29 +25,19 @@ class Load:
         Effective tension at the fairlead, N.
     """
 
-    horizontal_force: float | None = None
-    span: float | None = None
-    fairlead_tension: float | None = None
+    horizontal_force: Strength | None = None
+    span: Length | None = None
+    fairlead_tension: Strength | None = None
 
     def __post_init__(self) -> None:
-        given = self.given
-        if len(given) != 1:
-            raise InputError(
-                [
-                    Problem(
-                        "load",
-                        " and ".join(given) if given else "none of them",
-                        "exactly one of horizontal_force, span and fairlead_tension is wanted",
-                    )
-                ],
-                "Load",
-            )
-        found = Findings("Load", self)
-        found.number(given[0], getattr(self, given[0]), LOADS[given[0]], above=0.0)
-        found.raise_if_any()
+        found = Findings(of=self)
+        if len(self.given) != 1:
+            allowed = "exactly one of horizontal_force, span and fairlead_tension is wanted"
+            found.add("load", " and ".join(self.given) or "none of them", allowed)
+            found.raise_if_any()
+        found.check().raise_if_any()
 
     @property
     def given(self) -> tuple[str, ...]:
         """Name of the known quantity; one, for a sound load has no more."""
-        values = (self.horizontal_force, self.span, self.fairlead_tension)
-        return tuple(key for key, value in zip(LOADS, values, strict=True) if value is not None)
+        return tuple(key for key in LOADS if getattr(self, key) is not None)

@@ -4,55 +4,43 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Annotated, Literal
 
-from catopt.errors import InputError, Problem
+from catopt.errors import Problem
+from catopt.model.kinds import Force, Height, Place, Text
 from catopt.model.line import Line
 from catopt.model.site import Site
 from catopt.model.validity import Findings
 
 PointKind = Literal["anchor", "fairlead", "joint"]
-POINT_KINDS: tuple[str, ...] = get_args(PointKind)
+PointName = Annotated[str, Text(filled=True, example='"joint 1"')]
 
 Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
 class Point:
-    """Where lines end or meet.
+    """Where lines end or meet."""
 
-    Attributes
-    ----------
-    name : str
-        By which lines name it.
-    kind : {"anchor", "fairlead", "joint"}
-        Held in place, moved by the body, or free: where a joint comes to rest is found.
-    x, y, height : float or None
-        m, the height above the seabed; of a fairlead with the body not displaced. None for a
-        joint.
-    submerged_weight : float
-        Of a joint: clump weight, or buoy below 0, N.
-    """
-
-    name: str
+    name: PointName
+    """By which lines name it."""
     kind: PointKind
-    x: float | None = None
-    y: float | None = None
-    height: float | None = None
-    submerged_weight: float = 0.0
+    """Held in place, moved by the body, or free: where a joint comes to rest is found."""
+    x: Place | None = None
+    """m; of a fairlead with the body not displaced, as y and the height. None for a joint."""
+    y: Place | None = None
+    height: Height | None = None
+    """Above the seabed, m."""
+    submerged_weight: Force = 0.0
+    """Of a joint: clump weight, or buoy below 0, N."""
 
     def __post_init__(self) -> None:
-        found = Findings("Point", self)
+        found = Findings(of=self)
         if not self.name:
             found.add("name", "", "missing; lines name a point by it")
-        found.word("kind", self.kind, POINT_KINDS)
+        found.check("kind")
         found.problems += point_misfits(vars(self))
-        for key in ("x", "y", "height"):
-            if getattr(self, key) is not None:
-                least = 0.0 if key == "height" else None
-                found.number(key, getattr(self, key), "m", at_least=least)
-        found.number("submerged_weight", self.submerged_weight, "N")
-        found.raise_if_any()
+        found.check("x", "y", "height", "submerged_weight").raise_if_any()
 
     @property
     def place(self) -> Vector:
@@ -94,14 +82,7 @@ class LineBetween:
 class Network:
     """Lines between points, of which some are free joints, and a body that is held.
 
-    Attributes
-    ----------
-    site : Site
-        Water and bed.
-    points, lines : tuple
-        Any iterables are taken; at least one of each.
-    title, source : str
-        Free text.
+    Any iterables of points and lines are taken; at least one of each.
     """
 
     site: Site
@@ -113,36 +94,28 @@ class Network:
     def __post_init__(self) -> None:
         object.__setattr__(self, "points", tuple(self.points))
         object.__setattr__(self, "lines", tuple(self.lines))
+        found = Findings(of=self)
+        for key in ("points", "lines"):
+            if not getattr(self, key):
+                found.add(key, "none", "at least one is wanted")
+        names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
-        problems = [
-            Problem(key, "none", "at least one is wanted")
-            for key in ("points", "lines")
-            if not getattr(self, key)
-        ]
-        problems += network_misfits(
-            [point.name for point in self.points],
-            joints,
-            [(line.start, line.end) for line in self.lines],
-        )
+        ends = [(line.start, line.end) for line in self.lines]
+        found.problems += network_misfits(names, joints, ends)
         for k, each in enumerate(self.lines):
-            if not any(segment.submerged_weight for segment in each.line.segments):
-                problems.append(Problem(f"lines[{k}].segments", *WEIGHTLESS))
+            segments = each.line.segments
+            if not any(segment.submerged_weight for segment in segments):
+                found.add(f"lines[{k}].segments", *WEIGHTLESS)
             if {each.start, each.end} & set(joints):
-                problems += (
-                    Problem(f"lines[{k}].segments[{i}].EA", "", NEEDS_EA)
-                    for i, segment in enumerate(each.line.segments)
-                    if math.isinf(segment.EA)
-                )
+                for i in (i for i, segment in enumerate(segments) if math.isinf(segment.EA)):
+                    found.add(f"lines[{k}].segments[{i}].EA", "", NEEDS_EA)
         if self.site.seabed_slope != 0.0:
             slope = f"{math.degrees(self.site.seabed_slope):g} deg"
-            problems.append(
-                Problem("site.seabed_slope", slope, "lines with joints lie on a level bed")
-            )
+            found.add("site.seabed_slope", slope, "lines with joints lie on a level bed")
         if offset := self.site.contact_offset:
             allowed = "leave it out of lines with joints: give depth and heights less by it"
-            problems.append(Problem("site.contact_offset", f"{offset:g} m", allowed))
-        if problems:
-            raise InputError(problems, "Network")
+            found.add("site.contact_offset", f"{offset:g} m", allowed)
+        found.raise_if_any()
 
     @property
     def numbers(self) -> dict[str, int]:

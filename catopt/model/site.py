@@ -4,15 +4,27 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
+from catopt.model.kinds import Density, Length, Measured, NotNegative
 from catopt.model.validity import Findings
+from catopt.units import Dimension
 
 STEEPEST = math.radians(45.0)
 """Slope of a bed, either way, rad."""
 HIGHEST = 1.0
 """Contact offset, m: of a chain whose bar has 0.6 m."""
+Slope = Annotated[
+    float,
+    Measured(Dimension.ANGLE, at_least=-STEEPEST, at_most=STEEPEST, example='"3 deg"'),
+]
+Offset = Annotated[
+    float,
+    Measured(Dimension.LENGTH, at_least=0.0, at_most=HIGHEST, example='"0.164 m"'),
+]
+
 LEVEL_ONLY = "must be 0 or left out: seabed_slope is not 0"
 
 
@@ -37,21 +49,15 @@ class Site:
         sinks in. Depth and heights of a case are less by it: they count from there.
     """
 
-    water_depth: float
-    seabed_friction: float = 0.0
-    water_density: float = SEA_WATER_DENSITY
-    seabed_slope: float = 0.0
-    contact_offset: float = 0.0
+    water_depth: Length
+    seabed_friction: NotNegative = 0.0
+    water_density: Density = SEA_WATER_DENSITY
+    seabed_slope: Slope = 0.0
+    contact_offset: Offset = 0.0
 
     def __post_init__(self) -> None:
-        found = Findings("Site", self)
-        found.number("water_depth", self.water_depth, "m", above=0.0)
-        found.number("seabed_friction", self.seabed_friction, "", at_least=0.0)
-        found.number("water_density", self.water_density, "kg/m3", above=0.0)
-        slope = self.seabed_slope
-        found.number("seabed_slope", slope, "rad", at_least=-STEEPEST, at_most=STEEPEST)
-        found.number("contact_offset", self.contact_offset, "m", at_least=0.0, at_most=HIGHEST)
-        if slope and self.contact_offset:
+        found = Findings(of=self).check()
+        if self.seabed_slope and self.contact_offset:
             found.add("contact_offset", f"{self.contact_offset:g} m", LEVEL_ONLY)
         found.raise_if_any()
 
@@ -65,13 +71,7 @@ class Site:
         return height + self.contact_offset if height > 0.0 else 0.0
 
     def check_level(self) -> None:
-        """Refuse a bed that slopes, for what takes it to be level.
-
-        Raises
-        ------
-        InputError
-            By the key of the case file.
-        """
+        """Raise InputError where the bed slopes, for what takes it to be level."""
         if self.seabed_slope != 0.0:
             allowed = "must be 0 or left out: only catopt verify --dynamic has a bed that slopes"
             found = f"{math.degrees(self.seabed_slope):g} deg"

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catopt.errors import Problem
+from catopt.model.kinds import Angle, Force, Height, Length, Moment, NotNegative
 from catopt.model.line import Line
 from catopt.model.validity import Findings
 
@@ -17,51 +18,38 @@ class Leg:
 
     Directions are counter-clockwise from x. The body's own axes lie along x and y when its yaw
     is 0.
-
-    Attributes
-    ----------
-    line : Line
-        From the anchor to the fairlead.
-    azimuth : float
-        Direction from the origin to the anchor, rad.
-    anchor_radius : float
-        Horizontal distance from the origin to the anchor, m.
-    fairlead_height, anchor_height : float
-        Above the seabed, m.
-    fairlead_radius : float
-        Horizontal distance from the body's origin to the fairlead, m.
-    fairlead_azimuth : float
-        Direction from the body's origin to the fairlead, rad; that of the line when left out.
-    name : str
-        Free text, for tables.
     """
 
     line: Line
-    azimuth: float
-    anchor_radius: float
-    fairlead_height: float
-    anchor_height: float = 0.0
-    fairlead_radius: float = 0.0
-    fairlead_azimuth: float = math.nan
+    """From the anchor to the fairlead."""
+    azimuth: Angle
+    """Direction from the origin to the anchor, rad."""
+    anchor_radius: Length
+    """Horizontal distance from the origin to the anchor, m."""
+    fairlead_height: Height
+    """Above the seabed, m."""
+    anchor_height: Height = 0.0
+    """Above the seabed, m."""
+    fairlead_radius: Height = 0.0
+    """Horizontal distance from the body's origin to the fairlead, m."""
+    fairlead_azimuth: Angle = math.nan
+    """Direction from the body's origin to the fairlead, rad; that of the line when left out."""
     name: str = ""
+    """Free text, for tables."""
 
     def __post_init__(self) -> None:
         if isinstance(self.fairlead_azimuth, float) and math.isnan(self.fairlead_azimuth):
             object.__setattr__(self, "fairlead_azimuth", self.azimuth)
-        found = Findings("Leg", self)
-        found.number("azimuth", self.azimuth, "rad")
-        found.number("anchor_radius", self.anchor_radius, "m", above=0.0)
-        found.number("fairlead_height", self.fairlead_height, "m", at_least=0.0)
-        found.number("anchor_height", self.anchor_height, "m", at_least=0.0)
-        found.number("fairlead_radius", self.fairlead_radius, "m", at_least=0.0)
+        found = Findings(of=self)
+        found.check("azimuth", "anchor_radius", "fairlead_height", "anchor_height")
+        found.check("fairlead_radius")
         if self.azimuth == self.azimuth:
-            found.number("fairlead_azimuth", self.fairlead_azimuth, "rad")
+            found.check("fairlead_azimuth")
         if not self.line.point_loads and not any(s.submerged_weight for s in self.line.segments):
-            found.add(
-                "line.segments",
-                "no submerged weight in any of them",
-                "a line of a system needs weight: without it its shape does not tell the force",
+            allowed = (
+                "a line of a system needs weight: without it its shape does not tell the force"
             )
+            found.add("line.segments", "no submerged weight in any of them", allowed)
         found.raise_if_any()
 
     @classmethod
@@ -75,20 +63,9 @@ class Leg:
         anchor_height: float = 0.0,
         name: str = "",
     ) -> Leg:
-        """Place a line by the positions of its ends.
+        """Place a line by the positions of its ends: x and y, m.
 
-        Parameters
-        ----------
-        line : Line
-            From the anchor to the fairlead.
-        anchor : (float, float)
-            x and y of the anchor, m.
-        fairlead : (float, float)
-            x and y of the fairlead in the body's axes, m.
-        fairlead_height, anchor_height : float
-            Above the seabed, m.
-        name : str
-            Free text.
+        The fairlead's are in the body's axes; heights count from the seabed, m.
         """
         radius = math.hypot(*fairlead)
         return cls(
@@ -138,38 +115,29 @@ class System:
     """
 
     legs: tuple[Leg, ...]
-    force: tuple[float, float] = (0.0, 0.0)
-    moment: float = 0.0
-    seabed_friction: float = 0.0
+    force: tuple[Force, Force] = (0.0, 0.0)
+    moment: Moment = 0.0
+    seabed_friction: NotNegative = 0.0
     yaw_free: bool | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "legs", tuple(self.legs))
         object.__setattr__(self, "force", tuple(self.force))
-        self._check()
-
-    def _check(self) -> None:
-        found = Findings("System", self)
+        found = Findings(of=self)
         if not self.legs:
             found.add("legs", "none", "a system has at least one line")
         if len(self.force) != 2:
             found.add("force", f"{len(self.force)} numbers", "two are wanted: along x and y")
-        found.each("force", "N")
-        found.number("moment", self.moment, "N m")
-        found.number("seabed_friction", self.seabed_friction, "", at_least=0.0)
+        found.check("force", "moment", "seabed_friction")
         if self.yaw_free and not self.has_arms:
-            found.add(
-                "yaw_free",
-                "True",
+            allowed = (
                 "no fairlead lies off the body's origin, so that nothing holds the body in yaw; "
-                "give a fairlead radius or leave yaw held",
+                "give a fairlead radius or leave yaw held"
             )
+            found.add("yaw_free", "True", allowed)
         if not found.problems and self.moment != 0.0 and not self.turns:
-            found.add(
-                "moment",
-                f"{self.moment:g} N m",
-                "must be 0 where the body does not yaw: the lines feel nothing of it",
-            )
+            allowed = "must be 0 where the body does not yaw: the lines feel nothing of it"
+            found.add("moment", f"{self.moment:g} N m", allowed)
         found.raise_if_any()
 
     @classmethod
@@ -266,14 +234,10 @@ class System:
 
 def system_misfits(others: Mapping[str, object]) -> list[Problem]:
     """List the parts of a case that do not go with a system; one it lacks is empty or None."""
+    reasons = {"site.seabed_slope": "a bed slopes along one line"}
+    own_load = "a system has a load of its own"
     return [
-        Problem(key, "beside a system", f"leave out {key} or system: {_reason(key)}")
+        Problem(key, "beside a system", f"leave out {key} or system: {reasons.get(key, own_load)}")
         for key, value in others.items()
         if value
     ]
-
-
-def _reason(key: str) -> str:
-    if key == "site.seabed_slope":
-        return "a bed slopes along one line"
-    return "a system has a load of its own"

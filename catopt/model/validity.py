@@ -4,39 +4,21 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
+from dataclasses import MISSING
+from typing import Self
 
 from catopt.errors import InputError, Problem
+from catopt.model.kinds import COUNTS, Annotation, Measured, OneOf, Whole, annotated, out_of_range
 from catopt.units import Dimension, to_si
 
-COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
-    {
-        "particles": (2, 10_000),
-        "iterations": (1, 10_000),
-        "runs": (1, 1_000),
-        "seed": (0, 2**63 - 1),
-        "population": (4, 10_000),
-        "evaluations": (1, 10_000_000),
-        "max_enumerated": (1, 100_000_000),
-        "elements": (4, 5_000),
-        "components": (1, 10_000),
-        "spreading_directions": (1, 360),
-        "segment": (1, 200),
-        "point_load": (1, 200),
-        "joint": (1, 200),
-        "broken_line": (1, 100),
-        "lines": (1, 100),
-        "headings": (1, 360),
-        "samples": (1, 10_000_000),
-        "count": (2, 100_000),
-    }
-)
-"""Fewest and most of everything that a user may ask a number of. The most is what still answers
-within days; how long it takes is said before it begins."""
+
+def _unit(si_unit: str) -> str:
+    """Write a unit of SI as messages about arguments do."""
+    return si_unit.replace("^", "").replace("*", " ")
 
 
-_DIMENSIONS = {each.si_unit.replace("^", "").replace("*", " "): each for each in Dimension}
+_DIMENSIONS = {_unit(each.si_unit): each for each in Dimension}
 _DIMENSIONS["N/m2"] = Dimension.PRESSURE
 """By their SI units, as messages write them."""
 
@@ -48,10 +30,47 @@ class Findings:
     its place; nan where there is none, with its problem noted.
     """
 
-    def __init__(self, source: str, of: object = None) -> None:
-        self.source = source
+    def __init__(self, source: str = "", of: object = None) -> None:
+        self.source = source or type(of).__name__
         self.problems: list[Problem] = []
         self._of = of
+
+    def check(self, *keys: str) -> Self:
+        """Note the problems of attributes, by their annotated kinds; of all if none is named.
+
+        What is the default of its class is right.
+        """
+        known = annotated(type(self._of))
+        for key in keys or known:
+            value = getattr(self._of, key)
+            if value is not getattr(type(self._of), key, MISSING):
+                self._check(key, value, known[key])
+        return self
+
+    def _check(self, key: str, value: object, annotation: Annotation) -> None:
+        kind = annotation.kind
+        if isinstance(kind, Measured):
+            unit = _unit(kind.si_unit)
+            bounds = {"above": kind.above, "at_least": kind.at_least, "at_most": kind.at_most}
+            if not annotation.is_array:
+                self.number(key, value, unit, **bounds, infinite=kind.infinite)
+            elif annotation.size is None:
+                self.each(key, unit, **bounds)
+            else:
+                self._vector(key, unit, annotation.size.most)
+        elif isinstance(kind, Whole) and not annotation.is_array:
+            self.count(key, value)
+        elif isinstance(kind, OneOf) and not annotation.is_array:
+            self.word(key, value, kind.words, quoted=kind.quoted)
+
+    def _vector(self, key: str, unit: str, size: int) -> None:
+        """Check numbers of which there are none, or so many."""
+        values = tuple(getattr(self._of, key))
+        object.__setattr__(self._of, key, values)
+        if len(values) not in {0, size}:
+            self.add(key, f"{len(values)} numbers", f"{size} are wanted")
+        for value in values:
+            self.number(key, value, unit)
 
     def number(
         self,
@@ -70,25 +89,19 @@ class Findings:
         """
         if isinstance(value, str) and hasattr(self._of, key):
             read = self._read(key, value, unit)
+            object.__setattr__(self._of, key, math.nan if read is None else read)
             if read is None:
-                object.__setattr__(self._of, key, math.nan)
                 return
-            object.__setattr__(self._of, key, read)
             value = read
+        in_unit = f" in {unit}" if unit else ""
         if isinstance(value, bool) or not isinstance(value, (int, float)) or value != value:
-            self.add(key, repr(value), f"a number{_in(unit)} is wanted")
-            return
-        if isinstance(value, int) and abs(value) > sys.float_info.max:
-            self.add(key, "a whole number beyond all floats", f"a number{_in(unit)} is wanted")
-            return
-        if math.isinf(value) and not (infinite and value > 0.0):
-            self.add(key, repr(value), f"a finite number{_in(unit)} is wanted")
-        elif above is not None and not value > above:
-            self.add(key, repr(value), f"must be above {above:g}{_of(unit)}")
-        elif at_least is not None and not value >= at_least:
-            self.add(key, repr(value), f"must be {at_least:g}{_of(unit)} or more")
-        elif at_most is not None and not value <= at_most:
-            self.add(key, repr(value), f"must be {at_most:g}{_of(unit)} or less")
+            self.add(key, repr(value), f"a number{in_unit} is wanted")
+        elif isinstance(value, int) and abs(value) > sys.float_info.max:
+            self.add(key, "a whole number beyond all floats", f"a number{in_unit} is wanted")
+        elif math.isinf(value) and not (infinite and value > 0.0):
+            self.add(key, repr(value), f"a finite number{in_unit} is wanted")
+        elif beyond := out_of_range(value, unit, above, at_least, at_most):
+            self.add(key, repr(value), beyond)
 
     def numbers(
         self,
@@ -139,10 +152,10 @@ class Findings:
             self.problems += error.problems
             return None
 
-    def word(self, key: str, value: object, words: Sequence[str]) -> None:
-        """Note a problem unless `value` is one of some words."""
+    def word(self, key: str, value: object, words: Sequence[str], *, quoted: bool = False) -> None:
+        """Note a problem unless `value` is one of some words; quoted: shown as a file has it."""
         if value not in words:
-            self.add(key, repr(value), "one of " + ", ".join(words))
+            self.add(key, f'"{value}"' if quoted else repr(value), "one of " + ", ".join(words))
 
     def count(self, key: str, value: object) -> None:
         """Note a problem unless `value` is within the bounds of the count that `key` is."""
@@ -160,11 +173,3 @@ class Findings:
         """Raise InputError when a problem was noted."""
         if self.problems:
             raise InputError(self.problems, self.source)
-
-
-def _in(unit: str) -> str:
-    return f" in {unit}" if unit else ""
-
-
-def _of(unit: str) -> str:
-    return f" {unit}" if unit else ""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import dataclass, fields
 from types import MappingProxyType
-from typing import Any, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 from catopt.errors import Problem
+from catopt.model.kinds import Angle, File, Length, Measured, Place, Positive, Seed, Time, Whole
 from catopt.model.validity import Findings
+from catopt.units import Dimension
 
 WaveSpectrum = Literal["jonswap", "pierson-moskowitz", "regular"]
 WAVE_SPECTRA: tuple[str, ...] = get_args(WaveSpectrum)
@@ -21,10 +23,12 @@ WAVE_WAYS = ("spectrum", "elevation_file", "trains")
 COMPONENTS, DIRECTIONS = 200, 20
 """Regular waves of a train, and directions of one that is spread, unless they are given."""
 
-_OF_A_TRAIN = (
-    "height", "period", "peak_enhancement", "direction", "components", "spreading_exponent",
-    "spreading_directions",
-)  # fmt: skip
+Gamma = Annotated[float, Measured(Dimension.NUMBER, at_least=1.0, at_most=20.0, example="3.3")]
+Components = Annotated[int, Whole("components", example=200)]
+Directions = Annotated[int, Whole("spreading_directions", example=20)]
+
+_OF_A_TRAIN: tuple[str, ...] = ("height", "period", "spreading_exponent", "peak_enhancement")
+_OF_A_TRAIN += ("direction", "components", "spreading_directions")
 _TAKES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "spectrum": (*_OF_A_TRAIN, "stretching", "seed"),
@@ -36,42 +40,32 @@ _TAKES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 
 @dataclass(frozen=True)
 class WaveTrain:
-    """Waves of one spectrum: the wind sea, or a swell.
-
-    Attributes
-    ----------
-    spectrum : {"jonswap", "pierson-moskowitz", "regular"}
-        How their energy lies over the frequency; one wave, if regular.
-    height : float
-        Significant height Hs; of a regular wave from trough to crest; m.
-    period : float
-        Peak period Tp; of a regular wave its own; s.
-    peak_enhancement : float or None
-        gamma of JONSWAP, 1 to 20; None: by the rule on Tp/sqrt(Hs), docs/waves.md.
-    direction : float
-        Where they travel to, rad from the x axis, which points from the anchor to the fairlead.
-    components : int
-        Regular waves that the surface is the sum of.
-    spreading_exponent : float or None
-        n of the spreading function cos^n about the direction, up to a right angle to either side.
-        None: all waves have the one direction.
-    spreading_directions : int or None
-        Directions of equal energy that the waves are spread over; None: 20. The components are a
-        multiple of it.
-    """
+    """Waves of one spectrum: the wind sea, or a swell."""
 
     spectrum: WaveSpectrum
-    height: float
-    period: float
-    peak_enhancement: float | None = None
-    direction: float = 0.0
-    components: int = COMPONENTS
-    spreading_exponent: float | None = None
-    spreading_directions: int | None = None
+    """How their energy lies over the frequency; one wave, if regular."""
+    height: Length
+    """Significant height Hs; of a regular wave from trough to crest; m."""
+    period: Time
+    """Peak period Tp; of a regular wave its own; s."""
+    peak_enhancement: Gamma | None = None
+    """gamma of JONSWAP, 1 to 20; None: by the rule on Tp/sqrt(Hs), docs/waves.md."""
+    direction: Angle = 0.0
+    """Where they travel to, rad from the x axis, which points from the anchor to the fairlead."""
+    components: Components = COMPONENTS
+    """Regular waves that the surface is the sum of."""
+    spreading_exponent: Positive | None = None
+    """n of the spreading function cos^n about the direction, up to a right angle to either side.
+    None: all waves have the one direction."""
+    spreading_directions: Directions | None = None
+    """Directions of equal energy that the waves are spread over; None: 20. The components are a
+    multiple of it."""
 
     def __post_init__(self) -> None:
-        found = Findings("WaveTrain", self)
-        _check_train(self, found)
+        found = Findings(of=self).check("spectrum", *_OF_A_TRAIN)
+        if not found.problems:
+            given = {key: value for key, value in vars(self).items() if value is not None}
+            found.problems += train_misfits(given)
         found.raise_if_any()
 
     @property
@@ -84,55 +78,42 @@ class WaveTrain:
 class WaveState:
     """Waves of the sea: as one train, as several `trains`, or as recorded in an `elevation_file`.
 
-    Attributes
-    ----------
-    spectrum, height, period, peak_enhancement, direction, components
-        Of the one train, as `WaveTrain` has them; the direction also of a record.
-    stretching : {"none", "wheeler"}
-        How far up the motion of the water is taken to go.
-    seed : int
-        Run k draws from the generator seeded with (seed, k).
-    spreading_exponent, spreading_directions
-        Of the one train.
-    trains : tuple of WaveTrain
-        Which add up.
-    elevation_file : str
-        Path of a CSV file with the columns time and elevation; empty when not used.
-    elevation_x : float
-        Where it was recorded, along x from the anchor, m.
-    shortest_period : float or None
-        Of the record's waves that are kept, s; None: the fastest waves with 0.1 % of the variance
-        are left out.
+    What a `WaveTrain` has is of the one train; the direction is also of a record.
     """
 
     spectrum: WaveSpectrum | None = None
-    height: float | None = None
-    period: float | None = None
-    peak_enhancement: float | None = None
-    direction: float = 0.0
-    components: int = COMPONENTS
+    height: Length | None = None
+    period: Time | None = None
+    peak_enhancement: Gamma | None = None
+    direction: Angle = 0.0
+    components: Components = COMPONENTS
     stretching: Stretching = "none"
-    seed: int = 1
-    spreading_exponent: float | None = None
-    spreading_directions: int | None = None
+    """How far up the motion of the water is taken to go."""
+    seed: Seed = 1
+    """Run k draws from the generator seeded with (seed, k)."""
+    spreading_exponent: Positive | None = None
+    spreading_directions: Directions | None = None
     trains: tuple[WaveTrain, ...] = ()
-    elevation_file: str = ""
-    elevation_x: float = 0.0
-    shortest_period: float | None = None
+    """Which add up."""
+    elevation_file: Annotated[str, File(example='"elevation.csv"')] = ""
+    """Path of a CSV file with the columns time and elevation; empty when not used."""
+    elevation_x: Place = 0.0
+    """Where it was recorded, along x from the anchor, m."""
+    shortest_period: Time | None = None
+    """Of the record's waves that are kept, s; None: the fastest waves with 0.1 % of the variance
+    are left out."""
 
     def __post_init__(self) -> None:
-        found = Findings("WaveState", self)
+        found = Findings(of=self)
         given = {
             field.name: getattr(self, field.name)
             for field in fields(self)
-            if field.default is MISSING or getattr(self, field.name) != field.default
+            if getattr(self, field.name) != field.default
         }
         found.problems += wave_misfits(given)
-        _check_train(self, found, misfits=False)
-        found.number("elevation_x", self.elevation_x, "m")
-        found.numbers(self, "s", "shortest_period", above=0.0)
-        found.word("stretching", self.stretching, STRETCHINGS)
-        found.count("seed", self.seed)
+        found.check(
+            "spectrum", *_OF_A_TRAIN, "elevation_x", "shortest_period", "stretching", "seed"
+        )
         found.raise_if_any()
 
     @property
@@ -140,14 +121,8 @@ class WaveState:
         """The trains, or the one; none of a record."""
         if self.spectrum is None:
             return self.trains
-        assert self.height is not None
-        assert self.period is not None
-        return (
-            WaveTrain(
-                self.spectrum, self.height, self.period, self.peak_enhancement, self.direction,
-                self.components, self.spreading_exponent, self.spreading_directions,
-            ),
-        )  # fmt: skip
+        own = {field.name: getattr(self, field.name) for field in fields(WaveTrain)}
+        return (WaveTrain(**own),)
 
     @property
     def is_random(self) -> bool:
@@ -204,20 +179,3 @@ def train_misfits(given: Mapping[str, Any]) -> list[Problem]:
         )
         problems.append(Problem("components", repr(count), allowed))
     return problems
-
-
-def _check_train(train: WaveTrain | WaveState, found: Findings, *, misfits: bool = True) -> None:
-    """Find what is out of range in a train."""
-    if train.spectrum is not None:
-        found.word("spectrum", train.spectrum, WAVE_SPECTRA)
-    found.numbers(train, "m", "height", above=0.0)
-    found.numbers(train, "s", "period", above=0.0)
-    found.numbers(train, "", "spreading_exponent", above=0.0)
-    found.numbers(train, "", "peak_enhancement", at_least=1.0, at_most=20.0)
-    found.number("direction", train.direction, "rad")
-    found.count("components", train.components)
-    if train.spreading_directions is not None:
-        found.count("spreading_directions", train.spreading_directions)
-    if misfits and not found.problems:
-        given = {f.name: getattr(train, f.name) for f in fields(train)}
-        found.problems += train_misfits({k: v for k, v in given.items() if v is not None})

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from catopt.casefile.fields import Kind, Measured
 from catopt.casefile.schema import Table, entries
 from catopt.documents import Path, dotted
+from catopt.model.kinds import Kind, Measured
 from catopt.units import as_written
 
 _MOST = 8

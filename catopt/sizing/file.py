@@ -10,14 +10,12 @@ from pathlib import Path as FilePath
 from types import MappingProxyType
 from typing import Any, Final
 
-from pydantic import ValidationError
-
 from catopt.casefile.document import as_in_file, table
 from catopt.casefile.location import Finding, in_order_of, parts
 from catopt.casefile.names import stands_for
 from catopt.casefile.schema import Table, entries
 from catopt.casefile.sizing_file import Moored, case_key, moored_in
-from catopt.casefile.structure import structure_findings
+from catopt.casefile.structure import read_tables
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
@@ -179,12 +177,7 @@ def file_of(
     other = _of_another_kind(document, moored)
     if other:
         raise InputError([other.as_problem()], source)
-    schema = schema_of(moored)
-    findings: list[Finding] = []
-    try:
-        schema.model_validate(document)
-    except ValidationError as error:
-        findings += structure_findings(error.errors(include_url=False), schema)
+    _, findings = read_tables(document, schema_of(moored))
     if moored == "tanker" and "anchor" in document and "sinker" in document:
         advice = "leave out [sinker] or [anchor]: the line is held by one of them"
         findings.append(Finding(("sinker",), "[anchor] beside it", advice))

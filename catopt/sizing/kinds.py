@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.casefile.sizing_file import Moored
+from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.numerals import bare_number
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.units import Dimension, as_written

@@ -9,9 +9,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Annotated, Any
 
-from pydantic import create_model
-
-from catopt.casefile.schema import SOME, Table
+from catopt.casefile.schema import Table
 from catopt.casefile.sizing_file import Moored
 from catopt.sizing.inputs import Input, rows_of
 from catopt.sizing.kinds import kind_of
@@ -25,17 +23,23 @@ def schema_of(moored: Moored) -> type[Table]:
     tables = {
         name: _table(name, [each for each in inputs if each.section == name]) for name in sections
     }
-    fields: dict[str, Any] = {name: (table | None, None) for name, table in tables.items() if name}
-    return create_model("SizingTable", __base__=tables[""], **fields)
+    annotations = {name: table | None for name, table in tables.items() if name}
+    return _made("SizingTable", tables[""], annotations)
 
 
 def _table(name: str, inputs: list[Input]) -> type[Table]:
-    fields: dict[str, Any] = {each.path[-1]: (_annotation(each) | None, None) for each in inputs}
-    made = create_model(f"{name.title()}Table", __base__=Table, **fields)
+    made = _made(
+        f"{name.title()}Table", Table, {each.path[-1]: _annotation(each) for each in inputs}
+    )
     made.symbols = {alias: each.path[-1] for each in inputs for alias in each.also}
     return made
 
 
+def _made(name: str, base: type[Table], annotations: dict[str, Any]) -> type[Table]:
+    """Make a schema none of whose keys is required."""
+    return type(name, (base,), dict.fromkeys(annotations) | {"__annotations__": annotations})
+
+
 def _annotation(each: Input) -> Any:
     one = Annotated[Any, kind_of(each)]
-    return Annotated[list[one], SOME] if each.several else one
+    return list[one] if each.several else one

@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
-from catopt.casefile.fields import Measured
-from catopt.casefile.location import in_order_of
+from catopt.casefile.location import refuse
+from catopt.casefile.schema import entries
 from catopt.casefile.sizing_file import moored_of
-from catopt.casefile.structure import structure_findings
+from catopt.casefile.structure import read_tables
 from catopt.checks.criteria import criteria_of
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Case
+from catopt.model.kinds import Measured
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
 from catopt.study.distribution import Distribution
@@ -54,12 +54,8 @@ def read_study(path: str | os.PathLike[str]) -> Study:
     """
     source = os.fspath(path)
     document = parse_toml(read_text(Path(path), source, kind="study file"), source)
-    try:
-        table = StudyTable.model_validate(document)
-    except ValidationError as error:
-        findings = structure_findings(error.errors(include_url=False), StudyTable)
-        ordered = in_order_of(document, list(dict.fromkeys(findings)))
-        raise InputError([each.as_problem() for each in ordered], source) from None
+    table, findings = read_tables(document, StudyTable)
+    refuse(document, findings, source)
     problems: list[Problem] = []
     folder = Path(path).parent
     base = _base(table, folder, source)
@@ -151,8 +147,7 @@ def _check_form(each: VaryTable) -> None:
     given = set(each.given())
     if not any(wanted <= given <= wanted | more for wanted, more in _FORMS):
         forms = "; ".join(
-            " and ".join(sorted(wanted, key=list(VaryTable.model_fields).index))
-            for wanted, _ in _FORMS
+            " and ".join(sorted(wanted, key=list(entries(VaryTable)).index)) for wanted, _ in _FORMS
         )
         raise InputError([Problem("", ", ".join(each.given()), f"one of these is wanted: {forms}")])
     if each.distribution is not None and (each.distribution == "uniform") != ("min" in given):

@@ -6,11 +6,11 @@ import copy
 from collections.abc import Mapping
 from typing import Any
 
-from catopt.casefile.fields import Kind, Measured
 from catopt.casefile.location import parts
 from catopt.casefile.names import hint
 from catopt.casefile.schema import CaseTable, Table, entries
 from catopt.errors import InputError, Problem
+from catopt.model.kinds import Kind, Measured
 from catopt.sizing.schema import schema_of
 from catopt.study.base import Base
 

@@ -6,11 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Final
 
-from pydantic import Field
-
-from catopt.casefile.fields import Kind, OneOf, Text, Whole
-from catopt.casefile.schema import MOST_LISTED, Name, Seed, Table
+from catopt.casefile.schema import Table
 from catopt.errors import InputError, Problem
+from catopt.model.kinds import Kind, OneOf, Seed, Size, Text, Whole
 from catopt.units import as_written
 
 COMPUTED: Final = ("statics", "checks", "motion", "linear", "sizing")
@@ -75,7 +73,7 @@ class VaryTable(Table):
     symbols: ClassVar[Mapping[str, str]] = {"from": "min", "to": "max", "file": "table"}
 
     key: Key | None = None
-    values: Annotated[list[Value], Field(min_length=1, max_length=MOST_LISTED)] | None = None
+    values: list[Value] | None = None
     min: Value | None = None
     max: Value | None = None
     count: Annotated[int, Whole("count", example=11)] | None = None
@@ -90,11 +88,11 @@ class VaryTable(Table):
 class StudyTable(Table):
     """A whole study file."""
 
-    title: Name | None = None
+    title: str | None = None
     case: File
     compute: Annotated[str, OneOf(COMPUTED)]
     proof: Annotated[str, OneOf(PROOFS)] | None = None
     samples: Annotated[int, Whole("samples", example=1000)] | None = None
     seed: Seed | None = None
     limits: Limits | None = None
-    vary: Annotated[list[VaryTable], Field(min_length=1, max_length=MOST_VARIED)]
+    vary: Annotated[list[VaryTable], Size(1, MOST_VARIED)]

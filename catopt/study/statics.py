@@ -10,12 +10,12 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from catopt.casefile.fields import Measured
 from catopt.catenary.batch import Solutions, solve_many
 from catopt.catenary.case import solve_case
 from catopt.catenary.solution import Solution
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case, Load, System
+from catopt.model.kinds import Measured
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
 from catopt.study.axis import Array

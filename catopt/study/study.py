@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from catopt._version import __version__
-from catopt.casefile.fields import Measured
 from catopt.constants import YEAR
+from catopt.model.kinds import Measured
 from catopt.quantities import Quantity
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base

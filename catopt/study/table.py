@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from catopt.casefile.fields import Kind, Measured, Whole
 from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem, need_package
+from catopt.model.kinds import Kind, Measured, Whole
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
 from catopt.study.keys import kind_of_key

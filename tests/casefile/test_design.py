@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from catopt.casefile import parse_case
-from catopt.casefile.ranges import LENGTHS, MOST_VALUES
+from catopt.casefile.ranges import MOST_VALUES, values_of
+from catopt.casefile.schema import LENGTHS
 from catopt.errors import InputError
 from catopt.model import Case, ClumpWeightChoice, Design, SegmentChoice, SinkerChoice
 
@@ -161,7 +162,10 @@ def test_a_step_too_small_for_any_count_is_refused() -> None:
 
 def test_the_ends_are_exactly_as_written() -> None:
     third = 1.0 / 3.0
-    values = LENGTHS.of({"length_min": third, "length_max": 2 * third, "length_step": third})
+    values = values_of(
+        LENGTHS,
+        {"length_min": third, "length_max": 2 * third, "length_step": third},
+    )
     assert values == (third, 2 * third)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from hypothesis import given, settings
@@ -38,12 +38,12 @@ from catopt.model import (
     WaveState,
     WaveTrain,
 )
-from catopt.model.case import BOUNDARY_HANDLINGS
+from catopt.model.case import Boundary
 from catopt.model.design import OBJECTIVES, SEARCH_METHODS
 from catopt.model.dynamics import INITIAL_FRICTION, TIME_SCHEMES
 from catopt.model.find import FIND_QUANTITIES
+from catopt.model.kinds import COUNTS
 from catopt.model.load_case import LOAD_CASE_KINDS
-from catopt.model.validity import COUNTS
 from catopt.model.wave_state import STRETCHINGS, WAVE_SPECTRA
 
 POSITIVE = st.floats(min_value=1e-3, max_value=100.0)
@@ -230,7 +230,7 @@ SWARMS = st.builds(
     cognitive=up_to(4.0),
     social=up_to(4.0),
     inertia=up_to(1.0),
-    boundary=st.sampled_from(BOUNDARY_HANDLINGS),
+    boundary=st.sampled_from(get_args(Boundary)),
 )
 
 

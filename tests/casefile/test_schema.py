@@ -13,7 +13,6 @@ from typing import Any, NamedTuple
 import pytest
 
 from catopt.casefile import parse_case
-from catopt.casefile.fields import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.casefile.schema import (
     AnchorMotionTable,
     AnchorTable,
@@ -82,7 +81,8 @@ from catopt.model import (
 )
 from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import OBJECTIVES
-from catopt.model.drag_method import DRAG_METHODS
+from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
+from catopt.model.line import DRAG_METHODS
 from catopt.model.motion import OF_A_BODY
 from catopt.units import UNITS, Dimension
 

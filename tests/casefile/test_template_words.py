@@ -10,9 +10,9 @@ from typing import NamedTuple
 import pytest
 
 from catopt.casefile import TEMPLATES, parse_case, template
-from catopt.casefile.fields import OneOf
 from catopt.casefile.schema import CaseTable, Table, entries
 from catopt.casefile.sizing_file import Moored
+from catopt.model.kinds import OneOf
 from catopt.sizing.file import read_file
 from catopt.sizing.schema import schema_of
 from catopt.study.schema import StudyTable

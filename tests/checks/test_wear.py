@@ -13,7 +13,7 @@ from catopt.checks.strength import strength_of
 from catopt.constants import YEAR
 from catopt.errors import InputError
 from catopt.model import Case, Line, Load, Segment, Service, Site
-from catopt.model.wear import WEAR_TABLES
+from catopt.model.service import WEAR_TABLES
 from catopt.words import say
 
 PRINTED = {

@@ -10,7 +10,6 @@ import pytest
 import typer.main
 
 import catopt
-from catopt.casefile.fields import Measured
 from catopt.casefile.schema import entries
 from catopt.casefile.sizing_file import Moored
 from catopt.cli.size import size as size_commands
@@ -19,6 +18,7 @@ from catopt.errors import InputError
 from catopt.loads import METHODS, WaterLevels
 from catopt.loads.ship_dimensions import ShipKind
 from catopt.loads.sinker import DENSITIES
+from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest
 from catopt.sizing.file import read_file, read_sizing
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of

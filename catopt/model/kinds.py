@@ -1,0 +1,312 @@
+"""What a key of a case file, or an attribute of the model, may be: its unit, range and words.
+
+A kind is said once, in the ``Annotated`` type of an attribute. `catopt.model.validity` checks the
+attribute by it, and a case file's key of the same name is read by it.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Literal,
+    NamedTuple,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
+
+from catopt.errors import InputError, Problem
+from catopt.units import Dimension, as_written, to_si
+
+COUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
+    {
+        "particles": (2, 10_000),
+        "iterations": (1, 10_000),
+        "runs": (1, 1_000),
+        "seed": (0, 2**63 - 1),
+        "population": (4, 10_000),
+        "evaluations": (1, 10_000_000),
+        "max_enumerated": (1, 100_000_000),
+        "elements": (4, 5_000),
+        "components": (1, 10_000),
+        "spreading_directions": (1, 360),
+        "segment": (1, 200),
+        "point_load": (1, 200),
+        "joint": (1, 200),
+        "broken_line": (1, 100),
+        "lines": (1, 100),
+        "headings": (1, 360),
+        "samples": (1, 10_000_000),
+        "count": (2, 100_000),
+    }
+)
+"""Fewest and most of everything that a user may ask a number of. The most is what still answers
+within days; how long it takes is said before it begins."""
+
+
+class Kind(ABC):
+    """A kind of value; stands in the ``Annotated`` type of an attribute or a key."""
+
+    @property
+    @abstractmethod
+    def wanted(self) -> str:
+        """What is wanted, with an example."""
+
+    @abstractmethod
+    def read(self, value: object) -> object:
+        """Return the value as the model takes it, or raise InputError with one problem."""
+
+    def _refused(self, value: object, allowed: str = "") -> InputError:
+        return InputError([Problem("value", as_written(value), allowed or self.wanted)])
+
+
+@dataclass(frozen=True)
+class Measured(Kind):
+    """A number with a unit; bounds in SI: exclusive below, inclusive below, inclusive above.
+
+    `example`: where that of the dimension is not to the point. `bare`: unit of a bare number in a
+    file, that of SI when empty. `si`: how its unit in SI is written, where not as the dimension's.
+    `infinite`: whether Python may give positive infinity.
+    """
+
+    dimension: Dimension
+    above: float | None = None
+    at_least: float | None = None
+    at_most: float | None = None
+    example: str = ""
+    bare: str = ""
+    si: str = ""
+    infinite: bool = False
+
+    @property
+    def wanted(self) -> str:
+        """What is wanted, with an example."""
+        return f"{self.dimension.noun} is wanted, such as {self.example or self.dimension.example}"
+
+    @property
+    def si_unit(self) -> str:
+        """Unit in SI as a file has it; empty for a pure number."""
+        return self.si or self.dimension.si_unit
+
+    def read(self, value: object) -> float:
+        """Return the value in SI."""
+        try:
+            si = to_si(value, self.dimension, bare=self.bare)
+        except InputError as error:
+            (problem,) = error.problems
+            example = self.example or self.dimension.example
+            allowed = problem.allowed.replace(self.dimension.example, example)
+            raise InputError([replace(problem, allowed=allowed)]) from None
+        unit = self.dimension.si_unit
+        beyond = out_of_range(si, unit, self.above, self.at_least, self.at_most)
+        if beyond:
+            # Too large for a bare number: perhaps it was meant in another unit.
+            large = self.at_most is not None and si > self.at_most and not isinstance(value, str)
+            hint = f"; a bare number is in {unit}: give a unit, as in {self.dimension.example}"
+            raise self._refused(value, beyond + (hint if large and unit else ""))
+        return si
+
+
+@dataclass(frozen=True)
+class Whole(Kind):
+    """A whole number within the bounds of one of `COUNTS`; the example is for messages."""
+
+    key: str
+    example: int
+
+    @property
+    def bounds(self) -> tuple[int, int]:
+        """Smallest and largest value."""
+        return COUNTS[self.key]
+
+    @property
+    def wanted(self) -> str:
+        """What is wanted, with an example."""
+        return f"a whole number is wanted, such as {self.example}"
+
+    def read(self, value: object) -> int:
+        """Return the number."""
+        if isinstance(value, bool) or not isinstance(value, int):
+            raise self._refused(value)
+        fewest, most = self.bounds
+        if value > most:
+            raise self._refused(value, f"must be {most} or less")
+        if value < fewest:
+            raise self._refused(value, f"must be {fewest} or more")
+        return value
+
+
+@dataclass(frozen=True)
+class Text(Kind):
+    """Free text; filled: with more than blanks."""
+
+    filled: bool = False
+    example: str = ""
+
+    @property
+    def wanted(self) -> str:
+        """What is wanted, with the example if there is one."""
+        return "text in quotes is wanted" + (f", such as {self.example}" if self.example else "")
+
+    def read(self, value: object) -> str:
+        """Return the text."""
+        if not isinstance(value, str) or (self.filled and not value.strip()):
+            raise self._refused(value)
+        return value
+
+
+@dataclass(frozen=True)
+class File(Text):
+    """Path of a file, which counts from the folder of the case file; absolute in the model."""
+
+    filled: bool = True
+
+
+@dataclass(frozen=True)
+class Flag(Kind):
+    """Yes or no."""
+
+    @property
+    def wanted(self) -> str:
+        """What is wanted."""
+        return "true or false is wanted, without quotes"
+
+    def read(self, value: object) -> bool:
+        """Return it."""
+        if not isinstance(value, bool):
+            raise self._refused(value)
+        return value
+
+
+@dataclass(frozen=True)
+class OneOf(Kind):
+    """One of several words; quoted: messages about an argument show it as a file has it."""
+
+    words: tuple[str, ...]
+    quoted: bool = False
+
+    @property
+    def wanted(self) -> str:
+        """The words."""
+        return f"one of {', '.join(self.words)} is wanted"
+
+    def read(self, value: object) -> str:
+        """Return the word."""
+        if not isinstance(value, str) or value not in self.words:
+            raise self._refused(value, self.wanted + self._meant(value))
+        return value
+
+    def _meant(self, value: object) -> str:
+        if not isinstance(value, str):
+            return ""
+        from difflib import get_close_matches
+
+        close = get_close_matches(value.casefold(), self.words, n=1)
+        return f"; did you mean {close[0]}?" if close else ""
+
+
+class Size(NamedTuple):
+    """How many values an array has; an array of the model may be empty all the same."""
+
+    fewest: int
+    most: int
+
+
+Length = Annotated[float, Measured(Dimension.LENGTH, above=0.0)]
+Height = Annotated[float, Measured(Dimension.LENGTH, at_least=0.0)]
+Place = Annotated[float, Measured(Dimension.LENGTH)]
+Area = Annotated[float, Measured(Dimension.AREA, at_least=0.0, example='"1.5 m^2"')]
+Mass = Annotated[float, Measured(Dimension.MASS, above=0.0)]
+SomeMass = Annotated[float, Measured(Dimension.MASS, at_least=0.0)]
+Density = Annotated[float, Measured(Dimension.DENSITY, above=0.0)]
+Force = Annotated[float, Measured(Dimension.FORCE)]
+SomeForce = Annotated[float, Measured(Dimension.FORCE, at_least=0.0)]
+Strength = Annotated[float, Measured(Dimension.FORCE, above=0.0)]
+Weight = Annotated[float, Measured(Dimension.FORCE_PER_LENGTH)]
+Moment = Annotated[float, Measured(Dimension.MOMENT)]
+Angle = Annotated[float, Measured(Dimension.ANGLE)]
+Uplift = Annotated[float, Measured(Dimension.ANGLE, at_least=0.0, at_most=math.pi / 2.0)]
+Speed = Annotated[float, Measured(Dimension.SPEED)]
+SomeSpeed = Annotated[float, Measured(Dimension.SPEED, at_least=0.0)]
+WearRate = Annotated[float, Measured(Dimension.SPEED, at_least=0.0, example='"0.4 mm/year"')]
+Time = Annotated[float, Measured(Dimension.TIME, above=0.0)]
+Duration = Annotated[float, Measured(Dimension.TIME, at_least=0.0)]
+Factor = Annotated[float, Measured(Dimension.NUMBER, at_least=1.0)]
+Share = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, at_most=1.0)]
+Positive = Annotated[float, Measured(Dimension.NUMBER, above=0.0)]
+NotNegative = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0)]
+Coefficient = Annotated[float, Measured(Dimension.NUMBER, at_least=0.0, example="1.2")]
+Seed = Annotated[int, Whole("seed", example=1)]
+Headings = Annotated[int, Whole("headings", example=12)]
+OneSegment = Annotated[int, Whole("segment", example=1)]
+Source = Annotated[str, Text(filled=True)]
+
+
+def out_of_range(
+    value: float, unit: str, above: float | None, at_least: float | None, at_most: float | None
+) -> str:
+    """Say which bound a number breaks; empty for none."""
+    of = f" {unit}" if unit else ""
+    if above is not None and not value > above:
+        return f"must be above {above:g}{of}"
+    if at_least is not None and not value >= at_least:
+        return f"must be {at_least:g}{of} or more"
+    if at_most is not None and not value <= at_most:
+        return f"must be {at_most:g}{of} or less"
+    return ""
+
+
+class Annotation(NamedTuple):
+    """What an annotation says: its kind, whether it is an array and of what size, its classes."""
+
+    kind: Kind | None
+    is_array: bool
+    size: Size | None
+    classes: tuple[type, ...]
+
+
+_PLAIN: Mapping[object, Kind] = MappingProxyType({str: Text(), bool: Flag()})
+
+
+_KNOWN: dict[type, Mapping[str, Annotation]] = {}
+
+
+def annotated(of: type) -> Mapping[str, Annotation]:
+    """Read the annotations of a class, by attribute; once."""
+    if of not in _KNOWN:
+        hints = get_type_hints(of, include_extras=True).items()
+        own = {key: _read(hint) for key, hint in hints if ClassVar not in (hint, get_origin(hint))}
+        _KNOWN[of] = MappingProxyType(own)
+    return _KNOWN[of]
+
+
+def _read(hint: Any) -> Annotation:
+    parts = list(_parts(hint))
+    kinds = [part for part in parts if isinstance(part, Kind)]
+    kinds += [_PLAIN[part] for part in parts if isinstance(part, type) and part in _PLAIN]
+    return Annotation(
+        next(iter(kinds), None),
+        list in parts or tuple in parts,
+        next((part for part in parts if isinstance(part, Size)), None),
+        tuple(part for part in parts if isinstance(part, type)),
+    )
+
+
+def _parts(hint: Any) -> Iterator[Any]:
+    """Take an annotation apart: ``Annotated[float, k] | None`` gives ``float``, ``k`` and None.
+
+    The words of a Literal are one kind; the empty word stands for none.
+    """
+    if get_origin(hint) is Literal:
+        yield OneOf(tuple(word for word in get_args(hint) if word))
+        return
+    yield get_origin(hint) or hint
+    for inner in get_args(hint):
+        yield from _parts(inner)
