@@ -3,90 +3,77 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from collections.abc import Iterable
+from typing import Any
 
 from catopt.figures.chart import Chart, Level, Place
-from catopt.render.looks import LOOKS
+from catopt.render.looks import COLOURS, LOOKS
 from catopt.render.sheet import Chart as Native
 from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
 from catopt.render.ticks import axis_title
-from catopt.words import Language, Message, say
+from catopt.words import Message
 
 _SIZE = (680, 420)
 """Pixels."""
+_SIGNS = {
+    "circle": "circle",
+    "square": "square",
+    "diamond": "diamond",
+    "triangle": "triangle",
+    "cross": "plus",
+    "tick": "short_dash",
+}
+"""What a spreadsheet calls each sign."""
 
 
-class _Curve(NamedTuple):
-    """A line or signs at places."""
-
-    role: str
-    label: str
-    places: list[Place]
-
-
-def draw(
-    chart: Chart, sheet: Sheet, cells: Sheet, row: int, column: int, language: Language
-) -> int:
+def draw(chart: Chart, sheet: Sheet, cells: Sheet, row: int) -> int:
     """Write what a drawing shows as cells, and draw them on another sheet; areas are left out.
 
-    Its upper left corner is at `row` and `column` of `sheet`; returns the first row below it.
+    It begins in a row of `sheet`; returns the first row below it.
     """
-    curves = list(_curves(chart))
-    top = cells.row
-    cells.write(top, 0, Text(say(chart.title, language), "title"))
+    book, curves, top = sheet.book, _curves(chart), cells.row
+    cells.write(top, 0, Text(book.say(chart.title), "title"))
     made = []
-    for index, curve in enumerate(curves):
-        label = say(curve.label, language)
-        rows = _write(chart, cells, curve, (top + 1, 2 * index), label)
-        made.append(
-            Series(label, rows, 2 * index, 2 * index + 1, role=curve.role, sheet=cells.name)
-        )
-    cells.row = top + 3 + max((len(curve.places) for curve in curves), default=0)
-    y = chart.y
-    said = axis_title(y, language)
+    for column, ((role, words), places) in enumerate(curves.items()):
+        label, rows = book.say(words), (top + 2, top + 1 + max(len(places), 1))
+        cells.write(top + 1, 2 * column, Text(label, "text"))
+        for place, values in enumerate(places, start=top + 2):
+            _write(chart, cells, values, (place, 2 * column))
+        made.append(Series(label, rows, 2 * column, 2 * column + 1, _look(role), cells.name))
+    cells.row = top + 3 + max(map(len, curves.values()), default=0)
+    y, title = chart.y, axis_title(chart.y, book.language)
+    log = None
     if y.foot is not None:  # a spreadsheet leaves out what is 0 on a logarithmic axis
-        said = say(Message("answers.no_zeros", axis=said), language)
-    log = None if y.foot is None else (y.quantity.to_field(y.low), y.quantity.to_field(y.high))
-    return sheet.chart(
-        Native(
-            say(chart.title, language),
-            axis_title(chart.x, language),
-            said,
-            tuple(made),
-            log,
-            _SIZE,
-            (0.0, None) if y.low == 0.0 and log is None else (None, None),
-            tuple(index for index, curve in enumerate(curves) if not curve.label),
-        ),
-        row=row,
-        column=column,
+        title = book.say(Message("answers.no_zeros", axis=title))
+        log = y.quantity.to_field(y.low), y.quantity.to_field(y.high)
+    native = Native(
+        book.say(chart.title),
+        axis_title(chart.x, book.language),
+        title,
+        made,
+        log,
+        from_zero=y.low == 0.0 and log is None,
+        size=_SIZE,
+        hidden=[index for index, (_, words) in enumerate(curves) if not words],
     )
+    return sheet.chart(native, row)
 
 
-def _write(
-    chart: Chart, cells: Sheet, curve: _Curve, at: tuple[int, int], label: str
-) -> tuple[int, int]:
-    """Write the places of a curve below its name; return its first and its last row."""
-    row, column = at
-    cells.write(row, column, Text(label, "text"))
-    for place, values in enumerate(curve.places, start=row + 1):
-        for offset, (axis, value) in enumerate(zip((chart.x, chart.y), values, strict=True)):
-            quantity = axis.quantity
-            is_there = math.isfinite(value) and (axis.foot is None or value > 0.0)
-            field = quantity.to_field(value) if is_there else None
-            cells.write(place, column + offset, Number(field, number_pattern(quantity)))
-    return row + 1, row + max(len(curve.places), 1)
+def _write(chart: Chart, cells: Sheet, values: Place, at: tuple[int, int]) -> None:
+    """Write a place in the units of the axes."""
+    for offset, (axis, value) in enumerate(zip((chart.x, chart.y), values, strict=True)):
+        is_there = math.isfinite(value) and (axis.foot is None or value > 0.0)
+        field = axis.quantity.to_field(value) if is_there else math.nan
+        cells.write(at[0], at[1] + offset, Number(field, number_pattern(axis.quantity)))
 
 
-def _curves(chart: Chart) -> Iterator[_Curve]:
-    """Yield what is drawn, what looks and is called alike together, with gaps between."""
-    gap = (math.nan, math.nan)
+def _curves(chart: Chart) -> dict[tuple[str, str], list[Place]]:
+    """List what is drawn by role and label: what is alike together, with gaps between."""
     found: dict[tuple[str, str], list[Place]] = {}
 
     def add(role: str, label: str, places: Iterable[Place], *, joined: bool = True) -> None:
         known = found.setdefault((role, label), [])
-        known += [gap] if known and joined else []
+        known += [(math.nan, math.nan)] if known and joined else []
         known += places
 
     for series in chart.series:
@@ -102,8 +89,7 @@ def _curves(chart: Chart) -> Iterator[_Curve]:
     for mark in chart.marks:
         if LOOKS[mark.role].sign != "words":
             add(mark.role, mark.label, [(mark.x, mark.y)], joined=False)
-    for (role, label), places in found.items():
-        yield _Curve(role, label, places)
+    return found
 
 
 def _ends(level: Level, chart: Chart) -> tuple[Place, Place]:
@@ -111,3 +97,20 @@ def _ends(level: Level, chart: Chart) -> tuple[Place, Place]:
         return (level.at, chart.y.low), (level.at, chart.y.high)
     start, end = max(level.start, chart.x.low), min(level.end, chart.x.high)
     return (start, level.at), (end, level.at)
+
+
+def _look(role: str) -> dict[str, Any]:
+    """Say how a spreadsheet draws a role."""
+    look = LOOKS[role]
+    colour = COLOURS[look.stroke or look.fill][0]
+    if look.sign in _SIGNS:
+        marker = {
+            "type": _SIGNS[look.sign],
+            "size": max(5, round(look.size)),
+            "border": {"color": COLOURS["ink"][0] if look.stroke == "paper" else colour},
+            "fill": {"color": COLOURS[look.fill][0]} if look.fill else {"none": True},
+        }
+        return {"line": {"none": True}, "marker": marker}
+    dash = "dash" if look.dash else "solid"
+    line = {"color": colour, "width": 0.75 * look.width, "dash_type": dash}
+    return {"line": line, "marker": {"type": "none"}}

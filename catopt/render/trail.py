@@ -43,6 +43,11 @@ class _Factor(_Number):
         return super().__format__(spec or "()")
 
 
+def put_in(step: Step) -> str:
+    """Write the formula, and below it the same with its numbers; empty where there is neither."""
+    return "\n= ".join(each for each in (in_symbols(step), in_numbers(step)) if each)
+
+
 def in_symbols(step: Step) -> str:
     """Write the formula: ``"a = H / w"``."""
     formula = step.formula if isinstance(step.formula, str) else " ".join(step.formula)
