@@ -12,7 +12,7 @@ import pytest
 
 import catopt
 from catopt.answers.design import design_answer
-from catopt.render.csv import csv_files
+from catopt.render.files import csv_files
 from catopt.verify.case import verify_case
 
 CASES = Path("cases")

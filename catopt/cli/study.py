@@ -205,8 +205,7 @@ def _write(output: Output, out: Path, result: StudyResult, language: Language) -
     """Write the table of members as it is read from the store, and the tables of the answer."""
     from catopt.answers.study import members_table, study_answer
     from catopt.cli.result_files import write_all
-    from catopt.render.files import files_of
-    from catopt.render.table_parts import write_table
+    from catopt.render.files import files_of, write_table
     from catopt.report.bundle import study_pictures
 
     with output.progress("Tables") as tell:

@@ -7,20 +7,10 @@ from collections.abc import Iterator, Sequence
 from textwrap import wrap
 from typing import Protocol
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Facts,
-    Points,
-    Table,
-    Text,
-    Verdict,
-    Warnings,
-)
+from catopt.answers.blocks import Answer, Column, Facts, Points, Table, Text, Verdict, Warnings
 from catopt.quantities import QUANTITIES
 from catopt.render.units import as_wanted
-from catopt.render.values import cell, shown
+from catopt.render.values import cell, is_seen, parts_of, shown
 from catopt.words import Language, Message, Sentence, Several, say
 
 _WIDTH = 80
@@ -34,8 +24,6 @@ _HEADING, _TEXT_HEADING = 11, 24
 """Characters to which headings over words are folded at least, and at most over long ones."""
 _NO_BREAK = "\u00a0"
 """Between a number and its unit."""
-_SEEN = {"all", "people", "not csv"}
-"""For whom tables and lists are that a terminal shows."""
 
 
 class Printer(Protocol):
@@ -64,59 +52,44 @@ def show(output: Printer, answer: Answer, language: Language = "en") -> None:
     output.text(say(answer.title, language), bold=True)
     in_text = True
     for block in answer.blocks:
-        if not _is_seen(block):
+        if not isinstance(block, _PRINTED) or not is_seen(block):
             continue
-        stands_apart = isinstance(block, Table | Facts) or bool(_caption(block))
+        caption = block.caption if isinstance(block, Text | Points) else ""
+        stands_apart = isinstance(block, Table | Facts) or bool(caption)
         if stands_apart and in_text:
             output.line()
+        if caption:
+            output.text(say(caption, language), bold=True)
         _show(output, block, language)
+        if isinstance(block, Text) and caption:  # it stands apart from what follows, too
+            output.line()
         in_text = not stands_apart
 
 
-def _is_seen(block: Block) -> bool:
-    if isinstance(block, Table) and block.length == 0:
-        return False
-    if isinstance(block, Table | Facts | Text | Warnings):
-        return block.only in _SEEN
-    return isinstance(block, Verdict | Points)
+_PRINTED = Table | Facts | Text | Verdict | Points | Warnings
+"""What a terminal shows."""
 
 
-def _caption(block: Block) -> str:
-    return block.caption if isinstance(block, Text | Points) else ""
-
-
-def _show(output: Printer, block: Block, language: Language) -> None:
-    if isinstance(block, Table):
-        for caption, rows in _parts(block):
-            _table(output, block, caption, rows, language)
-    elif isinstance(block, Facts):
-        _facts(output, block, language)
-    elif isinstance(block, Text):
-        _text(output, block, language)
-    elif isinstance(block, Verdict):
-        output.text(say(block.words, language), bold=True)
-    elif isinstance(block, Points):
-        _points(output, block, language)
-    elif isinstance(block, Warnings):
-        for said in block.said:
-            warning = Sentence(Message("answers.warning", warning=said))
-            output.text(say(warning, language), bold=True)
-
-
-def _points(output: Printer, block: Points, language: Language) -> None:
-    if block.caption:
-        output.text(say(block.caption, language), bold=True)
-    for said in block.said:
-        output.text(say(said, language))
-
-
-def _text(output: Printer, block: Text, language: Language) -> None:
-    """Print a paragraph; one with a caption stands apart from what follows, as a table does."""
-    if block.caption:
-        output.text(say(block.caption, language), bold=True)
-    output.text(say(block.said, language))
-    if block.caption:
-        output.line()
+def _show(
+    output: Printer, block: Table | Facts | Text | Verdict | Points | Warnings, language: Language
+) -> None:
+    match block:
+        case Table():
+            for caption, rows in parts_of(block):
+                _table(output, block, caption, rows, language)
+        case Facts():
+            _facts(output, block, language)
+        case Text():
+            output.text(say(block.said, language))
+        case Verdict():
+            output.text(say(block.words, language), bold=True)
+        case Points():
+            for said in block.said:
+                output.text(say(said, language))
+        case Warnings():
+            for said in block.said:
+                warning = Sentence(Message("answers.warning", warning=said))
+                output.text(say(warning, language), bold=True)
 
 
 def _facts(output: Printer, block: Facts, language: Language) -> None:
@@ -125,46 +98,34 @@ def _facts(output: Printer, block: Facts, language: Language) -> None:
         if fact.only == "files":
             continue
         symbol = fact.quantity.symbol if fact.quantity else ""
-        values = (fact.quantity, *(fact.also if fact.value is not None else ()))
-        rows.append(
-            (
-                f"{say(fact.name, language)} {symbol}".rstrip(),
-                *(shown(fact.value, quantity, language, unit=True) for quantity in values),
-            )
-        )
+        name = f"{say(fact.name, language)} {symbol}".rstrip()
+        ways = (fact.quantity, *(fact.also if fact.value is not None else ()))
+        rows.append([name, *(shown(fact.value, each, language, unit=True) for each in ways)])
     width = max(map(len, rows))
-    padded = [(*row, *[""] * (width - len(row))) for row in rows]
-    # Words that are long fold; what is short stands flush right, as numbers do.
+    padded = [[*row, *[""] * (width - len(row))] for row in rows]
+    # Words that are long fold; what is short is flush right, as numbers are.
     short = [k for k in range(1, width) if max(len(row[k]) for row in padded) <= _TEXT_HEADING]
     output.table([""] * width, padded, title=say(block.caption, language), numbers=short)
-
-
-def _parts(table: Table) -> Iterator[tuple[str, Sequence[int]]]:
-    if table.parts:
-        yield from table.parts
-    else:
-        yield table.caption, range(table.length) if table.shown is None else table.shown
 
 
 def _table(
     output: Printer, table: Table, caption: str, rows: Sequence[int], language: Language
 ) -> None:
     """Print rows of a table, without the columns for which 80 have no room; those are named."""
-    columns = [each for each in table.columns if each.only != "files"]
-    cells = [[cell(each, row, language) for row in rows] for each in columns]
+    shown = [each for each in table.columns if each.only != "files"]
+    columns = [_Column(each, rows, language) for each in shown]
     left_out = []
-    while _width(columns, cells, language) > _WIDTH and any(each.priority for each in columns):
-        worst = max(range(len(columns)), key=lambda k: columns[k].priority)
-        left_out.append(columns.pop(worst).name)
-        cells.pop(worst)
-    rooms = _rooms(columns, cells, language)
-    headings = [_heading(each, room, language) for each, room in zip(columns, rooms, strict=True)]
+    while _excess(columns) > 0 and any(each.of.priority for each in columns):
+        worst = max(columns, key=lambda each: each.of.priority)
+        left_out.append(worst.of.name)
+        columns.remove(worst)
+    headings = [each.heading(room) for each, room in zip(columns, _rooms(columns), strict=True)]
     numbers = [k for k, each in enumerate(columns) if each.is_number]
     if table.marked is not None and table.marked in rows:
         place = list(rows).index(table.marked)
-        cells[0][place] = f"*{cells[0][place]}"
-    _fold(columns, headings, cells)
-    printed = list(zip(*cells, strict=True))
+        columns[0].cells[place] = f"*{columns[0].cells[place]}"
+    _fold(columns, headings)
+    printed = list(zip(*(each.cells for each in columns), strict=True))
     output.table(headings, printed, title=say(caption, language), numbers=numbers)
     if left_out:
         names = Several(reversed(left_out), ", ")
@@ -172,46 +133,67 @@ def _table(
         output.line()
 
 
-def _rooms(
-    columns: Sequence[Column], cells: Sequence[Sequence[str]], language: Language
-) -> list[int]:
+class _Column:
+    """A column as it is printed: its name, its unit and its cells."""
+
+    def __init__(self, of: Column, rows: Sequence[int], language: Language) -> None:
+        self.of = of
+        self.is_number = of.is_number
+        self.name = _name(of, language)
+        self.cells = [cell(of, row, language) for row in rows]
+
+    @property
+    def longest(self) -> int:
+        """Characters of its longest cell."""
+        return max(map(len, self.cells), default=0)
+
+    @property
+    def room(self) -> int:
+        """Characters to which its heading folds with its words whole."""
+        room = self.longest
+        if not self.is_number:
+            room = max(min(room, _TEXT_HEADING), _HEADING)
+        return max(room, _longest_word(self.name), 1)
+
+    @property
+    def width(self) -> int:
+        """Characters that it takes where the words of its heading stay whole."""
+        heading = self.heading(self.room)
+        widest = max(self.longest, *map(len, heading.split("\n")))
+        return widest if self.is_number else min(widest, max(_TEXT, _longest_word(heading)))
+
+    def heading(self, room: int) -> str:
+        """Say what it holds, folded to so many characters."""
+        words = [part for word in self.name.split(" ") for part in _broken(word, room)]
+        lines = wrap(" ".join(words), room, break_long_words=False, break_on_hyphens=False)
+        quantity = self.of.quantity
+        if quantity is not None and quantity.field_unit != "-":
+            lines.append(f"({quantity.field_unit})")
+        return "\n".join(lines).replace(_NO_BREAK, " ")
+
+
+def _excess(columns: Sequence[_Column]) -> int:
+    """Count the characters by which a row is too long."""
+    return sum(each.width for each in columns) + _GAP * (len(columns) - 1) - _WIDTH
+
+
+def _rooms(columns: Sequence[_Column]) -> list[int]:
     """Choose to how many characters each heading folds: whole words, where 80 have room for them.
 
-    Where not, words of headings that are widest over what stands below them are broken.
+    Where not, words of headings that are widest over what is below them are broken.
     """
-    names = [_name(each, language) for each in columns]
-    rooms = [
-        _room(each, name, below) for each, name, below in zip(columns, names, cells, strict=True)
-    ]
+    rooms = [each.room for each in columns]
     spare = [
-        room - max(map(len, below), default=0) if each.is_number and room > _LEAST else 0
-        for each, room, below in zip(columns, rooms, cells, strict=True)
+        room - each.longest if each.is_number and room > _LEAST else 0
+        for each, room in zip(columns, rooms, strict=True)
     ]
-    over = _width(columns, cells, language) - _WIDTH
+    over = _excess(columns)
     while over > 0 and any(each > 0 for each in spare):
         widest = max(range(len(columns)), key=lambda k: spare[k])
         rooms[widest] -= 1
         spare[widest] = spare[widest] - 1 if rooms[widest] > _LEAST else 0
         over -= 1
     return rooms
-
-
-def _room(column: Column, name: str, cells: Sequence[str]) -> int:
-    room = max(map(len, cells), default=0)
-    if not column.is_number:
-        room = max(min(room, _TEXT_HEADING), _HEADING)
-    return max(room, _longest_word(name), 1)
-
-
-def _width(columns: Sequence[Column], cells: Sequence[Sequence[str]], language: Language) -> int:
-    """Count the characters of a row whose headings keep their words whole."""
-    total = 0
-    for column, below in zip(columns, cells, strict=True):
-        room = _room(column, _name(column, language), below)
-        heading = _heading(column, room, language)
-        widest = max(map(len, (*heading.split("\n"), *below)), default=0)
-        total += widest if column.is_number else min(widest, max(_TEXT, _longest_word(heading)))
-    return total + _GAP * (len(columns) - 1)
 
 
 def _longest_word(text: str) -> int:
@@ -228,16 +210,6 @@ def _name(column: Column, language: Language) -> str:
     return re.sub(r"(?<=\d) ", _NO_BREAK, name)
 
 
-def _heading(column: Column, room: int, language: Language) -> str:
-    """Say what a column holds, folded to so many characters."""
-    words = [part for word in _name(column, language).split(" ") for part in _broken(word, room)]
-    lines = wrap(" ".join(words), room, break_long_words=False, break_on_hyphens=False)
-    quantity = column.quantity
-    if quantity is not None and quantity.field_unit != "-":
-        lines.append(f"({quantity.field_unit})")
-    return "\n".join(lines).replace(_NO_BREAK, " ")
-
-
 def _broken(word: str, room: int) -> Iterator[str]:
     """Break a word that is too long into parts of about the same length."""
     if len(word) <= room:
@@ -248,20 +220,19 @@ def _broken(word: str, room: int) -> Iterator[str]:
     yield from _broken(word[half:], room)
 
 
-def _fold(columns: Sequence[Column], headings: Sequence[str], cells: list[list[str]]) -> None:
+def _fold(columns: Sequence[_Column], headings: Sequence[str]) -> None:
     """Fold the one column of words that a table has; a number keeps its unit beside it."""
     words = [k for k, each in enumerate(columns) if not each.is_number]
     if len(words) != 1:
         return
     widths = [
-        max(map(len, (*heading.split("\n"), *below)))
-        for heading, below in zip(headings, cells, strict=True)
+        max(each.longest, *map(len, heading.split("\n")))
+        for each, heading in zip(columns, headings, strict=True)
     ]
     (place,) = words
     room = _WIDTH - _GAP * (len(columns) - 1) - sum(widths) + widths[place]
     if room < widths[place]:
-        joined = (re.sub(r"(?<=\d) (?=[^\W\d])", _NO_BREAK, cell) for cell in cells[place])
-        folded = (
-            "\n".join(wrap(cell, max(room, _TEXT), break_on_hyphens=False)) for cell in joined
-        )
-        cells[place] = [each.replace(_NO_BREAK, " ") for each in folded]
+        column = columns[place]
+        joined = (re.sub(r"(?<=\d) (?=[^\W\d])", _NO_BREAK, cell) for cell in column.cells)
+        folded = (wrap(cell, max(room, _TEXT), break_on_hyphens=False) for cell in joined)
+        column.cells = ["\n".join(lines).replace(_NO_BREAK, " ") for lines in folded]

@@ -1,12 +1,29 @@
-"""One value as people read it."""
+"""What people see of a block, and one value as they read it."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
-from catopt.answers.blocks import Column, Value
+from catopt.answers.blocks import Block, Column, Facts, Table, Text, Value, Warnings
 from catopt.quantities import Quantity
 from catopt.words import Language, Message, say
+
+SEEN = {"all", "people", "not csv"}
+"""For whom things are that people see."""
+
+
+def is_seen(block: Block) -> bool:
+    """Whether people see anything of a block."""
+    if isinstance(block, Table) and block.length == 0:
+        return False
+    return block.only in SEEN if isinstance(block, Table | Facts | Text | Warnings) else True
+
+
+def parts_of(table: Table) -> Sequence[tuple[str, Sequence[int]]]:
+    """List captions and rows of the tables into which a table falls for people."""
+    rows = range(table.length) if table.shown is None else table.shown
+    return table.parts or ((table.caption, rows),)
 
 
 def shown(

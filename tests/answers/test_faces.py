@@ -52,7 +52,7 @@ from catopt.design.search import design_case
 from catopt.loads import Headings, SeaState, Ship, SurfaceCurrent, Wind, ship_loads
 from catopt.mooring.case import report_system
 from catopt.notes.front_in_motion import front_in_motion
-from catopt.render.csv import csv_files
+from catopt.render.files import csv_files
 from catopt.render.terminal import show
 from catopt.render.trail import in_numbers, in_symbols
 from catopt.render.workbook import workbook
