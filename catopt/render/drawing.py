@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from catopt.figures.chart import Chart, Level, Place
-from catopt.render.looks import COLOURS, LOOKS
+from catopt.render.looks import COLOURS, LOOKS, SIGNS
 from catopt.render.sheet import Chart as Native
 from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
 from catopt.render.ticks import axis_title
@@ -15,15 +15,6 @@ from catopt.words import Message
 
 _SIZE = (680, 420)
 """Pixels."""
-_SIGNS = {
-    "circle": "circle",
-    "square": "square",
-    "diamond": "diamond",
-    "triangle": "triangle",
-    "cross": "plus",
-    "tick": "short_dash",
-}
-"""What a spreadsheet calls each sign."""
 
 
 def draw(chart: Chart, sheet: Sheet, cells: Sheet, row: int) -> int:
@@ -103,9 +94,9 @@ def _look(role: str) -> dict[str, Any]:
     """Say how a spreadsheet draws a role."""
     look = LOOKS[role]
     colour = COLOURS[look.stroke or look.fill][0]
-    if look.sign in _SIGNS:
+    if look.sign in SIGNS:
         marker = {
-            "type": _SIGNS[look.sign],
+            "type": SIGNS[look.sign]["workbook"],
             "size": max(5, round(look.size)),
             "border": {"color": COLOURS["ink"][0] if look.stroke == "paper" else colour},
             "fill": {"color": COLOURS[look.fill][0]} if look.fill else {"none": True},

@@ -5,9 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterator, Mapping
 from importlib.resources import files
-from typing import Literal, NamedTuple
-
-Sign = Literal["", "circle", "square", "diamond", "triangle", "cross", "tick", "words"]
+from typing import Any, NamedTuple
 
 
 class Look(NamedTuple):
@@ -18,7 +16,7 @@ class Look(NamedTuple):
     dash: tuple[float, ...] = ()
     fill: str = ""
     opacity: float = 1.0
-    sign: Sign = ""
+    sign: str = ""
     size: float = 6.0
 
 
@@ -28,6 +26,8 @@ COLOURS: Mapping[str, tuple[str, str]] = {
     name: (light, dark) for name, (light, dark) in _TABLE["colours"].items()
 }
 """Each colour on light paper and on dark."""
+SIGNS: Mapping[str, Mapping[str, Any]] = _TABLE["signs"]
+"""Each sign, as every renderer draws it."""
 LOOKS: Mapping[str, Look] = {role: Look(**look) for role, look in _TABLE["looks"].items()}
 """The look of each role."""
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from io import BytesIO
-from textwrap import fill, wrap
+from textwrap import fill
 from typing import TYPE_CHECKING, Any, Literal
 from warnings import catch_warnings, filterwarnings
 
@@ -18,8 +18,18 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from catopt.figures.chart import Arrow, Axis, Chart, Dimension, Level, Mark, Series, legend
-from catopt.render.looks import COLOURS, LOOKS, Look
+from catopt.figures.chart import (
+    Area,
+    Axis,
+    Chart,
+    Dimension,
+    Level,
+    Mark,
+    Place,
+    Series,
+    legend,
+)
+from catopt.render.looks import COLOURS, LOOKS, SIGNS, Look
 from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
 from catopt.render.units import as_wanted
 from catopt.words import Language, say
@@ -48,9 +58,6 @@ STYLE: Any = {
     "axes.linewidth": 0.8,
     "svg.hashsalt": "catopt",
 }
-_MARKERS = {
-    "circle": "o", "square": "s", "diamond": "D", "triangle": "^", "cross": "+", "tick": "|",
-}  # fmt: skip
 
 
 def pictures(
@@ -137,26 +144,28 @@ def _title(chart: Chart, wide: float, language: Language) -> str:
 
 
 def _labels(chart: Chart, wide: float, language: Language) -> tuple[list[str], int]:
-    """Fold the words of the legend and the notes; choose how many stand in a row."""
+    """Fold the words of the legend and the notes; choose how many are in a row."""
     letters = int(wide * 72.0 / (_TYPE * _LETTER))
-    said = [say(each.label, language) for each in legend(chart)]
-    notes = [say(note, language) for note in chart.notes]
-    longest = max((len(each) for each in [*said, *notes]), default=0) + 8
-    columns = max(1, min(3, letters // longest, len(said) + len(notes)))
-    return ["\n".join(wrap(each, letters - 8)) for each in [*said, *notes]], columns
+    said = [say(each, language) for each in (*(of.label for of in legend(chart)), *chart.notes)]
+    longest = max(map(len, said), default=0) + 8
+    columns = max(1, min(3, letters // longest, len(said)))
+    return [fill(each, letters - 8) for each in said], columns
 
 
 def _draw(part: SubFigure, chart: Chart, wide: float, language: Language) -> None:
     axes = part.add_subplot()
     axes.set_title(_title(chart, wide, language), fontsize=9.5, loc="left", parse_math=False)
     _axes(axes, chart, wide, language)
-    _areas(axes, chart)
+    for area in chart.areas:
+        _area(axes, area, chart)
     for level in chart.levels:
         _level(axes, level, chart, language)
     for series in chart.series:
         _series(axes, series, chart)
     for arrow in chart.arrows:
-        _arrow(axes, arrow, chart)
+        look = LOOKS[arrow.role]
+        line = {"color": _colour(look.stroke), "linewidth": look.width * _POINTS}
+        _arrow(axes, "-|>", _at(chart, arrow.start), _at(chart, arrow.end), line, zorder=4)
     for mark in chart.marks:
         _mark(axes, mark, chart, language)
     for dimension in chart.dimensions:
@@ -170,11 +179,9 @@ def _legend(part: SubFigure, chart: Chart, wide: float, language: Language) -> N
     empty = Line2D([], [], linestyle="none")
     handles += [empty] * (len(labels) - len(handles))
     if labels:
-        entries = part.legend(
-            handles, labels, loc="outside lower center", ncols=columns, frameon=False,
-            handlelength=2.4, fontsize=_TYPE, columnspacing=1.4,
-        )  # fmt: skip
-        for words in entries.get_texts():
+        place: Any = {"loc": "outside lower center", "ncols": columns, "frameon": False}
+        room = {"handlelength": 2.4, "fontsize": _TYPE, "columnspacing": 1.4}
+        for words in part.legend(handles, labels, **place, **room).get_texts():
             words.set_parse_math(False)
 
 
@@ -193,18 +200,15 @@ def _of_line(look: Look) -> dict[str, Any]:
     if look.sign:
         return {
             "linestyle": "none",
-            "marker": _MARKERS[look.sign],
+            "marker": SIGNS[look.sign]["picture"],
             "markersize": 2.0 * look.size * _POINTS * (0.8 if look.sign == "diamond" else 1.0),
             "markerfacecolor": _colour(look.fill),
             "markeredgecolor": _colour(look.stroke),
             "markeredgewidth": width,
         }
     dashes = (0.0, tuple(each / max(look.width, 1.0) for each in look.dash))
-    return {
-        "color": _colour(look.stroke),
-        "linewidth": width,
-        "linestyle": dashes if look.dash else "-",
-    }
+    style = dashes if look.dash else "-"
+    return {"color": _colour(look.stroke), "linewidth": width, "linestyle": style}
 
 
 # ------------------------------------------------------------------ the axes
@@ -212,13 +216,12 @@ def _of_line(look: Look) -> dict[str, Any]:
 
 def _axes(axes: Axes, chart: Chart, wide: float, language: Language) -> None:
     x, y = chart.x, chart.y
-    field_x, field_y = x.quantity.to_field, y.quantity.to_field
     if x.foot is not None:
         axes.set_xscale("log")
     if y.foot is not None:
         axes.set_yscale("log")
-    axes.set_xlim(field_x(x.low), field_x(x.high))
-    axes.set_ylim(field_y(y.low), field_y(y.high))
+    axes.set_xlim(x.quantity.to_field(x.low), x.quantity.to_field(x.high))
+    axes.set_ylim(y.quantity.to_field(y.low), y.quantity.to_field(y.high))
     up = 6
     if chart.to_scale is not None:
         up = max(2, min(6, int(12.0 * chart.to_scale * (y.high - y.low) / (x.high - x.low))))
@@ -240,110 +243,109 @@ def _axes(axes: Axes, chart: Chart, wide: float, language: Language) -> None:
 
 
 def _ticked(axis: Axis, marks: Sequence[Tick]) -> tuple[list[float], list[str]]:
-    return [_drawn(axis, value) for value, _ in marks], [words for _, words in marks]
-
-
-def _drawn(axis: Axis, value: float) -> float:
-    """Return a value in the field's unit; an exact 0 of a logarithmic axis is at its foot."""
-    if axis.foot is not None and value <= 0.0:
-        value = axis.foot
-    return axis.quantity.to_field(value)
+    return _all(axis, [value for value, _ in marks]), [words for _, words in marks]
 
 
 def _all(axis: Axis, values: Iterable[float]) -> list[float]:
-    return [_drawn(axis, value) for value in values]
+    """List values in the field's unit; an exact 0 of a logarithmic axis is at its foot."""
+    at_least = [value if axis.foot is None or value > 0.0 else axis.foot for value in values]
+    return [axis.quantity.to_field(value) for value in at_least]
+
+
+def _at(chart: Chart, place: Place) -> Place:
+    """Return a place in the units of the field."""
+    return _all(chart.x, place[:1])[0], _all(chart.y, place[1:])[0]
 
 
 # ------------------------------------------------------------------ what is drawn
 
 
-def _areas(axes: Axes, chart: Chart) -> None:
-    for area in chart.areas:
-        look = LOOKS[area.role]
-        kind: dict[str, Any] = {
-            "color": _colour(look.fill), "alpha": look.opacity, "linewidth": 0.0, "zorder": 0.4,
-        }  # fmt: skip
-        if area.x:
-            low, high = _all(chart.y, area.low), _all(chart.y, area.high)
-            axes.fill_between(_all(chart.x, area.x), low, high, **kind)
-        else:
-            ends = (max(area.low[0], chart.y.low), min(area.high[0], chart.y.high))
-            axes.axhspan(*_all(chart.y, ends), **kind)
+def _area(axes: Axes, area: Area, chart: Chart) -> None:
+    look = LOOKS[area.role]
+    kind: Any = {"color": _colour(look.fill), "alpha": look.opacity, "linewidth": 0.0}
+    if area.x:
+        low, high = _all(chart.y, area.low), _all(chart.y, area.high)
+        axes.fill_between(_all(chart.x, area.x), low, high, zorder=0.4, **kind)
+    else:
+        ends = (max(area.low[0], chart.y.low), min(area.high[0], chart.y.high))
+        axes.axhspan(*_all(chart.y, ends), zorder=0.4, **kind)
 
 
 def _level(axes: Axes, level: Level, chart: Chart, language: Language) -> None:
     kind = _of_line(LOOKS[level.role]) | {"label": f"_{level.role}"}
     words = say(level.words, language)
     if level.axis == "x":
-        x = _drawn(chart.x, level.at)
+        (x,) = _all(chart.x, [level.at])
         axes.axvline(x, **kind)
         if level.share is not None:
-            circle = {"boxstyle": "circle,pad=0.25", "facecolor": "white",
-                      "edgecolor": _colour("quiet"), "linewidth": 0.8}  # fmt: skip
-            axes.text(x, level.share, words, transform=axes.get_xaxis_transform(), fontsize=8,
-                      ha="center", va="center", bbox=circle, zorder=7)  # fmt: skip
+            circle = _box("circle,pad=0.25", edgecolor=_colour("quiet"), linewidth=0.8)
+            across = axes.get_xaxis_transform()
+            axes.text(x, level.share, words, transform=across, fontsize=8, zorder=7, **circle)
         return
-    y = _drawn(chart.y, level.at)
-    ends = (max(level.start, chart.x.low), min(level.end, chart.x.high))
-    axes.plot(_all(chart.x, ends), [y, y], **kind)
+    ends = _all(chart.x, (max(level.start, chart.x.low), min(level.end, chart.x.high)))
+    (y,) = _all(chart.y, [level.at])
+    axes.plot(ends, [y, y], **kind)
     if words:
-        middle = sum(_all(chart.x, ends)) / 2.0
-        axes.annotate(words, (middle, y), xytext=(0.0, -3.0), textcoords="offset points",
-                      ha="center", va="top", fontsize=8)  # fmt: skip
+        _beside(axes, words, (sum(ends) / 2.0, y), (0.0, -3.0), va="top")
+
+
+def _box(style: str, **look: Any) -> Any:
+    """Set words in the middle of a white box."""
+    return {
+        "ha": "center",
+        "va": "center",
+        "bbox": {"boxstyle": style, "facecolor": "white"} | look,
+    }
+
+
+def _beside(axes: Axes, words: str, place: Place, away: Place, **look: Any) -> None:
+    """Write words at some points' distance from a place."""
+    kind = {"textcoords": "offset points", "fontsize": 8, "ha": "center"} | look
+    axes.annotate(words, place, xytext=away, **kind)
 
 
 def _series(axes: Axes, series: Series, chart: Chart) -> None:
+    look = LOOKS[series.role]
     x, y = _all(chart.x, series.x), _all(chart.y, series.y)
-    zorder = 2.5 if LOOKS[series.role].sign else 2.0
-    axes.plot(x, y, **_of_line(LOOKS[series.role]), label=f"_{series.role}", zorder=zorder)
+    axes.plot(x, y, **_of_line(look), label=f"_{series.role}", zorder=2.5 if look.sign else 2.0)
 
 
 def _mark(axes: Axes, mark: Mark, chart: Chart, language: Language) -> None:
-    x, y = _drawn(chart.x, mark.x), _drawn(chart.y, mark.y)
+    x, y = _at(chart, (mark.x, mark.y))
     look = LOOKS[mark.role]
     if look.sign == "words":
-        halo = {"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none",
-                "alpha": 0.7}  # fmt: skip
-        axes.text(x, y, say(mark.words, language), ha="center", va="center", fontsize=9,
-                  color=_colour(look.fill), bbox=halo, zorder=6)  # fmt: skip
+        halo = _box("square,pad=0.1", edgecolor="none", alpha=0.7)
+        colour, words = _colour(look.fill), say(mark.words, language)
+        axes.text(x, y, words, fontsize=9, color=colour, zorder=6, **halo)
     else:
         axes.plot([x], [y], **_of_line(look), label=f"_{mark.role}", clip_on=False, zorder=5)
 
 
-def _arrow(axes: Axes, arrow: Arrow, chart: Chart) -> None:
-    (x1, y1), (x2, y2) = (
-        (_drawn(chart.x, x), _drawn(chart.y, y)) for x, y in (arrow.start, arrow.end)
-    )
-    look = LOOKS[arrow.role]
-    axes.annotate(
-        "", (x2, y2), xytext=(x1, y1), zorder=4,
-        arrowprops={"arrowstyle": "-|>", "color": _colour(look.stroke), "shrinkA": 0.0,
-                    "shrinkB": 0.0, "linewidth": look.width * _POINTS},
-    )  # fmt: skip
+def _arrow(
+    axes: Axes, style: str, start: Place, end: Place, line: dict[str, Any], **order: Any
+) -> None:
+    ends = {"arrowstyle": style, "shrinkA": 0.0, "shrinkB": 0.0}
+    axes.annotate("", end, xytext=start, arrowprops=ends | line, **order)
 
 
 def _dimension(axes: Axes, dimension: Dimension, chart: Chart) -> None:
-    (x1, y1), (x2, y2) = (
-        (_drawn(chart.x, x), _drawn(chart.y, y)) for x, y in (dimension.start, dimension.end)
-    )
+    (x1, y1), (x2, y2) = _at(chart, dimension.start), _at(chart, dimension.end)
     thin = _of_line(LOOKS["thin"]) | {"label": "_thin", "zorder": 1.5}
     is_upright = x1 == x2
-    for x, y in dimension.measured:
-        foot = (_drawn(chart.x, x), _drawn(chart.y, y))
-        end = (x1, foot[1]) if is_upright else (foot[0], y1)
-        axes.plot([foot[0], end[0]], [foot[1], end[1]], **thin)
-    axes.annotate(
-        "", (x2, y2), xytext=(x1, y1),
-        arrowprops={"arrowstyle": "<|-|>", "shrinkA": 0.0, "shrinkB": 0.0, "linewidth": 0.8,
-                    "color": _colour("ink"), "mutation_scale": 8.0},
-    )  # fmt: skip
+    for place in dimension.measured:
+        x, y = _at(chart, place)
+        end = (x1, y) if is_upright else (x, y1)
+        axes.plot([x, end[0]], [y, end[1]], **thin)
+    line = {"linewidth": 0.8, "color": _colour("ink"), "mutation_scale": 8.0}
+    _arrow(axes, "<|-|>", (x1, y1), (x2, y2), line)
+    words, middle = dimension.words, ((x1 + x2) / 2.0, (y1 + y2) / 2.0)
     tall = abs(y2 - y1) / (chart.x.high - chart.x.low) * (WIDTH - 1.0) * 72.0
-    is_turned = is_upright and tall > _LETTER * 8.0 * len(dimension.words)
-    is_right = x1 > (chart.x.low + chart.x.high) / 2.0
-    middle = (y1 + y2) / 2.0 if is_turned or not is_upright else max(y1, y2)
-    across = ("right" if is_turned or is_right else "left") if is_upright else "center"
-    axes.annotate(
-        dimension.words, ((x1 + x2) / 2.0, middle), textcoords="offset points", fontsize=8,
-        xytext=(-2.0, 0.0) if is_turned else (0.0, 2.0), rotation=90.0 if is_turned else 0.0,
-        ha=across, va="center" if is_turned else "bottom", zorder=6,
-    )  # fmt: skip
+    if is_upright and tall > _LETTER * 8.0 * len(words):
+        turned: Any = {"rotation": 90.0, "ha": "right", "va": "center"}
+        _beside(axes, words, middle, (-2.0, 0.0), **turned, zorder=6)
+        return
+    side = "center"
+    if is_upright:
+        middle = (middle[0], max(y1, y2))
+        side = "right" if x1 > (chart.x.low + chart.x.high) / 2.0 else "left"
+    _beside(axes, words, middle, (0.0, 2.0), ha=side, va="bottom", zorder=6)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from catopt.figures.chart import Area, Arrow, Axis, Chart, Dimension, Level, Mark, Series, legend
-from catopt.render.looks import LOOKS, Sign
+from catopt.render.looks import LOOKS, SIGNS
 from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
 from catopt.words import Language, say
 
@@ -55,11 +55,7 @@ class Legend(NamedTuple):
 
 @dataclass(frozen=True)
 class Figure:
-    """A drawing: shapes from the back to the front, in units of which it is `width` wide.
-
-    Its title says what it shows to readers who do not see it. Points answer to the pointer and
-    the arrow keys.
-    """
+    """A drawing: shapes from the back to the front; points answer to the pointer and the keys."""
 
     key: str
     title: str
@@ -95,20 +91,16 @@ class Frame(NamedTuple):
 
 
 def svg(chart: Chart, language: Language = "en") -> Figure:
-    """Draw a chart.
-
-    Nothing is measured by guess that a reader's font could upset: room for words is that of the
-    widest font.
-    """
+    """Draw a chart; room for words is that of the widest font that a reader may have."""
     frame, values = _frame(chart)
     shapes = [
-        *(each for area in chart.areas for each in _area(area, frame)),
+        *(_area(area, frame) for area in chart.areas),
         *_axes(chart, frame, values, language),
         *(each for level in chart.levels for each in _level(level, frame, language)),
         *(each for series in chart.series for each in _series(series, frame)),
         *(each for dimension in chart.dimensions for each in _dimension(dimension, frame)),
         *(each for arrow in chart.arrows for each in _arrow(arrow, frame)),
-        *(each for mark in chart.marks for each in _mark(mark, frame, language)),
+        *(_mark(mark, frame, language) for mark in chart.marks),
     ]
     return Figure(
         chart.name,
@@ -129,20 +121,13 @@ def breadth(words: str) -> float:
 # ------------------------------------------------------------------ the frame and its axes
 
 
-class _Values(NamedTuple):
-    """The values written along the edges of a frame."""
-
-    below: list[Tick]
-    left: list[Tick]
-    above: list[Tick]
-    right: list[Tick]
-
-
-def _frame(chart: Chart) -> tuple[Frame, _Values]:
-    """Find a frame with room around it for the values along its edges."""
+def _frame(chart: Chart) -> tuple[Frame, dict[str, list[Tick]]]:
+    """Find a frame with room around it for the values along its edges; return both."""
     x, y = chart.x, chart.y
     share = (chart.to_scale or 0.0) * (y.high - y.low) / (x.high - x.low)
-    most = _most(min(share * WIDTH, _TALLEST) or _TALL, y)
+    low, high = y.within or (y.low, y.high)
+    room = (min(share * WIDTH, _TALLEST) or _TALL) * (high - low) / (y.high - y.low)
+    most = max(2, min(6, int(room / 36.0)))
     beside = tick_marks(y, most), scale_ticks(y, most)
     left, right = (12.0 + max((breadth(said) for _, said in side), default=18.0) for side in beside)
     wide, tall = WIDTH - left - right, _TALL
@@ -152,35 +137,32 @@ def _frame(chart: Chart) -> tuple[Frame, _Values]:
     top = _ROW + (_SECOND if x.second else 0.0)
     along = max(2, min(6, int(wide / 80.0)))
     frame = Frame(x, y, left, left + wide, top, top + tall)
-    return frame, _Values(tick_marks(x, along), beside[0], scale_ticks(x, along), beside[1])
+    values = {"below": tick_marks(x, along), "left": beside[0]}
+    return frame, values | {"above": scale_ticks(x, along), "right": beside[1]}
 
 
-def _most(tall: float, y: Axis) -> int:
-    """Return how many values there is room for along a height."""
-    low, high = y.within or (y.low, y.high)
-    return max(2, min(6, int(tall * (high - low) / (y.high - y.low) / 36.0)))
-
-
-def _axes(chart: Chart, frame: Frame, values: _Values, language: Language) -> Iterator[Shape]:
-    left, right, top, bottom = frame.left, frame.right, frame.top, frame.bottom
+def _axes(
+    chart: Chart, frame: Frame, values: dict[str, list[Tick]], language: Language
+) -> Iterator[Shape]:
+    _, _, left, right, top, bottom = frame
     has_grid = chart.to_scale is None
-    for value, words in values.below:
+    for value, words in values["below"]:
         x = frame.across(value)
         if has_grid:
             yield line("grid", x, top, x, bottom)
         yield line("thin", x, bottom, x, bottom + 5)
         yield text(words, x, bottom + 27, style="tick")
-    for value, words in values.left:
+    for value, words in values["left"]:
         y = frame.up(value)
         if has_grid:
             yield line("grid", left, y, right, y)
         yield line("thin", left - 5, y, left, y)
         yield text(words, left - 8, y + 5, anchor="end", style="tick")
-    for value, words in values.right:
+    for value, words in values["right"]:
         y = frame.up(value)
         yield line("thin", right, y, right + 5, y)
         yield text(words, right + 8, y + 5, anchor="start", style="tick")
-    for value, words in values.above:
+    for value, words in values["above"]:
         x = frame.across(value)
         yield line("thin", x, top - 5, x, top)
         yield text(words, x, top - 10, style="tick")
@@ -212,20 +194,15 @@ def _inside(x: float, words: str) -> float:
 # ------------------------------------------------------------------ what is drawn
 
 
-def _area(area: Area, frame: Frame) -> Iterator[Shape]:
+def _area(area: Area, frame: Frame) -> Shape:
     def up(value: float) -> float:
         return frame.up(min(max(value, frame.y.low), frame.y.high))
 
     if area.x:
-        places = [
-            *((frame.across(x), up(z)) for x, z in zip(area.x, area.high, strict=True)),
-            *((frame.across(x), up(z)) for x, z in zip(area.x[::-1], area.low[::-1], strict=True)),
-        ]
-        yield path(area.role, places, tag="polygon")
-    else:
-        low, high = up(area.low[0]), up(area.high[0])
-        wide = frame.right - frame.left
-        yield shape("rect", area.role, x=frame.left, y=high, width=wide, height=low - high)
+        around = zip((*area.x, *area.x[::-1]), (*area.high, *area.low[::-1]), strict=True)
+        return path(area.role, [(frame.across(x), up(z)) for x, z in around], tag="polygon")
+    low, high, wide = up(area.low[0]), up(area.high[0]), frame.right - frame.left
+    return shape("rect", area.role, x=frame.left, y=high, width=wide, height=low - high)
 
 
 def _level(level: Level, frame: Frame, language: Language) -> Iterator[Shape]:
@@ -253,42 +230,24 @@ def _series(series: Series, frame: Frame) -> Iterator[Shape]:
     sign = LOOKS[series.role].sign
     for x, y in zip(series.x, series.y, strict=True):
         if math.isnan(y):
-            yield from _path_of(series.role, places)
+            if places:
+                yield path(series.role, places)
             places = []
         elif sign:
             yield _sign(series.role, *frame.at(x, y))
         else:
             places.append(frame.at(x, y))
-    yield from _path_of(series.role, places)
-
-
-def _path_of(role: str, places: Sequence[tuple[float, float]]) -> Iterator[Shape]:
     if places:
-        yield path(role, places)
+        yield path(series.role, places)
 
 
-def _mark(mark: Mark, frame: Frame, language: Language) -> Iterator[Shape]:
+def _mark(mark: Mark, frame: Frame, language: Language) -> Shape:
     x, y = frame.at(mark.x, mark.y)
     if LOOKS[mark.role].sign == "words":
         words = say(mark.words, language)
-        yield text(
-            words,
-            _inside(x, words),
-            y + 5,
-            style=mark.role if mark.role == "beside" else f"{mark.role} beside",
-        )
-    else:
-        yield _sign(mark.role, x, y)
-
-
-_CORNERS: dict[Sign, tuple[tuple[float, float], ...]] = {
-    "square": ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)),
-    "diamond": ((0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)),
-    "triangle": ((0.0, -1.0), (1.0, 0.8), (-1.0, 0.8)),
-    "cross": ((-1.0, 0.0), (1.0, 0.0), (0.0, 0.0), (0.0, -1.0), (0.0, 1.0), (0.0, 0.0)),
-    "tick": ((0.0, -1.0), (0.0, 1.0)),
-}
-"""Each sign but the circle as a polygon, in halves of its breadth."""
+        style = mark.role if mark.role == "beside" else f"{mark.role} beside"
+        return text(words, _inside(x, words), y + 5, style=style)
+    return _sign(mark.role, x, y)
 
 
 def _sign(role: str, x: float, y: float, most: float = math.inf) -> Shape:
@@ -297,7 +256,7 @@ def _sign(role: str, x: float, y: float, most: float = math.inf) -> Shape:
     size = min(look.size, most)
     if look.sign == "circle":
         return shape("circle", role, cx=x, cy=y, r=size)
-    places = [(x + size * across, y + size * up) for across, up in _CORNERS[look.sign]]
+    places = [(x + size * across, y + size * up) for across, up in SIGNS[look.sign]["corners"]]
     return path(role, places, tag="polygon")
 
 

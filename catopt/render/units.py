@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from contextvars import ContextVar
 from dataclasses import fields, is_dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -11,7 +12,7 @@ from catopt.words import Cited, Listed, Measure, Message, Sentence, Several, Tol
 from catopt.words.labels import Term
 
 if TYPE_CHECKING:
-    from catopt.answers.blocks import Column, Fact, Table
+    from catopt.answers.blocks import Column
 
 UNITS: ContextVar[Units] = ContextVar("UNITS", default="")
 """What the reader of this run asks for; empty: each quantity in its own unit."""
@@ -29,13 +30,6 @@ def in_units(thing: _Thing, units: Units) -> _Thing:
 
     Columns, facts and axes that showed the same in a second unit, and would now show it twice, are
     left out.
-
-    Parameters
-    ----------
-    thing : Answer, Block, Chart or a sequence of them
-        Blocks of `catopt.answers.blocks`, drawings of `catopt.figures.chart`.
-    units : {"", "tf", "kN", "si"}
-        Wanted.
 
     Examples
     --------
@@ -91,29 +85,24 @@ def _without_doubles(made: Any) -> Any:
     from catopt.figures.chart import Axis
 
     if isinstance(made, Fact):
-        return _fact(made)
+        also = [each for each in made.also if each.field_unit != _unit(made)]
+        return replace(made, also=tuple(also))
     if isinstance(made, Table):
-        return _table(made)
-    if isinstance(made, Axis) and made.second is not None:
-        is_double = made.second.quantity.field_unit == made.quantity.field_unit
-        return replace(made, second=None) if is_double and not made.second.zero else made
+        return replace(made, columns=tuple(_seen_once(made.columns)))
+    if isinstance(made, Axis) and made.second is not None and not made.second.zero:
+        return replace(made, second=None) if _unit(made.second) == _unit(made) else made
     return made
 
 
-def _fact(made: Fact) -> Fact:
-    units = {made.quantity.field_unit} if made.quantity else set()
-    return replace(made, also=tuple(each for each in made.also if each.field_unit not in units))
-
-
-def _table(made: Table) -> Table:
+def _seen_once(columns: Iterable[Column]) -> Iterator[Column]:
     """Leave out what people would see twice; files keep their columns."""
-    kept: list[Column] = []
-    for column in made.columns:
-        seen = [(each.values, _unit(each)) for each in kept]
-        if column.only != "people" or (column.values, _unit(column)) not in seen:
-            kept.append(column)
-    return replace(made, columns=tuple(kept))
+    seen = []
+    for column in columns:
+        shown = column.values, _unit(column)
+        if column.only != "people" or shown not in seen:
+            seen.append(shown)
+            yield column
 
 
-def _unit(column: Column) -> str | None:
-    return None if column.quantity is None else column.quantity.field_unit
+def _unit(of: Any) -> str | None:
+    return None if of.quantity is None else str(of.quantity.field_unit)
