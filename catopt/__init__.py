@@ -9,7 +9,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from catopt import shown
-from catopt._version import __version__
+from catopt._version import __version__ as __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,75 +18,40 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-    from catopt.casefile import read_case
-    from catopt.catalogue import component
-    from catopt.catenary.batch import solve_many
-    from catopt.catenary.case import solve_case
-    from catopt.catenary.case_curve import curve_case
-    from catopt.catenary.curve import load_curve
-    from catopt.catenary.find import (
-        find_clump_weight,
-        find_length,
-        find_limit_force,
-        find_touchdown_force,
-    )
-    from catopt.catenary.solution import Solution
-    from catopt.catenary.solve import solve
-    from catopt.checks.case import check_case
-    from catopt.checks.result import CheckReport
-    from catopt.design.result import DesignResult
-    from catopt.design.search import design_case
-    from catopt.errors import (
-        CatoptError,
-        InputError,
-        NoEquilibriumError,
-        NotConvergedError,
-    )
-    from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
-    from catopt.mooring.solve import solve_system
-    from catopt.sizing.file import read_sizing
-    from catopt.sizing.keywords import size_buoy, size_tanker
-    from catopt.study.run import run_study
-    from catopt.verify.case import verify_case
-    from catopt.verify.dynamic import verify_dynamic
-
-__all__ = [
-    "Case",
-    "CatoptError",
-    "CheckReport",
-    "DesignResult",
-    "InputError",
-    "Line",
-    "Load",
-    "NoEquilibriumError",
-    "NotConvergedError",
-    "PointLoad",
-    "Segment",
-    "Site",
-    "Solution",
-    "System",
-    "__version__",
-    "check_case",
-    "component",
-    "curve_case",
-    "design_case",
-    "find_clump_weight",
-    "find_length",
-    "find_limit_force",
-    "find_touchdown_force",
-    "load_curve",
-    "read_case",
-    "read_sizing",
-    "run_study",
-    "size_buoy",
-    "size_tanker",
-    "solve",
-    "solve_case",
-    "solve_many",
-    "solve_system",
-    "verify_case",
-    "verify_dynamic",
-]
+    from catopt.casefile import read_case as read_case
+    from catopt.catalogue import component as component
+    from catopt.catenary.batch import solve_many as solve_many
+    from catopt.catenary.case import solve_case as solve_case
+    from catopt.catenary.case_curve import curve_case as curve_case
+    from catopt.catenary.curve import load_curve as load_curve
+    from catopt.catenary.find import find_clump_weight as find_clump_weight
+    from catopt.catenary.find import find_length as find_length
+    from catopt.catenary.find import find_limit_force as find_limit_force
+    from catopt.catenary.find import find_touchdown_force as find_touchdown_force
+    from catopt.catenary.solution import Solution as Solution
+    from catopt.catenary.solve import solve as solve
+    from catopt.checks.case import check_case as check_case
+    from catopt.checks.result import CheckReport as CheckReport
+    from catopt.design.result import DesignResult as DesignResult
+    from catopt.design.search import design_case as design_case
+    from catopt.errors import CatoptError as CatoptError
+    from catopt.errors import InputError as InputError
+    from catopt.errors import NoEquilibriumError as NoEquilibriumError
+    from catopt.errors import NotConvergedError as NotConvergedError
+    from catopt.model import Case as Case
+    from catopt.model import Line as Line
+    from catopt.model import Load as Load
+    from catopt.model import PointLoad as PointLoad
+    from catopt.model import Segment as Segment
+    from catopt.model import Site as Site
+    from catopt.model import System as System
+    from catopt.mooring.solve import solve_system as solve_system
+    from catopt.sizing.file import read_sizing as read_sizing
+    from catopt.sizing.keywords import size_buoy as size_buoy
+    from catopt.sizing.keywords import size_tanker as size_tanker
+    from catopt.study.run import run_study as run_study
+    from catopt.verify.case import verify_case as verify_case
+    from catopt.verify.dynamic import verify_dynamic as verify_dynamic
 
 _HOMES = {
     "catopt.catalogue": ("component",),
@@ -107,12 +72,7 @@ _HOMES = {
     "catopt.checks.result": ("CheckReport",),
     "catopt.design.result": ("DesignResult",),
     "catopt.design.search": ("design_case",),
-    "catopt.errors": (
-        "CatoptError",
-        "InputError",
-        "NoEquilibriumError",
-        "NotConvergedError",
-    ),
+    "catopt.errors": ("CatoptError", "InputError", "NoEquilibriumError", "NotConvergedError"),
     "catopt.model": ("Case", "Line", "Load", "PointLoad", "Segment", "Site", "System"),
     "catopt.mooring.solve": ("solve_system",),
     "catopt.sizing.file": ("read_sizing",),
@@ -122,6 +82,7 @@ _HOMES = {
     "catopt.verify.dynamic": ("verify_dynamic",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+__all__ = sorted([*_HOME_OF, "__version__"])
 
 
 if not TYPE_CHECKING:  # so that a type checker still finds a misspelt name

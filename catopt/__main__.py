@@ -18,18 +18,10 @@ INTERRUPTED = 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line.
+    """Run the command line with arguments, those of the process when left out.
 
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        Without the program's name; those of the process when left out.
-
-    Returns
-    -------
-    int
-        Exit status: 0 done, 1 a fault of ours, 2 wrong input, 3 no answer exists,
-        4 not converged, 130 interrupted.
+    Returns the exit status: 0 done, 1 a fault of ours, 2 wrong input, 3 no answer exists, 4 not
+    converged, 130 interrupted.
     """
     try:
         if arguments is None:  # the process is the program's own

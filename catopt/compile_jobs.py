@@ -20,22 +20,20 @@ __all__ = ["JOBS", "compile_always"]
 @contextmanager
 def compile_always() -> Iterator[None]:
     """Have every kernel function compiled while the body runs, however little it has to do."""
-    before = os.environ.get(VARIABLE)
+    before = {VARIABLE: os.environ[VARIABLE]} if VARIABLE in os.environ else {}
     os.environ[VARIABLE] = "always"
     try:
         yield
     finally:
-        if before is None:
-            del os.environ[VARIABLE]
-        else:
-            os.environ[VARIABLE] = before
+        del os.environ[VARIABLE]
+        os.environ.update(before)
 
 
-def _template(name: str) -> Case:
+def _template(name: str, more: str = "") -> Case:
     from catopt.casefile import parse_case
     from catopt.casefile.new_case import template
 
-    return parse_case(template(name))
+    return parse_case(template(name) + more)
 
 
 _ONE_MOORING = """
@@ -70,14 +68,12 @@ def _designs() -> None:
     """Designs of a line and of a mooring, and the front of two and of three objectives."""
     import numpy as np
 
-    from catopt.casefile import parse_case
-    from catopt.casefile.new_case import template
     from catopt.design.front import non_dominated
     from catopt.design.hypervolume import hypervolume
     from catopt.design.search import design_case
 
     design_case(_template("design"))
-    design_case(parse_case(template("system") + _ONE_MOORING))
+    design_case(_template("system", _ONE_MOORING))
     front = np.array([[1.0, 2.0, 3.0], [2.0, 1.0, 3.0], [3.0, 2.0, 1.0]])
     non_dominated(front)
     hypervolume(front, np.full(3, 4.0))
@@ -105,13 +101,17 @@ def _at_rest() -> None:
     verify_case(_template("buoy"))
 
 
+def _moved(**dynamics: float) -> Case:
+    case = _template("motion")
+    assert case.dynamics is not None
+    return replace(case, dynamics=replace(case.dynamics, elements=8, **dynamics))  # type: ignore[arg-type]
+
+
 def _in_motion() -> None:
     """Run the truss model in waves, current and motion."""
     from catopt.verify.dynamic import verify_dynamic
 
-    case = _template("motion")
-    assert case.dynamics is not None
-    verify_dynamic(replace(case, dynamics=replace(case.dynamics, duration=0.2, elements=8)))
+    verify_dynamic(_moved(duration=0.2))
 
 
 def _linear() -> None:
@@ -119,11 +119,8 @@ def _linear() -> None:
     from catopt.model import WaveState
     from catopt.verify.linear import linear_lines
 
-    case = _template("motion")
-    assert case.dynamics is not None
-    dynamics = replace(case.dynamics, elements=8)
     waves = WaveState("jonswap", 2.0, 8.0, components=4)
-    linear_lines(replace(case, waves=waves, motion=None, dynamics=dynamics))
+    linear_lines(replace(_moved(), waves=waves, motion=None))
 
 
 JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(

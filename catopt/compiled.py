@@ -58,56 +58,37 @@ def inlined(function: F) -> F:
 def when_compiling(tell: Callable[[], None]) -> None:
     """Have something said once when a function must be compiled; not when it is read from disk.
 
-    Compiling takes some ten seconds, and whoever waits should know why.
-
-    Parameters
-    ----------
-    tell : callable
-        Takes the place of an earlier one.
+    Compiling takes some ten seconds, and whoever waits should know why. `tell` takes the place of
+    an earlier one.
     """
     _when_compiling[:] = [tell]
 
 
 def when_cache_is_damaged(tell: Callable[[str], None]) -> None:
-    """Have something said once when kept machine code is of no use and is compiled anew.
-
-    Parameters
-    ----------
-    tell : callable
-        Takes the name of the file, and the place of an earlier callable.
-    """
+    """Have something said once, with the name of the file, when kept machine code is of no use."""
     _when_damaged[:] = [tell]
 
 
 def compiled(function: Callable[..., Any], work: float = math.inf) -> Callable[..., Any]:
     """Return a kernel function in the form that is the sooner done with some work.
 
-    Parameters
-    ----------
-    function : callable
-        Plain Python on numbers, tuples and arrays.
-    work : float
-        Seconds that the work at hand takes as plain Python, about. What the function has taken
-        before is added: many small jobs are one large one.
-
-    Returns
-    -------
-    callable
-        Takes the same arguments and gives the same digits. Ctrl-C waits while it runs compiled.
-
-    Raises
-    ------
-    InputError
-        When CATOPT_COMPILE says something unknown, or "always" where numba is missing.
+    The function is plain Python on numbers, tuples and arrays; `work` is about the seconds that it
+    takes so. What it has taken before is added: many small jobs are one large one. Either form
+    gives the same digits; Ctrl-C waits while it runs compiled. InputError when CATOPT_COMPILE says
+    something unknown, or "always" where numba is missing.
     """
     mode = _mode()
-    if mode != "never":
-        if function in _fast:
-            return _fast[function]
+    if mode == "never":
+        return _plain(function)
+    if function not in _fast:
         total = math.inf if mode == "always" else _done.get(function, 0.0) + work
-        if _is_worth_compiling(function, total):
-            return _compiled(function)
-    return _plain(function)
+        if not _is_worth_compiling(function, total):
+            return _plain(function)
+        from catopt.machine_code import dispatcher, listen
+
+        listen(_when_compiling, _when_damaged)
+        _fast[function] = dispatcher(function)
+    return _fast[function]
 
 
 def is_compiled(function: Callable[..., Any]) -> bool:
@@ -117,15 +98,14 @@ def is_compiled(function: Callable[..., Any]) -> bool:
 
 def _mode() -> str:
     mode = os.environ.get(VARIABLE) or MODES[0]
+    allowed = ""
     if mode not in MODES:
-        raise _refusal(mode, "must be one of " + ", ".join(MODES))
-    if mode == "always" and not _has_numba():
-        raise _refusal(mode, "numba cannot be imported here; install it, or leave this out")
+        allowed = "must be one of " + ", ".join(MODES)
+    elif mode == "always" and not _has_numba():
+        allowed = "numba cannot be imported here; install it, or leave this out"
+    if allowed:
+        raise InputError([Problem(VARIABLE, repr(mode), allowed)], "environment")
     return mode
-
-
-def _refusal(mode: str, allowed: str) -> InputError:
-    return InputError([Problem(VARIABLE, repr(mode), allowed)], "environment")
 
 
 @cache
@@ -144,14 +124,6 @@ def _is_worth_compiling(function: Callable[..., Any], work: float) -> bool:
     from catopt.machine_code import cost, is_kept
 
     return work > _LOADING + cost(function) or is_kept(function)
-
-
-def _compiled(function: Callable[..., Any]) -> Callable[..., Any]:
-    from catopt.machine_code import dispatcher, listen
-
-    listen(_when_compiling, _when_damaged)
-    _fast[function] = dispatcher(function)
-    return _fast[function]
 
 
 _now: Callable[[], float] = getattr(time, "thread_time", time.process_time)

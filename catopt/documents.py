@@ -82,26 +82,11 @@ def read_text(
     most: int = MOST_BYTES,
     broken: bool = False,
 ) -> str:
-    """Read a text file.
+    """Read a text file: UTF-8, with or without the byte-order mark that Windows editors write.
 
-    Parameters
-    ----------
-    path : Path
-        The file; UTF-8, with or without the byte-order mark that Windows editors write.
-    source : str
-        Its name for messages.
-    kind : str
-        What it is, for messages.
-    most : int
-        Bytes that it may have.
-    broken : bool
-        Whether bytes that are no UTF-8 are passed over, as U+FFFD.
-
-    Raises
-    ------
-    InputError
-        When there is no such file, it is no regular file or too large, cannot be read or is not
-        UTF-8.
+    `source` and `kind` say in messages which file it is and what, `most` how many bytes it may
+    have; `broken` passes over bytes that are no UTF-8, as U+FFFD. InputError when there is no such
+    file, it is no regular file or too large, cannot be read or is not UTF-8.
     """
     data = _read_bytes(path, source, kind, most)
     if broken:
@@ -113,20 +98,10 @@ def read_text(
 
 
 def parse_toml(text: str, source: str) -> dict[str, Any]:
-    """Parse TOML text.
+    """Parse TOML text; `source` is its name for messages.
 
-    Parameters
-    ----------
-    text : str
-        The document.
-    source : str
-        Its name for messages.
-
-    Raises
-    ------
-    InputError
-        With the line and column at fault, the line itself and what to do about it; or with every
-        key or text that has characters it may not have.
+    InputError with the line and column at fault, the line itself and what to do about it; or with
+    every key or text that has characters it may not have.
     """
     # A newline is added so that a fault in the last line is placed there, not at the end.
     document = text.removeprefix("\ufeff").replace("\r\n", "\n") + "\n"
@@ -141,19 +116,9 @@ def parse_toml(text: str, source: str) -> dict[str, Any]:
 
 
 def parse_json(text: str, source: str) -> dict[str, Any]:
-    """Parse JSON text, whose top is an object.
+    """Parse JSON text, whose top is an object; `source` is its name for messages.
 
-    Parameters
-    ----------
-    text : str
-        The document.
-    source : str
-        Its name for messages.
-
-    Raises
-    ------
-    InputError
-        As for `parse_toml`; and when it is no object, or has NaN or Infinity.
+    InputError as for `parse_toml`; and when it is no object, or has NaN or Infinity.
     """
 
     def parse() -> dict[str, Any]:
@@ -207,8 +172,10 @@ def _parsed(parse: Callable[[], dict[str, Any]], source: str) -> dict[str, Any]:
         document = parse()
     except RecursionError:
         raise InputError([_too_deep(())], source) from None
-    except ValueError as error:  # a whole number of thousands of digits
-        raise InputError([Problem("file", "", _few_words(error))], source) from None
+    except ValueError as error:
+        is_long = "integer string conversion" in str(error)  # a number of thousands of digits
+        said = "a number has too many digits" if is_long else str(error)
+        raise InputError([Problem("file", "", said)], source) from None
     problems = list(_unfit_parts(document))
     if problems:
         raise InputError(problems, source)
@@ -229,24 +196,14 @@ def _unfit_parts(document: dict[str, Any]) -> Iterator[Problem]:
                     yield Problem(dotted((*path, key)), unfit(key), "take it out of the key")
             waiting += [((*path, key), each) for key, each in reversed(value.items())]
         elif isinstance(value, list):
-            numbers = (int, float)
-            waiting += [
-                ((*path, index), each)
-                for index, each in reversed(list(enumerate(value)))
-                if not isinstance(each, numbers)
-            ]
+            parts = reversed([((*path, index), each) for index, each in enumerate(value)])
+            waiting += [part for part in parts if not isinstance(part[1], int | float)]
         elif isinstance(value, str) and unfit(value):
             yield Problem(dotted(path), unfit(value), "take it out of the text")
 
 
 def _too_deep(path: Path) -> Problem:
     return Problem(dotted(path[:2]) or "file", "", "arrays or tables are nested too deeply")
-
-
-def _few_words(error: ValueError) -> str:
-    """Say what is wrong with a number that Python does not read."""
-    said = str(error)
-    return "a number has too many digits" if "integer string conversion" in said else said
 
 
 def _finite(word: str) -> float:
@@ -280,9 +237,8 @@ def _read_bytes(path: FilePath, source: str, kind: str, most: int) -> bytes:
 def _syntax_problem(document: str, message: str) -> Problem:
     place = _PLACE.search(message)
     reason = message[: place.start()] if place else message
-    where, number = (place[1], place[2]) if place else ("file", None)
-    line = document.split("\n")[int(number) - 1].strip() if number else ""
-    return Problem(where, _shown(line), _advice(line, reason))
+    line = document.split("\n")[int(place[2]) - 1].strip() if place and place[2] else ""
+    return Problem(place[1] if place else "file", _shown(line), _advice(line, reason))
 
 
 def _advice(line: str, reason: str) -> str:
@@ -307,8 +263,7 @@ def _not_utf8(data: bytes, start: int, kind: str) -> Problem:
         example = ", as catopt new writes one" if kind == "case file" else " in UTF-8"
         return Problem("file", "no text", f"give a {kind}{example}")
     line = data.count(b"\n", 0, start) + 1
-    found = f"the byte 0x{data[start]:02X}"
-    return Problem(f"line {line}", found, "save the file as UTF-8")
+    return Problem(f"line {line}", f"the byte 0x{data[start]:02X}", "save the file as UTF-8")
 
 
 def _case_in(folder: FilePath) -> str:

@@ -38,21 +38,14 @@ class CatoptError(Exception):
 
 @dataclass(frozen=True)
 class Problem:
-    """One thing wrong with an input.
-
-    Attributes
-    ----------
-    key : str
-        Where: a key path such as ``line.segments[0].length`` or an argument's name.
-    found : str
-        What stands there, as the user wrote it; empty when it is missing.
-    allowed : str
-        What would be right, with the way out.
-    """
+    """One thing wrong with an input."""
 
     key: str
+    """Where: a key path such as ``line.segments[0].length`` or an argument's name."""
     found: str
+    """What is there, as the user wrote it; empty when it is missing."""
     allowed: str
+    """What would be right, with the way out."""
 
     def __str__(self) -> str:
         found = f"found {self.found}; " if self.found else ""
@@ -123,21 +116,10 @@ class NotConvergedError(CatoptError):
 
 
 def need_package(name: str, extra: str, source: str, module: str = "") -> None:
-    """Refuse what needs a package that is not there.
+    """Refuse what needs a package that is not there: InputError with how to install it.
 
-    Parameters
-    ----------
-    name, extra : str
-        Of the package, and of catopt's extra that brings it.
-    source : str
-        What needs it, for the message.
-    module : str
-        What is imported, where that has another name.
-
-    Raises
-    ------
-    InputError
-        With how to install it.
+    `extra` of catopt brings the package, `source` needs it; `module` is what is imported, where it
+    has another name.
     """
     from importlib.util import find_spec
 

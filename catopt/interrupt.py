@@ -33,6 +33,10 @@ _pressed: list[tuple[int, FrameType | None]] = []
 """Ctrl-C as it came while an `uninterrupted` function ran."""
 
 
+def _is_main() -> bool:
+    return threading.current_thread() is threading.main_thread()
+
+
 def _note(number: int, frame: FrameType | None) -> None:
     _pressed.append((number, frame))
 
@@ -52,8 +56,7 @@ def uninterrupted(function: F) -> F:
     @wraps(function)
     def call(*arguments: Any) -> Any:
         before = signal.getsignal(signal.SIGINT)
-        mine = threading.current_thread() is threading.main_thread()
-        if not mine or not callable(before) or before is _note:
+        if not _is_main() or not callable(before) or before is _note:
             return function(*arguments)
         signal.signal(signal.SIGINT, _note)
         try:
@@ -71,19 +74,13 @@ def uninterrupted(function: F) -> F:
 
 @contextmanager
 def waiting_interrupt() -> Iterator[Callable[[], None]]:
-    """Hold Ctrl-C back while the body runs, until it asks for it.
+    """Hold Ctrl-C back while the body runs, until it asks for it; a second one is not held back.
 
-    A second Ctrl-C is not held back.
-
-    Yields
-    ------
-    callable
-        Raises KeyboardInterrupt if Ctrl-C was pressed. Outside the main thread, or where somebody
-        else minds the signal, it does nothing.
+    What is yielded raises KeyboardInterrupt if Ctrl-C was pressed. Outside the main thread, or
+    where somebody else minds the signal, it does nothing.
     """
-    mine = threading.current_thread() is threading.main_thread()
     before = signal.getsignal(signal.SIGINT)
-    if not mine or before not in (signal.default_int_handler, _interrupt):
+    if not _is_main() or before not in (signal.default_int_handler, _interrupt):
         yield lambda: None
         return
     pressed = False
@@ -111,7 +108,7 @@ def signals_wait() -> Iterator[None]:
 
     Outside the main thread, where no signal arrives, it does nothing.
     """
-    if threading.current_thread() is not threading.main_thread():
+    if not _is_main():
         yield
         return
     came: list[int] = []

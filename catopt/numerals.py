@@ -19,17 +19,7 @@ def readings(number: str) -> tuple[str, ...]:
     three digits behind it parts thousands in one country and decimals in the next: ``50,000`` has
     two readings. So has ``50.000``, whose last zero no decimal needs; ``12.345`` is read as the
     decimal that it is in every file of catopt. Where both marks are there, the last is the decimal
-    one.
-
-    Parameters
-    ----------
-    number : str
-        Without a unit.
-
-    Returns
-    -------
-    tuple of str
-        None for what is no number, two for what has two meanings, the decimal one first.
+    one. Of what is no number there is none; of two readings the decimal one is first.
 
     Examples
     --------
@@ -65,11 +55,6 @@ def _of_digits(digits: str, *, has_power: bool) -> tuple[str, ...]:
 
 def bare_number(text: str) -> float | str:
     """Return the number of a text that is one without a unit; else, or if it has two, the text.
-
-    Parameters
-    ----------
-    text : str
-        As it was typed.
 
     Examples
     --------

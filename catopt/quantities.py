@@ -37,37 +37,27 @@ _ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class Quantity:
-    """How one quantity is called and printed.
+    """How one quantity, by its key of `QUANTITIES`, is called and printed.
 
-    Attributes
-    ----------
-    key : str
-        Name in code, the key of `QUANTITIES`.
-    name, symbol : str
-        In headings; the symbol is empty where there is none.
-    si_unit, field_unit : str
-        Unit that catopt computes in and unit that the field reads; ``"-"`` for a pure number.
-    factor : float
-        SI units in one field unit: 1000 for kN.
-    digits : int
-        Digits after the decimal point, in the field unit.
-    notation : {"fixed", "scientific", "shortest", "significant"}
-        Scientific for what goes down to rounding error; shortest for what is written in as few
-        digits as it has, such as the diameter of a chain; significant where `digits` are
-        those, of what is not rounding.
-    floor : float
-        What is smaller, in SI, is rounding, and printed as less than this.
+    Scientific notation is for what goes down to rounding error; shortest for what is written in as
+    few digits as it has, such as the diameter of a chain; significant where `digits` are those, of
+    what is not rounding.
     """
 
     key: str
     name: str
     symbol: str
+    """Empty where there is none."""
     si_unit: str
+    """Unit that catopt computes in; ``"-"`` for a pure number, as is the field's."""
     field_unit: str
     factor: float
+    """SI units in one field unit: 1000 for kN."""
     digits: int
+    """After the decimal point, in the field unit."""
     notation: Literal["fixed", "scientific", "shortest", "significant"] = "fixed"
     floor: float = 0.0
+    """What is smaller, in SI, is rounding, and printed as less than this."""
 
     @property
     def label(self) -> str:
@@ -106,11 +96,6 @@ class Quantity:
 
         A hand calculation (``exact``) stays in SI, in which its formula holds.
 
-        Parameters
-        ----------
-        units : {"", "tf", "kN", "si"}
-            Wanted.
-
         Examples
         --------
         >>> from catopt.quantities import QUANTITIES
@@ -145,17 +130,7 @@ class Quantity:
         return f"{other}{found[2]}{found[3]}", self.factor * ratio ** (2 if found[2] else 1)
 
     def format(self, si: float | None, *, unit: bool = False, digits: int | None = None) -> str:
-        """Print a value in the field unit.
-
-        Parameters
-        ----------
-        si : float or None
-            In SI; None, for what is not known, is printed as a dash.
-        unit : bool
-            Whether to add the unit: ``4.377 kN``.
-        digits : int, optional
-            Instead of the quantity's own.
-        """
+        """Print a value in SI in the field unit, with it where wanted; None as a dash."""
         if si is None:
             return "-"
         places = self.digits if digits is None else digits
@@ -168,11 +143,10 @@ class Quantity:
             text = f"{value if abs(value) >= _ROUNDING else 0.0:.{places}g}"
         elif self.notation == "shortest":
             text = f"{round(value, places):.15g}"
-        else:
-            # Rounded first, so that what prints as zero does not print as -0.000.
-            text = (
-                f"{round(value, places) + 0.0:.{places}f}" if math.isfinite(value) else f"{value}"
-            )
+        elif not math.isfinite(value):
+            text = f"{value}"
+        else:  # rounded first, so that what prints as zero does not print as -0.000
+            text = f"{round(value, places) + 0.0:.{places}f}"
         return f"{text} {self.field_unit}" if unit and self.field_unit != "-" else text
 
 

@@ -19,14 +19,9 @@ Item = TypeVar("Item")
 
 
 def first_largest(values: Sequence[float], resolved: float = 0.0) -> int:
-    """Return the index of the first value that is the largest but for rounding.
+    """Return the index of the first value that is the largest but for rounding; none is nan.
 
-    Parameters
-    ----------
-    values : sequence of float
-        At least one, none of them nan.
-    resolved : float
-        Difference that means nothing though the values be smaller, in their unit.
+    A difference of `resolved`, in their unit, means nothing though the values be smaller.
     """
     most = max(values)
     least = most - max(RESOLVED * abs(most), resolved) if math.isfinite(most) else most
@@ -34,16 +29,6 @@ def first_largest(values: Sequence[float], resolved: float = 0.0) -> int:
 
 
 def largest(items: Iterable[Item], key: Callable[[Item], float], resolved: float = 0.0) -> Item:
-    """Return the first item whose value is the largest but for rounding.
-
-    Parameters
-    ----------
-    items : iterable
-        At least one.
-    key : callable
-        Gives the value of an item.
-    resolved : float
-        As for `first_largest`.
-    """
+    """Return the first item whose value, by `key`, is the largest but for rounding."""
     listed = list(items)
     return listed[first_largest([key(item) for item in listed], resolved)]

@@ -24,19 +24,10 @@ __all__ = ["UNITS", "Dimension", "as_written", "lasting", "to_si"]
 
 
 class Dimension(Enum):
-    """What a quantity is, with its SI unit.
+    """What a quantity is: its noun for messages, its SI unit, and a value as a case file has it.
 
-    Attributes
-    ----------
-    noun : str
-        For messages, with its article.
-    si_unit : str
-        Unit of a bare number; empty for a pure number.
-    example : str
-        A value as a case file has it.
-    smallest, largest : float
-        Between which, in SI and without its sign, every plausible value lies that is not 0. They
-        keep apart what a file can mean from slips of the unit or of a power of ten.
+    The smallest and the largest value (SI, without sign) between which every plausible one lies
+    that is not 0 keep apart what a file can mean from slips of the unit or of a power of ten.
     """
 
     LENGTH = ("a length", "m", '"9.5 m"', 1e-9, 1e6)
@@ -57,26 +48,23 @@ class Dimension(Enum):
     PRICE_PER_LENGTH = ("a price per length", "USD/m", '"120 USD/m"', 1e-6, 1e7)
     NUMBER = ("a pure number", "", "0.5", 1e-9, 1e6)
 
-    def __init__(
-        self, noun: str, si_unit: str, example: str, smallest: float, largest: float
-    ) -> None:
-        self.noun = noun
-        self.si_unit = si_unit
-        self.example = example
-        self.smallest = smallest
-        self.largest = largest
+    def __init__(self, noun: str, si_unit: str, example: str, least: float, most: float) -> None:
+        self.noun, self.si_unit, self.example = noun, si_unit, example
+        self.smallest, self.largest = least, most
 
     def implausible(self, si: float) -> str:
         """Say why no input has such a value, of whatever it is; empty where one may."""
         if si == 0.0 or self.smallest <= abs(si) <= self.largest:
             return ""
-        bound = f"{self.largest if abs(si) > self.largest else self.smallest:g} {self.si_unit}"
         if abs(si) > self.largest:
-            return f"not plausible: {self.noun} of more than {bound.strip()}"
-        return f"not plausible: {self.noun} of less than {bound.strip()}, and not 0"
+            return f"not plausible: {self.noun} of more than {self._said(self.largest)}"
+        return f"not plausible: {self.noun} of less than {self._said(self.smallest)}, and not 0"
+
+    def _said(self, bound: float) -> str:
+        return f"{bound:g} {self.si_unit}".rstrip()
 
 
-_TONNE = 1000.0
+_TONNE, _TONNE_FORCE = 1000.0, 1000.0 * STANDARD_GRAVITY
 _KNOT = 1852.0 / 3600.0
 _SHOT = 27.5
 
@@ -95,23 +83,18 @@ UNITS: Mapping[Dimension, Mapping[str, float]] = MappingProxyType(
             "kN": 1e3,
             "MN": 1e6,
             "kgf": STANDARD_GRAVITY,
-            "tf": _TONNE * STANDARD_GRAVITY,
+            "tf": _TONNE_FORCE,
         },
         Dimension.FORCE_PER_LENGTH: {
             "N/m": 1.0,
             "kN/m": 1e3,
             "kgf/m": STANDARD_GRAVITY,
-            "tf/m": _TONNE * STANDARD_GRAVITY,
+            "tf/m": _TONNE_FORCE,
         },
         Dimension.MASS: {"kg": 1.0, "t": _TONNE},
         Dimension.MASS_PER_LENGTH: {"kg/m": 1.0, "t/m": _TONNE},
         Dimension.DENSITY: {"kg/m^3": 1.0, "t/m^3": _TONNE, "g/cm^3": 1e3},
-        Dimension.MOMENT: {
-            "N*m": 1.0,
-            "kN*m": 1e3,
-            "MN*m": 1e6,
-            "tf*m": _TONNE * STANDARD_GRAVITY,
-        },
+        Dimension.MOMENT: {"N*m": 1.0, "kN*m": 1e3, "MN*m": 1e6, "tf*m": _TONNE_FORCE},
         Dimension.ANGLE: {"rad": 1.0, "deg": math.pi / 180.0},
         Dimension.SPEED: {
             "m/s": 1.0,
@@ -175,52 +158,33 @@ def to_si(value: object, dimension: Dimension, key: str = "value", *, bare: str 
     weight per length is wanted is taken times g0. A mass given where a force is wanted is an error,
     because nobody can tell which of the two was meant.
 
-    Parameters
-    ----------
-    value : object
-        A bare number in SI, or a string such as ``"9.5 m"``.
-    dimension : Dimension
-        What is wanted.
-    key : str
-        Where the value stands, for the message.
-    bare : str
-        Unit of a bare number, one of the table; that of SI when left out.
-
-    Returns
-    -------
-    float
-        The value in SI; always finite, and within what is plausible of its dimension.
-
-    Raises
-    ------
-    InputError
-        When it is not such a value; one problem, which names what was found and gives an example.
+    `key` says where the value is, for the message; `bare` is the unit of a bare number, one of the
+    table, that of SI when left out. What is returned is in SI, finite, and plausible. InputError
+    when it is not such a value: one problem, which names what was found and gives an example.
     """
     reading = _Reading(value, dimension, key, bare or dimension.si_unit)
     if isinstance(value, str):
         digits, unit = reading.split(value)
         si = float(digits) * reading.factor(unit, digits)
     elif isinstance(value, (int, float)) and not isinstance(value, bool):
-        si = _as_float(value) * (UNITS[dimension][bare] if bare else 1.0)
+        try:
+            si = float(value) * (UNITS[dimension][bare] if bare else 1.0)
+        except OverflowError:  # a whole number beyond double precision
+            si = math.inf
     else:
         raise reading.error(reading.wanted)
     if not math.isfinite(si):
         raise reading.error(f"must be finite; {reading.wanted}")
-    if dimension.implausible(si):
-        raise reading.error(dimension.implausible(si) + reading.unit_hint)
+    fault = dimension.implausible(si)
+    if fault and reading.bare and not isinstance(value, str):
+        fault += f"; a bare number is in {reading.bare}: give a unit, as in {dimension.example}"
+    if fault:
+        raise reading.error(fault)
     return si
 
 
 def as_written(value: object, longest: int = 40) -> str:
-    """Show a value the way a case file writes it, shortened when it is long.
-
-    Parameters
-    ----------
-    value : object
-        As the TOML reader returns it.
-    longest : int
-        Characters a text may have before it is cut.
-    """
+    """Show a value of a TOML file the way it writes it; texts are cut to `longest` characters."""
     match value:
         case bool():
             return "true" if value else "false"
@@ -252,13 +216,6 @@ class _Reading:
     def wanted(self) -> str:
         return f"{self.dimension.noun} is wanted, such as {self.dimension.example}"
 
-    @property
-    def unit_hint(self) -> str:
-        """Advice for a bare number, which may have been meant in another unit."""
-        if isinstance(self.value, str) or not self.bare:
-            return ""
-        return f"; a bare number is in {self.bare}: give a unit, as in {self.dimension.example}"
-
     def error(self, allowed: str, note: str = "") -> InputError:
         return InputError([Problem(self.key, as_written(self.value) + note, allowed)])
 
@@ -281,12 +238,10 @@ class _Reading:
     def _one_of(self, found: Sequence[str], unit: str) -> str:
         """Take the one reading of a number; of two, the one that is plausible."""
         first, *others = found
-        factor = _by_table(unit or self.bare)[1]
-        if math.isnan(factor):
-            factor = 1.0
+        said = unit or self.bare
+        factor = _by_table(said)[1] if _by_table(said)[0] else 1.0
         if not others or self.dimension.implausible(float(others[0]) * factor):
             return first
-        said = unit or self.bare
         two = [f'"{float(each):.12g} {said}"' if said else f"{float(each):.12g}" for each in found]
         raise self.error(f"has two meanings: write {' or '.join(two)}")
 
@@ -298,35 +253,28 @@ class _Reading:
             raise self.error(f"{unit} is {_AMBIGUOUS[unit]}")
         near = [u for units in UNITS.values() for u in units if u.casefold() == unit.casefold()]
         kind, factor = _by_table(unit) if near else _by_library(unit)
-        if kind is None:
-            raise self.error(self._unknown_unit(near))
+        if kind is self.dimension:
+            return factor
         if kind is Dimension.MASS_PER_LENGTH and self.dimension is Dimension.FORCE_PER_LENGTH:
             return factor * STANDARD_GRAVITY
-        if kind is not self.dimension:
-            raise self.error(self._instead(unit, digits, near), f", {kind.noun}")
-        return factor
+        noun = self.dimension.noun
+        meant = [
+            f"capitals count: write {known}" for known in near if known in UNITS[self.dimension]
+        ]
+        if kind is None:
+            raise self.error(meant[0] if meant else f"not a unit known here; {self.wanted}")
+        instead = self.wanted
+        if meant:
+            instead = f"{noun} is wanted; {meant[0]}"
+        elif self.dimension is Dimension.FORCE and unit in _AS_FORCE:
+            instead = f'{noun} is wanted: write "{digits} {_AS_FORCE[unit]}" or "{digits} kN"'
+        raise self.error(instead, f", {kind.noun}")
 
     def _without_unit(self, digits: str) -> str:
         unit = self.dimension.si_unit
         if not unit:
             return f"{self.dimension.noun} is wanted: write {digits} without quotes"
         return f'a unit is missing: write "{digits} {unit}", or {digits} without quotes'
-
-    def _unknown_unit(self, near: Sequence[str]) -> str:
-        for known in near:
-            if known in UNITS[self.dimension]:
-                return f"capitals count: write {known}"
-        return f"not a unit known here; {self.wanted}"
-
-    def _instead(self, unit: str, digits: str, near: Sequence[str]) -> str:
-        """Say what to write for a unit of another dimension."""
-        for known in near:
-            if known in UNITS[self.dimension]:
-                return f"{self.dimension.noun} is wanted; capitals count: write {known}"
-        if self.dimension is Dimension.FORCE and unit in _AS_FORCE:
-            as_force = f'"{digits} {_AS_FORCE[unit]}"'
-            return f'{self.dimension.noun} is wanted: write {as_force} or "{digits} kN"'
-        return self.wanted
 
 
 def _spelt(unit: str) -> str:
@@ -369,13 +317,6 @@ def _registry() -> Any:
     registry: Any = pint.UnitRegistry()
     registry.define("USD = [currency]")
     return registry
-
-
-def _as_float(number: float) -> float:
-    try:
-        return float(number)
-    except OverflowError:  # a whole number beyond double precision
-        return math.inf
 
 
 def lasting(seconds: float) -> str:

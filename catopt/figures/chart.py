@@ -9,7 +9,7 @@ from itertools import chain
 from typing import NamedTuple
 
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.words import Message, quantity_name
+from catopt.words import Measure, Message, quantity_name
 
 Place = tuple[float, float]
 """x and y, SI."""
@@ -30,33 +30,18 @@ IN_TONNES = Scale("", QUANTITIES["tension"].in_units("tf"))
 
 @dataclass(frozen=True)
 class Axis:
-    """What is drawn along a direction.
-
-    Attributes
-    ----------
-    label : str
-        What it is, without unit.
-    quantity : Quantity
-        Its unit and digits.
-    low, high : float
-        Ends, SI.
-    foot : float or None
-        Makes the axis logarithmic; the value at which an exact 0 is drawn, 0 where there is none.
-    ticks : tuple of float
-        Values that are written, SI; round ones when empty.
-    within : tuple of float or None
-        Where round values are written when not from end to end.
-    second : Scale or None
-        Another reading of it, at the other side.
-    """
+    """What is drawn along a direction: its name without unit, and its ends; all in SI."""
 
     label: str
     quantity: Quantity
     low: float
     high: float
     foot: float | None = None
+    """Makes the axis logarithmic; the value at which an exact 0 is drawn, 0 where there is none."""
     ticks: tuple[float, ...] = ()
+    """Values that are written; round ones when empty."""
     within: tuple[float, float] | None = None
+    """Where round values are written when not from end to end."""
     second: Scale | None = None
 
     def place(self, value: float) -> float:
@@ -139,6 +124,21 @@ class Point(NamedTuple):
     said: str
 
 
+def pointed(
+    key: str, x: Sequence[float], y: Sequence[float], /, **known: tuple[str, Iterable[object]]
+) -> tuple[Point, ...]:
+    """Say a text at places, with what is known there: each time a quantity and its values in SI.
+
+    Where no quantity is named, values are said as they are.
+    """
+    values = [
+        [(name, Measure(quantity, each) if quantity else each) for each in of]  # type: ignore[arg-type]
+        for name, (quantity, of) in known.items()
+    ]
+    said = (Message(key, **dict(each)) for each in zip(*values, strict=True))
+    return tuple(map(Point, x, y, said))
+
+
 class Entry(NamedTuple):
     """An entry of a legend: how it looks, and what it is."""
 
@@ -148,27 +148,10 @@ class Entry(NamedTuple):
 
 @dataclass(frozen=True)
 class Chart:
-    """A drawing.
+    """A drawing, by its key within a page or of a file, with what else is to be said of it.
 
     What is in it has a role, of which a renderer knows the look, and a label for the legend if it
     is to be there; all values are in SI.
-
-    Attributes
-    ----------
-    name : str
-        Key within a page or of a file.
-    title : str
-        What it shows.
-    x, y : Axis
-        What is along it and up.
-    series, marks, levels, areas, arrows, dimensions
-        What is drawn.
-    points : tuple of Point
-        What is known at places.
-    notes : tuple of str
-        What else is to be said.
-    to_scale : float or None
-        A metre up over a metre along, on paper; None: each axis fills the frame.
     """
 
     name: str
@@ -184,6 +167,7 @@ class Chart:
     points: tuple[Point, ...] = ()
     notes: tuple[str, ...] = ()
     to_scale: float | None = None
+    """A metre up over a metre along, on paper; None: each axis fills the frame."""
 
 
 def legend(chart: Chart) -> Iterator[Entry]:

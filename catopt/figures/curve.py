@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from catopt.figures.chart import IN_TONNES, Chart, Level, Mark, Point, Scale, Series, axis, span_of
+from catopt.figures.chart import (
+    IN_TONNES,
+    Chart,
+    Level,
+    Mark,
+    Scale,
+    Series,
+    axis,
+    pointed,
+    span_of,
+)
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
@@ -33,38 +43,31 @@ def load_curve(curve: CaseCurve) -> Chart:
         ),
         marks=tuple(_reference(curve)),
         levels=tuple(_events(curve.curve.marks, most)),
-        points=tuple(
-            Point(
-                span,
-                force,
-                Message(
-                    "figures.on_curve",
-                    S=Measure("span", span),
-                    offset=Measure("offset", span - zero),
-                    H=Measure("horizontal_force", force),
-                    T=Measure("tension", tension),
-                ),
-            )
-            for span, force, tension in zip(spans, forces, tensions, strict=True)
+        points=pointed(
+            "figures.on_curve",
+            spans,
+            forces,
+            S=("span", spans),
+            offset=("offset", [span - zero for span in spans]),
+            H=("horizontal_force", forces),
+            T=("tension", tensions),
         ),
         notes=tuple(
-            Message(
-                "figures.event",
-                number=number,
-                event=mark.event,
-                H=Measure("horizontal_force", mark.horizontal_force),
-            )
-            for number, mark in enumerate(curve.curve.marks, start=1)
+            Message("figures.event", number=k, event=mark.event, H=_force(mark.horizontal_force))
+            for k, mark in enumerate(curve.curve.marks, start=1)
         ),
     )
+
+
+def _force(force: float) -> Measure:
+    return Measure("horizontal_force", force)
 
 
 def _reference(curve: CaseCurve) -> Iterator[Mark]:
     """Mark the case itself, if it is in the range."""
     case = curve.reference
     if curve.curve.span[0] <= case.span <= curve.curve.span[-1]:
-        force = Measure("horizontal_force", case.horizontal_force)
-        said = Message("figures.case_at", H=force)
+        said = Message("figures.case_at", H=_force(case.horizontal_force))
         for value in (case.horizontal_force, case.fairlead.tension):
             yield Mark("reference", case.span, value, said)
 

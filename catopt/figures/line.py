@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import accumulate, pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.figures.chart import (
     IN_TONNES,
     Area,
+    Axis,
     Chart,
     Dimension,
     Level,
@@ -18,6 +20,7 @@ from catopt.figures.chart import (
     Point,
     Series,
     axis,
+    pointed,
     span_of,
 )
 from catopt.words import Measure, Message
@@ -82,25 +85,23 @@ def line_in_water(solution: Solution, depth: float, failing: Sequence[Failing] =
     left, right = min(*profile.x, 0.0), max(*profile.x, solution.span)
     top = max(depth, solution.fairlead_height, *profile.z)
     unit = room_around(right - left, top)
-    wide = max(right - left, _LEAST * unit)
-    middle = (left + right) / 2.0
+    half, middle = max(right - left, _LEAST * unit) / 2.0 + 60.0 * unit, (left + right) / 2.0
     dimensions = list(_dimensions(solution, depth, unit))
     foot = min(end[1] for each in dimensions for end in (each.start, each.end))
-    return Chart(
+    drawn = _drawn(
         "line",
         Message("figures.line", span=Measure("span", solution.span)),
-        axis(
-            "x",
-            (middle - wide / 2.0 - 60.0 * unit, middle + wide / 2.0 + 60.0 * unit),
-            within=(left, right),
-        ),
+        axis("x", (middle - half, middle + half), within=(left, right)),
         axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
-        series=tuple(_line(solution, profile)),
-        marks=(*_fails(solution, profile, failing), *_marks(solution)),
+        solution,
+        profile,
+    )
+    return replace(
+        drawn,
+        marks=(*_fails(solution, profile, failing), *drawn.marks),
         levels=tuple(surface_and_bed(depth)),
         areas=water(depth, _BED * unit),
         dimensions=tuple(dimensions),
-        points=tuple(_points(profile)),
         to_scale=1.0,
     )
 
@@ -120,18 +121,43 @@ def magnified(solution: Solution, depth: float) -> Chart | None:
     factor = float(f"{0.5 * (right - left) / top:.1g}")
     at_joints = (_at(profile, s) for s in joints(solution))
     name = Message("figures.joint")
-    return Chart(
+    drawn = _drawn(
         "system_magnified",
         Message("figures.magnified", factor=factor),
         axis("x", span_of((left, right), 0.02, 0.02)),
         axis("z", (-0.06 * top, 1.06 * top)),
-        series=tuple(_line(solution, profile)),
-        marks=(*(Mark("joint-spot", x, z, name) for x, z in at_joints), *_marks(solution)),
+        solution,
+        profile,
+    )
+    return replace(
+        drawn,
+        marks=(*(Mark("joint-spot", x, z, name) for x, z in at_joints), *drawn.marks),
         levels=tuple(surface_and_bed(depth)),
         areas=water(depth, math.inf),
-        points=tuple(_points(profile)),
         to_scale=factor,
     )
+
+
+def _drawn(name: str, title: str, x: Axis, y: Axis, solution: Solution, profile: Profile) -> Chart:
+    lying = [
+        Series("grounded", ends, (0.0, 0.0), Message("figures.lies"))
+        for ends in grounded_ends(solution)
+    ]
+    return Chart(
+        name,
+        title,
+        x,
+        y,
+        (*lying, Series("mooring", profile.x, profile.z, Message("figures.mooring_line"))),
+        tuple(_marks(solution)),
+        points=_along(profile, profile.x, profile.z),
+    )
+
+
+def _along(profile: Profile, x: Sequence[float], y: Sequence[float]) -> tuple[Point, ...]:
+    """Say at places what is known along the line."""
+    along = {"s": ("s", profile.s), "x": ("x", profile.x), "z": ("z", profile.z)}
+    return pointed("figures.along_line", x, y, **along, T=("tension", profile.tension))
 
 
 def water(depth: float, thickness: float) -> tuple[Area, ...]:
@@ -143,12 +169,6 @@ def surface_and_bed(depth: float) -> Iterator[Level]:
     """Draw the water level and the bed as lines."""
     yield Level("surface", "y", depth, Message("figures.water_level"))
     yield Level("bed-edge", "y", 0.0, Message("figures.bed"))
-
-
-def _line(solution: Solution, profile: Profile) -> Iterator[Series]:
-    for start, end in grounded_ends(solution):
-        yield Series("grounded", (start, end), (0.0, 0.0), Message("figures.lies"))
-    yield Series("mooring", profile.x, profile.z, Message("figures.mooring_line"))
 
 
 def _at(profile: Profile, s: float) -> Place:
@@ -191,15 +211,11 @@ def _marks(solution: Solution) -> Iterator[Mark]:
         yield Mark("touchdown", x, 0.0, Message("figures.touchdown_at", x=Measure("x", x)))
     for state, load in zip(solution.point_loads, solution.line.point_loads, strict=True):
         place, sinks = (state.x, state.z), load.submerged_weight >= 0.0
-        said: dict[str, object] = {
-            "name": _called(load),
-            "weight": Measure("point_weight", abs(load.submerged_weight)),
-            "s": Measure("position", load.position),
-        }
-        if sinks:
-            yield Mark("clump", *place, Message("figures.clump_at", **said))
-        else:
-            yield Mark("buoy", *place, Message("figures.buoy_at", **said))
+        weight = Measure("point_weight", abs(load.submerged_weight))
+        key = "figures.clump_at" if sinks else "figures.buoy_at"
+        s = Measure("position", load.position)
+        said = Message(key, name=_called(load), weight=weight, s=s)
+        yield Mark("clump" if sinks else "buoy", *place, said)
     yield Mark("fairlead", solution.span, solution.fairlead_height, Message("figures.fairlead"))
 
 
@@ -233,21 +249,6 @@ def _called(load: PointLoad) -> str:
     return Message("figures.named", what=kind, name=load.name) if is_named else kind
 
 
-def _said(s: float, x: float, z: float, tension: float) -> str:
-    return Message(
-        "figures.along_line",
-        s=Measure("s", s),
-        x=Measure("x", x),
-        z=Measure("z", z),
-        T=Measure("tension", tension),
-    )
-
-
-def _points(profile: Profile) -> Iterator[Point]:
-    for s, x, z, tension in zip(profile.s, profile.x, profile.z, profile.tension, strict=True):
-        yield Point(x, z, _said(s, x, z, tension))
-
-
 def tension_along(solution: Solution, allowed: Sequence[float | None], basis: str = "") -> Chart:
     """Draw the tension over the arc length beside what each segment may carry.
 
@@ -256,22 +257,20 @@ def tension_along(solution: Solution, allowed: Sequence[float | None], basis: st
     profile = solution.profile(_POINTS)
     largest = max(profile.tension)
     levels, notes = capacities(solution, allowed, largest, basis)
-    drawn = [each.at for each in levels]
-    for s in joints(solution):
-        levels.append(Level("joint", "x", s, Message("figures.joint")))
-    for _, s in touchdowns(solution):
-        levels.append(Level("touchdown-at", "x", s, Message("figures.touchdown")))
-    for load in solution.point_loads:
-        levels.append(Level("load-at", "x", load.position, Message("figures.point_load")))
-    along = zip(profile.s, profile.x, profile.z, profile.tension, strict=True)
+    top = 1.08 * max([largest, *(each.at for each in levels)])
+    at_joints, at_bed = joints(solution), [s for _, s in touchdowns(solution)]
+    at_loads = [each.position for each in solution.point_loads]
+    levels += [Level("joint", "x", s, Message("figures.joint")) for s in at_joints]
+    levels += [Level("touchdown-at", "x", s, Message("figures.touchdown")) for s in at_bed]
+    levels += [Level("load-at", "x", s, Message("figures.point_load")) for s in at_loads]
     return Chart(
         "tension",
         Message("figures.tension_along", tension=Measure("tension", largest)),
         axis("s", (0.0, solution.line.length)),
-        axis("tension", (0.0, 1.08 * max([largest, *drawn]) or 1.0), second=IN_TONNES),
+        axis("tension", (0.0, top or 1.0), second=IN_TONNES),
         series=(Series("first", profile.s, profile.tension, Message("figures.tension")),),
         levels=tuple(levels),
-        points=tuple(Point(s, tension, _said(s, x, z, tension)) for s, x, z, tension in along),
+        points=_along(profile, profile.s, profile.tension),
         notes=tuple(notes),
     )
 
@@ -282,18 +281,15 @@ def capacities(
     """Draw what each segment may carry; say where it is not known or far above the largest."""
     levels: list[Level] = []
     notes: list[str] = []
-    starts = [0.0, *joints(solution)]
+    end, name = 0.0, basis or Message("figures.allowed")
     for number, (segment, capacity) in enumerate(zip(solution.segments, allowed, strict=True), 1):
-        start = starts[number - 1]
+        start, end = end, end + segment.length
+        shown = Measure("tension", capacity or 0.0)
         if capacity is None:
             notes.append(Message("figures.no_capacity", number=number))
         elif capacity > FAR * largest:
-            shown = Measure("tension", capacity)
-            name = basis or Message("figures.allowed")
             notes.append(Message("figures.off_scale", number=number, what=name, capacity=shown))
         else:
-            said = Message("sizing.measure", value=Measure("tension", capacity))
-            name = basis or Message("figures.allowed")
-            end = start + segment.length
+            said = Message("sizing.measure", value=shown)
             levels.append(Level("capacity", "y", capacity, name, start, end, said))
     return levels, notes

@@ -47,20 +47,10 @@ def schema(name: str) -> dict[str, Any]:
 
 
 def read_document(path: Path, name: str) -> dict[str, Any]:
-    """Read a document that a command wrote, and hold it to its schema.
+    """Read a document that a command wrote, and hold it to the schema of a name.
 
-    Parameters
-    ----------
-    path : Path
-        The file.
-    name : str
-        What the document has under its key ``schema``.
-
-    Raises
-    ------
-    InputError
-        It cannot be read, is no JSON, or is not as its schema has it: with the path of every key at
-        fault.
+    InputError when it cannot be read, is no JSON, or is not as its schema has it: with the path of
+    every key at fault.
     """
     from catopt.schemas.validation import misfits
 
@@ -70,8 +60,8 @@ def read_document(path: Path, name: str) -> dict[str, Any]:
         raise InputError([problem], str(path))
     problems = list(misfits(document, schema(name)))
     if len(problems) > _SHOWN:
-        more = Problem("document", "", f"{len(problems) - _SHOWN} more of the kind")
-        problems = [*problems[:_SHOWN], more]
+        more = f"{len(problems) - _SHOWN} more of the kind"
+        problems[_SHOWN:] = [Problem("document", "", more)]
     if problems:
         raise InputError(problems, str(path))
     return document
@@ -83,12 +73,6 @@ def is_ours(document: dict[str, Any]) -> bool:
 
 
 def read_any(path: Path) -> dict[str, Any]:
-    """Read a JSON document, whoever wrote it.
-
-    Raises
-    ------
-    InputError
-        It cannot be read or is no JSON.
-    """
+    """Read a JSON document, whoever wrote it; InputError when it cannot be read or is no JSON."""
     text = read_text(path, str(path), kind="document", most=MOST_BYTES_OF_DATA)
     return parse_json(text, str(path))

@@ -39,20 +39,7 @@ _IN_WORDS = {
 
 
 def misfits(document: Any, schema: Mapping[str, Any]) -> Iterator[Problem]:
-    """List what a document has otherwise than its schema.
-
-    Parameters
-    ----------
-    document : object
-        As the JSON reader returns it.
-    schema : mapping
-        JSON Schema (draft 2020-12) of the whole document.
-
-    Yields
-    ------
-    Problem
-        With the path of the key in the document.
-    """
+    """Yield what a document, as the JSON reader returns it, has otherwise than its JSON Schema."""
     for path, found, allowed in _misfits(document, schema, (), schema):
         yield Problem(dotted(path) or "document", found, allowed)
 
