@@ -57,11 +57,11 @@ def front(document: Document, chosen: int | None = None) -> Chart:
     marks = [
         Mark(role, across[k], up[k], label) for k, (role, label) in enumerate(_parts(document))
     ]
-    for end in ends(document):
-        label = Message("figures.end_of_front", number=end + 1)
-        marks.append(Mark("end", across[end], up[end], label))
-    recommended = Message("figures.recommended", number=best + 1)
-    marks.append(Mark("recommended", across[best], up[best], recommended))
+    pointed_out = [
+        ("end", end, Message("figures.end_of_front", number=end + 1)) for end in ends(document)
+    ]
+    pointed_out.append(("recommended", best, Message("figures.recommended", number=best + 1)))
+    marks += [Mark(role, across[k], up[k], label) for role, k, label in pointed_out]
     present = document.get("present")
     if present and None not in (present[first], present[second]):
         label = present["change"]
@@ -72,9 +72,12 @@ def front(document: Document, chosen: int | None = None) -> Chart:
         label = Message("figures.chosen", number=chosen)
         marks.append(Mark("chosen", across[chosen - 1], up[chosen - 1], label))
     x, y = [mark.x for mark in marks] + across, [mark.y for mark in marks] + up
+    title = Message("figures.found_front", count=len(points), method=document["method"])
+    if document.get("is_exact", False):
+        title = Message("figures.exact_front", count=len(points))
     return Chart(
         "front",
-        _title(document),
+        title,
         axis(OBJECTIVES[first].key, span_of(x), objective_name(first, document)),
         axis(OBJECTIVES[second].key, span_of(y), objective_name(second, document)),
         marks=tuple(marks),
@@ -86,8 +89,7 @@ def front(document: Document, chosen: int | None = None) -> Chart:
 
 def ends(document: Document) -> list[int]:
     """List the ends of a front that are not the recommended design, by index."""
-    found = {0, len(document["front"]) - 1} - {document["recommended"]}
-    return sorted(found)
+    return sorted({0, len(document["front"]) - 1} - {document["recommended"]})
 
 
 def front_lines(result: DesignResult, document: Document) -> Chart:
@@ -109,48 +111,31 @@ def front_lines(result: DesignResult, document: Document) -> Chart:
     return lines_to_scale(lines, depth, Message("figures.under_load_case", name=name))
 
 
-def _title(document: Document) -> str:
-    count = len(document["front"])
-    if document.get("is_exact", False):
-        return Message("figures.exact_front", count=count)
-    return Message("figures.found_front", count=count, method=document["method"])
-
-
 def _parts(document: Document) -> Iterator[tuple[str, str]]:
     """Say of each design in which third of the range of a third objective it is."""
-    keys: Sequence[str] = document["objectives"]
     points: Sequence[Document] = document["front"]
-    if len(keys) < 3:
+    if len(document["objectives"]) < 3:
         yield from [("design", Message("figures.design"))] * len(points)
         return
-    values = [point[keys[2]] for point in points]
-    low, size = min(values), (max(values) - min(values)) / 3.0
-    quantity = OBJECTIVES[keys[2]].key
+    key = document["objectives"][2]
+    values = [point[key] for point in points]
+    least, size = min(values), (max(values) - min(values)) / 3.0
+    name, quantity = objective_name(key, document), OBJECTIVES[key].key
     for value in values:
-        part = min(int((value - low) / size), 2) if size > 0.0 else 0
-        yield (
-            _PARTS[part],
-            Message(
-                "figures.from_to_objective",
-                objective=objective_name(keys[2], document),
-                low=Measure(quantity, low + part * size),
-                high=Measure(quantity, low + (part + 1) * size),
-            ),
-        )
+        part = min(int((value - least) / size), 2) if size > 0.0 else 0
+        low, high = (Measure(quantity, least + k * size) for k in (part, part + 1))
+        said = Message("figures.from_to_objective", objective=name, low=low, high=high)
+        yield _PARTS[part], said
 
 
 def _said(number: int, point: Document, document: Document) -> str:
-    values = [
-        Message(
-            "figures.value",
-            what=objective_name(key, document),
-            value=Measure(OBJECTIVES[key].key, point[key]),
-        )
-        for key in document["objectives"]
+    measures = {key: Measure(OBJECTIVES[key].key, point[key]) for key in document["objectives"]}
+    said = [
+        Message("figures.value", what=objective_name(key, document), value=value)
+        for key, value in measures.items()
     ]
-    return Message(
-        "figures.design_at", number=number, values=Several(values, ", "), made=composition(point)
-    )
+    values, made = Several(said, ", "), composition(point)
+    return Message("figures.design_at", number=number, values=values, made=made)
 
 
 def composition(point: Document) -> str:

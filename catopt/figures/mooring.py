@@ -18,6 +18,7 @@ from catopt.figures.chart import (
     Point,
     Series,
     axis,
+    pointed,
 )
 from catopt.figures.line import FAR, grounded_ends
 from catopt.quantities import QUANTITIES
@@ -25,9 +26,8 @@ from catopt.ties import first_largest, largest
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
-    from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
-    from catopt.mooring.solution import LegState, SystemSolution
+    from catopt.mooring.solution import LegState, Position, SystemSolution
     from catopt.mooring.watch_circle import WatchCircle
 
 _ALONG = 21
@@ -45,17 +45,15 @@ _ROLES = ("first", "second", "third", "fourth")
 
 def plan(solution: SystemSolution) -> Chart:
     """Draw anchors, lines and the body under its load from above, to scale."""
-    places = [*(line.leg.anchor for line in solution.lines),
-              *(line.fairlead for line in solution.lines)]  # fmt: skip
-    size = max(max(each) - min(each) for each in zip(*places, strict=True)) or 1.0
+    anchors = [line.leg.anchor for line in solution.lines]
+    places = [*anchors, *(line.fairlead for line in solution.lines)]
+    size = size_of(places) or 1.0
     arrows = tuple(_push(solution, 0.17 * size, 0.02 * size))
-    numbers = list(_numbers(solution, size))
+    numbers = _numbers(solution, beyond(anchors, size))
     lines = list(_lines(solution))
     numbers += [_beside(_force(solution), each.start, each.end, size, lines) for each in arrows]
     drawn = [*places, *((mark.x, mark.y) for mark in numbers), *(each.end for each in arrows)]
-    position = solution.position
     points = [point for k, line in enumerate(solution.lines) for point in _points(k + 1, line)]
-    points.append(Point(position.x, position.y, _body_said(solution)))
     return Chart(
         "system_plan",
         Message("figures.plan", count=len(solution.lines)),
@@ -63,9 +61,14 @@ def plan(solution: SystemSolution) -> Chart:
         series=(*lines, *_arms(solution)),
         marks=(*_ends(solution), *_body(solution), *numbers),
         arrows=arrows,
-        points=tuple(points),
+        points=(*points, _body_said(solution)),
         to_scale=1.0,
     )
+
+
+def size_of(places: Sequence[Place]) -> float:
+    """Return the larger side of what holds places, m."""
+    return max(max(each) - min(each) for each in zip(*places, strict=True))
 
 
 def from_above(places: Sequence[Place], room: float) -> tuple[Axis, Axis]:
@@ -91,10 +94,9 @@ def _path(role: str, places: Sequence[Place], label: str = "") -> Series:
 
 
 def _arms(solution: SystemSolution) -> Iterator[Series]:
-    here = (solution.position.x, solution.position.y)
     for line in solution.lines:
         if line.leg.fairlead_radius > 0.0:
-            yield _path("arm", (here, line.fairlead))
+            yield _path("arm", (_at(solution.position), line.fairlead))
 
 
 def _ends(solution: SystemSolution) -> Iterator[Mark]:
@@ -106,14 +108,22 @@ def _ends(solution: SystemSolution) -> Iterator[Mark]:
 
 
 def _body(solution: SystemSolution) -> Iterator[Mark]:
-    neutral, here = solution.neutral, solution.position
-    yield Mark("fairlead", here.x, here.y, Message("figures.body"))
-    yield Mark("neutral", neutral.x, neutral.y, Message("figures.neutral"))
+    yield Mark("fairlead", *_at(solution.position), Message("figures.body"))
+    yield Mark("neutral", *_at(solution.neutral), Message("figures.neutral"))
 
 
-def _numbers(solution: SystemSolution, size: float) -> Iterator[Mark]:
-    for index, place in enumerate(beyond([line.leg.anchor for line in solution.lines], size)):
-        yield _number(solution, index, place)
+def _at(position: Position) -> Place:
+    return position.x, position.y
+
+
+def _numbers(solution: SystemSolution, places: Sequence[Place]) -> list[Mark]:
+    """Write the number of each line at a place."""
+    roles = ["number"] * len(places)
+    roles[solution.most_loaded] = "most-loaded"
+    return [
+        Mark(role, *place, words=f"{number}")
+        for number, (role, place) in enumerate(zip(roles, places, strict=True), start=1)
+    ]
 
 
 def beyond(anchors: Sequence[Place], size: float) -> list[Place]:
@@ -124,18 +134,13 @@ def beyond(anchors: Sequence[Place], size: float) -> list[Place]:
     return [(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)]
 
 
-def _number(solution: SystemSolution, index: int, place: Place) -> Mark:
-    role = "most-loaded" if index == solution.most_loaded else "number"
-    return Mark(role, *place, words=str(index + 1))
-
-
 def _push(solution: SystemSolution, length: float, away: float) -> Iterator[Arrow]:
     """Draw the force on the body as an arrow that begins somewhat away from it."""
     force = solution.system.force
     size = math.hypot(*force)
     if size > 0.0:
         ux, uy = force[0] / size, force[1] / size
-        x, y = solution.position.x, solution.position.y
+        x, y = _at(solution.position)
         start, end = ((x + way * ux, y + way * uy) for way in (away, away + length))
         yield Arrow("push", start, end, Message("figures.force_on_body"))
 
@@ -162,26 +167,17 @@ def _beside(words: str, start: Place, end: Place, size: float, lines: Sequence[S
     return Mark("beside", *place, words=words)
 
 
-def _points(number: int, line: LegState) -> Iterator[Point]:
+def _points(number: int, line: LegState) -> tuple[Point, ...]:
     profile = line.solution.profile(_ALONG)
-    for s, x, z, tension in zip(profile.s, profile.x, profile.z, profile.tension, strict=True):
-        said = Message(
-            "figures.along_numbered",
-            line=number,
-            s=Measure("s", s),
-            z=Measure("z", z),
-            T=Measure("tension", tension),
-        )
-        yield Point(*line.at(x), said)
+    x, y = zip(*map(line.at, profile.x), strict=True)
+    along = {"s": ("s", profile.s), "z": ("z", profile.z), "T": ("tension", profile.tension)}
+    return pointed("figures.along_numbered", x, y, line=("", [number] * len(x)), **along)
 
 
-def _body_said(solution: SystemSolution) -> str:
-    return Message(
-        "figures.body_at",
-        x=Measure("offset", solution.position.x),
-        y=Measure("offset", solution.position.y),
-        offset=Measure("offset", math.hypot(*solution.offset)),
-    )
+def _body_said(solution: SystemSolution) -> Point:
+    place, offset = _at(solution.position), Measure("offset", math.hypot(*solution.offset))
+    x, y = (Measure("offset", each) for each in place)
+    return Point(*place, Message("figures.body_at", x=x, y=y, offset=offset))
 
 
 # ------------------------------------------------------------------ round the body
@@ -189,30 +185,24 @@ def _body_said(solution: SystemSolution) -> str:
 
 def near(solution: SystemSolution) -> Chart | None:
     """Draw the body and its offset larger; None where the plan shows it, or there is none."""
-    places = [line.leg.anchor for line in solution.lines]
-    size = max(max(each) - min(each) for each in zip(*places, strict=True))
     offset = math.hypot(*solution.offset)
-    if not 0.0 < offset < _CLEAR * size:
+    if not 0.0 < offset < _CLEAR * size_of([line.leg.anchor for line in solution.lines]):
         return None
     reach = _reach(solution, 1.8 * offset)
-    neutral, here = solution.neutral, solution.position
-    way = _path("offset-mark", ((neutral.x, neutral.y), (here.x, here.y)), Message("figures.way"))
+    neutral, here = _at(solution.neutral), _at(solution.position)
     lines = list(_round_body(solution, reach))
     arrows = list(_push(solution, 0.36 * reach, 0.05 * reach))
-    said = [(f"{Measure('offset', offset)}", (neutral.x, neutral.y), (here.x, here.y))]
+    said = [(f"{Measure('offset', offset)}", neutral, here)]
     said += [(_force(solution), each.start, each.end) for each in arrows]
     beside = [_beside(*each, 2.0 * reach, lines) for each in said]
     return Chart(
         "system_near",
         Message("figures.near"),
         *_square(solution, reach),
-        series=(*lines, way),
+        series=(*lines, _path("offset-mark", (neutral, here), Message("figures.way"))),
         marks=(*_body(solution), *beside, *_round_numbers(solution, reach)),
         arrows=tuple(arrows),
-        points=(
-            Point(here.x, here.y, _body_said(solution)),
-            Point(neutral.x, neutral.y, Message("figures.neutral")),
-        ),
+        points=(_body_said(solution), Point(*neutral, Message("figures.neutral"))),
         to_scale=1.0,
     )
 
@@ -224,7 +214,7 @@ def _reach(solution: SystemSolution, reach: float) -> float:
 
 
 def _square(solution: SystemSolution, reach: float) -> tuple[Axis, Axis]:
-    x, y = solution.neutral.x, solution.neutral.y
+    x, y = _at(solution.neutral)
     return from_above([(x - reach, y - reach), (x + reach, y + reach)], 0.14 * reach)
 
 
@@ -237,7 +227,7 @@ def _round_body(solution: SystemSolution, reach: float) -> Iterator[Series]:
 
 def _rims(solution: SystemSolution, reach: float) -> list[Place]:
     """Find where each line leaves the circle round the zero-load position."""
-    x, y = solution.neutral.x, solution.neutral.y
+    x, y = _at(solution.neutral)
     found = []
     for line in solution.lines:
         ux, uy = math.cos(line.direction), math.sin(line.direction)
@@ -248,52 +238,51 @@ def _rims(solution: SystemSolution, reach: float) -> list[Place]:
     return found
 
 
-def _round_numbers(solution: SystemSolution, reach: float) -> Iterator[Mark]:
+def _round_numbers(solution: SystemSolution, reach: float) -> list[Mark]:
     """Write the numbers of the lines beyond the places where these leave the circle."""
-    x, y = solution.neutral.x, solution.neutral.y
+    x, y = _at(solution.neutral)
     angles = [math.atan2(each[1] - y, each[0] - x) for each in _rims(solution, reach)]
-    radius = 1.07 * reach
-    for index, angle in enumerate(spread(angles, 2.4 * _NUMBER)):
-        place = (x + radius * math.cos(angle), y + radius * math.sin(angle))
-        yield _number(solution, index, place)
+    radius, apart = 1.07 * reach, spread(angles, 2.4 * _NUMBER)
+    places = [(x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in apart]
+    return _numbers(solution, places)
 
 
 def watch_track(solution: SystemSolution, circle: WatchCircle) -> Chart:
     """Draw where the body goes as the force goes round, to scale."""
     largest = circle.responses[circle.farthest].offset
     reach = _reach(solution, 1.25 * largest)
-    places = [(each.x, each.y) for each in circle.responses]
-    here = solution.position
+    x, y = [each.x for each in circle.responses], [each.y for each in circle.responses]
     return Chart(
         "system_watch",
         Message("figures.watch_track", offset=Measure("offset", largest)),
         *_square(solution, reach),
         series=(
             *_round_body(solution, reach),
-            _path("first", [*places, places[0]], Message("figures.places")),
+            Series("first", [*x, x[0]], [*y, y[0]], Message("figures.places")),
         ),
         marks=(
             Mark("neutral", *circle.neutral, Message("figures.neutral")),
-            Mark("reference", here.x, here.y, Message("figures.case")),
+            Mark("reference", *_at(solution.position), Message("figures.case")),
             *_round_numbers(solution, reach),
         ),
-        points=tuple(
-            Point(each.x, each.y, _response_said(direction, each))
-            for direction, each in zip(circle.directions, circle.responses, strict=True)
-        ),
+        points=_round(circle, x, y),
         to_scale=1.0,
     )
 
 
-def _response_said(direction: float, response: Response) -> str:
-    return Message(
+def _round(circle: WatchCircle, x: Sequence[float], y: Sequence[float]) -> tuple[Point, ...]:
+    """Say at places what is known of each direction of the force."""
+    found = circle.responses
+    return pointed(
         "figures.force_towards",
-        angle=Measure("angle", direction),
-        offset=Measure("offset", response.offset),
-        x=Measure("offset", response.x),
-        y=Measure("offset", response.y),
-        T=Measure("tension", response.largest_tension),
-        line=response.most_loaded + 1,
+        x,
+        y,
+        angle=("angle", circle.directions),
+        offset=("offset", [each.offset for each in found]),
+        x=("offset", [each.x for each in found]),
+        y=("offset", [each.y for each in found]),
+        T=("tension", [each.largest_tension for each in found]),
+        line=("", [each.most_loaded + 1 for each in found]),
     )
 
 
@@ -306,41 +295,26 @@ def watch_round(
     """
     values = [each.largest_tension for each in circle.responses]
     largest = max(values)
-    is_near = allowed is not None and allowed <= FAR * largest
-    top = 1.08 * max(largest, allowed if allowed is not None and is_near else 0.0)
-    force = solution.system.force
-    turn = 2.0 * math.pi
-    here = math.atan2(force[1], force[0]) % turn
     levels, notes = [], []
-    if allowed is not None and is_near:
+    if allowed is not None and allowed <= FAR * largest:
         levels.append(Level("capacity", "y", allowed, Message("figures.allowed")))
     elif allowed is not None:
         notes.append(Message("figures.allowed_off_scale", T=Measure("tension", allowed)))
+    top = 1.08 * max([largest, *(each.at for each in levels)])
+    force, turn = solution.system.force, 2.0 * math.pi
+    here = math.atan2(force[1], force[0]) % turn
     tension = solution.lines[solution.most_loaded].tension
+    any_line = Message("figures.largest_tension_any")
+    directions = tuple(math.radians(60.0 * k) for k in range(7))
     return Chart(
         "system_round",
         Message("figures.watch_round", tension=Measure("tension", largest)),
-        axis(
-            "angle",
-            (0.0, turn),
-            Message("figures.direction"),
-            ticks=tuple(math.radians(60.0 * k) for k in range(7)),
-        ),
+        axis("angle", (0.0, turn), Message("figures.direction"), ticks=directions),
         axis("tension", (0.0, top or 1.0), Message("figures.largest_tension"), second=IN_TONNES),
-        series=(
-            Series(
-                "first",
-                (*circle.directions, turn),
-                (*values, values[0]),
-                Message("figures.largest_tension_any"),
-            ),
-        ),
+        series=(Series("first", (*circle.directions, turn), (*values, values[0]), any_line),),
         marks=(Mark("reference", here, tension, Message("figures.case")),),
         levels=tuple(levels),
-        points=tuple(
-            Point(direction, each.largest_tension, _response_said(direction, each))
-            for direction, each in zip(circle.directions, circle.responses, strict=True)
-        ),
+        points=_round(circle, circle.directions, values),
         notes=tuple(notes),
     )
 
@@ -351,9 +325,9 @@ def watch_round(
 def restoring(
     curves: Sequence[RestoringCurve], solution: SystemSolution, most: float = math.inf
 ) -> Chart:
-    """Draw the force that holds the body over its offset along directions.
+    """Draw the force that holds the body over its offset, a curve a direction.
 
-    A curve a direction, up to `most` times the case's force.
+    Up to `most` times the case's force.
     """
     force = math.hypot(*solution.system.force)
     limit = most * force if force > 0.0 else math.inf
@@ -379,7 +353,7 @@ def restoring(
         marks=tuple(_case_on(solution, force)),
         levels=(Level("zero", "x", 0.0), Level("zero", "y", 0.0)),
         points=tuple(
-            Point(curve.offset[k], curve.force[k], _restoring_said(curve, k)) for curve, k in chosen
+            point for curve, ks in zip(curves, drawn, strict=True) for point in _held(curve, ks)
         ),
         notes=() if is_whole else (Message("figures.beyond", times=most),),
     )
@@ -397,16 +371,19 @@ def _towards(curve: RestoringCurve) -> str:
     return Message("figures.towards", angle=Measure("angle", curve.direction))
 
 
-def _restoring_said(curve: RestoringCurve, index: int) -> str:
-    response = curve.responses[index]
-    return Message(
+def _held(curve: RestoringCurve, ks: Sequence[int]) -> tuple[Point, ...]:
+    """Say what is known at places of a curve."""
+    offsets, forces = [curve.offset[k] for k in ks], [curve.force[k] for k in ks]
+    return pointed(
         "figures.held",
-        towards=_towards(curve),
-        offset=Measure("offset", curve.offset[index]),
-        along=Measure("horizontal_force", curve.force[index]),
-        across=Measure("horizontal_force", curve.force_across[index]),
-        T=Measure("tension", response.largest_tension),
-        line=response.most_loaded + 1,
+        offsets,
+        forces,
+        towards=("", [_towards(curve)] * len(ks)),
+        offset=("offset", offsets),
+        along=("horizontal_force", forces),
+        across=("horizontal_force", [curve.force_across[k] for k in ks]),
+        T=("tension", [curve.responses[k].largest_tension for k in ks]),
+        line=("", [curve.responses[k].most_loaded + 1 for k in ks]),
     )
 
 

@@ -8,7 +8,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from catopt.figures.chart import Area, Axis, Chart, Level, Mark, Point, Series, axis, span_of
+from catopt.figures.chart import (
+    Area,
+    Axis,
+    Chart,
+    Level,
+    Mark,
+    Point,
+    Series,
+    axis,
+    pointed,
+    span_of,
+)
 from catopt.figures.line import capacities, room_around
 from catopt.figures.mooring import from_above
 from catopt.quantities import Quantity
@@ -74,6 +85,7 @@ def history(part: DynamicPart, at_rest: float) -> Chart:
     when = times[tensions.index(largest)]
     said = Message("figures.largest_at", T=Measure("tension", largest), t=when)
     rest = Message("figures.at_rest", T=Measure("tension", at_rest))
+    up = Message("figures.fairlead_tension_axis")
     series = [Series("first", times, tensions, Message("figures.in_motion"))]
     if np.isfinite(still).any():
         series.insert(0, Series("second", times, still, Message("figures.quasi_static")))
@@ -81,30 +93,25 @@ def history(part: DynamicPart, at_rest: float) -> Chart:
         "motion",
         Message("figures.history", T=Measure("tension", largest), t=when),
         Axis(Message("figures.time"), _TIME, times[0], times[-1]),
-        axis(
-            "tension",
-            _from_zero([*tensions, *still, at_rest]),
-            Message("figures.fairlead_tension_axis"),
-        ),
+        axis("tension", _from_zero([*tensions, *still, at_rest]), up),
         series=tuple(series),
         marks=(Mark("reference", when, largest, said),),
         levels=(Level("rest", "y", at_rest, rest),),
-        points=tuple(
-            Point(t, T, _said(t, T, q)) for t, T, q in zip(times, tensions, still, strict=True)
-        ),
-        notes=(
-            Message(
-                "figures.window", a=times[0], b=times[-1], run=run.number + 1, runs=len(part.runs)
-            ),
-        ),
+        points=tuple(map(_said, times, tensions, still)),
+        notes=(Message("figures.window", a=times[0], b=times[-1], **_run(part)),),
     )
 
 
-def _said(t: float, tension: float, still: float) -> str:
+def _run(part: DynamicPart) -> dict[str, int]:
+    return {"run": part.governing.number + 1, "runs": len(part.runs)}
+
+
+def _said(t: float, tension: float, still: float) -> Point:
+    measures = {"T": Measure("tension", tension)}
     if math.isnan(still):
-        return Message("figures.at_time", t=t, T=Measure("tension", tension))
-    measures = {"T": Measure("tension", tension), "still": Measure("tension", still)}
-    return Message("figures.at_time_still", t=t, **measures)
+        return Point(t, tension, Message("figures.at_time", t=t, **measures))
+    measures["still"] = Measure("tension", still)
+    return Point(t, tension, Message("figures.at_time_still", t=t, **measures))
 
 
 def _from_zero(tensions: Sequence[float]) -> tuple[float, float]:
@@ -124,7 +131,7 @@ def whole_history(part: DynamicPart) -> Chart:
     )
     return Chart(
         "series",
-        Message("figures.whole_history", run=run.number + 1, runs=len(part.runs)),
+        Message("figures.whole_history", **_run(part)),
         Axis(Message("figures.time"), _TIME, 0.0, float(of.time[-1])),
         axis("tension", span_of(value for _, values, _ in ends for value in values.tolist())),
         series=tuple(
@@ -170,17 +177,18 @@ def envelope_chart(
     """
     arc, high, low = envelope(part)
     largest = max(high)
-    series: list[Series] = []
-    levels: list[Level] = []
-    notes: list[str] = []
-    rests: Sequence[float | None] = [None] * len(arc)
+    series, levels, notes = [], [], []
+    step = max(1, math.ceil(len(arc) / _MOST))
+    s, top, bottom = arc[::step], high[::step], low[::step]
+    key, rests = "figures.from_to", {}
     if at_rest is not None:
         profile = at_rest.profile(161)
         levels, notes = capacities(at_rest, allowed, largest)
         series = [Series("third", profile.s, profile.tension, Message("figures.still"))]
-        rests = np.interp(arc, profile.s, profile.tension).tolist()
+        at = np.interp(s, profile.s, profile.tension).tolist()
+        key, rests = "figures.from_to_still", {"still": ("tension", at)}
     tensions = [*high, *low, *(each.at for each in levels), *(T for one in series for T in one.y)]
-    step = max(1, math.ceil(len(arc) / _MOST))
+    known = {"s": ("s", s), "low": ("tension", bottom), "high": ("tension", top)} | rests
     return Chart(
         "envelope",
         Message("figures.envelope", T=Measure("tension", largest)),
@@ -193,20 +201,9 @@ def envelope_chart(
         ),
         levels=tuple(levels),
         areas=(Area("between", low, high, arc),),
-        points=tuple(
-            Point(arc[k], high[k], _along(arc[k], low[k], high[k], rests[k]))
-            for k in range(0, len(arc), step)
-        ),
+        points=pointed(key, s, top, **known),
         notes=tuple(notes),
     )
-
-
-def _along(s: float, low: float, high: float, rest: float | None) -> str:
-    tensions = {"low": Measure("tension", low), "high": Measure("tension", high)}
-    if rest is None:
-        return Message("figures.from_to", s=Measure("s", s), **tensions)
-    still = Measure("tension", rest)
-    return Message("figures.from_to_still", s=Measure("s", s), still=still, **tensions)
 
 
 def exceedance(part: DynamicPart) -> Chart | None:
@@ -218,13 +215,11 @@ def exceedance(part: DynamicPart) -> Chart | None:
     if tail is None:
         return None
     extreme, time = tail.extreme, lasting(tail.extreme.duration)
-    counted = [
-        (value, k * extreme.duration / tail.time)
-        for k, value in enumerate(tail.clusters[:_MOST_PEAKS], start=1)
-    ]
+    peaks = list(tail.clusters[:_MOST_PEAKS])
+    numbers = [k * extreme.duration / tail.time for k in range(1, len(peaks) + 1)]
     right = max(extreme.high, extreme.expected, tail.clusters[0])
     steps = np.linspace(tail.threshold, right, 101).tolist()
-    fitted = [(x, n) for x in steps if (n := tail.expected_above(x)) >= _RARE]
+    fitted = [x for x in steps if tail.expected_above(x) >= _RARE]
     interval = Message(
         "figures.most_probable",
         T=Measure("tension", extreme.most_probable),
@@ -232,8 +227,8 @@ def exceedance(part: DynamicPart) -> Chart | None:
         high=Measure("tension", extreme.high),
         confidence=extreme.confidence,
     )
-    peaks = Message("figures.peaks_counted", count=len(counted))
-    top = max(tail.expected_above(tail.threshold), counted[-1][1])
+    top = max(tail.expected_above(tail.threshold), numbers[-1])
+    counted = Message("figures.peaks_counted", count=len(peaks))
     return Chart(
         "exceedance",
         Message("figures.exceedance", time=time),
@@ -246,21 +241,25 @@ def exceedance(part: DynamicPart) -> Chart | None:
         series=(
             Series(
                 "first",
-                [x for x, _ in fitted],
-                [n for _, n in fitted],
+                fitted,
+                list(map(tail.expected_above, fitted)),
                 Message("figures.tail_fitted", shape=tail.shape),
             ),
         ),
         marks=(
-            *(Mark("peak", T, n, peaks) for T, n in counted),
+            *(Mark("peak", T, n, counted) for T, n in zip(peaks, numbers, strict=True)),
             Mark("probable", extreme.most_probable, 1.0),
         ),
         levels=(
             Level("interval", "y", 1.0, interval, max(extreme.low, tail.threshold), extreme.high),
         ),
-        points=tuple(
-            Point(T, n, Message("figures.peak", T=Measure("tension", T), number=n, time=time))
-            for T, n in counted
+        points=pointed(
+            "figures.peak",
+            peaks,
+            numbers,
+            T=("tension", peaks),
+            number=("", numbers),
+            time=("", [time] * len(peaks)),
         ),
     )
 
@@ -307,12 +306,13 @@ def track(found: DynamicVerification) -> Chart:
     low, high = way[:, :2].min(axis=0), way[:, :2].max(axis=0)
     furthest = found.body[-1].maximum
     x, y = zip(*places, strict=True)
+    corners = [tuple(low.tolist()), tuple(high.tolist())]
+    room = 0.05 * max(float((high - low).max()), 1e-3)
     return Chart(
         "system_motion_track",
         Message("figures.track", way=Measure("offset", furthest)),
-        *from_above([tuple(low.tolist()), tuple(high.tolist())],
-                    0.05 * max(float((high - low).max()), 1e-3)),
+        *from_above(corners, room),
         series=(Series("first", x, y, Message("figures.way_of_body")),),
         marks=(Mark("reference", x[0], y[0], Message("figures.still")),),
         to_scale=1.0,
-    )  # fmt: skip
+    )

@@ -31,15 +31,12 @@ def exceedance(result: StudyResult, of: Statistic) -> Chart:
     at = np.unique(np.searchsorted(-worse, -wanted, side="right") - 1)
     x, y = sorted_values[at].tolist(), worse[at].tolist()
     key = "worse_above" if of.kept.high_is_worse else "worse_below"
-    limits = () if of.limit is None else (
-        Level("capacity", "x", of.limit, Message("study.limit")),
-    )  # fmt: skip
-    ends = (*x, *([] if of.limit is None else [of.limit]))
+    limits = [] if of.limit is None else [of.limit]
     return Chart(
         "study",
         Message("study.exceedance"),
-        Axis(of.kept.words, replace(of.kept.measure, symbol=""), *span_of(ends)),
+        Axis(of.kept.words, replace(of.kept.measure, symbol=""), *span_of([*x, *limits])),
         Axis(Message(f"study.{key}"), _SHARE, 0.6 * rare, 1.4, foot=0.6 * rare),
         series=(Series("first", x, y, Message(f"study.{key}")),),
-        levels=limits,
+        levels=tuple(Level("capacity", "x", each, Message("study.limit")) for each in limits),
     )

@@ -6,7 +6,17 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from catopt.figures.chart import IN_TONNES, Axis, Chart, Level, Point, Series, axis, span_of
+from catopt.figures.chart import (
+    IN_TONNES,
+    Axis,
+    Chart,
+    Level,
+    Point,
+    Series,
+    axis,
+    pointed,
+    span_of,
+)
 from catopt.quantities import Quantity
 from catopt.words import Measure, Message
 
@@ -32,17 +42,12 @@ def fitness(swarm: SwarmReport) -> Chart:
     step = max(1, math.ceil((size + 1) / 8))
     ticks = tuple(10.0**power for power in range(low + size, low - 1, -step))
     label = Message("figures.run", run=swarm.best_run)
+    ends, up = (10.0**low, 10.0 ** (low + size)), Message("figures.best_objective")
     return Chart(
         "swarm",
         Message("figures.fitness"),
         _iterations(swarm),
-        axis(
-            "objective",
-            (10.0**low, 10.0 ** (low + size)),
-            Message("figures.best_objective"),
-            foot=0.0,
-            ticks=ticks,
-        ),
+        axis("objective", ends, up, foot=0.0, ticks=ticks),
         series=(Series("first", range(1, len(history) + 1), history, label),),
         levels=(Level("limit", "y", _CONVERGED, Message("figures.converged")),),
         points=_points(swarm, history),
@@ -74,7 +79,18 @@ def _shown(swarm: SwarmReport) -> int:
 
 
 def _points(swarm: SwarmReport, history: Sequence[float]) -> tuple[Point, ...]:
-    return tuple(Point(n, history[n - 1], _said(swarm, n)) for n in _pointed(len(history)))
+    """Say what is known of iterations: of all of a few, of some of many, and of the last."""
+    count = len(history)
+    step = max(1, math.ceil(count / _MOST_POINTS))
+    chosen = sorted({*range(1, count + 1, step), count} - {0})
+    return pointed(
+        "figures.iteration_at",
+        chosen,
+        [history[n - 1] for n in chosen],
+        iteration=("", chosen),
+        f=("objective", [swarm.best_objective_history[n - 1] for n in chosen]),
+        T=("tension", [swarm.tension_history[n - 1] for n in chosen]),
+    )
 
 
 def _iterations(swarm: SwarmReport) -> Axis:
@@ -85,18 +101,3 @@ def _stopped(swarm: SwarmReport) -> Iterator[str]:
     shown = _shown(swarm)
     if shown < len(swarm.best_objective_history):
         yield Message("figures.stopped", iteration=shown + 1, iterations=swarm.iterations)
-
-
-def _pointed(count: int) -> list[int]:
-    """Choose iterations that answer to the pointer: all of a few, some of many, and the last."""
-    step = max(1, math.ceil(count / _MOST_POINTS))
-    return sorted({*range(1, count + 1, step), count} - {0})
-
-
-def _said(swarm: SwarmReport, iteration: int) -> str:
-    return Message(
-        "figures.iteration_at",
-        iteration=iteration,
-        f=Measure("objective", swarm.best_objective_history[iteration - 1]),
-        T=Measure("tension", swarm.tension_history[iteration - 1]),
-    )

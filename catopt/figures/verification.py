@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from catopt.figures.chart import Area, Axis, Chart, Series, axis, span_of
 from catopt.quantities import Quantity
@@ -27,23 +26,13 @@ _MESHES = ("third", "first", "second")
 def comparison(pair: LinePair) -> tuple[Chart, Chart, Chart, Chart]:
     """Draw shape and tension by both models, and the differences of both for each mesh."""
     gaps = pair.gaps()
+    distances = [(each.arc.tolist(), each.distance.tolist()) for each in gaps]
+    differences = [(each.middles.tolist(), each.tension.tolist()) for each in gaps]
     return (
         _shapes(pair),
         _tensions(pair),
-        _differences(
-            "distance",
-            Message("figures.distance"),
-            Axis(Message("figures.distance_axis"), _DISTANCE, 0.0, 0.0, foot=0.0),
-            [(each.arc.tolist(), each.distance.tolist()) for each in gaps],
-            pair,
-        ),
-        _differences(
-            "difference",
-            Message("figures.difference"),
-            Axis(Message("figures.difference_axis"), _FORCE, 0.0, 0.0, foot=0.0),
-            [(each.middles.tolist(), each.tension.tolist()) for each in gaps],
-            pair,
-        ),
+        _differences("distance", _DISTANCE, distances, pair),
+        _differences("difference", _FORCE, differences, pair),
     )
 
 
@@ -86,9 +75,8 @@ def _tensions(pair: LinePair) -> Chart:
 
 
 def _differences(
-    name: str,
-    title: str,
-    up: Axis,
+    name: Literal["distance", "difference"],
+    quantity: Quantity,
     found: Sequence[tuple[Sequence[float], Sequence[float]]],
     pair: LinePair,
 ) -> Chart:
@@ -97,9 +85,9 @@ def _differences(
     bars = pair.trusses[0].mesh.elements
     return Chart(
         name,
-        title,
+        Message(f"figures.{name}"),
         axis("s", (0.0, pair.closed.line.length)),
-        replace(up, low=_DECADES * top, high=3.0 * top),
+        Axis(Message(f"figures.{name}_axis"), quantity, _DECADES * top, 3.0 * top, foot=0.0),
         series=tuple(
             Series(
                 _MESHES[number % len(_MESHES)],
