@@ -68,7 +68,8 @@ def plan(solution: SystemSolution) -> Chart:
 
 def size_of(places: Sequence[Place]) -> float:
     """Return the larger side of what holds places, m."""
-    return max(max(each) - min(each) for each in zip(*places, strict=True))
+    x, y = zip(*places, strict=True)
+    return float(max(max(x) - min(x), max(y) - min(y)))
 
 
 def from_above(places: Sequence[Place], room: float) -> tuple[Axis, Axis]:

@@ -177,7 +177,9 @@ def envelope_chart(
     """
     arc, high, low = envelope(part)
     largest = max(high)
-    series, levels, notes = [], [], []
+    series: list[Series] = []
+    levels: list[Level] = []
+    notes: list[str] = []
     step = max(1, math.ceil(len(arc) / _MOST))
     s, top, bottom = arc[::step], high[::step], low[::step]
     key, rests = "figures.from_to", {}

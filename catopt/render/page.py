@@ -154,12 +154,11 @@ def _block(block: Block, language: Language) -> Iterator[Any]:
             laid = {"caption": say(block.caption, language), "said": say(block.said, language)}
             yield {"kind": "text", "style": "small" if block.is_small else "", **laid}
         case Points() | Warnings() if block.said:
-            is_warning = isinstance(block, Warnings)
             yield {
                 "kind": "points",
-                "caption": "" if is_warning else say(block.caption, language),
+                "caption": say(block.caption, language) if isinstance(block, Points) else "",
                 "said": [say(each, language) for each in block.said],
-                "style": "warnings" if is_warning else "",
+                "style": "warnings" if isinstance(block, Warnings) else "",
             }
 
 
@@ -173,7 +172,7 @@ def _tables(table: Table, language: Language) -> Iterator[_Table]:
             say(caption, language),
             headings,
             [[_cell(each, row, language) for each in columns] for row in rows],
-            list(rows).index(table.marked) if table.marked in rows else None,
+            next((k for k, row in enumerate(rows) if row == table.marked), None),
         )
 
 
@@ -242,7 +241,8 @@ def _in_si(quantity: Quantity, si: float) -> str:
 def _trail(block: Trail, language: Language) -> _Table:
     """Lay steps out: what comes out, its equation, its numbers put in, and what others have."""
     steps = block.steps
-    columns = {Message("page.what"): [_words(each.name, language) for each in steps]}
+    columns: dict[str, list[_Cell]] = {}
+    columns[Message("page.what")] = [_words(each.name, language) for each in steps]
     if any(each.equation for each in steps):
         columns[Message("page.equation")] = [_Cell(each.equation) for each in steps]
     columns[Message("page.put_in")] = [_Cell(put_in(each), "formula") for each in steps]

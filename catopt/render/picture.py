@@ -180,7 +180,7 @@ def _legend(part: SubFigure, chart: Chart, wide: float, language: Language) -> N
     handles += [empty] * (len(labels) - len(handles))
     if labels:
         place: Any = {"loc": "outside lower center", "ncols": columns, "frameon": False}
-        room = {"handlelength": 2.4, "fontsize": _TYPE, "columnspacing": 1.4}
+        room: Any = {"handlelength": 2.4, "fontsize": _TYPE, "columnspacing": 1.4}
         for words in part.legend(handles, labels, **place, **room).get_texts():
             words.set_parse_math(False)
 
@@ -300,7 +300,7 @@ def _box(style: str, **look: Any) -> Any:
 
 def _beside(axes: Axes, words: str, place: Place, away: Place, **look: Any) -> None:
     """Write words at some points' distance from a place."""
-    kind = {"textcoords": "offset points", "fontsize": 8, "ha": "center"} | look
+    kind: dict[str, Any] = {"textcoords": "offset points", "fontsize": 8, "ha": "center"} | look
     axes.annotate(words, place, xytext=away, **kind)
 
 

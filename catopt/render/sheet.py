@@ -74,7 +74,7 @@ class Series(NamedTuple):
     rows: tuple[int, int]
     x: int
     y: int
-    look: Mapping[str, Any]
+    look: dict[str, Any]
     sheet: str = ""
     """Name of another sheet that has the cells."""
 
@@ -200,8 +200,8 @@ class Sheet:
                 self.write(place, column, cell)
         lines = [_lines(name, self.widths[column]) for column, name in enumerate(headings)]
         self.worksheet.set_row(top, _LINE_HEIGHT * max(2, *lines) + 3.0)
-        for place, cells in enumerate(rows, start=top + 1):
-            self._fold(place, cells)
+        for place, row in enumerate(rows, start=top + 1):
+            self._fold(place, row)
         self.row = top + len(rows) + 2
         return top
 
@@ -246,7 +246,7 @@ class Sheet:
         for series in chart.series:
             first, last = series.rows
             place = series.sheet or self.name
-            ranges = {
+            ranges: dict[str, Any] = {
                 "name": series.name,
                 "categories": [place, first, series.x, last, series.x],
                 "values": [place, first, series.y, last, series.y],
