@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
 
 from catopt.model import Line, Segment, SwarmSettings
-from catopt.reproduce.comparison import by_print, compare, item_of, study_of
-from catopt.reproduce.interval import Interval, interval
-from catopt.reproduce.items import Drawn, Input, Item, Study
-from catopt.reproduce.printed import Printed
-from catopt.reproduce.published import Published, published
-from catopt.reproduce.verdict import by_order, not_reproducible
+from catopt.reproduce.comparison import (
+    Interval,
+    by_order,
+    compare,
+    interval,
+    item_of,
+    not_reproducible,
+    study_of,
+)
+from catopt.reproduce.items import Drawn, Item, Printed, Study
+from catopt.reproduce.published import TF, Published, published
 from catopt.units import UNITS, Dimension
 from catopt.words import Message
 
@@ -26,7 +30,6 @@ ZERO = 1e-12
 """m: below it S1's objective, a sum of two lengths of about 10 m, is zero but for rounding."""
 
 _RESULTS = ("theta0_rad", "offset_m", "tension_tf")
-_TONNE_FORCE = UNITS[Dimension.FORCE]["tf"]
 _KGF_PER_M = UNITS[Dimension.FORCE_PER_LENGTH]["kgf/m"]
 _WEIGHTS = (9.0, 10.5)  # kgf/m, where the intervals of the weight are looked for
 
@@ -39,9 +42,8 @@ def study(progress: Progress | None = None) -> Study:
     solution = _solve_by_swarm(source, progress)
     by_swarm = _results(solution)
     in_closed_form = _results(_hang(source.inputs["submerged_weight_kgf_per_m"]))
-    made = study_of(
+    return study_of(
         source,
-        inputs=_inputs(source),
         items=(
             *_swarm_items(source, by_swarm),
             *compare(source, "fem", in_closed_form),
@@ -50,14 +52,14 @@ def study(progress: Progress | None = None) -> Study:
             *_error_items(source, "analytic", by_swarm),
         ),
         findings=(
-            _about_the_methods(),
+            Message("reproduce.results_by_finite_elements_analytic"),
             _about_the_weight(source),
             _about_the_tension(source),
-            _about_the_objective(),
+            Message("reproduce.printed_objective_3_55e_15", limit=ZERO),
         ),
         drawn=(Drawn("20 m of chain under 0.343 tf", solution),),
+        by_swarm=solution,
     )
-    return replace(made, by_swarm=solution)
 
 
 # ------------------------------------------------------------------ solving
@@ -69,32 +71,26 @@ def _line(weight: float) -> Line:
     return Line([Segment(length, weight * _KGF_PER_M)])
 
 
-def _force() -> float:
-    return published(NAME).inputs["horizontal_force_tf"] * _TONNE_FORCE
-
-
 @cache
 def _hang(weight: float) -> Solution:
     """Solve in closed form; weight in kgf/m."""
     from catopt.catenary.solve import solve
 
-    height = published(NAME).inputs["water_depth_m"]
-    return solve(_line(weight), height=height, horizontal_force=_force())
+    given = published(NAME).inputs
+    force = given["horizontal_force_tf"] * TF
+    return solve(_line(weight), height=given["water_depth_m"], horizontal_force=force)
 
 
 def _solve_by_swarm(source: Published, progress: Progress | None) -> Solution:
     from catopt.catenary.swarm import solve_swarm
 
-    runs = source.swarm["runs"]
+    given = source.inputs
+    particles, iterations, runs = (int(given[key]) for key in ("particles", "iterations", "runs"))
     return solve_swarm(
-        _line(source.inputs["submerged_weight_kgf_per_m"]),
-        height=source.inputs["water_depth_m"],
-        horizontal_force=_force(),
-        settings=SwarmSettings(
-            particles=source.swarm["particles"],
-            iterations=source.swarm["iterations"],
-            runs=runs,
-        ),
+        _line(given["submerged_weight_kgf_per_m"]),
+        height=given["water_depth_m"],
+        horizontal_force=given["horizontal_force_tf"] * TF,
+        settings=SwarmSettings(particles=particles, iterations=iterations, runs=runs),
         progress=None if progress is None else lambda done: progress(done, runs),
     )
 
@@ -104,7 +100,7 @@ def _results(solution: Solution) -> dict[str, float]:
     results = {
         "theta0_rad": solution.anchor.angle,
         "offset_m": solution.span,
-        "tension_tf": solution.fairlead.tension / _TONNE_FORCE,
+        "tension_tf": solution.fairlead.tension / TF,
     }
     if solution.swarm is not None:
         results["objective_m"] = solution.swarm.objective
@@ -114,32 +110,17 @@ def _results(solution: Solution) -> dict[str, float]:
 # ------------------------------------------------------------------ judging
 
 
-def _inputs(source: Published) -> tuple[Input, ...]:
-    given, swarm = source.inputs, source.swarm
-    return (
-        Input("water depth = fairlead height", f"{given['water_depth_m']:g}", "m"),
-        Input("line length, inextensible", f"{given['line_length_m']:g}", "m"),
-        Input("horizontal force", f"{given['horizontal_force_tf']:g}", "tf"),
-        Input(
-            "submerged weight",
-            f"{given['submerged_weight_kgf_per_m']:g}",
-            "kgf/m",
-            "not printed; identified, see below",
-        ),
-        *(Input(f"swarm: {key}", str(value), "") for key, value in swarm.items()),
-    )
-
-
-def _swarm_items(source: Published, ours: dict[str, float]) -> list[Item]:
+def _swarm_items(source: Published, ours: dict[str, float]) -> tuple[Item, ...]:
     table = source.printed["pso"]
     zero, wall_time = table["objective_m"], table["wall_time_s"]
     objective = by_order(zero, ours["objective_m"], ZERO, "m")
     other_machine = not_reproducible(Message("reproduce.authors_machine"))
-    return [
-        *(by_print(source, "pso", key, table[key], ours[key], "pso") for key in _RESULTS),
+    results = {key: table[key] for key in _RESULTS}
+    return (
+        *compare(source, "pso", ours, computed_by="pso", printed=results),
         item_of(source, "pso", "objective_m", zero, objective, ours["objective_m"], "pso"),
         item_of(source, "pso", "wall_time_s", wall_time, other_machine),
-    ]
+    )
 
 
 _FROM_DIGITS = {
@@ -149,26 +130,26 @@ _FROM_DIGITS = {
 }
 
 
-def _error_items(source: Published, method: str, ours: dict[str, float]) -> list[Item]:
+def _error_items(source: Published, method: str, ours: dict[str, float]) -> tuple[Item, ...]:
     """Judge Table 3: how far the swarm is from a method of reference [4], in percent.
 
     Only the numbers as printed give Table 3: |0.446 - 0.450| / 0.450 is 0.89 %, from the
     unrounded tension of the swarm it would be 0.82 %. So ours is rounded likewise.
     """
-    items = []
+    table, errors, remarks = {}, {}, {}
     for key, printed in source.printed["error_percent"].items():
+        quantity = f"{key.rpartition('_')[0]}_error_percent"
         reference = source.printed[method][key]
         rounded = source.printed["pso"][key].rounding(ours[key])
-        error = _percent(float(rounded), reference.value)
+        table[quantity] = printed
+        errors[quantity] = _percent(float(rounded), reference.value)
         unrounded = printed.rounding(_percent(ours[key], reference.value))
-        remark: str = ""
         if unrounded != printed.text:
             from_digits = f"|{rounded} - {reference.text}| / {reference.text}"
-            remark = Message(_FROM_DIGITS[key], computed=from_digits, unrounded=unrounded)
-        quantity = f"{key.rpartition('_')[0]}_error_percent"
-        against = f"pso against {method}"
-        items.append(by_print(source, against, quantity, printed, error, "pso", remark))
-    return items
+            remarks[quantity] = Message(
+                _FROM_DIGITS[key], computed=from_digits, unrounded=unrounded
+            )
+    return compare(source, f"pso against {method}", errors, remarks, "pso", table)
 
 
 def _percent(value: float, reference: float) -> float:
@@ -181,10 +162,6 @@ def _percent(value: float, reference: float) -> float:
 def _weights_for(key: str, printed: Printed) -> Interval:
     """Find the weights, kgf/m, for which a quantity prints so."""
     return interval(lambda weight: _results(_hang(weight))[key], printed, _WEIGHTS)
-
-
-def _about_the_methods() -> str:
-    return Message("reproduce.results_by_finite_elements_analytic")
 
 
 def _about_the_weight(source: Published) -> str:
@@ -223,7 +200,3 @@ def _about_the_tension(source: Published) -> str:
         again=printed.text,
         **values,
     )
-
-
-def _about_the_objective() -> str:
-    return Message("reproduce.printed_objective_3_55e_15", limit=ZERO)

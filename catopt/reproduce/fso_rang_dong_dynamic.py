@@ -12,11 +12,10 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import TYPE_CHECKING, Literal
 
-from catopt.model import Line, System
 from catopt.reproduce import fso_rang_dong
 from catopt.reproduce.comparison import set_aside, study_of
 from catopt.reproduce.items import Input, SideBySide, Study, in_unit
-from catopt.reproduce.published import Published, published
+from catopt.reproduce.published import KN, Published, published
 from catopt.units import UNITS, Dimension
 from catopt.words import Message, term
 
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from catopt.fem import Harmonic, LineProperties
-    from catopt.waves import Spectrum, Waves
+    from catopt.waves import Waves
 
 NAME = "fso_rang_dong_dynamic"
 
@@ -47,7 +46,6 @@ CRITICAL_RATIO = 1.0
 BARS_ON_FREE_BED = (15, 6, 3, 3)
 """Of the segments from the anchor."""
 
-_KN = UNITS[Dimension.FORCE]["kN"]
 _MM = UNITS[Dimension.LENGTH]["mm"]
 _LOOK = 0.05
 """Step of time in which the highest crest is looked for, s."""
@@ -69,19 +67,33 @@ class Maxima:
 def study() -> Study:
     """Run both spectra on both beds; set the maxima beside the printed ones and judge none."""
     source = published(NAME)
-    made = study_of(
+    given, ours = source.inputs, "ours; S4's is not known"
+    far = [run(of, "pushes only").offset for of in _SPECTRA]
+    return study_of(
         source,
-        inputs=_inputs(source),
         items=[item for method in source.printed for item in set_aside(source, method, _REASON)],
         findings=(
-            _about_the_series(source),
+            Message(
+                "reproduce.force_synthetic_series_ft_t",
+                mean=given["mean_force_x_kN"],
+                sample=given["sample_force_x_kN"],
+                time=given["sample_time_s"],
+            ),
             _about_the_order(source),
             _about_the_mass(),
             _about_the_prints(source),
-            _about_the_bed(),
+            Message("reproduce.on_bed_only_pushes_with", offset=_shown(max(far))),
         ),
+        ours=(
+            Input("seed", f"{SEED}", "", "ours"),
+            Input("mass of the turret node", f"{BODY_MASS / 1e3:g}", "t", ours),
+            Input("axial damping of a bar, of critical", f"{CRITICAL_RATIO:g}", "", ours),
+            Input("waves, current and wind on the lines", "none: still water", "", "ours"),
+            Input("time step", f"{STEP:g}", "s", ours),
+            Input("ramp, after which maxima are taken", f"{RAMP_TIME:g}", "s", ours),
+        ),
+        side_by_side=(_beside_the_prints(source), _both_beds()),
     )
-    return replace(made, side_by_side=(_beside_the_prints(source), _both_beds()))
 
 
 # ------------------------------------------------------------------ the synthetic force
@@ -100,16 +112,15 @@ def synthetic_force(of: SeaSpectrum) -> Harmonic:
 
     given = published(NAME).inputs
     waves = _sea(of)
-    phase = waves.phase - waves.omega * _origin(waves)
-    at_sample = np.array([given["sample_time_s"]])
-    crest = _elevation(waves.amplitude, waves.omega, phase, at_sample)[0]
-    wanted = (given["sample_force_x_kN"] - given["mean_force_x_kN"]) * _KN
+    waves = replace(waves, phase=waves.phase - waves.omega * _origin(waves))
+    crest = _elevation(waves, np.array([given["sample_time_s"]]))[0]
+    wanted = (given["sample_force_x_kN"] - given["mean_force_x_kN"]) * KN
     amplitude = np.zeros((waves.count, 3))
     amplitude[:, 0] = wanted / crest * waves.amplitude
     return Harmonic(
         period=tuple(2.0 * np.pi / waves.omega),
         amplitude=amplitude,
-        phase=np.repeat(-phase[:, np.newaxis], 3, axis=1),
+        phase=np.repeat(-waves.phase[:, np.newaxis], 3, axis=1),
     )
 
 
@@ -117,19 +128,11 @@ def _sea(of: SeaSpectrum) -> Waves:
     """Draw a sea of the spectrum in S4's Table 4.4, in the frequencies of that table."""
     import numpy as np
 
-    from catopt.waves import random_waves
-
-    spectrum, between = _spectrum(of)
-    count = int(published(NAME).inputs["wave_components"])
-    return random_waves(spectrum, count, np.random.default_rng(SEED), bands="S4", between=between)
-
-
-def _spectrum(of: SeaSpectrum) -> tuple[Spectrum, tuple[float, float]]:
-    """Spectrum and range of frequencies, rad/s, by S4's rules."""
     from catopt.waves import (
         jonswap,
         peak_from_mean,
         pierson_moskowitz,
+        random_waves,
         s4_range_jonswap,
         s4_range_pierson_moskowitz,
         zero_crossing_from_mean,
@@ -137,14 +140,14 @@ def _spectrum(of: SeaSpectrum) -> tuple[Spectrum, tuple[float, float]]:
 
     given = published(NAME).inputs
     height, mean = given["significant_wave_height_m"], given["mean_wave_period_s"]
-    peak = peak_from_mean(mean)
+    peak, count = peak_from_mean(mean), int(given["wave_components"])
     if of == "JONSWAP":
         spectrum = jonswap(height, peak, normalisation="S4")
-        return spectrum, s4_range_jonswap(spectrum)
-    return (
-        pierson_moskowitz(height, peak),
-        s4_range_pierson_moskowitz(zero_crossing_from_mean(mean)),
-    )
+        between = s4_range_jonswap(spectrum)
+    else:
+        spectrum = pierson_moskowitz(height, peak)
+        between = s4_range_pierson_moskowitz(zero_crossing_from_mean(mean))
+    return random_waves(spectrum, count, np.random.default_rng(SEED), bands="S4", between=between)
 
 
 def _origin(waves: Waves) -> float:
@@ -159,23 +162,19 @@ def _origin(waves: Waves) -> float:
     first = 0
     while True:
         times = _LOOK * (first + np.arange(length + 1, dtype=np.float64))
-        level = _elevation(waves.amplitude, waves.omega, waves.phase, times)
+        level = _elevation(waves, times)
         moved = first + int(level.argmax()) - before
         if moved == first:
             return _LOOK * first
         first = moved
 
 
-def _elevation(
-    amplitude: npt.NDArray[np.float64],
-    omega: npt.NDArray[np.float64],
-    phase: npt.NDArray[np.float64],
-    times: npt.NDArray[np.float64],
-) -> npt.NDArray[np.float64]:
+def _elevation(waves: Waves, times: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
     """Sum of a cos(phase - omega t), m, at each time."""
     import numpy as np
 
-    level: npt.NDArray[np.float64] = np.cos(phase - np.outer(times, omega)) @ amplitude
+    angles = waves.phase - np.outer(times, waves.omega)
+    level: npt.NDArray[np.float64] = np.cos(angles) @ waves.amplitude
     return level
 
 
@@ -199,14 +198,16 @@ def _run(of: SeaSpectrum, bed: BedModel, mass: float) -> Maxima:
     from catopt.verify.system import truss_legs
 
     source, mooring = published(NAME), published(fso_rang_dong.NAME)
-    legs, height = truss_legs(_with_mass(fso_rang_dong.turret(mooring), source), 0.0)
-    segments = len(legs[0].line.segments)
-    as_run = [int(mooring.inputs["elements_per_segment"])] * segments
+    light = fso_rang_dong.turret(mooring)
+    masses = zip(light.legs[0].line.segments, source.series["mass_kg_per_m"], strict=True)
+    segments = [replace(segment, mass=mass) for segment, mass in masses]
+    legs, height = truss_legs(fso_rang_dong.with_segments(light, segments), 0.0)
+    as_run = [int(mooring.inputs["elements_per_segment"])] * len(segments)
     history = run_system_dynamics(
         legs,
         TimeStepping(source.inputs["duration_s"], STEP, ramp_time=RAMP_TIME),
         height=height,
-        mean_force=(source.inputs["mean_force_x_kN"] * _KN, 0.0),
+        mean_force=(source.inputs["mean_force_x_kN"] * KN, 0.0),
         force=synthetic_force(of),
         body=BodyInertia(mass=mass),
         properties=_properties(source, mooring, bed),
@@ -217,14 +218,6 @@ def _run(of: SeaSpectrum, bed: BedModel, mass: float) -> Maxima:
         tension=tuple(history.line_max_tension(k) for k in range(len(legs))),
         offset=float(np.linalg.norm(place, axis=1).max()),
     )
-
-
-def _with_mass(system: System, source: Published) -> System:
-    """Give the segments of every line their printed mass."""
-    (line,) = {leg.line for leg in system.legs}
-    pairs = zip(line.segments, source.series["mass_kg_per_m"], strict=True)
-    heavy = Line([replace(segment, mass=mass) for segment, mass in pairs])
-    return replace(system, legs=tuple(replace(leg, line=heavy) for leg in system.legs))
 
 
 def _properties(source: Published, mooring: Published, bed: BedModel) -> LineProperties:
@@ -242,65 +235,11 @@ def _properties(source: Published, mooring: Published, bed: BedModel) -> LinePro
     )
 
 
-# ------------------------------------------------------------------ inputs
-
-
-def _inputs(source: Published) -> tuple[Input, ...]:
-    given, series = source.inputs, source.series
-
-    def listed(key: str) -> str:
-        return ", ".join(f"{value:g}" for value in series[key])
-
-    ours = "ours; S4's is not known"
-    sea = Message("reproduce.printed_table", number="4.4")
-    return (
-        Input("mooring", Message("reproduce.as_in", study="fso_rang_dong"), ""),
-        Input("mean force on the turret along x", f"{given['mean_force_x_kN']:g}", "kN"),
-        Input(
-            Message("reproduce.force_sample", axis="x", time=100),
-            f"{given['sample_force_x_kN']:g}",
-            "kN",
-            "printed sample",
-        ),
-        Input(
-            Message("reproduce.force_sample", axis="z", time=100),
-            f"{given['sample_force_z_kN']:g}",
-            "kN",
-            "printed sample; not used: the turret is held in height",
-        ),
-        Input("significant wave height", f"{given['significant_wave_height_m']:g}", "m", sea),
-        Input("mean wave period", f"{given['mean_wave_period_s']:g}", "s", sea),
-        Input("wave components", f"{given['wave_components']:g}", ""),
-        Input("duration", f"{given['duration_s']:g}", "s"),
-        Input("mass, from the anchor", listed("mass_kg_per_m"), "kg/m"),
-        Input("diameter", listed("diameter_mm"), "mm"),
-        Input("drag coefficient CD", listed("CD"), ""),
-        Input("inertia coefficient CM", listed("CM"), "", "printed; 0.7 is taken as 1"),
-        Input("force between the samples", "SYNTHETIC, see below", "", ours),
-        Input("seed", f"{SEED}", "", "ours"),
-        Input("mass of the turret node", f"{BODY_MASS / 1e3:g}", "t", ours),
-        Input("axial damping of a bar, of critical", f"{CRITICAL_RATIO:g}", "", ours),
-        Input("waves, current and wind on the lines", "none: still water", "", "ours"),
-        Input("time step", f"{STEP:g}", "s", ours),
-        Input("ramp, after which maxima are taken", f"{RAMP_TIME:g}", "s", ours),
-    )
-
-
 # ------------------------------------------------------------------ findings
 
 
-def _about_the_series(source: Published) -> str:
-    given = source.inputs
-    return Message(
-        "reproduce.force_synthetic_series_ft_t",
-        mean=given["mean_force_x_kN"],
-        sample=given["sample_force_x_kN"],
-        time=given["sample_time_s"],
-    )
-
-
 def _about_the_order(source: Published) -> str:
-    ours = [run(of).tension[1] / _KN for of in _SPECTRA]
+    ours = [run(of).tension[1] / KN for of in _SPECTRA]
     printed = [table["line_2_tension_max_kN"].value for table in source.printed.values()]
     return Message(
         "reproduce.no_printed_maximum_reproduced_none",
@@ -317,26 +256,26 @@ def _about_the_mass() -> str:
         "reproduce.what_moves_with_turret_not",
         light=BODY_MASS / 1e3,
         heavy=TENFOLD_MASS / 1e3,
-        tension=_shown(heavy.tension[1] / _KN),
-        instead=_shown(light.tension[1] / _KN),
+        tension=_shown(heavy.tension[1] / KN),
+        instead=_shown(light.tension[1] / KN),
     )
 
 
 def _about_the_prints(source: Published) -> str:
     printed = source.printed["MOORING_2017, Pierson-Moskowitz"]
     tension, offset = printed["line_2_tension_max_kN"], printed["turret_offset_max_m"]
-    force = _force_at_rest(tension.value * _KN)
+    force = _force_at_rest(tension.value * KN)
     at_rest = fso_rang_dong.as_run(force=-force)
-    back = [float(line.tension.max()) / _KN for line in fso_rang_dong.as_run(force=_AWAY).lines]
-    leeward = max(float(line.tension.max()) for line in at_rest.lines[3:]) / _KN
+    back = [float(line.tension.max()) / KN for line in fso_rang_dong.as_run(force=_AWAY).lines]
+    leeward = max(float(line.tension.max()) for line in at_rest.lines[3:]) / KN
     return Message(
         "reproduce.this_much_can_be_said",
         tension=tension.value,
-        force=force / _KN,
+        force=force / KN,
         offset=-at_rest.position[0],
         printed=offset.text,
         leeward=leeward,
-        away=_AWAY / _KN,
+        away=_AWAY / KN,
         most=back[5],
         least=back[3],
     )
@@ -353,11 +292,6 @@ def _force_at_rest(tension: float) -> float:
     return float(brentq(missing, tension, 4.0 * tension, rtol=1e-9))
 
 
-def _about_the_bed() -> str:
-    offset = max(run(of, "pushes only").offset for of in _SPECTRA)
-    return Message("reproduce.on_bed_only_pushes_with", offset=_shown(offset))
-
-
 # ------------------------------------------------------------------ side by side
 
 
@@ -372,7 +306,7 @@ def _beside_the_prints(source: Published) -> SideBySide:
             ours = [_shown(answer.offset) for answer in answers]
             rows.append((in_unit("turret offset", "m"), *printed, *ours))
         else:
-            ours = [_shown(answer.tension[index] / _KN) for answer in answers]
+            ours = [_shown(answer.tension[index] / KN) for answer in answers]
             rows.append((Message("reproduce.line_force", number=index + 1), *printed, *ours))
     return SideBySide(
         "Largest in 1,200 s: orders of magnitude, not a reproduction",
@@ -392,7 +326,7 @@ def _both_beds() -> SideBySide:
         for bed, words in beds.items():
             answer = run(of, bed)
             windward, leeward = max(answer.tension[:3]), max(answer.tension[3:])
-            forces = _shown(windward / _KN), _shown(leeward / _KN)
+            forces = _shown(windward / KN), _shown(leeward / KN)
             rows.append(
                 (
                     Message("reproduce.spectrum_on", spectrum=of, bed=term(words)),

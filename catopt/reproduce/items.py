@@ -3,14 +3,60 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from decimal import Decimal
+from typing import TYPE_CHECKING, Any, Literal
 
-from catopt.reproduce.printed import Printed
-from catopt.reproduce.verdict import Judgement, Verdict
 from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
+
+Verdict = Literal["reproduces", "differs", "not reproducible"]
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A number as printed, such as ``"17.430"``; the closing zero is a claim."""
+
+    text: str
+
+    @property
+    def value(self) -> float:
+        """The number."""
+        return float(self.text)
+
+    @property
+    def decimals(self) -> int:
+        """Digits after the point; of ``3.55e-15`` they are 17."""
+        exponent = Decimal(self.text).as_tuple().exponent
+        assert isinstance(exponent, int), f"{self.text} is not a finite number"
+        return -exponent
+
+    @property
+    def digits(self) -> int:
+        """Significant digits: 5 in ``17.430``. A printed zero counts its decimals."""
+        number = Decimal(self.text)
+        return len(number.as_tuple().digits) if number else self.decimals
+
+    def rounding(self, value: float, *, further: int = 0) -> str:
+        """Write a value to the decimals of this print."""
+        return f"{value:.{self.decimals + further}f}"
+
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """The least and the largest value that prints so."""
+        half = Decimal(5).scaleb(-self.decimals - 1)
+        number = Decimal(self.text)
+        return float(number - half), float(number + half)
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """A verdict, the computed number as it is compared, and the reason where one is due."""
+
+    verdict: Verdict
+    computed_text: str
+    reason: str = ""
 
 
 @dataclass(frozen=True)
@@ -116,11 +162,8 @@ class SideBySide:
 
     def to_dict(self) -> dict[str, Any]:
         """Build this table's part of the document."""
-        return {
-            "title": self.title,
-            "header": list(self.header),
-            "rows": [list(row) for row in self.rows],
-        }
+        rows = [list(row) for row in self.rows]
+        return {"title": self.title, "header": list(self.header), "rows": rows}
 
 
 def in_unit(quantity: str, unit: str) -> Message:
@@ -209,11 +252,9 @@ class Study:
 
     def to_dict(self) -> dict[str, Any]:
         """Build this study's part of the document: everything but its items."""
+        heading = ("name", "title", "source", "source_title", "source_where", "where")
         return {
-            **{
-                key: getattr(self, key)
-                for key in ("name", "title", "source", "source_title", "source_where", "where")
-            },
+            **{key: getattr(self, key) for key in heading},
             "inputs": [dict(vars(given)) for given in self.inputs],
             "findings": list(self.findings),
             "side_by_side": [table.to_dict() for table in self.side_by_side],

@@ -13,15 +13,9 @@ from functools import cache
 from typing import TYPE_CHECKING, Final, Literal, get_args
 
 from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Input, SideBySide, Study
-from catopt.reproduce.printed import Printed
-from catopt.reproduce.published import Published, published
-from catopt.reproduce.reference_moorings import (
-    input_of,
-    inputs_of,
-    segment_of,
-    solve_one_line,
-)
+from catopt.reproduce.items import Input, Printed, SideBySide, Study
+from catopt.reproduce.published import KN, Published, published
+from catopt.reproduce.reference_moorings import segment_of, solve_one_line
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -44,18 +38,12 @@ DURATION: Final = 50.0
 SETTLED: Final = {CHAIN: 30.0, CABLE: 40.0}
 """s from the start of a run, after which extremes are taken."""
 _SINE: Final = -0.5 * math.pi
-_KN: Final = 1e3
 _HEAVES: Final[tuple[tuple[Depth, Heave], ...]] = ((50, 2), (50, 5), (600, 2), (600, 5))
 
 
-def _inputs(source: Published) -> tuple[Input, ...]:
-    varied = (
-        input_of(key, ", ".join(f"{value:g}" for value in values))
-        for key, values in source.series.items()
-        if not key.startswith("moordyn")
-    )
-    bars = Input("bars", f"{BARS[source.name]}", "", "ours")
-    return (*inputs_of(source), *varied, bars, Input("time step", f"{STEP:g}", "s", "ours"))
+def _ours(name: str) -> tuple[Input, ...]:
+    bars = Input("bars", f"{BARS[name]}", "", "ours")
+    return bars, Input("time step", f"{STEP:g}", "s", "ours")
 
 
 # ------------------------------------------------------------------ chains
@@ -73,8 +61,8 @@ def chain_study() -> Study:
         *compare(source, at_rest, lifted, said),
         *compare(source, in_heave, computed, remarks, "truss"),
     ]
-    made = study_of(source, _inputs(source), items, _about_the_chains(rows))
-    return replace(made, side_by_side=(_beside_moordyn(rows),))
+    findings, beside = _about_the_chains(rows), _beside_moordyn(rows)
+    return study_of(source, items, findings, _ours(CHAIN), side_by_side=(beside,))
 
 
 def contact_offset() -> float:
@@ -83,7 +71,7 @@ def contact_offset() -> float:
     It sinks in by w / (k D), where the bed of k over the contact diameter D carries its weight w.
     """
     given = published(CHAIN).inputs
-    D, k = given["contact_diameter_m"], given["bed_stiffness_kN_per_m3"] * _KN
+    D, k = given["contact_diameter_m"], given["bed_stiffness_kN_per_m3"] * KN
     return 0.5 * D - segment_of(chain_of(50)).submerged_weight / (k * D)
 
 
@@ -103,7 +91,7 @@ def _end_tensions(offset: float) -> dict[str, float]:
     """Tensions of the chains at rest in closed form, kN, by the quantities of the print."""
     depths: tuple[Depth, ...] = get_args(Depth)
     return {
-        f"{end}_tension_{depth}m_kN": getattr(line, end).tension / _KN
+        f"{end}_tension_{depth}m_kN": getattr(line, end).tension / KN
         for depth, line in ((each, solve_one_line(chain_of(each, offset))) for each in depths)
         for end in ("fairlead", "anchor")
     }
@@ -123,7 +111,7 @@ def run_chain(depth: Depth, heave: Heave, step: float = STEP) -> History:
     D = given["contact_diameter_m"]
     source = chain_of(depth, 0.5 * D)
     bed = Seabed(
-        given["bed_stiffness_kN_per_m3"] * _KN * D,
+        given["bed_stiffness_kN_per_m3"] * KN * D,
         friction=given["friction_in_motion"],
         initial_friction="none",
     )
@@ -157,7 +145,7 @@ def _properties(
 def extremes(history: History) -> tuple[float, float]:
     """Largest and smallest tension at the upper end once the motion has settled, kN."""
     found = history.tension_statistics()
-    return found.maximum / _KN, found.minimum / _KN
+    return found.maximum / KN, found.minimum / KN
 
 
 @dataclass(frozen=True)
@@ -239,13 +227,8 @@ def cable_study() -> Study:
         for case in get_args(CableCase)
         for which, value in zip(("max", "min"), extremes(run_cable(case)), strict=True)
     }
-    line = Input("line", Message("reproduce.as_in", study="hanging_cable"), "")
-    return study_of(
-        source,
-        (line, *_inputs(source)),
-        compare(source, method, computed, computed_by="truss"),
-        (Message("reproduce.cable_read"),),
-    )
+    items = compare(source, method, computed, computed_by="truss")
+    return study_of(source, items, (Message("reproduce.cable_read"),), _ours(CABLE))
 
 
 def cable_sea(case: CableCase) -> Sea:

@@ -3,31 +3,29 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, Final
 
-from catopt.reproduce.printed import Printed
+from catopt.reproduce.items import Input, Printed
+from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Language, Told
+
+KN: Final = UNITS[Dimension.FORCE]["kN"]
+TF: Final = UNITS[Dimension.FORCE]["tf"]
+
+Given = Mapping[str, float | tuple[float, ...]]
 
 
 @dataclass(frozen=True)
 class Published:
     """One table of ``published.toml`` with its source.
 
-    Attributes
-    ----------
-    name, title, where : str
-        By which it is looked up, what it is about and where in the source.
-    source, source_title, source_where : str
-        The source's short name, title and publication.
-    inputs, swarm : dict
-        Numbers that went in, with the unit in the key; settings of a swarm.
-    series : dict of str to tuple of float
-        Inputs that were varied, with the unit in the key.
-    printed : dict of str to dict of str to Printed
-        By the source's method, then by quantity with its unit.
+    `inputs`, `series`: numbers that went in, and those that were varied, with the unit in the key;
+    `stated`: what is said of them; `printed`: by the source's method, then by quantity with its
+    unit.
     """
 
     name: str
@@ -37,8 +35,8 @@ class Published:
     source_title: str
     source_where: str
     inputs: dict[str, float]
-    swarm: dict[str, int]
     series: dict[str, tuple[float, ...]]
+    stated: tuple[Input, ...]
     printed: dict[str, dict[str, Printed]]
 
 
@@ -53,12 +51,11 @@ def _said(text: str | dict[Language, str]) -> str:
 
 
 def published(name: str) -> Published:
-    """Look up a published calculation.
-
-    `name`: of its table in ``published.toml``.
-    """
+    """Look up a published calculation by the name of its table in ``published.toml``."""
     table = _data()[name]
     source = _data()["sources"][table["source"]]
+    inputs = table.get("inputs", {})
+    series = {key: tuple(values) for key, values in table.get("series", {}).items()}
     return Published(
         name=name,
         title=_said(table["title"]),
@@ -66,11 +63,29 @@ def published(name: str) -> Published:
         source=table["source"],
         source_title=Cited(source["title"]),
         source_where=Cited(source["where"]),
-        inputs=table.get("inputs", {}),
-        swarm=table.get("swarm", {}),
-        series={key: tuple(values) for key, values in table.get("series", {}).items()},
+        inputs=inputs,
+        series=series,
+        stated=tuple(_stated(row, series | inputs) for row in table.get("stated", inputs)),
         printed={
             method: {quantity: Printed(text) for quantity, text in numbers.items()}
             for method, numbers in table["printed"].items()
         },
     )
+
+
+def _stated(row: str | list[Any], given: Given) -> Input:
+    """Say what went in, by a row of ``stated`` as the head of ``published.toml`` describes it."""
+    if isinstance(row, str):
+        words, unit = _data()["labels"][row]
+        row = [words, row, unit]
+    words, value, unit, *origin = row
+    if isinstance(value, str):
+        value = ", ".join(_written(given.get(key, key)) for key in value.split(", "))
+    return Input(_said(words), _said(value), unit, *map(_said, origin))
+
+
+def _written(value: str | float | tuple[float, ...]) -> str:
+    """Write numbers with the digits that they have; words stay as they are."""
+    if isinstance(value, tuple):
+        return ", ".join(map(_written, value))
+    return value if isinstance(value, str) else f"{value:.9g}"

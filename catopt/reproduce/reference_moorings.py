@@ -1,15 +1,16 @@
-"""Moorings that everybody computes: three floating turbines, and lines of other programs."""
+"""Moorings that everybody computes: floating turbines, other programs' lines, and a bridle."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
+from operator import attrgetter
 from typing import TYPE_CHECKING, Final
 
-from catopt.model import Line, Segment, System
+from catopt.model import Line, Segment, Site, System
+from catopt.model.network import LineBetween, Network, Point
 from catopt.reproduce.comparison import compare, study_of
-from catopt.reproduce.items import Drawn, Input, Item, Study
+from catopt.reproduce.items import Drawn, Item, Study
 from catopt.reproduce.published import Published, published
 from catopt.words import Message
 
@@ -17,56 +18,25 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.mooring.held import HeldBody
 
+SURGE: Final = (5.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""m: by how much the body of the bridle goes ahead."""
+
 _TURN: Final = 0.03
 """rad: the step of the differences that explain OC3's matrix."""
 
 NAMES: Final = ("oc3", "oc4", "volturnus", "steep_chain", "hanging_cable", "moordyn_line")
 
 _UNIT = {"kN": 1e3, "N": 1.0, "m": 1.0, "deg": math.radians(1.0)}
-_ONE_LINE: dict[str, Callable[[Solution], float]] = {
-    "horizontal_force": lambda line: line.fairlead.horizontal_force,
-    "vertical_force": lambda line: line.fairlead.vertical_force,
-    "fairlead_tension": lambda line: line.fairlead.tension,
-    "fairlead_angle": lambda line: line.fairlead.angle,
-    "anchor_horizontal_force": lambda line: line.anchor.horizontal_force,
-    "anchor_vertical_force": lambda line: line.anchor.vertical_force,
-    "grounded_length": lambda line: line.grounded_length,
+_ONE_LINE: Final = {
+    "horizontal_force": attrgetter("fairlead.horizontal_force"),
+    "vertical_force": attrgetter("fairlead.vertical_force"),
+    "fairlead_tension": attrgetter("fairlead.tension"),
+    "fairlead_angle": attrgetter("fairlead.angle"),
+    "anchor_horizontal_force": attrgetter("anchor.horizontal_force"),
+    "anchor_vertical_force": attrgetter("anchor.vertical_force"),
+    "grounded_length": attrgetter("grounded_length"),
 }
 """What is printed of one line, in SI."""
-
-
-_INPUTS = {
-    "gravity_m_per_s2": ("gravity", "m/s2"),
-    "water_density_kg_per_m3": ("water density", "kg/m3"),
-    "water_depth_m": ("water depth", "m"),
-    "span_m": ("span", "m"),
-    "fairlead_height_m": ("fairlead height", "m"),
-    "anchor_height_m": ("anchor height", "m"),
-    "line_length_m": ("line length", "m"),
-    "mass_kg_per_m": ("mass in air", "kg/m"),
-    "volume_diameter_m": ("volume-equivalent diameter", "m"),
-    "EA_N": ("axial stiffness", "N"),
-    "anchor_radius_m": ("anchor radius", "m"),
-    "fairlead_radius_m": ("fairlead radius", "m"),
-    "fairlead_depth_m": ("fairlead depth", "m"),
-    "first_azimuth_deg": ("azimuth of the first of three lines", "deg"),
-    "seabed_friction": ("seabed friction, of the one line", ""),
-    "span_east_m": ("span of the one line, along x", "m"),
-    "span_north_m": ("span of the one line, along y", "m"),
-    "contact_diameter_m": ("contact diameter", "m"),
-    "damping_ratio": ("axial damping of a bar, of critical", ""),
-    "drag_coefficient": ("drag coefficient CD", ""),
-    "axial_drag_on_pi_D": ("axial drag coefficient, on pi D", ""),
-    "added_mass_coefficient": ("added mass coefficient", ""),
-    "bed_stiffness_kN_per_m3": ("stiffness of the bed", "kN/m3"),
-    "friction_in_motion": ("seabed friction", ""),
-    "heave_period_s": ("period of the motion", "s"),
-    "motion_period_s": ("period of the motion", "s"),
-    "motion_amplitude_m": ("amplitude of the motion", "m"),
-    "wave_amplitude_m": ("wave amplitude", "m"),
-    "wave_period_s": ("wave period", "s"),
-}
-"""How inputs are called, and their units."""
 
 
 def study(name: str) -> Study:
@@ -76,37 +46,37 @@ def study(name: str) -> Study:
     items: list[Item] = []
     for method, printed in source.printed.items():
         if method.endswith("linearised"):
-            items += _linearised(source, method)
+            body = _held(source)
+            computed = linearised(body)
+            swapped = Message("reproduce.digits_swapped", single=-body.load[2] / 3e3)
+            remarks: dict[str, str] = {"vertical_load_kN": swapped} if name == "oc4" else {}
         else:
-            computed = {quantity: _of_line(line, quantity) for quantity in printed}
-            items += compare(source, method, computed, _remarks(source, method))
+            computed = {}
+            for quantity in printed:
+                figure, _, unit = quantity.rpartition("_")
+                computed[quantity] = _ONE_LINE[figure](line) / _UNIT[unit]
+            remarks = _remarks(source, method)
+        items += compare(source, method, computed, remarks)
     return study_of(
         source,
-        inputs=inputs_of(source),
-        items=items,
-        findings=_findings(source),
+        items,
+        _findings(source),
         drawn=(Drawn(source.title, line, source.inputs.get("water_depth_m", 0.0)),),
     )
-
-
-def inputs_of(source: Published) -> tuple[Input, ...]:
-    """Say what went in, of the numbers that do not vary."""
-    return tuple(input_of(key, f"{value:.9g}") for key, value in source.inputs.items())
-
-
-def input_of(key: str, value: str) -> Input:
-    """Say what one key of a source's inputs is, with its unit."""
-    name, unit = _INPUTS[key]
-    return Input(name, value, unit)
 
 
 def segment_of(source: Published) -> Segment:
     """Return the line, its weight in water from mass and volume."""
     given = source.inputs
-    displaced = math.pi / 4.0 * given["volume_diameter_m"] ** 2 * given["water_density_kg_per_m3"]
     mass = given["mass_kg_per_m"]
+    displaced = _displaced(given["volume_diameter_m"], given["water_density_kg_per_m3"])
     weight = (mass - displaced) * given["gravity_m_per_s2"]
     return Segment(given["line_length_m"], weight, EA=given["EA_N"], mass=mass)
+
+
+def _displaced(diameter: float, water_density: float) -> float:
+    """Mass of the water that a line displaces, kg/m."""
+    return math.pi / 4.0 * diameter**2 * water_density
 
 
 def solve_one_line(source: Published, anchor_radius: float | None = None) -> Solution:
@@ -131,29 +101,20 @@ def solve_one_line(source: Published, anchor_radius: float | None = None) -> Sol
     )
 
 
-def _of_line(line: Solution, quantity: str) -> float:
-    name, _, unit = quantity.rpartition("_")
-    return _ONE_LINE[name](line) / _UNIT[unit]
+def _held(source: Published, displacement: tuple[float, ...] = (0.0,) * 6) -> HeldBody:
+    """Hold a body on three such lines; on a bed without friction, as linearised matrices are."""
+    from catopt.mooring.held import held_body
 
-
-def _system(source: Published) -> System:
-    """Put three such lines round a body; on a bed without friction, as linearised matrices are."""
     given = source.inputs
-    first = math.radians(given["first_azimuth_deg"])
-    return System.around(
+    depth, first = given["water_depth_m"], math.radians(given["first_azimuth_deg"])
+    system = System.around(
         Line([segment_of(source)]),
         azimuths=[first + 2.0 * math.pi / 3.0 * k for k in range(3)],
         anchor_radius=given["anchor_radius_m"],
         fairlead_radius=given["fairlead_radius_m"],
-        fairlead_height=given["water_depth_m"] - given["fairlead_depth_m"],
+        fairlead_height=depth - given["fairlead_depth_m"],
     )
-
-
-def _held(source: Published, displacement: tuple[float, ...] = (0.0,) * 6) -> HeldBody:
-    from catopt.mooring.held import held_body
-
-    depth = source.inputs["water_depth_m"]
-    return held_body(_system(source), origin_height=depth, displacement=displacement)
+    return held_body(system, origin_height=depth, displacement=displacement)
 
 
 def _slope(source: Published, load: int, freedom: int, step: float) -> float:
@@ -175,16 +136,6 @@ def linearised(body: HeldBody) -> dict[str, float]:
         "surge_by_pitch_MN/rad": K[0][4] / 1e6,
         "pitch_by_surge_MN": K[4][0] / 1e6,
     }
-
-
-def _linearised(source: Published, method: str) -> tuple[Item, ...]:
-    """Judge load and stiffness of all lines about the waterline."""
-    body = _held(source)
-    remarks: dict[str, str] = {}
-    if source.name == "oc4":
-        single = -body.load[2] / 3e3
-        remarks["vertical_load_kN"] = Message("reproduce.digits_swapped", single=single)
-    return compare(source, method, linearised(body), remarks)
 
 
 def _remarks(source: Published, method: str) -> dict[str, str]:
@@ -214,15 +165,9 @@ def _findings(source: Published) -> tuple[str, ...]:
     if source.name == "oc4":
         return (Message("reproduce.oc4_span", more=_by_half_a_millimetre(source)),)
     if source.name == "volturnus":
-        tensions = [
-            solve_one_line(source, radius).fairlead.tension / 1e3
-            for radius in source.series["anchor_radius_m"]
-        ]
-        return (
-            Message(
-                "reproduce.three_radii", tensions=", ".join(f"{each:.1f}" for each in tensions)
-            ),
-        )
+        lines = [solve_one_line(source, radius) for radius in source.series["anchor_radius_m"]]
+        tensions = ", ".join(f"{each.fairlead.tension / 1e3:.1f}" for each in lines)
+        return (Message("reproduce.three_radii", tensions=tensions),)
     return ()
 
 
@@ -232,3 +177,74 @@ def _by_half_a_millimetre(source: Published) -> float:
     wider = {key: given[key] + 5e-4 for key in ("span_east_m", "span_north_m")}
     more = solve_one_line(replace(source, inputs={**given, **wider}))
     return more.horizontal_force - solve_one_line(source).horizontal_force
+
+
+# ------------------------------------------------------------------ a bridle
+
+
+def bridle() -> Study:
+    """Bring the joints to rest with the body in place and 5 m ahead, and judge every number.
+
+    MAP++'s documentation has three legs of steel that split into two of nylon each.
+    """
+    from catopt.mooring.held import hold
+
+    source = published("bridle")
+    network = network_of(source)
+    rest, ahead = hold(network), hold(network, SURGE)
+    steel, nylon, _ = rest.lines[:3]
+    top = ahead.lines[0].fairlead
+    by_method = {
+        "MAP++, in place": {
+            "steel_span_m": steel.span,
+            "nylon_fairlead_tension_N": nylon.fairlead.tension,
+        },
+        "MAP++, 5 m ahead": {
+            "steel_horizontal_force_N": top.horizontal_force,
+            "steel_vertical_force_N": top.vertical_force,
+        },
+        "MAP++, linearised": linearised(rest.body),
+    }
+    return study_of(
+        source,
+        [
+            item
+            for method, computed in by_method.items()
+            for item in compare(source, method, computed)
+        ],
+    )
+
+
+def network_of(source: Published) -> Network:
+    """Put the three legs round the body, turned by 120 degrees."""
+    given = source.inputs
+    height = given["water_depth_in_m"] - given["fairlead_depth_in_m"]
+    points: list[Point] = []
+    lines: list[LineBetween] = []
+    for leg in range(3):
+        c, s = math.cos(leg * math.tau / 3.0), math.sin(leg * math.tau / 3.0)
+        out, aside = given["fairlead_ahead_in_m"], given["fairlead_aside_in_m"]
+        radius = given["anchor_radius_in_m"]
+        anchor, joint = f"anchor {leg + 1}", f"joint {leg + 1}"
+        points += [Point(anchor, "anchor", c * radius, s * radius, 0.0), Point(joint, "joint")]
+        lines.append(LineBetween(_line(source, "steel"), anchor, joint, f"steel {leg + 1}"))
+        for side, to in (("port", aside), ("starboard", -aside)):
+            end = f"{side} {leg + 1}"
+            points.append(Point(end, "fairlead", c * out - s * to, s * out + c * to, height))
+            lines.append(LineBetween(_line(source, "nylon"), joint, end, f"nylon {end}"))
+    site = Site(given["water_depth_in_m"], given["seabed_friction_in_"])
+    return Network(site, tuple(points), tuple(lines))
+
+
+def _line(source: Published, kind: str) -> Line:
+    """Return a line of the bridle.
+
+    `kind`: ``"steel"`` or ``"nylon"``.
+    """
+    given = source.inputs
+    length, diameter, mass, EA = (
+        given[f"{kind}_{key}"]
+        for key in ("length_in_m", "volume_diameter_in_m", "mass_in_kg/m", "EA_in_N")
+    )
+    displaced = _displaced(diameter, given["water_density_in_kg/m3"])
+    return Line([Segment(length, (mass - displaced) * given["gravity_in_m/s2"], EA=EA)])

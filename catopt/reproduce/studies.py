@@ -3,43 +3,56 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from catopt.errors import InputError, Problem
+from catopt.mooring.sharing_rule import load_sharing_factor
 from catopt.reproduce import (
-    bridle,
     buoy_9p5m,
     fso_rang_dong,
     fso_rang_dong_dynamic,
-    fso_rang_dong_loads,
     lines_in_motion,
-    load_sharing,
     reference_moorings,
-    ship_200m,
-    tanker_20m,
-    tanker_20m_loads,
-    tanker_20m_sinker,
+    ship_lines,
+    ship_loads,
 )
+from catopt.reproduce.comparison import compare, study_of
 from catopt.reproduce.items import Reproduction, Study
+from catopt.reproduce.published import published
+from catopt.words import Message
 
 Progress = Callable[[int, int], None]
 
-_STUDIES: dict[str, Callable[[Progress | None], Study]] = {
+
+def load_sharing() -> Study:
+    """Add up the lines of the loaded half of S4's ring of lines, and judge the printed factors."""
+    source = published("load_sharing")
+    numbers = [int(lines) for lines in source.series["lines"]]
+    factors = {f"FT_over_F_{lines}_lines": load_sharing_factor(lines) for lines in numbers}
+    return study_of(
+        source,
+        compare(source, "N/4 rule", factors, computed_by="the rule's sum"),
+        (
+            Message("reproduce.line_force_ft_points_along"),
+            Message("reproduce.rule_holds_for_equal_lines"),
+        ),
+    )
+
+
+_STUDIES: dict[str, Callable[[], Study]] = {
     buoy_9p5m.NAME: buoy_9p5m.study,
-    ship_200m.NAME: lambda _progress: ship_200m.study(),
-    tanker_20m.NAME: lambda _progress: tanker_20m.study(),
-    tanker_20m_loads.NAME: lambda _progress: tanker_20m_loads.study(),
-    tanker_20m_sinker.NAME: lambda _progress: tanker_20m_sinker.study(),
-    load_sharing.NAME: lambda _progress: load_sharing.study(),
-    fso_rang_dong.NAME: lambda _progress: fso_rang_dong.study(),
-    fso_rang_dong_loads.NAME: lambda _progress: fso_rang_dong_loads.study(),
-    fso_rang_dong_dynamic.NAME: lambda _progress: fso_rang_dong_dynamic.study(),
-    **{
-        name: lambda _progress, name=name: reference_moorings.study(name)  # type: ignore[misc]
-        for name in reference_moorings.NAMES
-    },
-    bridle.NAME: lambda _progress: bridle.study(),
-    lines_in_motion.CHAIN: lambda _progress: lines_in_motion.chain_study(),
-    lines_in_motion.CABLE: lambda _progress: lines_in_motion.cable_study(),
+    "ship_200m": ship_lines.ship_200m,
+    "tanker_20m": ship_lines.tanker_20m,
+    "tanker_20m_loads": ship_loads.tanker_20m_loads,
+    "tanker_20m_sinker": ship_lines.tanker_20m_sinker,
+    "load_sharing": load_sharing,
+    fso_rang_dong.NAME: fso_rang_dong.study,
+    "fso_rang_dong_loads": ship_loads.fso_rang_dong_loads,
+    fso_rang_dong_dynamic.NAME: fso_rang_dong_dynamic.study,
+    **{name: partial(reference_moorings.study, name) for name in reference_moorings.NAMES},
+    "bridle": reference_moorings.bridle,
+    lines_in_motion.CHAIN: lines_in_motion.chain_study,
+    lines_in_motion.CABLE: lines_in_motion.cable_study,
 }
 
 
@@ -66,7 +79,8 @@ def reproduce(name: str | None = None, *, progress: Progress | None = None) -> R
     if name is not None and name not in _STUDIES:
         raise InputError([Problem("name", repr(name), _allowed(name))], "reproduce")
     wanted = names() if name is None else (name,)
-    return Reproduction(tuple(_STUDIES[each](progress) for each in wanted))
+    by_swarm = {buoy_9p5m.NAME: partial(buoy_9p5m.study, progress)}
+    return Reproduction(tuple((_STUDIES | by_swarm)[each]() for each in wanted))
 
 
 def _allowed(name: str) -> str:

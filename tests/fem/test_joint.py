@@ -12,8 +12,8 @@ from catopt.fem.resting import Body
 from catopt.fem.settle import Controls, settle
 from catopt.model.network import Network
 from catopt.mooring.held import NetworkAtRest, hold
-from catopt.reproduce.bridle import SURGE, network_of
 from catopt.reproduce.published import published
+from catopt.reproduce.reference_moorings import SURGE, network_of
 
 
 def truss(rest: NetworkAtRest, joint: str, bars: int) -> tuple[np.ndarray, list[float]]:

@@ -13,8 +13,8 @@ from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring.held import NetworkAtRest, hold
 from catopt.mooring.joints import TOLERANCE
-from catopt.reproduce.bridle import network_of
 from catopt.reproduce.published import published
+from catopt.reproduce.reference_moorings import network_of
 
 
 def rope(length: float, weight: float = 1e-3, EA: float = 1e9) -> Line:

@@ -7,8 +7,8 @@ import math
 import pytest
 
 from catopt.reproduce import reproduce
-from catopt.reproduce.fso_rang_dong_loads import fso, fso_loads, fso_lyings
 from catopt.reproduce.published import published
+from catopt.reproduce.ship_loads import fso, fso_loads, fso_lyings
 
 
 def rows(name: str) -> dict[str, tuple[str, ...]]:

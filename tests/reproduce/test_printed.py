@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from catopt.reproduce.interval import interval
-from catopt.reproduce.printed import Printed
-from catopt.reproduce.verdict import by_digits, by_order
+from catopt.reproduce.comparison import by_digits, by_order, interval
+from catopt.reproduce.items import Printed
 
 
 @pytest.mark.parametrize(
