@@ -28,8 +28,8 @@ from catopt.verify.truss_words import QUANTITY_OF, name_of, part_sentence, rough
 from catopt.words import Message, Several, Unit, term
 
 if TYPE_CHECKING:
+    from catopt.verify.case import DesignVerification, FrontVerification
     from catopt.verify.compared import Compared
-    from catopt.verify.front import DesignVerification, FrontVerification
     from catopt.verify.result import StaticComparison, Verification
 
 GAP = Quantity("gap", "Difference", "", "-", "-", 1.0, 1, "scientific", floor=1e-10)

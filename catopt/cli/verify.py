@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.model import Case
     from catopt.notes.front_in_motion import FrontInMotion
+    from catopt.verify.case import Design, FrontVerification
     from catopt.verify.dynamic_result import DynamicVerification
-    from catopt.verify.front import Design, FrontVerification
     from catopt.verify.proof import Proof
     from catopt.verify.result import Verification
     from catopt.words import Language
@@ -177,7 +177,7 @@ def _document(found: _Found, dynamic: _Moved | FrontInMotion | None) -> dict[str
 
 def _answer(found: _Found) -> Answer:
     from catopt.answers.verification import front_answer, verification_answer
-    from catopt.verify.front import FrontVerification
+    from catopt.verify.case import FrontVerification
 
     if isinstance(found, FrontVerification):
         return front_answer(found)
@@ -251,7 +251,7 @@ def _stop_in_motion(
 def _end(output: Output, found: _Found, *, strict: bool) -> None:
     """Leave with the exit status that the comparison at rest asks for."""
     from catopt.answers.verification import front_sentence, verdict_sentence
-    from catopt.verify.front import FrontVerification
+    from catopt.verify.case import FrontVerification
 
     if isinstance(found, FrontVerification) and not found.has_converged:
         output.note("catopt: for a design a solver did not converge")
@@ -334,7 +334,7 @@ def _case_of_front(directory: Path) -> Case:
 def _front(directory: Path, output: Output, elements: int, tolerance: float) -> FrontVerification:
     designs = _designs(directory)
     title = _case_of_front(directory).title
-    from catopt.verify.front import verify_front
+    from catopt.verify.case import verify_front
 
     with output.progress("Designs") as tell:
         return verify_front(title, designs, elements=elements, tolerance=tolerance, progress=tell)
@@ -404,7 +404,7 @@ def _designs(directory: Path) -> list[Design]:
 
     front = read_design_document(directory)["front"]
     cases = [read_design(directory, number) for number in range(1, len(front) + 1)]
-    from catopt.verify.front import Design
+    from catopt.verify.case import Design
 
     return [
         Design(number, case, _governing_load_case(entry, case))

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from catopt.verify.result import VERDICTS, least_agreeing
 
 if TYPE_CHECKING:
+    from catopt.verify.case import DesignVerification, FrontVerification
     from catopt.verify.compared import Compared
-    from catopt.verify.front import DesignVerification, FrontVerification
     from catopt.verify.result import Mesh, StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"

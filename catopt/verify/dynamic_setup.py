@@ -26,8 +26,14 @@ from catopt.fem.series import Harmonic, Sampled, Series
 from catopt.model import Case, Dynamics, Motion, Segment, WaveState, WaveTrain
 from catopt.model.current_profile import CurrentProfile
 from catopt.model.dynamics import BARS
-from catopt.verify.motion_file import Raos, read_force, read_motion, read_raos
-from catopt.verify.sea_file import read_current, read_elevation
+from catopt.verify.motion_file import (
+    Raos,
+    read_current,
+    read_elevation,
+    read_force,
+    read_motion,
+    read_raos,
+)
 from catopt.verify.vessel import VesselRaos, read_vessel_raos
 from catopt.waves import (
     CosineSpreading,

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from operator import attrgetter
+from typing import TypeVar
 
 import numpy as np
 
@@ -14,8 +15,7 @@ from catopt.errors import NotConvergedError
 from catopt.fem import LineMesh, TrussSolution, mesh_line, solve_line
 from catopt.model import Line, Load
 from catopt.verify.compared import ORDER, Compared, Unit
-from catopt.verify.result import LinePair, Mesh, StaticComparison
-from catopt.verify.shape import largest_distances
+from catopt.verify.result import LinePair, Mesh, StaticComparison, largest_distances
 from catopt.words import Message, Several
 
 Truss = TypeVar("Truss")
@@ -31,9 +31,6 @@ SLACK = "truss.slack"
 
 _AT_END = 1e-9
 """How far beyond its end, over its length, a stretch may be level."""
-
-_TOP = "fairlead"
-_FOOT = "anchor"
 
 
 @dataclass(frozen=True)
@@ -130,45 +127,73 @@ def compare_line(
 # ------------------------------------------------------------------ quantities
 
 
+@dataclass(frozen=True)
+class Comparing:
+    """One line by both models, whose figures are compared.
+
+    `trusses`: on each mesh, from the coarsest; `line`: of a system: which of its lines, from 0.
+    A slack line is known to a bar, which is the least that its forces and lengths are measured by.
+    """
+
+    closed: Solution
+    trusses: Sequence[TrussSolution]
+    tolerance: float
+    line: int | None = None
+
+    @property
+    def is_slack(self) -> bool:
+        """Whether the line hangs straight down to bights on the bed."""
+        return self.closed.regime == "slack"
+
+    @property
+    def scales(self) -> tuple[float, float]:
+        """What forces, N, and lengths, m, are measured by."""
+        force, length = self.closed.fairlead.tension, self.closed.line.length
+        if not self.is_slack:
+            return force, length
+        mesh = self.trusses[-1].mesh
+        weight = np.array([abs(each.submerged_weight) for each in mesh.line.segments])
+        heaviest = float((weight[mesh.segment] * mesh.length).max())
+        longest = float(mesh.length.max())
+        return max(force, heaviest / self.tolerance), max(length, longest / self.tolerance)
+
+    def of(self, quantity: str, unit: Unit, scale: float, path: str = "") -> Compared:
+        """Compare a figure of both models, by its path where that is not its name."""
+        read = attrgetter(path or quantity)
+        theory = SLACK_ORDER if self.is_slack else ORDER
+        values = tuple(float(read(truss)) for truss in self.trusses)
+        return Compared(
+            quantity,
+            unit,
+            float(read(self.closed)),
+            values,
+            scale,
+            self.tolerance,
+            self.line,
+            theory=theory,
+        )
+
+
 def _quantities(
-    moored: Moored,
-    closed: Solution,
-    trusses: Sequence[TrussSolution],
-    tolerance: float,
+    moored: Moored, closed: Solution, trusses: Sequence[TrussSolution], tolerance: float
 ) -> Iterator[Compared]:
-    finest = trusses[-1]
-    tension = closed.fairlead.tension
-    length = moored.line.length
-    is_slack = closed.regime == "slack"
-    theory = SLACK_ORDER if is_slack else ORDER
-    bar = slack_bar(finest) if is_slack else (0.0, 0.0)
-    force, reach = max(tension, bar[0] / tolerance), max(length, bar[1] / tolerance)
-
-    def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
-        values = tuple(read(truss, path) for truss in trusses)
-        return Compared(quantity, unit, read(closed, path), values, scale, tolerance, theory=theory)
-
+    both = Comparing(closed, trusses, tolerance)
+    force, reach = both.scales
     if moored.load.span is None:
-        yield compared("span", "m", "span", reach)
+        yield both.of("span", "m", reach)
     else:
-        yield compared("horizontal_force", "N", "horizontal_force", force)
-    for end in (_TOP, _FOOT):
-        yield compared(f"{end}_tension", "N", f"{end}.tension", force)
-        yield compared(f"{end}_vertical_force", "N", f"{end}.vertical_force", force)
-        if not is_slack:
-            scale = angle_scale(tension, read(closed, f"{end}.tension"), tolerance)
-            yield compared(f"{end}_angle", "rad", f"{end}.angle", scale)
-    yield compared("grounded_length", "m", "grounded_length", reach)
-    if not is_slack:
+        yield both.of("horizontal_force", "N", force)
+    for end, there in (("fairlead", closed.fairlead), ("anchor", closed.anchor)):
+        yield both.of(f"{end}_tension", "N", force, f"{end}.tension")
+        yield both.of(f"{end}_vertical_force", "N", force, f"{end}.vertical_force")
+        if not both.is_slack:
+            scale = angle_scale(closed.fairlead.tension, there.tension, tolerance)
+            yield both.of(f"{end}_angle", "rad", scale, f"{end}.angle")
+    yield both.of("grounded_length", "m", reach)
+    if not both.is_slack:
         distances, limit = largest_distances(closed, trusses)
+        length = moored.line.length
         yield Compared("shape", "m", 0.0, distances, length, tolerance, limit=limit)
-
-
-def slack_bar(truss: TrussSolution) -> tuple[float, float]:
-    """Weight, N, and length, m, of the largest bar: to which a slack line is known."""
-    mesh = truss.mesh
-    weight = np.array([abs(each.submerged_weight) for each in mesh.line.segments])
-    return float((weight[mesh.segment] * mesh.length).max()), float(mesh.length.max())
 
 
 def angle_scale(tension: float, there: float, tolerance: float) -> float:
@@ -177,13 +202,6 @@ def angle_scale(tension: float, there: float, tolerance: float) -> float:
     `tension`, `there`: at the fairlead and at the end in question, N.
     """
     return min(tension / there if there > 0.0 else math.inf, math.pi / tolerance)
-
-
-def read(solution: Any, path: str) -> float:
-    """Figure of a solution by its path, such as ``"fairlead.tension"``."""
-    for name in path.split("."):
-        solution = getattr(solution, name)
-    return float(solution)
 
 
 def _remarks(moored: Moored, closed: Solution) -> Iterator[str]:

@@ -1,10 +1,11 @@
-"""Reads what drives lines from CSV files: a motion or a force over time, a response to waves."""
+"""Reads what drives lines from CSV files: motion, force, surface and current over time, RAOs."""
 
 from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from catopt.documents import MOST_BYTES_OF_DATA, read_text
 from catopt.errors import InputError, Problem
 from catopt.fem.series import Harmonic, Sampled
 from catopt.units import UNITS, Dimension, as_written
-from catopt.waves import Waves
+from catopt.waves import CurrentSeries, ElevationRecord, Waves
 
 Array = npt.NDArray[np.float64]
 
@@ -24,7 +25,13 @@ _FORCES = ("fx", "fy", "fz")
 _MOTIONS = ("surge", "sway", "heave")
 OF_TOTAL = "of N"
 """Unit of a column of parts of a total, which its heading has: ``occurrences (of 1000)``."""
-_SHOWN = 10
+_SEA = {
+    "time": UNITS[Dimension.TIME],
+    "elevation": UNITS[Dimension.LENGTH],
+    "speed": UNITS[Dimension.SPEED],
+    "direction": UNITS[Dimension.ANGLE],
+}
+SHOWN = 10
 """Faulty cells that are told of one file."""
 
 
@@ -42,19 +49,10 @@ class Raos:
     def motion(self, waves: Waves, wave_numbers: Array, x: float, y: float = 0.0) -> Harmonic:
         """Answer to waves, each as a harmonic motion a cos(omega t + phase).
 
-        Parameters
-        ----------
-        waves : Waves
-            With eta = a cos(k x cos b + k y sin b - omega t + phi).
-        wave_numbers : ndarray, shape (waves,)
-            k, rad/m.
-        x, y : float
-            Of the place over which the crest counts, at rest, m.
-
-        Notes
-        -----
-        Between its frequencies the response is interpolated as a complex number; beyond the first
-        and the last it is held.
+        `waves`: with eta = a cos(k x cos b + k y sin b - omega t + phi); `wave_numbers` (waves,):
+        k, rad/m; `x`, `y`: of the place over which the crest counts, at rest, m. Between its
+        frequencies the response is interpolated as a complex number; beyond the first and the last
+        it is held.
         """
         parts = [np.interp(waves.omega, self.omega, self.response[:, k].real) for k in range(3)]
         other = [np.interp(waves.omega, self.omega, self.response[:, k].imag) for k in range(3)]
@@ -70,10 +68,7 @@ class Raos:
 
 
 def energy_beyond(omega: Array, waves: Waves) -> float:
-    """Part of the waves' energy at frequencies that a table does not have.
-
-    `omega`: frequencies of the table, rad/s, rising.
-    """
+    """Part of the waves' energy beyond the frequencies of a table, `omega`, rad/s, rising."""
     energy = waves.amplitude**2
     outside = (waves.omega < omega[0]) | (waves.omega > omega[-1])
     return float(energy[outside].sum() / energy.sum())
@@ -87,43 +82,64 @@ def read_motion(path: str, duration: float) -> Sampled:
     read, wrong headings or cells, times that do not rise, a gap, or a record that is too short.
     """
     columns = read_columns(path, needed=("t",), known=("t", *_AXES), some_of=_AXES)
-    return _over_time(path, columns, _AXES, duration)
+    return _sampled(path, columns, _AXES, duration)
 
 
 def read_force(path: str, duration: float) -> Sampled:
     """Read the force on a body over time, without its mean; its first row is the start of the run.
 
     `path`: CSV with a row of headings: ``t (s)``, and any of ``Fx``, ``Fy``, ``Fz`` with the unit
-    of a force; `duration`: of the run, s; the record may not end before it. Raises InputError as
-    for `read_motion`, and for a heading without a unit.
+    of a force; else as `read_motion`.
     """
     units = {"t": UNITS[Dimension.TIME], **dict.fromkeys(_FORCES, UNITS[Dimension.FORCE])}
     columns = read_columns(path, needed=("t",), known=tuple(units), some_of=_FORCES, units=units)
-    return _over_time(path, columns, _FORCES, duration)
+    return _sampled(path, columns, _FORCES, duration)
 
 
-def _over_time(
-    path: str, columns: dict[str, Array], axes: Sequence[str], duration: float
-) -> Sampled:
+def _sampled(path: str, columns: dict[str, Array], axes: Sequence[str], duration: float) -> Sampled:
     t = columns["t"]
-    zero = np.zeros(t.size)
-    values = np.column_stack([columns.get(axis, zero) for axis in axes])
+    values = np.column_stack([columns.get(axis, np.zeros(t.size)) for axis in axes])
+    with _record_of(path, "t", t, duration):
+        return Sampled(t - t[0], values)
+
+
+def read_elevation(path: str, duration: float) -> ElevationRecord:
+    """Read a recorded surface; its first row is the start of the run.
+
+    `path`: CSV with a row of headings, ``time (s)`` and ``elevation (m)``, or in other units; else
+    as `read_motion`.
+    """
+    needed = ("time", "elevation")
+    columns = read_columns(path, needed=needed, known=needed, some_of=needed, units=_SEA)
+    with _record_of(path, "time", columns["time"], duration):
+        return ElevationRecord(columns["time"], columns["elevation"])
+
+
+def read_current(path: str, duration: float) -> CurrentSeries:
+    """Read the current at the surface over time; its first row is the start of the run.
+
+    `path`: CSV with a row of headings, ``time (min)``, ``speed (m/s)`` and, where it turns,
+    ``direction (deg)``, or in other units; else as `read_motion`, and gaps are no matter.
+    """
+    needed = ("time", "speed")
+    known = (*needed, "direction")
+    columns = read_columns(path, needed=needed, known=known, some_of=needed, units=_SEA)
+    t = columns["time"]
+    with _record_of(path, "time", t, duration):
+        return CurrentSeries(t - t[0], columns["speed"], columns.get("direction"))
+
+
+@contextmanager
+def _record_of(path: str, key: str, times: Array, duration: float) -> Iterator[None]:
+    """Make a record in the body; refuse what is wrong in it, or that it ends before its run, s."""
     try:
-        sampled = Sampled(t - t[0], values)
+        yield
     except InputError as error:
         raise InputError(error.problems, path) from None
-    if t[-1] - t[0] < duration * (1.0 - 1e-9):
-        raise too_short(path, "t", float(t[-1] - t[0]), duration)
-    return sampled
-
-
-def too_short(path: str, key: str, length: float, duration: float) -> InputError:
-    """Refuse a record that ends before its run.
-
-    `length`, `duration`: of the record and of the run, s.
-    """
-    wanted = f"the run of {duration:g} s is longer: shorten it, or give a longer record"
-    return refused(path, key, f"{length:g} s from the first row to the last", wanted)
+    length = float(times[-1] - times[0])
+    if length < duration * (1.0 - 1e-9):
+        wanted = f"the run of {duration:g} s is longer: shorten it, or give a longer record"
+        raise refused(path, key, f"{length:g} s from the first row to the last", wanted)
 
 
 def read_raos(path: str) -> Raos:
@@ -134,23 +150,32 @@ def read_raos(path: str) -> Raos:
     InputError for a file that cannot be read, wrong headings or cells, or a period twice.
     """
     phases = tuple(f"{each}_phase" for each in _MOTIONS)
-    columns = read_columns(
-        path, needed=("period",), known=("period", *_MOTIONS, *phases), some_of=_MOTIONS
-    )
+    known = ("period", *_MOTIONS, *phases)
+    columns = read_columns(path, needed=("period",), known=known, some_of=_MOTIONS)
+    columns |= {each: np.radians(columns[each]) for each in phases if each in columns}
     period = columns["period"]
     if not (period > 0.0).all():
         raise refused(path, "period", f"{period.min():g} s", "must be above 0 s")
     order = np.argsort(period)[::-1]
     if (np.diff(period[order]) == 0.0).any():
         raise refused(path, "period", "the same twice", "one row a period is wanted")
-    zero = np.zeros(period.size)
-    response = np.column_stack(
-        [
-            columns.get(each, zero) * np.exp(1j * np.radians(columns.get(phase, zero)))
-            for each, phase in zip(_MOTIONS, phases, strict=True)
-        ]
-    )
-    return Raos(2.0 * math.pi / period[order], response[order].astype(np.complex128))
+    response = responses(columns, _MOTIONS, period.size)
+    return Raos(2.0 * math.pi / period[order], response[order])
+
+
+def responses(
+    columns: Mapping[str, Array], motions: Sequence[str], rows: int, lag: float = 1.0
+) -> npt.NDArray[np.complex128]:
+    """Put sizes and phases of motions together, shape (rows, motions); none where none is given.
+
+    `lag`: 1 where phases count behind the crest, -1 where they count before it.
+    """
+    zero = np.zeros(rows)
+    parts = [
+        columns.get(each, zero) * np.exp(1j * lag * columns.get(f"{each}_phase", zero))
+        for each in motions
+    ]
+    return np.column_stack(parts).astype(np.complex128)
 
 
 def read_columns(
@@ -195,11 +220,7 @@ def read_columns(
     for at, (line, cells) in enumerate(rows[1:]):
         problems += _fill(values[at], line, cells, heads)
     if problems:
-        more = len(problems) - _SHOWN
-        shown = problems[:_SHOWN]
-        if more > 0:
-            shown.append(Problem("file", "", f"{more} more of the kind"))
-        raise InputError(shown, path)
+        raise InputError(few(problems), path)
     return {head: values[:, k] * sizes[k] for k, head in enumerate(heads)}
 
 
@@ -248,6 +269,13 @@ def _fill(row: Array, line: int, cells: list[str], heads: list[str]) -> list[Pro
             found = _shown(cell) or "an empty cell"
             problems.append(Problem(f"line {line}, {heads[column]}", found, "a number is wanted"))
     return problems
+
+
+def few(problems: Sequence[Problem]) -> list[Problem]:
+    """Keep the first problems of a file, and say how many more there are."""
+    more = len(problems) - SHOWN
+    rest = [Problem("file", "", f"{more} more of the kind")] if more > 0 else []
+    return [*problems[:SHOWN], *rest]
 
 
 def _shown(cell: str) -> str:

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.quantities import Quantity
 from catopt.units import lasting
 from catopt.verify.proof import LIMIT
-from catopt.verify.truss_words import named
+from catopt.verify.truss_words import QUANTITY_OF, named
 from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
@@ -19,9 +19,7 @@ if TYPE_CHECKING:
 
 DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
     {
-        "fairlead_tension": named("tension", "Fairlead tension"),
-        "anchor_tension": named("tension", "Anchor tension", "TA"),
-        "grounded_length": QUANTITIES["grounded_length"],
+        **QUANTITY_OF,
         "offset": named("offset", "Fairlead offset"),
         "body_x": named("offset", "Body x", ""),
         "body_y": named("offset", "Body y", ""),
@@ -30,25 +28,8 @@ DYNAMIC_QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
 )
 """What each quantity of a line in motion is in tables."""
 
-_HOW = {
-    "step": "motion.how_step",
-    "bars": "motion.how_bars",
-    "both": "motion.how_both",
-}
-
-_LARGEST = {
-    "fairlead_tension": "motion.largest_fairlead_tension",
-    "anchor_tension": "motion.largest_anchor_tension",
-    "largest_tension": "motion.largest_tension",
-    "grounded_length": "motion.largest_grounded_length",
-    "offset": "motion.largest_offset",
-}
-
-_OF = {
-    "fairlead_tension": "motion.of_fairlead_tension",
-    "anchor_tension": "motion.of_anchor_tension",
-    "offset": "motion.of_offset",
-}
+_NOT_CONVERGED = ("motion.no_answer_again", "motion.changes", "motion.too_numerical")
+"""Keys of what is wrong."""
 
 
 def dynamic_sentences(part: DynamicPart) -> list[str]:
@@ -68,15 +49,11 @@ def motion_sentences(part: DynamicPart) -> list[str]:
     slack = Message("motion.no_slack")
     if part.slack_time > 0.0:
         slack = Message("motion.goes_slack", time=part.slack_time, longest=part.longest_slack)
-    return [told, *_extremes(part), slack, *_friction_sentences(part)]
-
-
-def _friction_sentences(part: DynamicPart) -> list[str]:
-    """Say between what the anchor's tension at rest lies, by what friction was left in the line."""
-    if not part.anchor_at_rest:
-        return []
-    values = {state: Measure("tension", tension) for state, tension in part.anchor_at_rest.items()}
-    return [Message("motion.friction_at_rest", **values)]
+    sentences = [told, *_extremes(part), slack]
+    if part.anchor_at_rest:
+        at_rest = {state: Measure("tension", N) for state, N in part.anchor_at_rest.items()}
+        sentences.append(Message("motion.friction_at_rest", **at_rest))
+    return sentences
 
 
 def _extremes(part: DynamicPart) -> Iterator[str]:
@@ -88,7 +65,7 @@ def _extremes(part: DynamicPart) -> Iterator[str]:
         quantity, tail, runs = DYNAMIC_QUANTITY_OF[each.quantity], each.tail, each.gumbel
         if not part.varies_at_random(each.quantity):
             continue
-        what = Message(_OF[each.quantity])
+        what = Message(f"motion.of_{each.quantity}")
         if tail is None:
             yield Message("motion.few_peaks", what=what)
             continue
@@ -122,14 +99,14 @@ def proof_sentences(part: DynamicPart) -> list[Message]:
     """Say how far the maxima hang on step and bars, and how much of the work is numerical."""
     worst, failed, lost = part.worst_change, part.failure, part.numerical_part
     if failed is not None:
-        said = Message("motion.no_answer_again", how=Message(_HOW[failed.way]))
+        said = Message("motion.no_answer_again", how=Message(f"motion.how_{failed.way}"))
     elif worst is None:
         said = Message("motion.not_proven")
     else:
-        values = {"how": Message(_HOW[worst.way]), "change": worst.size, "limit": LIMIT}
+        values = {"how": Message(f"motion.how_{worst.way}"), "change": worst.size, "limit": LIMIT}
         said = Message("motion.converged", **values)
         if worst.size > LIMIT:
-            what = Message(_LARGEST[worst.quantity])
+            what = Message(f"motion.largest_{worst.quantity.removeprefix('largest_')}")
             said = Message("motion.changes", what=what, **values)
     if lost > LIMIT:
         return [said, Message("motion.too_numerical", part=lost, limit=LIMIT)]
@@ -140,10 +117,6 @@ def doubts(part: DynamicPart) -> list[Message]:
     """Say what of a run has not converged, or is not proven."""
     doubtful = (*_NOT_CONVERGED, "motion.not_proven")
     return [each for each in proof_sentences(part) if each.key in doubtful]
-
-
-_NOT_CONVERGED = ("motion.no_answer_again", "motion.changes", "motion.too_numerical")
-"""Keys of what is wrong."""
 
 
 def not_converged_sentence(found: DynamicVerification) -> Message:

@@ -14,8 +14,8 @@ from catopt.fem import solve_system as solve_truss
 from catopt.model import System
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solve_system
-from catopt.verify.compared import ORDER, Compared, Unit
-from catopt.verify.line import SLACK, SLACK_ORDER, bends, on_meshes, read, slack_bar
+from catopt.verify.compared import Compared
+from catopt.verify.line import SLACK, Comparing, bends, on_meshes
 from catopt.verify.result import LinePair, Mesh, StaticComparison
 from catopt.words import Message
 
@@ -47,41 +47,13 @@ def verify_system(
             meshes=meshes,
         ),
     )
-    return compare_system(system, closed, trusses, tolerance=tolerance, name=name)
-
-
-def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
-    """Lay the lines of a system out for the truss model.
-
-    `yaw`: in which the body is held, rad. Returns: the lines, and the height of the body's origin,
-    m: that of the first fairlead.
-    """
-    height = system.legs[0].fairlead_height
-    cosine, sine = math.cos(yaw), math.sin(yaw)
-    legs = []
-    for leg in system.legs:
-        x, y = leg.fairlead
-        arm = (cosine * x - sine * y, sine * x + cosine * y, leg.fairlead_height - height)
-        legs.append(TrussLeg(leg.line, (*leg.anchor, leg.anchor_height), arm))
-    return legs, height
-
-
-def compare_system(
-    system: System,
-    closed: SystemSolution,
-    trusses: Sequence[TrussSystem],
-    *,
-    tolerance: float,
-    name: str = "",
-) -> StaticComparison:
-    """Hold solutions of the truss model against a system's closed form."""
     count = len(system.legs)
     return StaticComparison(
         name=name,
         kind="system",
         quantities=(
             *_body(system, closed, trusses, tolerance),
-            *(each for k in range(count) for each in _line(k, system, closed, trusses, tolerance)),
+            *(each for k in range(count) for each in _line(k, closed, trusses, tolerance)),
         ),
         meshes=tuple(
             Mesh(
@@ -101,21 +73,32 @@ def compare_system(
     )
 
 
+def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
+    """Lay the lines of a system out for the truss model.
+
+    `yaw`: in which the body is held, rad. Returns: the lines, and the height of the body's origin,
+    m: that of the first fairlead.
+    """
+    height = system.legs[0].fairlead_height
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    legs = []
+    for leg in system.legs:
+        x, y = leg.fairlead
+        arm = (cosine * x - sine * y, sine * x + cosine * y, leg.fairlead_height - height)
+        legs.append(TrussLeg(leg.line, (*leg.anchor, leg.anchor_height), arm))
+    return legs, height
+
+
 def _remarks(system: System, closed: SystemSolution) -> Iterator[str]:
     for k, line in enumerate(closed.lines):
         if line.solution.regime == "slack":
             yield Message("mooring.of_line", number=k + 1, warning=Message(SLACK))
-    if not system.turns:
-        return
-    yaw = math.degrees(closed.position.yaw)
-    yield Message("truss.held_yaw", yaw=yaw)
+    if system.turns:
+        yield Message("truss.held_yaw", yaw=math.degrees(closed.position.yaw))
 
 
 def _body(
-    system: System,
-    closed: SystemSolution,
-    trusses: Sequence[TrussSystem],
-    tolerance: float,
+    system: System, closed: SystemSolution, trusses: Sequence[TrussSystem], tolerance: float
 ) -> Iterator[Compared]:
     longest = max(leg.line.length for leg in system.legs)
     scale = max(math.hypot(*closed.offset), _LEAST_OFFSET * longest)
@@ -125,9 +108,8 @@ def _body(
         yield Compared(key, "m", exact[axis], values, scale, tolerance)
     if system.turns:
         arm = max(leg.fairlead_radius for leg in system.legs)
-        largest = max(line.fairlead.tension for line in trusses[-1].lines)
+        scale = arm * max(line.fairlead.tension for line in trusses[-1].lines)
         values = tuple(_moment(truss) for truss in trusses)
-        scale = arm * largest
         yield Compared("moment_of_lines", "Nm", -system.moment, values, scale, tolerance)
 
 
@@ -143,26 +125,13 @@ def _moment(truss: TrussSystem) -> float:
 
 
 def _line(
-    k: int,
-    system: System,
-    closed: SystemSolution,
-    trusses: Sequence[TrussSystem],
-    tolerance: float,
+    k: int, closed: SystemSolution, trusses: Sequence[TrussSystem], tolerance: float
 ) -> Iterator[Compared]:
-    exact = closed.lines[k].solution
-    tension, length = exact.fairlead.tension, system.legs[k].line.length
-    is_slack = exact.regime == "slack"
-    if is_slack:
-        weight, bar = slack_bar(trusses[-1].lines[k])
-        tension, length = max(tension, weight / tolerance), max(length, bar / tolerance)
-
-    def compared(quantity: str, unit: Unit, path: str, scale: float) -> Compared:
-        theory = SLACK_ORDER if is_slack else ORDER
-        fem = tuple(read(truss.lines[k], path) for truss in trusses)
-        return Compared(quantity, unit, read(exact, path), fem, scale, tolerance, k, theory=theory)
-
-    yield compared("fairlead_tension", "N", "fairlead.tension", tension)
-    yield compared("anchor_tension", "N", "anchor.tension", tension)
-    yield compared("horizontal_force", "N", "horizontal_force", tension)
-    yield compared("span", "m", "span", length)
-    yield compared("grounded_length", "m", "grounded_length", length)
+    lines = [truss.lines[k] for truss in trusses]
+    both = Comparing(closed.lines[k].solution, lines, tolerance, k)
+    force, length = both.scales
+    yield both.of("fairlead_tension", "N", force, "fairlead.tension")
+    yield both.of("anchor_tension", "N", force, "anchor.tension")
+    yield both.of("horizontal_force", "N", force)
+    yield both.of("span", "m", length)
+    yield both.of("grounded_length", "m", length)

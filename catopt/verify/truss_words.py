@@ -41,33 +41,12 @@ QUANTITY_OF: Mapping[str, Quantity] = MappingProxyType(
 )
 """What each compared quantity is in tables."""
 
-_SCALE_WORDS = MappingProxyType(
-    {
-        "N": "truss.of_the_tension",
-        "m": "truss.of_the_length",
-        "rad": "truss.of_a_rad",
-        "Nm": "truss.of_moment",
-    }
-)
-
-_NAMES = MappingProxyType(
-    {
-        "span": "truss.span",
-        "horizontal_force": "truss.horizontal_force",
-        "fairlead_tension": "truss.fairlead_tension",
-        "fairlead_vertical_force": "truss.fairlead_vertical_force",
-        "fairlead_angle": "truss.fairlead_angle",
-        "anchor_tension": "truss.anchor_tension",
-        "anchor_vertical_force": "truss.anchor_vertical_force",
-        "anchor_angle": "truss.anchor_angle",
-        "grounded_length": "truss.grounded_length",
-        "shape": "truss.shape",
-        "position_x": "truss.position_x",
-        "position_y": "truss.position_y",
-        "moment_of_lines": "truss.moment_of_lines",
-    }
-)
-"""What each compared quantity is in a sentence."""
+_SCALE_WORDS = {
+    "N": "truss.of_the_tension",
+    "m": "truss.of_the_length",
+    "rad": "truss.of_a_rad",
+    "Nm": "truss.of_moment",
+}
 
 _MOST_NAMED = 4
 """Quantities that a sentence names."""
@@ -80,7 +59,7 @@ def in_parts(value: float) -> str:
 
 def name_of(each: Compared) -> Message:
     """Name a quantity, with its line in a system: ``"fairlead tension of line 2"``."""
-    name = Message(_NAMES[each.quantity])
+    name = Message(f"truss.{each.quantity}")
     if each.line is None or each.quantity.startswith("position"):
         return name
     return Message("truss.quantity_of_line", quantity=name, number=each.line + 1)
@@ -107,34 +86,27 @@ def part_sentence(part: StaticComparison) -> Message:
             told = Message("truss.below_scale", limit=f"{ROUNDING:.0e}")
         return Message("truss.agree", largest=told, allowed=allowed)
     others = [each for each in part.quantities if not each.agrees]
-    differences = [
-        Message(
-            "truss.differs_by", quantity=name_of(each), amount=_amount(each), gap=gap_words(each)
-        )
-        for each in others[:_MOST_NAMED]
-    ]
+    differences = []
+    for each in others[:_MOST_NAMED]:
+        of = QUANTITY_OF[each.quantity]
+        amount = Measure(of.key, each.difference, digits=of.digits + 1)
+        values = {"quantity": name_of(each), "amount": amount, "gap": gap_words(each)}
+        differences.append(Message("truss.differs_by", **values))
     if len(others) > _MOST_NAMED:
         differences.append(Message("truss.and_more", more=len(others) - _MOST_NAMED))
     key = "truss.not_resolved" if part.verdict == "not resolved" else "truss.differ"
     return Message(key, differences=Several(differences), allowed=allowed)
 
 
-def _amount(each: Compared) -> Measure:
-    quantity = QUANTITY_OF[each.quantity]
-    return Measure(quantity.key, each.difference, digits=quantity.digits + 1)
-
-
 def rough_sentence(part: StaticComparison) -> str:
     """Name what does not close up smoothly; empty where everything does."""
     if not part.rough:
         return ""
-    told: Message = Several(
-        (
-            Message("truss.rough_quantity", quantity=name_of(each), order=each.order)
-            for each in part.rough[:_MOST_NAMED]
-        ),
-        ", ",
+    rough = (
+        Message("truss.rough_quantity", quantity=name_of(each), order=each.order)
+        for each in part.rough[:_MOST_NAMED]
     )
+    told: Message = Several(rough, ", ")
     if len(part.rough) > _MOST_NAMED:
         more = len(part.rough) - _MOST_NAMED
         told = Message("truss.rough_more", quantities=told, more=more)

@@ -62,10 +62,9 @@ from catopt.study.file import read_study
 from catopt.study.plan import plan_study
 from catopt.study.run import run_study
 from catopt.study.study import Study
-from catopt.verify.case import verify_case
+from catopt.verify.case import Design, verify_case, verify_front
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.fatigue import verify_fatigue
-from catopt.verify.front import Design, verify_front
 from catopt.words import LANGUAGES, Cited, Language, Message, say
 from tests.cli.conftest import CHAIN_IN_MOTION
 from tests.report.notes import LONG, NOTES, answer_named, page_named

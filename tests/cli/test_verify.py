@@ -206,7 +206,7 @@ def test_a_design_that_does_not_converge_is_4_and_the_others_are_shown(
             raise NotConvergedError("stopped short")
         return verify_case(case, **settings)
 
-    monkeypatch.setattr("catopt.verify.front.verify_case", first_fails)
+    monkeypatch.setattr("catopt.verify.case.verify_case", first_fails)
     ran = run("verify", front, "--all")
     assert ran.status == 4
     assert "Design 1: stopped short" in ran.out

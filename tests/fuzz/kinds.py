@@ -243,8 +243,13 @@ def _profiles(path: Path) -> object:
 
 def _numbers(path: Path) -> object:
     """Read a file of numbers as the kind that its first heading says."""
-    from catopt.verify.motion_file import read_force, read_motion, read_raos
-    from catopt.verify.sea_file import read_current, read_elevation
+    from catopt.verify.motion_file import (
+        read_current,
+        read_elevation,
+        read_force,
+        read_motion,
+        read_raos,
+    )
 
     text = path.read_bytes()
     if b"F" in text[:40]:

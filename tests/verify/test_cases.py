@@ -14,10 +14,9 @@ import catopt
 from catopt.errors import InputError, NotConvergedError
 from catopt.model import LoadCase
 from catopt.schemas import schema
-from catopt.verify import front as front_module
-from catopt.verify.case import verify_case
+from catopt.verify import case as front_module
+from catopt.verify.case import Design, verify_case, verify_front
 from catopt.verify.compared import ROUNDING
-from catopt.verify.front import Design, verify_front
 from catopt.verify.result import Verification
 
 from .cases import CASES
