@@ -36,26 +36,12 @@ NOISE = 10.0 * ROUNDING
 class Compared:
     """One quantity by both models.
 
-    Attributes
-    ----------
-    quantity : str
-        What it is, such as ``"fairlead_tension"``; keys of documents are this and the unit.
-    unit : str
-        ``"N"``, ``"m"``, ``"rad"`` or ``"Nm"``.
-    closed_form : float
-        By the closed form.
-    fem : tuple of float
-        By the truss model on each mesh, from the coarsest.
-    scale : float
-        What a difference is measured by: the fairlead tension, the line's length.
-    tolerance : float
-        Allowed difference over the scale.
-    line : int or None
-        Of a system: which of its lines, from 0; None for the body, or where there is one line.
-    limit : float or None
-        Extrapolated in another way than from the values themselves (the shape: node by node).
-    theory : float
-        Order by which the error should fall.
+    `quantity`: such as ``"fairlead_tension"``; keys of documents are this and the unit;
+    `closed_form`: its value; `fem`: by the truss model on each mesh, from the coarsest; `scale`:
+    what a difference is measured by: the fairlead tension, the line's length; `tolerance`: allowed
+    difference over the scale; `line`: of a system: which of its lines, from 0; None for the body,
+    or where there is one line; `limit`: extrapolated in another way than from the values themselves
+    (the shape: node by node); `theory`: order by which the error should fall.
     """
 
     quantity: str
@@ -154,8 +140,8 @@ def worst_of(quantities: Iterable[Compared]) -> Compared:
 def observed_order(values: Sequence[float], noise: float) -> float | None:
     """Order by which the last three values close up.
 
-    Returns: None where there are fewer than three values or the last change is rounding; infinite
-    never: a change that comes after none counts as order minus infinity, not smooth.
+    None where there are fewer than three values or the last change is rounding; infinite never: a
+    change that comes after none counts as order minus infinity, not smooth.
     """
     if len(values) < 3:
         return None
@@ -166,9 +152,6 @@ def observed_order(values: Sequence[float], noise: float) -> float | None:
 
 
 def extrapolated(values: Sequence[float], order: float = ORDER) -> float:
-    """Richardson's estimate from the last two values.
-
-    `order`: by which the error falls.
-    """
+    """Richardson's estimate from the last two values, by the order by which the error falls."""
     gain = math.pow(2.0, order) - 1.0
     return values[-1] + (values[-1] - values[-2]) / gain

@@ -1,18 +1,51 @@
-"""A verification as the JSON document catopt.verify/1."""
+"""What the two models say as JSON documents: catopt.verify/1, at rest and in motion, and fatigue.
+
+All in SI, the unit in the key; lives in years.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
+from catopt.constants import YEAR
 from catopt.verify.result import VERDICTS, least_agreeing
 
 if TYPE_CHECKING:
+    from catopt.fem.extremes import Extreme
     from catopt.verify.case import DesignVerification, FrontVerification
     from catopt.verify.compared import Compared
-    from catopt.verify.result import Mesh, StaticComparison, Verification
+    from catopt.verify.dynamic_result import (
+        DynamicPart,
+        DynamicRun,
+        DynamicVerification,
+        OverRuns,
+    )
+    from catopt.verify.fatigue import FatigueReport, SegmentFatigue
+    from catopt.verify.result import StaticComparison, Verification
 
 _SCHEMA = "catopt.verify/1"
+_ENERGIES = (
+    "put_in",
+    "ends",
+    "water",
+    "kinetic",
+    "elastic",
+    "potential",
+    "drag",
+    "bed",
+    "friction",
+)
+
+
+def laid(thing: object, *names: str, **paths: str) -> dict[str, Any]:
+    """Lay attributes of a thing out by their names, and by other keys those at a path."""
+    found = {name: getattr(thing, name) for name in names}
+    return found | {key: attrgetter(path)(thing) for key, path in paths.items()}
+
+
+# ------------------------------------------------------------------ at rest
 
 
 def verification_document(verification: Verification) -> dict[str, Any]:
@@ -24,9 +57,9 @@ def verification_document(verification: Verification) -> dict[str, Any]:
         "schema": _SCHEMA,
         "title": verification.case.title,
         "verdict": verification.verdict,
-        "static": static_document(verification.static) if verification.parts else None,
+        "static": _static(verification.static) if verification.parts else None,
         "dynamic": None,
-        "load_cases": [static_document(part) for part in verification.parts],
+        "load_cases": [_static(part) for part in verification.parts],
     }
 
 
@@ -38,8 +71,8 @@ def front_document(front: FrontVerification) -> dict[str, Any]:
     return {
         "schema": _SCHEMA,
         "title": front.title,
-        "verdict": (known[0] if len(verdicts) == len(front.designs) else "no answer"),
-        "static": static_document(least_agreeing(parts)) if parts else None,
+        "verdict": known[0] if len(verdicts) == len(front.designs) else "no answer",
+        "static": _static(least_agreeing(parts)) if parts else None,
         "dynamic": None,
         "designs": [_design(each) for each in front.designs],
     }
@@ -51,65 +84,196 @@ def _design(each: DesignVerification) -> dict[str, Any]:
         "design": each.design.number,
         "verdict": "no answer" if found is None else found.verdict,
         "failure": each.failure,
-        "load_cases": [] if found is None else [static_document(part) for part in found.parts],
+        "load_cases": [] if found is None else [_static(part) for part in found.parts],
     }
 
 
-def static_document(part: StaticComparison) -> dict[str, Any]:
-    """Build the part of one load case; all in SI, the unit in the key."""
+def _static(part: StaticComparison) -> dict[str, Any]:
+    """Build the part of one load case."""
     return {
         "load_case": part.name,
-        "kind": part.kind,
-        "verdict": part.verdict,
-        "tolerance": part.tolerance,
+        **laid(part, "kind", "verdict", "tolerance"),
         "closed_form": _by_key(part, lambda each: each.closed_form),
         "fem": _by_key(part, lambda each: each.extrapolated),
         "difference": _by_key(part, lambda each: each.difference),
         "worst": _name(part.worst) | {"gap": part.worst.gap},
-        "meshes": [_mesh(mesh) for mesh in part.meshes],
-        "quantities": [_quantity(each) for each in part.quantities],
+        "meshes": [
+            laid(mesh, "elements", "iterations", "residual", penetration_m="penetration")
+            for mesh in part.meshes
+        ],
+        "quantities": [_compared(each) for each in part.quantities],
         "remarks": list(part.remarks),
     }
 
 
 def _by_key(part: StaticComparison, value: Callable[[Compared], float]) -> dict[str, Any]:
     """Lay values out by quantity, those of a system's lines in a list."""
-    laid: dict[str, Any] = {each.key: value(each) for each in part.quantities if each.line is None}
+    found: dict[str, Any] = {each.key: value(each) for each in part.quantities if each.line is None}
     if part.kind == "system":
-        laid["lines"] = [
+        found["lines"] = [
             {each.key: value(each) for each in part.quantities if each.line == k}
             for k in range(len(part.lines))
         ]
-    return laid
+    return found
 
 
 def _name(each: Compared) -> dict[str, Any]:
+    line = None if each.line is None else each.line + 1
+    return {"quantity": each.quantity, "line": line, "unit": each.unit}
+
+
+def _compared(each: Compared) -> dict[str, Any]:
+    own = ("order", "is_smooth", "extrapolated", "difference_before", "difference", "scale")
+    values = {"closed_form": each.closed_form, "fem": list(each.fem)}
+    return _name(each) | values | laid(each, *own, "allowed", "agrees")
+
+
+# ------------------------------------------------------------------ in motion
+
+
+def dynamic_document(found: DynamicVerification) -> dict[str, Any]:
+    """Build the part ``dynamic`` of a case in motion. Series are in the files of ``--out``."""
     return {
-        "quantity": each.quantity,
-        "line": None if each.line is None else each.line + 1,
-        "unit": each.unit,
+        "is_complete": found.is_complete,
+        "verdict": found.verdict,
+        "drag_axial_area": "D",
+        "body": [_quantity(each) for each in found.body],
+        "initial_friction": found.case.dynamics.initial_friction if found.case.dynamics else None,
+        "load_cases": [_part(part) for part in found.parts],
     }
 
 
-def _mesh(mesh: Mesh) -> dict[str, Any]:
+def _part(part: DynamicPart) -> dict[str, Any]:
     return {
-        "elements": mesh.elements,
-        "iterations": mesh.iterations,
-        "residual": mesh.residual,
-        "penetration_m": mesh.penetration,
+        "load_case": part.name,
+        **laid(part, "line", "is_complete", "elements"),
+        "quantities": [_quantity(each) for each in part.quantities],
+        "max_tension_N": part.max_tension,
+        "quasi_static_max_tension_N": part.quasi_static_max,
+        "amplification": part.amplification,
+        "slack_time_s": part.slack_time,
+        "longest_slack_s": part.longest_slack,
+        **laid(part, "verdict", "proof"),
+        "changes": [laid(each, "quantity", "way", change="size") for each in part.changes],
+        "anchor_at_rest": {f"{key}_N": value for key, value in part.anchor_at_rest.items()} or None,
+        "numerical_part": part.numerical_part,
+        "runs": [_run(run) for run in part.runs],
+        "remarks": list(part.remarks),
     }
 
 
-def _quantity(each: Compared) -> dict[str, Any]:
-    return _name(each) | {
-        "closed_form": each.closed_form,
-        "fem": list(each.fem),
-        "order": each.order,
-        "is_smooth": each.is_smooth,
-        "extrapolated": each.extrapolated,
-        "difference_before": each.difference_before,
-        "difference": each.difference,
-        "scale": each.scale,
-        "allowed": each.allowed,
-        "agrees": each.agrees,
+def _quantity(each: OverRuns) -> dict[str, Any]:
+    tail, runs = each.tail, each.gumbel
+    found = laid(each, "quantity", "unit", "mean", "std", max="maximum", min="minimum")
+    found |= {"most_probable_max": each.most_probable_maximum, "tail": None, "gumbel": None}
+    if tail is not None:
+        fit = laid(tail, "mean", "threshold", "scale", "shape", "peaks")
+        above = {"peaks_above": len(tail.clusters), "time_s": tail.time}
+        found["tail"] = _extreme(tail.extreme) | fit | above
+    if runs is not None:
+        found["gumbel"] = _extreme(runs.extreme) | laid(runs, "mode", "scale", "runs", run_s="run")
+    return found
+
+
+def _extreme(extreme: Extreme) -> dict[str, Any]:
+    return {
+        "duration_s": extreme.duration,
+        "most_probable_max": extreme.most_probable,
+        **laid(extreme, "low", "high", "confidence"),
+        "expected_max": extreme.expected,
+    }
+
+
+def _run(run: DynamicRun) -> dict[str, Any]:
+    history = run.history
+    tension = run.statistics("fairlead_tension")
+    return {
+        "run": run.number + 1,
+        "is_complete": history.is_complete,
+        "reached_s": float(history.time[-1]),
+        **laid(history, since_s="since", time_step_s="step", shortest_step_s="shortest_step"),
+        **laid(history, "steps", "iterations", "halvings"),
+        "max_fairlead_tension_N": tension.maximum,
+        "time_of_max_s": tension.time_of_maximum,
+        "slack_time_s": history.line_slack_time(),
+        "longest_slack_s": history.line_longest_slack(),
+        "refinements": history.refinements,
+        "energy": {
+            **{f"{name}_J": getattr(history.balance, name) for name in _ENERGIES},
+            "line_damping_J": history.balance.damping,
+            "numerical_J": history.balance.numerical,
+        },
+        "again": [
+            {
+                "way": again.way,
+                "time_step_s": again.step,
+                "elements": again.elements,
+                "maxima": dict(again.maxima),
+                "failure": again.failure,
+            }
+            for again in run.again
+        ],
+    }
+
+
+# ------------------------------------------------------------------ fatigue
+
+
+def fatigue_document(report: FatigueReport) -> dict[str, Any]:
+    """Build the document catopt.fatigue/1."""
+    return {
+        "schema": "catopt.fatigue/1",
+        "title": report.case.title,
+        "verdict": report.verdict,
+        "passes": report.passes,
+        "counting": "rainflow, ASTM E1049, what is left over as half cycles",
+        "share_of_year": report.share,
+        "sea_states": [
+            laid(state, height_m="height", period_s="period", share="share")
+            | {
+                "direction_rad": state.direction,
+                "verdict": run.verdict,
+                "runs": len(run.parts[0].runs),
+            }
+            for state, run in zip(report.states, report.runs, strict=True)
+        ],
+        "segments": [_segment(each) for each in report.segments],
+        "remarks": list(report.remarks),
+    }
+
+
+def _segment(each: SegmentFatigue) -> dict[str, Any]:
+    curve = each.strength.curve
+    is_stress = curve.kind == "S-N"
+    return {
+        "line": each.line,
+        "segment": each.number,
+        "component": each.segment.component,
+        "curve": curve.source.code,
+        **laid(curve, "kind", "factor", "slope", "per_mean"),
+        "source": curve.source.text,
+        "diameter_m": each.strength.diameter,
+        "area_m2": each.strength.reference if is_stress else None,
+        "strength_N": None if is_stress else each.strength.reference,
+        "arc_m": each.arc,
+        "along": each.along,
+        "damage_per_year": each.damage,
+        "life_years": each.years,
+        "wanted_years": each.life / YEAR,
+        "design_factor": each.factor,
+        "design_factor_source": each.factor_source.text,
+        "utilisation": each.utilisation,
+        "change_of_ranges": each.change,
+        "worst_sea_state": each.worst + 1,
+        "sea_states": [
+            laid(
+                state,
+                damage_per_year="damage",
+                mean_tension_N="mean",
+                cycles_per_year="cycles",
+                damage_per_year_at_half_step="at_half_step",
+                damage_per_year_by_spectrum="by_spectrum",
+            )
+            for state in each.states
+        ],
     }

@@ -21,7 +21,7 @@ from catopt.verify.case import load_states
 from catopt.verify.dynamic_lines import LinesAtRest, lines_at_rest, quasi_static
 from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification
 from catopt.verify.dynamic_setup import Drive, check_for_motion, read_drive
-from catopt.verify.effort import Effort, effort_of
+from catopt.verify.effort import effort_of
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.proof import FINER, Again, Proof, Way, work_of_proof
 from catopt.verify.side_by_side import side_by_side
@@ -102,23 +102,20 @@ def verify_dynamic(
     if workers is not None and workers < 1:
         raise InputError([Problem("workers", f"{workers}", "1 or more processes")], "options")
     check_for_motion(case)
-    states = [
-        (
-            name,
-            replace(
-                read_drive(state), counts_cycles=counts_cycles, compares_at_rest=compares_at_rest
-            ),
-        )
-        for name, state in load_states(case, load_case)
+    states = load_states(case, load_case)
+    drives = [
+        replace(read_drive(state), counts_cycles=counts_cycles, compares_at_rest=compares_at_rest)
+        for _, state in states
     ]
     parts: list[DynamicPart] = []
     is_whole = True
     with waiting_interrupt() as ask:
-        for done, (name, drive) in enumerate(states):
-            share = _telling(_share(progress, done, len(states)), ask)
-            found = _parts(name, drive, proof, workers, share, announce)
+        for done, ((name, _), drive) in enumerate(zip(states, drives, strict=True)):
+            tell = _telling(share_of(progress, done, len(states)), ask)
+            run = partial(_parts, name, proof, workers, announce)
+            found = run(drive, tell)
             if drive.dynamics.elements is None and any(map(_wants_more_bars, found)):
-                found = _with_twice_the_bars(found, name, drive, proof, workers, share, announce)
+                found = _with_twice_the_bars(found, drive, run, tell)
             parts += found
             is_whole = bool(found) and all(
                 part.is_complete and len(part.runs) == drive.dynamics.runs for part in found
@@ -142,19 +139,15 @@ def _wants_more_bars(part: DynamicPart) -> bool:
 
 def _with_twice_the_bars(
     found: list[DynamicPart],
-    name: str,
     drive: Drive,
-    proof: Proof,
-    workers: int | None,
+    run: Callable[[Drive, Progress], list[DynamicPart]],
     progress: Progress,
-    announce: Callable[[str], None],
 ) -> list[DynamicPart]:
     """Run a load case anew with twice the bars; keep what there is where that gives no answer."""
     bars = 2 * drive.dynamics.bars
     case = replace(drive.case, dynamics=replace(drive.dynamics, elements=bars))
     try:
-        share = _share(progress, 1, 3, part=2)
-        finer = _parts(name, replace(drive, case=case), proof, workers, share, announce)
+        finer = run(replace(drive, case=case), share_of(progress, 1, 3, part=2))
     except NotConvergedError:
         return found
     if not finer or not all(part.is_complete for part in finer):
@@ -173,21 +166,22 @@ class _Seed(NamedTuple):
 
 def _parts(
     name: str,
-    drive: Drive,
     proof: Proof,
     workers: int | None,
-    progress: Progress,
     announce: Callable[[str], None],
+    drive: Drive,
+    progress: Progress,
 ) -> list[DynamicPart]:
     """Run one load case, a part a line; none when it was stopped before anything was there."""
-    total = drive.dynamics.runs
-    lines = lines_at_rest(drive)
+    total, lines = drive.dynamics.runs, lines_at_rest(drive)
     task = partial(_seed, lines, proof)
     effort = effort_of(lines, proof)
     effort.check(drive.dynamics.duration)
     if effort.seconds > _LONG:
         announce(f"{name}: {effort}" if name else str(effort))
-    side = _workers(effort, total) if workers is None else min(workers, total)
+    # More processes than one save nothing where there is little to do.
+    worth = 1 if effort.work < _WORTH else os.cpu_count() or 1
+    side = min(worth if workers is None else workers, total)
     seeds = _in_turn(task, total, progress) if side == 1 else _at_once(task, total, side, progress)
     if not seeds:
         return []
@@ -208,7 +202,7 @@ def _parts(
             drive.dynamics.bars,
             (*remarks, *lines.remarks(), *_remarks(drive, of_line)),
             None if drive.case.system is None else k,
-            lines.anchor_at_rest(k - 1) if drive.compares_at_rest else {},
+            lines.anchor_at_rest() if drive.compares_at_rest else {},
         )
         for k, (leg, of_line) in enumerate(
             zip(lines.legs, zip(*(each.runs for each in seeds), strict=True), strict=True), start=1
@@ -222,7 +216,7 @@ def _in_turn(
     """Run the seeds one after the other, until one is stopped."""
     seeds: list[_Seed] = []
     for number in range(total):
-        seed = task(number, _share(progress, number, total))
+        seed = task(number, share_of(progress, number, total))
         if seed is not None:
             seeds.append(seed)
         if seed is None or not seed.is_whole:
@@ -238,16 +232,11 @@ def _at_once(
     return [each for each in seeds if each.is_whole] or seeds[:1]
 
 
-def _workers(effort: Effort, runs: int) -> int:
-    """Choose how many processes run the seeds: one where more would save nothing."""
-    return 1 if effort.work < _WORTH else min(os.cpu_count() or 1, runs)
-
-
 def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> _Seed | None:
     """Run one seed and prove it; stopped, what there is of it, or None."""
     total = 1 + work_of_proof(proof)
     try:
-        runs, said = _run(lines, number, _share(progress, 0, total))
+        runs, said = _run(lines, number, share_of(progress, 0, total))
     except KeyboardInterrupt:
         return None
     history = runs[0].history
@@ -258,7 +247,7 @@ def _seed(lines: LinesAtRest, proof: Proof, number: int, progress: Progress) -> 
         done = 1
         for way in ways:
             part = math.prod(FINER[way])
-            again = _again(lines, number, way, _share(progress, done, total, part))
+            again = _again(lines, number, way, share_of(progress, done, total, part))
             done += part
             runs = [
                 replace(run, again=(*run.again, one)) for run, one in zip(runs, again, strict=True)
@@ -374,7 +363,7 @@ def _remarks(drive: Drive, runs: Sequence[DynamicRun]) -> list[str]:
     return [*drive.remarks, *remarks]
 
 
-def _share(progress: Progress | None, done: int, total: int, part: int = 1) -> Progress:
+def share_of(progress: Progress | None, done: int, total: int, part: int = 1) -> Progress:
     """Tell of a part of some work as of the whole, of which some is done."""
     if progress is None:
         return lambda *_: None

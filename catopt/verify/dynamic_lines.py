@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol, get_args
+from typing import get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -31,45 +31,6 @@ from catopt.words import Message
 
 Array = npt.NDArray[np.float64]
 Progress = Callable[[float], None]
-
-
-class LinesAtRest(Protocol):
-    """Lines that are run together, and what drives them."""
-
-    @property
-    def drive(self) -> Drive:
-        """What drives them."""
-
-    @property
-    def legs(self) -> Sequence[Leg]:
-        """Each line with its anchor, and its fairlead from the body's origin."""
-
-    def driven_by(self, sea: Sea) -> list[Series]:
-        """Return what leads the lines or pushes the body in a sea, beside the sea itself."""
-
-    def run(
-        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
-    ) -> tuple[History, Array | None]:
-        """Run them; return what they did, and where the body's origin was, shape (samples, 3)."""
-
-    def simulation(self) -> Simulation:
-        """Bring the truss model to rest in the current, of the same bars as in the run."""
-
-    def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:
-        """Tension at the anchor of a line, from 0, at rest, N, by the initial friction."""
-
-    def remarks(self) -> Iterator[str]:
-        """Yield what to know before the figures are used."""
-
-
-def lines_at_rest(drive: Drive) -> LinesAtRest:
-    """Find how the lines of a case hang before they move.
-
-    Raises NoEquilibriumError, NotConvergedError as for `solve_case` and `solve_system`.
-    """
-    if drive.case.system is not None:
-        return LinesOfABody.at_rest(drive)
-    return OneLine.at_rest(drive)
 
 
 @dataclass(frozen=True)
@@ -102,10 +63,10 @@ class OneLine:
             allowed = "give horizontal_force or span: site.seabed_slope is not 0"
             found = f"{load.fairlead_tension:g} N"
             raise InputError([Problem("load.fairlead_tension", found, allowed)], "--dynamic")
-        rest = cls(drive, load, 0.0)._at_rest(drive.seabed)
+        rest = cls(drive, load, 0.0).simulation()
         return cls(drive, load, float(rest.state.x[-1, 0]))
 
-    def _at_rest(self, seabed: Seabed) -> Simulation:
+    def simulation(self, seabed: Seabed | None = None) -> Simulation:
         """Bring the truss model to rest, in the current, of the same bars as in the run."""
         case = self.drive.case
         return line_at_rest(
@@ -114,13 +75,9 @@ class OneLine:
             span=self.load.span,
             horizontal_force=self.load.horizontal_force,
             anchor_height=case.anchor_height,
-            properties=replace(self.drive.properties, seabed=seabed),
+            properties=replace(self.drive.properties, seabed=seabed or self.drive.seabed),
             sea=replace(self.drive.sea(0), waves=None),
         )
-
-    def simulation(self) -> Simulation:
-        """Bring the truss model to rest."""
-        return self._at_rest(self.drive.seabed)
 
     @property
     def legs(self) -> Sequence[Leg]:
@@ -129,7 +86,7 @@ class OneLine:
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
 
     def driven_by(self, sea: Sea) -> list[Series]:
-        """Motion of the fairlead."""
+        """Motion of the line's ends."""
         led = (self.drive.motion(sea, self.span), self.drive.anchor_motion)
         return [each for each in led if each is not None]
 
@@ -155,15 +112,14 @@ class OneLine:
         )
         return history, None
 
-    def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:  # noqa: ARG002 - the one
+    def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
         """Bring the line to rest by every past; nothing where nothing rubs.
 
         In the current, of the same bars and under the same load as in the run.
         """
-        states: tuple[InitialFriction, ...] = get_args(InitialFriction)
         found: dict[InitialFriction, float] = {}
-        for state in states:
-            simulation = self._at_rest(replace(self.drive.seabed, initial_friction=state))
+        for state in get_args(InitialFriction):
+            simulation = self.simulation(replace(self.drive.seabed, initial_friction=state))
             if not simulation.lines.friction.any() or not (simulation.state.reaction > 0.0).any():
                 return {}
             found[state] = float(np.linalg.norm(simulation.state.force[0]))
@@ -252,7 +208,7 @@ class LinesOfABody:
             sea=replace(drive.sea(0), waves=None),
         )
 
-    def anchor_at_rest(self, number: int) -> Mapping[InitialFriction, float]:  # noqa: ARG002 - none
+    def anchor_at_rest(self) -> Mapping[InitialFriction, float]:
         """Return nothing: lines of a body come to rest by the one past that their case has."""
         return {}
 
@@ -345,6 +301,18 @@ class LinesOfABody:
 def _turned(x: float, y: float, angle: float) -> tuple[float, float]:
     cosine, sine = math.cos(angle), math.sin(angle)
     return cosine * x - sine * y, sine * x + cosine * y
+
+
+LinesAtRest = OneLine | LinesOfABody
+"""Lines that are run together, and what drives them."""
+
+
+def lines_at_rest(drive: Drive) -> LinesAtRest:
+    """Find how the lines of a case hang before they move.
+
+    Raises NoEquilibriumError, NotConvergedError as for `solve_case` and `solve_system`.
+    """
+    return (OneLine if drive.case.system is None else LinesOfABody).at_rest(drive)
 
 
 def quasi_static(leg: Leg, history: History, seabed_friction: float) -> Array:

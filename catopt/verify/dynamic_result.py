@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -40,6 +40,13 @@ _ENDS = MappingProxyType({"anchor_tension": 0, "fairlead_tension": 1})
 """Column of each tension at an end in the largest forces of every step."""
 
 Verdict = Literal["converged", "not converged", "not proven"]
+_VERDICTS: tuple[Verdict, ...] = ("not converged", "not proven", "converged")
+
+
+def worst_verdict(verdicts: Iterable[Verdict]) -> Verdict:
+    """Return the one that outweighs the others."""
+    return min(verdicts, key=_VERDICTS.index, default="converged")
+
 
 _TRACK: Mapping[str, Callable[[Array], Array]] = MappingProxyType(
     {
@@ -55,19 +62,12 @@ _UNITS = MappingProxyType(dict.fromkeys(("grounded_length", "offset", *_TRACK), 
 
 @dataclass(frozen=True)
 class OverRuns:
-    """Statistics of one quantity over all runs of a load case.
+    """Statistics of one quantity over all runs of a load case, SI.
 
-    Attributes
-    ----------
-    quantity : str
-        A key of `SERIES`, or of where a body is.
-    mean, std, maximum, minimum : float
-        Of all runs together, SI.
-    tail : TailFit or None
-        Of the peaks of all runs, with the most probable maximum in the duration of interest. None
-        where the quantity is not random, or for too few peaks.
-    gumbel : GumbelFit or None
-        The same by the maxima of the runs; None for fewer than five.
+    `quantity`: a key of `SERIES`, or of where a body is; `mean` to `minimum`: of all runs together;
+    `tail`: of the peaks of all runs, with the most probable maximum in the duration of interest;
+    None where the quantity is not random, or for too few peaks; `gumbel`: the same by the maxima of
+    the runs; None for fewer than five.
     """
 
     quantity: str
@@ -93,22 +93,12 @@ class OverRuns:
 class DynamicRun:
     """One run of one line.
 
-    Attributes
-    ----------
-    history : History
-        What it did.
-    quasi_static : ndarray, shape (samples,)
-        Tension at the fairlead in closed form for each of its places, without current, N; nan where
-        the closed form has none.
-    number : int
-        From 0; with the case's seed it gives the sea.
-    again : tuple of Again
-        The same run again, at half the step and then with twice the bars, too; empty when it was
-        run once.
-    cycles : tuple of Cycles
-        Of each bar's tension, from the anchor; empty unless they were asked for.
-    track : ndarray or None
-        Place of the origin of the body that the line moors with others, shape (samples, 3), m.
+    `history`: what it did; `quasi_static` (samples,): tension at the fairlead in closed form for
+    each of its places, without current, N; nan where the closed form has none; `number`: from 0;
+    with the case's seed it gives the sea; `again`: the same run again, at half the step and then
+    with twice the bars, too; empty when it was run once; `track`: place of the origin of the body
+    that the line moors with others, shape (samples, 3), m; `cycles`: of each bar's tension, from
+    the anchor; empty unless they were asked for.
     """
 
     history: History
@@ -152,10 +142,7 @@ class DynamicRun:
         return {**maxima, "largest_tension": max(along, *ends)}
 
     def changes(self, line_length: float) -> Iterator[Change]:
-        """Yield how far each maximum moved from one run to the next that has an answer.
-
-        `line_length`: m.
-        """
+        """Yield how far each maximum moved from one run to the next that has an answer."""
         before: Mapping[str, float] = self.maxima
         for again in self.again:
             for quantity, value in again.maxima.items():
@@ -181,7 +168,7 @@ class DynamicRun:
         return float(known.max()) if known.size else None
 
 
-def over_runs(
+def _over_runs(
     quantity: str,
     each: Sequence[SeriesStatistics],
     tail: TailFit | None = None,
@@ -189,16 +176,9 @@ def over_runs(
 ) -> OverRuns:
     """Put the statistics of several runs together."""
     means = np.array([one.mean for one in each])
-    variance = float(np.mean([one.std**2 for one in each]) + means.var())
-    return OverRuns(
-        quantity,
-        mean=float(means.mean()),
-        std=math.sqrt(variance),
-        maximum=max(one.maximum for one in each),
-        minimum=min(one.minimum for one in each),
-        tail=tail,
-        gumbel=gumbel,
-    )
+    std = math.sqrt(float(np.mean([one.std**2 for one in each]) + means.var()))
+    ends = max(one.maximum for one in each), min(one.minimum for one in each)
+    return OverRuns(quantity, float(means.mean()), std, *ends, tail, gumbel)
 
 
 class Envelope(NamedTuple):
@@ -219,30 +199,13 @@ class Envelope(NamedTuple):
 class DynamicPart:
     """A line in motion under one load.
 
-    Attributes
-    ----------
-    name : str
-        Of the load case.
-    runs : tuple of DynamicRun
-        One a seed.
-    is_random : bool
-        Whether the runs are drawn from a random sea.
-    is_led_at_random : bool
-        Whether the fairlead's motion follows from that sea, or is prescribed.
-    duration_of_interest : float
-        Of the storm for which extremes are given, s.
-    line_length : float
-        Unstretched, m.
-    proof : {"none", "step", "bars"}
-        How the runs were to be proven.
-    elements : int
-        Bars.
-    remarks : tuple of str
-        What to know before the figures are used.
-    line : int or None
-        Of a body with several lines, which one, from 1.
-    anchor_at_rest : mapping of str to float
-        Tension at the anchor at rest, N, by the initial friction; empty where nothing rubs.
+    `name`: of the load case; `runs`: one a seed; `is_random`: whether the runs are drawn from a
+    random sea; `is_led_at_random`: whether the fairlead's motion follows from that sea, or is
+    prescribed; `duration_of_interest`: of the storm for which extremes are given, s; `line_length`:
+    unstretched, m; `proof`: how the runs were to be proven; `elements`: bars; `remarks`: what to
+    know before the figures are used; `line`: of a body with several lines, which one, from 1;
+    `anchor_at_rest`: tension at the anchor at rest, N, by the initial friction; empty where nothing
+    rubs.
     """
 
     name: str
@@ -304,13 +267,13 @@ class DynamicPart:
     @cached_property
     def envelope(self) -> Envelope:
         """Largest and smallest tension of each bar over all runs, and how long it was slack."""
-        histories = [run.history for run in self.runs]
+        of = [run.history for run in self.runs]
         return Envelope(
-            histories[0].arc,
-            np.fmax.reduce([each.max_tension for each in histories]),
-            np.fmin.reduce([each.min_tension for each in histories]),
-            np.max([each.slack_time for each in histories], axis=0),
-            np.max([each.longest_slack for each in histories], axis=0),
+            of[0].arc,
+            np.fmax.reduce([each.max_tension for each in of]),
+            np.fmin.reduce([each.min_tension for each in of]),
+            np.max([each.slack_time for each in of], axis=0),
+            np.max([each.longest_slack for each in of], axis=0),
         )
 
     @property
@@ -326,7 +289,12 @@ class DynamicPart:
     @cached_property
     def quantities(self) -> tuple[OverRuns, ...]:
         """Statistics of every one of `SERIES`."""
-        return tuple(self._over_runs(quantity) for quantity in SERIES)
+        found = []
+        for quantity in SERIES:
+            each = [run.statistics(quantity) for run in self.runs]
+            tail, gumbel = self._tail(quantity, each), self._gumbel(quantity, each)
+            found.append(_over_runs(quantity, each, tail, gumbel))
+        return tuple(found)
 
     def of(self, quantity: str) -> OverRuns:
         """Look a quantity up."""
@@ -365,10 +333,6 @@ class DynamicPart:
         """The run with the largest tension at the fairlead."""
         return largest(self.runs, lambda run: run.statistics("fairlead_tension").maximum)
 
-    def _over_runs(self, quantity: str) -> OverRuns:
-        each = [run.statistics(quantity) for run in self.runs]
-        return over_runs(quantity, each, self._tail(quantity, each), self._gumbel(quantity, each))
-
     def varies_at_random(self, quantity: str) -> bool:
         """Whether a quantity has extremes: not the grounded length, which ends with the line."""
         if quantity == "grounded_length":
@@ -406,11 +370,7 @@ class DynamicVerification(Shown):
     @property
     def verdict(self) -> Verdict:
         """That of the load cases together."""
-        of_parts = {part.verdict for part in self.parts}
-        for verdict in ("not converged", "not proven"):
-            if verdict in of_parts:
-                return verdict
-        return "converged"
+        return worst_verdict(part.verdict for part in self.parts)
 
     @property
     def governing(self) -> DynamicPart:
@@ -426,22 +386,18 @@ class DynamicVerification(Shown):
     @cached_property
     def body(self) -> tuple[OverRuns, ...]:
         """Where the origin of a moored body was, m; empty without one."""
-        runs = self.parts[0].runs
-        tracks = [(run, run.track) for run in runs if run.track is not None]
-        return tuple(
-            over_runs(
-                quantity,
-                [
-                    series_statistics(run.history.time[run.counted], of(track)[run.counted])
-                    for run, track in tracks
-                ],
-            )
-            for quantity, of in _TRACK.items()
-            if tracks
-        )
+        tracks = [(run, run.track) for run in self.parts[0].runs if run.track is not None]
+        found = []
+        for quantity, of in _TRACK.items() if tracks else ():
+            each = [
+                series_statistics(run.history.time[run.counted], of(track)[run.counted])
+                for run, track in tracks
+            ]
+            found.append(_over_runs(quantity, each))
+        return tuple(found)
 
     def to_dict(self) -> dict[str, Any]:
         """Build what ``catopt verify --dynamic --json`` has under ``dynamic``."""
-        from catopt.verify.dynamic_document import dynamic_document
+        from catopt.verify.document import dynamic_document
 
         return dynamic_document(self)

@@ -69,30 +69,11 @@ _FAST = 0.99
 class Drive:
     """What drives a case, with its files read.
 
-    Attributes
-    ----------
-    case : Case
-        With dynamics.
-    elevation : ElevationRecord or None
-        Of the surface.
-    current : CurrentSeries or None
-        Over time.
-    record : Sampled or None
-        Of the motion of the fairlead, or of a body's origin.
-    raos : Raos or None
-        Of the fairlead.
-    vessel : VesselRaos or None
-        Of a body.
-    drift : Sampled or None
-        Slow, of a body.
-    force : Sampled or None
-        On a body, beside its mean.
-    anchor_record : Sampled or None
-        Of the motion of a line's lower end.
-    counts_cycles : bool
-        Whether the cycles of every bar's tension are counted.
-    compares_at_rest : bool
-        Whether what the lines would do without moving is found, too.
+    `case`: with dynamics; `elevation`: of the surface; `current`: over time; `record`: of the
+    motion of the fairlead, or of a body's origin; `raos`: of the fairlead; `vessel`: of a body;
+    `drift`: slow, of a body; `force`: on a body, beside its mean; `anchor_record`: of the motion of
+    a line's lower end; `counts_cycles`: whether the cycles of every bar's tension are counted;
+    `compares_at_rest`: whether what the lines would do without moving is found, too.
     """
 
     case: Case
@@ -153,51 +134,35 @@ class Drive:
     @property
     def remarks(self) -> list[str]:
         """What is to be known of the files and of recalled coefficients."""
-        return [*self._of_record(), *self._of_roughness()]
-
-    def _of_roughness(self) -> list[str]:
-        """Say what the drag of a segment by its roughness is, and that it is not verified."""
-        sections = self.properties.sections or ()
-        return [
-            Message(
-                "motion.roughness",
-                number=number,
-                drag=section.drag_normal,
-                mass=section.added_mass_normal,
-                m=section.oblique[0],
-                n=section.oblique[1],
-            )
-            for number, (segment, section) in enumerate(
-                zip(self.case.line.segments, sections, strict=True), start=1
-            )
-            if segment.drag_method == "roughness"
-        ]
-
-    def _of_record(self) -> list[str]:
+        remarks: list[str] = []
         record = self.elevation
-        if record is None:
-            return []
-        waves = self.recorded_waves
-        remarks: list[str] = [
-            Message(
-                "motion.recorded_waves",
-                count=waves.count,
-                period=2.0 * math.pi / float(waves.omega[-1]),
-                part=record.left_out(waves),
-                mean=record.mean,
+        if record is not None:
+            waves = self.recorded_waves
+            remarks.append(
+                Message(
+                    "motion.recorded_waves",
+                    count=waves.count,
+                    period=2.0 * math.pi / float(waves.omega[-1]),
+                    part=record.left_out(waves),
+                    mean=record.mean,
+                )
             )
-        ]
-        if record.is_resampled:
-            remarks.append(Message("motion.resampled", step=record.step))
+            if record.is_resampled:
+                remarks.append(Message("motion.resampled", step=record.step))
+        sections = self.properties.sections or ()
+        for at, (segment, section) in enumerate(
+            zip(self.case.line.segments, sections, strict=True), start=1
+        ):
+            if segment.drag_method == "roughness":  # it is not verified
+                drag, mass = section.drag_normal, section.added_mass_normal
+                m, n = section.oblique
+                said = Message("motion.roughness", number=at, drag=drag, mass=mass, m=m, n=n)
+                remarks.append(said)
         return remarks
 
     def motion(self, sea: Sea, span: float) -> Series | None:
-        """Motion of the fairlead in a sea.
-
-        `span`: at rest, m.
-        """
-        given = self.case.motion
-        if given is None:
+        """Motion of the fairlead in a sea; `span` at rest, m."""
+        if self.case.motion is None:
             return None
         if self.record is not None:
             return self.record
@@ -308,20 +273,22 @@ class Drive:
 
 
 def read_drive(case: Case) -> Drive:
-    """Read the files of a case's sea and motion.
-
-    Raises InputError for what is wrong in them.
-    """
-    drive = _with_sea(_with_motion(case))
-    lower = case.anchor_motion
+    """Read the files of a case's sea and motion; InputError for what is wrong in them."""
+    assert case.dynamics is not None
+    duration = case.dynamics.duration
+    drive = _with_motion(case, duration)
+    waves, current, lower = case.waves, case.current, case.anchor_motion
+    if waves is not None and waves.elevation_file:
+        drive = replace(drive, elevation=read_elevation(waves.elevation_file, duration))
+        drive.recorded_waves  # noqa: B018 - refuses a shortest period that no wave has
+    if current is not None and current.series_file:
+        drive = replace(drive, current=_current_series(current, duration))
     if lower is not None and lower.file:
-        drive = replace(drive, anchor_record=read_motion(lower.file, drive.dynamics.duration))
+        drive = replace(drive, anchor_record=read_motion(lower.file, duration))
     return drive
 
 
-def _with_motion(case: Case) -> Drive:
-    assert case.dynamics is not None
-    duration = case.dynamics.duration
+def _with_motion(case: Case, duration: float) -> Drive:
     if case.body is not None and case.body.force_file:
         return Drive(case, force=read_force(case.body.force_file, duration))
     given = case.motion
@@ -346,42 +313,26 @@ def _harmonic(given: Motion) -> Harmonic:
     )
 
 
-def _with_sea(drive: Drive) -> Drive:
-    waves, current, duration = drive.case.waves, drive.case.current, drive.dynamics.duration
-    if waves is not None and waves.elevation_file:
-        drive = replace(drive, elevation=read_elevation(waves.elevation_file, duration))
-        drive.recorded_waves  # noqa: B018 - refuses a shortest period that no wave has
-    if current is not None and current.series_file:
-        drive = replace(drive, current=_current_series(current, duration))
-    return drive
-
-
 def check_for_motion(case: Case) -> None:
     """Refuse a case that lacks what a line in motion needs, with everything that it lacks.
 
     Raises InputError with the path of every key.
     """
-    problems = [
-        *_of_settings(case),
-        *(p for k, s in enumerate(case.line.segments) for p in _of_segment(k, s)),
-        *(
-            Problem(f"line.point_loads[{k}].mass", "", "missing; a line in motion needs it")
-            for k, load in enumerate(case.line.point_loads)
-            if load.mass is None
-        ),
-    ]
-    if problems:
-        raise InputError(problems, "--dynamic")
-
-
-def _of_settings(case: Case) -> list[Problem]:
+    problems = []
     if case.dynamics is None:
         allowed = "missing; write [dynamics] with a duration, and [motion] or [waves]"
-        return [Problem("dynamics", "", allowed)]
-    if case.dynamics.runs > 1 and not Drive(case).is_random:
+        problems.append(Problem("dynamics", "", allowed))
+    elif case.dynamics.runs > 1 and not Drive(case).is_random:
         allowed = "without a random sea all runs are alike; leave it out"
-        return [Problem("dynamics.runs", f"{case.dynamics.runs}", allowed)]
-    return []
+        problems.append(Problem("dynamics.runs", f"{case.dynamics.runs}", allowed))
+    for index, segment in enumerate(case.line.segments):
+        problems += _of_segment(index, segment)
+    for index, load in enumerate(case.line.point_loads):
+        if load.mass is None:
+            allowed = "missing; a line in motion needs it"
+            problems.append(Problem(f"line.point_loads[{index}].mass", "", allowed))
+    if problems:
+        raise InputError(problems, "--dynamic")
 
 
 def _of_segment(index: int, segment: Segment) -> list[Problem]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,9 +23,9 @@ from catopt.model.fatigue import share_misfits
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.verify.case import load_states
-from catopt.verify.dynamic import Progress, verify_dynamic
+from catopt.verify.dynamic import Progress, share_of, verify_dynamic
 from catopt.verify.dynamic_lines import lines_at_rest
-from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict
+from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict, worst_verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.effort import effort_of
 from catopt.verify.motion_file import OF_TOTAL, lines_of, read_columns
@@ -44,18 +44,9 @@ _WHOLE = 1e-6
 class StateDamage(NamedTuple):
     """What a sea state does to a segment.
 
-    Attributes
-    ----------
-    damage : float
-        In a year, with its share of it.
-    mean : float
-        Tension, N.
-    cycles : float
-        In a year, with its share of it.
-    at_half_step : float or None
-        The damage by the runs at half the step; None where there are none.
-    by_spectrum : float or None
-        The damage by dual narrow band; None without waves.
+    `damage`, `cycles`: in a year, with its share of it; `mean`: tension, N; `at_half_step`: the
+    damage by the runs at half the step; None where there are none; `by_spectrum`: the damage by
+    dual narrow band; None without waves.
     """
 
     damage: float
@@ -69,26 +60,10 @@ class StateDamage(NamedTuple):
 class SegmentFatigue:
     """Fatigue of a segment, at its bar of the largest damage.
 
-    Attributes
-    ----------
-    line : int or None
-        Of a body with several lines, which one, from 1.
-    number : int
-        Of the segment, from 1 at the anchor.
-    segment : Segment
-        As new.
-    strength : FatigueStrength
-        Its curve and reference.
-    states : tuple of StateDamage
-        One a sea state.
-    arc, along : float
-        Where that bar is: from the anchor, m, and as a part of the segment.
-    factor : float
-        On the damage.
-    factor_source : CheckSource
-        Of the factor.
-    life : float
-        That is wanted, s.
+    `line`: of a body with several lines, which one, from 1; `number`: of the segment, from 1 at the
+    anchor; `segment`: as new; `strength`: its curve and reference; `states`: one a sea state;
+    `arc`, `along`: where that bar is: from the anchor, m, and as a part of the segment; `factor`:
+    on the damage, and its source; `life`: that is wanted, s.
     """
 
     line: int | None
@@ -134,17 +109,7 @@ class SegmentFatigue:
 
 @dataclass(frozen=True)
 class FatigueReport:
-    """Fatigue of the lines of a case.
-
-    Attributes
-    ----------
-    case : Case
-        What was run.
-    states : tuple of FatigueSeaState
-        In the order of the runs.
-    runs : tuple of DynamicVerification
-        One a sea state.
-    """
+    """Fatigue of the lines of a case: its sea states in the order of their runs, one each."""
 
     case: Case
     states: tuple[FatigueSeaState, ...]
@@ -220,13 +185,9 @@ class FatigueReport:
     @property
     def verdict(self) -> Verdict:
         """Whether the runs have converged, in their maxima and in the ranges behind the damage."""
-        of_runs = {run.verdict for run in self.runs}
         if any(each.change is not None and each.change > LIMIT for each in self.segments):
             return "not converged"
-        for verdict in ("not converged", "not proven"):
-            if verdict in of_runs:
-                return verdict
-        return "converged"
+        return worst_verdict(run.verdict for run in self.runs)
 
     @property
     def share(self) -> float:
@@ -250,7 +211,7 @@ class FatigueReport:
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt fatigue --json`` prints (schema catopt.fatigue/1)."""
-        from catopt.verify.fatigue_document import fatigue_document
+        from catopt.verify.document import fatigue_document
 
         return fatigue_document(self)
 
@@ -300,19 +261,17 @@ def verify_fatigue(
     seconds = sum(_seconds(sea, load_case, proof) for sea in seas)
     if seconds > _LONG:
         announce(Message("fatigue.takes", count=len(states), minutes=seconds / 60.0))
+    run = partial(
+        verify_dynamic,
+        load_case=load_case,
+        proof=proof,
+        workers=workers,
+        counts_cycles=True,
+        compares_at_rest=False,
+    )
     runs = []
     for done, sea in enumerate(seas):
-        runs.append(
-            verify_dynamic(
-                sea,
-                load_case=load_case,
-                proof=proof,
-                workers=workers,
-                counts_cycles=True,
-                compares_at_rest=False,
-                progress=_share(progress, done, len(seas)),
-            )
-        )
+        runs.append(run(sea, progress=share_of(progress, done, len(seas))))
         if not runs[-1].is_complete:
             raise KeyboardInterrupt
     return FatigueReport(case, states, tuple(runs))
@@ -337,12 +296,6 @@ def _seconds(case: Case, load_case: str | None, proof: Proof) -> float:
     return effort.seconds
 
 
-def _share(progress: Progress | None, done: int, total: int) -> Progress | None:
-    if progress is None:
-        return None
-    return lambda at, end: progress(done * end + at, total * end)
-
-
 _UNITS = {
     "height": UNITS[Dimension.LENGTH],
     "period": UNITS[Dimension.TIME],
@@ -356,33 +309,22 @@ _LASTING = ("share", "time", "occurrences")
 
 
 def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
-    """Take the sea states of a case, or read them from its file.
-
-    Raises
-    ------
-    InputError
-        With all that is wrong in the file.
-    """
+    """Take the sea states of a case, or read them from its file; InputError with all its faults."""
     fatigue = case.fatigue
     assert fatigue is not None
     path = fatigue.sea_states_file
     if not path:
         return fatigue.sea_states
-    columns = read_columns(
-        path,
-        needed=("height", "period"),
-        known=tuple(_UNITS),
-        some_of=_LASTING,
-        units=_UNITS,
-    )
+    needed = ("height", "period")
+    columns = read_columns(path, needed=needed, known=tuple(_UNITS), some_of=_LASTING, units=_UNITS)
     given = [key for key in _LASTING if key in columns]
     if len(given) > 1:
         raise InputError([Problem("headings", " and ".join(given), "one of them is wanted")], path)
     shares = columns[given[0]] / (YEAR if given == ["time"] else 1.0)
     states, problems = [], share_misfits(shares.tolist())
     for row, (line, share) in enumerate(zip(lines_of(path), shares.tolist(), strict=True)):
-        at = {key: float(columns[key][row]) for key in ("height", "period", "direction")
-              if key in columns}  # fmt: skip
+        sea = columns.keys() & {"height", "period", "direction"}
+        at = {key: float(columns[key][row]) for key in sea}
         try:
             states.append(FatigueSeaState(share=share, **at))
         except InputError as error:

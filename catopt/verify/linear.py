@@ -21,18 +21,9 @@ from catopt.verify.dynamic_setup import check_for_motion, read_drive
 class LinearLine:
     """What a random sea makes of the tension at a line's fairlead, by linear motion.
 
-    Attributes
-    ----------
-    line : int or None
-        Of a body with several lines, which one, from 1.
-    mean : float
-        At rest, N.
-    deviation : float
-        Standard deviation, N.
-    period : float
-        Zero-crossing period, s.
-    reserve : float
-        Least tension of any of the line's bars at rest over its standard deviation.
+    `line`: of a body with several lines, which one, from 1; `mean`: at rest, N; `deviation`:
+    standard deviation, N; `period`: zero-crossing period, s; `reserve`: least tension of any of the
+    line's bars at rest over its standard deviation.
     """
 
     line: int | None
@@ -47,14 +38,9 @@ class LinearLine:
         return self.reserve >= LEAST_RESERVE
 
     def most_probable(self, duration: float) -> float:
-        """Most probable largest tension in a storm, if tensions were normally distributed, N.
+        """Most probable largest tension in a storm, N, if tensions were normally distributed.
 
-        They are not: the largest in time are above it, by a quarter in steep seas.
-
-        Parameters
-        ----------
-        duration : float
-            Of the storm, s.
+        They are not: the largest in time are above it, by a quarter in steep seas. `duration`: s.
         """
         if not self.deviation > 0.0:
             return self.mean
@@ -93,7 +79,8 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     (555, 66, True)
     """
     check_for_motion(case)
-    _check(case)
+    if problems := list(_not_linear(case)):
+        raise InputError(problems, "linear motion")
     model = _model(replace(case, waves=WaveState("regular", 1.0, 10.0), title=""))
     lines = lines_at_rest(read_drive(case))
     sea = lines.drive.sea(0)
@@ -123,13 +110,8 @@ def _model(case: Case) -> LinearModel:
     return linear_model(lines_at_rest(read_drive(case)).simulation())
 
 
-def _check(case: Case) -> None:
-    """Refuse what has no linear form."""
-    if problems := list(_not_linear(case)):
-        raise InputError(problems, "linear motion")
-
-
 def _not_linear(case: Case) -> Iterator[Problem]:
+    """Yield what has no linear form."""
     motion, dynamics = case.motion, case.dynamics
     assert dynamics is not None
     if case.waves is None or not (case.waves.is_random or case.waves.elevation_file):

@@ -33,8 +33,8 @@ from catopt.model import (
 )
 from catopt.model.dynamics import INITIAL_FRICTION
 from catopt.verify.case import verify_case
+from catopt.verify.document import dynamic_document
 from catopt.verify.dynamic import verify_dynamic
-from catopt.verify.dynamic_document import dynamic_document
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Drive, read_drive
 from catopt.verify.motion_words import dynamic_sentences

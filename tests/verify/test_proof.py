@@ -130,7 +130,7 @@ def test_twice_the_bars_go_on_from_where_the_first_run_ended(
     part = proven(TAUT)  # before what runs it is put aside
 
     def run(*given: Any) -> list[DynamicPart]:
-        tell = given[4]
+        tell = given[-1]
         for at in (0, 5, 10):
             tell(at, 10)
         return [part]
