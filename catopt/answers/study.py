@@ -24,9 +24,9 @@ from catopt.quantities import Quantity
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
-    from catopt.study.plan import Plan
-    from catopt.study.quantities import Kept
+    from catopt.study.base import Kept
     from catopt.study.result import ByChoice, Statistic, StudyResult
+    from catopt.study.run import Plan
     from catopt.study.store import Computed
     from catopt.study.study import Study
 

@@ -101,7 +101,7 @@ def study(
         raise _refused("--notes", 'goes with compute = "sizing"')
     if plan:
         from catopt.answers.study import plan_answer
-        from catopt.study.plan import plan_study
+        from catopt.study.run import plan_study
 
         found = plan_study(read)
         asked.give(plan_answer(found), found.to_dict)
@@ -167,8 +167,7 @@ def _run(
     notes: Path | None,
     language: Language,
 ) -> None:
-    from catopt.study.executors import cluster, processes, worth
-    from catopt.study.run import run_into
+    from catopt.study.run import cluster, processes, run_into, worth
 
     count = worth(read) if workers is None else workers
     of_sizing = None

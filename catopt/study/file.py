@@ -20,11 +20,9 @@ from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Measured
-from catopt.study.axis import Array, Axis
+from catopt.study.axis import Array, Axis, Distribution
 from catopt.study.base import Base
-from catopt.study.distribution import Distribution
-from catopt.study.keys import kind_of_key
-from catopt.study.member import read_member
+from catopt.study.member import kind_of_key, read_member
 from catopt.study.schema import StudyTable, VaryTable
 from catopt.study.study import Study
 from catopt.study.table import read_table
@@ -109,7 +107,11 @@ def _axes(table: StudyTable, base: Base, folder: Path, problems: list[Problem]) 
                 axis = None
                 keys = {each.key or ""}
             else:
-                axis = _listed(each, base) if each.key else _of_table(each, base, folder)
+                if each.table is None:
+                    axis = _listed(each, base)
+                else:
+                    path = folder / each.table
+                    axis = read_table(base, path, each.columns or {}, each.weight)
                 keys = set(axis.columns)
             for key in sorted(keys & seen):
                 raise InputError([Problem("key", f'"{key}"', "varies already above")])
@@ -190,11 +192,6 @@ def _number(base: Base, each: VaryTable, name: str, *, spread: bool = False) -> 
     if spread and not number > 0.0:
         raise InputError([Problem(name, f"{value}", "must be above 0")])
     return number
-
-
-def _of_table(each: VaryTable, base: Base, folder: Path) -> Axis:
-    assert each.table is not None
-    return read_table(base, folder / each.table, each.columns or {}, each.weight)
 
 
 def _drawn(

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from catopt.casefile.location import parts
+from catopt.casefile.names import hint
 from catopt.casefile.reading import case_of
+from catopt.casefile.schema import CaseTable, Table, entries
 from catopt.checks.case import check_case
-from catopt.errors import CatoptError, InputError
+from catopt.errors import CatoptError, InputError, Problem
 from catopt.model import Case
+from catopt.model.kinds import Kind, Measured
 from catopt.sizing.file import SizingFile, file_of, sized
+from catopt.sizing.schema import schema_of
 from catopt.study.base import Base
-from catopt.study.keys import in_file, kind_of_key, with_changes
 from catopt.ties import largest
 
 if TYPE_CHECKING:
@@ -25,12 +30,69 @@ OfSizing = Callable[[int, Mapping[str, Any], "Sizing"], None]
 """Told the number of a member, from 0, its own values by key path, and its sizing."""
 
 
+def kind_of_key(base: Base, key: str) -> Kind:
+    """Return what a key path takes.
+
+    Raises InputError, about ``key``, for one that the file cannot have, that is no single value, or
+    that counts into an array of tables which the file does not have.
+    """
+    top = CaseTable if base.moored is None else schema_of(base.moored)
+    table: type[Table] | None = top
+    place: Any = base.document
+    entry = None
+    for at, part in enumerate(parts(key)):
+        if isinstance(part, int):
+            if entry is None or not entry.array:
+                raise _refused(key, "this is no array")
+            if not isinstance(place, list) or part >= len(place):
+                there = len(place) if isinstance(place, list) else 0
+                raise _refused(key, f"the file has {there} of them, counted from 0")
+            place = place[part]
+            continue
+        if table is None:
+            raise _refused(key, "a single value has no keys")
+        if part not in entries(table):
+            raise _refused(key, f"no such key; {hint(table, part, top)}")
+        entry = entries(table)[part]
+        table = entry.table
+        place = place.get(part) if isinstance(place, dict) else None
+        is_last = at == len(parts(key)) - 1
+        if is_last and entry.array:
+            raise _refused(key, f"an array; one of it is wanted, such as {key}[0]")
+    if entry is None or entry.kind is None:
+        raise _refused(key, "the key path of a single value, such as load.horizontal_force")
+    return entry.kind
+
+
+def with_changes(base: Base, changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the document of a member: that of the base, with its own values in place."""
+    document = copy.deepcopy(base.document)
+    for key, value in changes.items():
+        place: Any = document
+        *above, last = parts(key)
+        for part in above:
+            place = place[part] if isinstance(part, int) else place.setdefault(part, {})
+        place[last] = value
+    return document
+
+
+def _in_file(kind: Kind, si: Any) -> Any:
+    """Write a value in SI as the file has it: a bare number may be in another unit there."""
+    if isinstance(kind, Measured) and kind.bare:
+        return f"{si!r} {kind.dimension.si_unit}"
+    return si
+
+
+def _refused(key: str, allowed: str) -> InputError:
+    return InputError([Problem("key", f'"{key}"', allowed)])
+
+
 def read_member(base: Base, changes: Mapping[str, Any]) -> Case | SizingFile:
     """Read a member's file; InputError with all that is wrong in it.
 
     `changes`: its own values by key path, numbers in SI.
     """
-    written = {key: in_file(kind_of_key(base, key), value) for key, value in changes.items()}
+    written = {key: _in_file(kind_of_key(base, key), value) for key, value in changes.items()}
     document = with_changes(base, written)
     if base.moored is None:
         return case_of(document, base.source, folder=base.folder)
@@ -85,19 +147,18 @@ def _in_motion(base: Base, case: Case) -> Values:
     found = verify_dynamic(case, proof=base.proof, workers=1, compares_at_rest=False)
     if not found.is_complete:
         raise KeyboardInterrupt
-    parts = found.parts
-    worst = largest(parts, lambda part: part.of("fairlead_tension").maximum)
-    tension = worst.of("fairlead_tension")
+    ran = found.parts
+    tension = found.governing.of("fairlead_tension")
     values: Values = {
         "fairlead_tension": tension.maximum,
         "fairlead_mean": tension.mean,
         "fairlead_deviation": tension.std,
-        "anchor_tension": max(part.of("anchor_tension").maximum for part in parts),
-        "offset": max(part.of("offset").maximum for part in parts),
-        "grounded_length": min(part.of("grounded_length").minimum for part in parts),
+        "anchor_tension": max(part.of("anchor_tension").maximum for part in ran),
+        "offset": max(part.of("offset").maximum for part in ran),
+        "grounded_length": min(part.of("grounded_length").minimum for part in ran),
         "verdict": found.verdict,
     }
-    changes = [part.worst_change.size for part in parts if part.worst_change is not None]
+    changes = [part.worst_change.size for part in ran if part.worst_change is not None]
     if changes:
         values["change"] = max(changes)
     if any(each.check == "tension" for each in criteria_of(case, analysis="dynamic").all):

@@ -16,8 +16,8 @@ import numpy as np
 
 from catopt.errors import InputError, NoAnswerError, NotConvergedError
 from catopt.study.axis import Array
+from catopt.study.base import Kept
 from catopt.study.member import compute_member
-from catopt.study.quantities import Kept
 from catopt.study.statics import at_rest
 from catopt.study.study import Piece, Study
 
@@ -35,16 +35,9 @@ _AT_LIMIT: Final = 1e-6
 class FirstOrder:
     """Reliability by the first order.
 
-    Attributes
-    ----------
-    index : float
-        beta; below 0 where the limit is passed at the medians already.
-    probability : float
-        Of passing the limit.
-    point : mapping of str to float
-        Where it is most likely passed: values in SI by key path.
-    importance : mapping of str to float
-        Share of each in beta squared.
+    `index`: beta; below 0 where the limit is passed at the medians already; `probability`: of
+    passing the limit; `point`: where it is most likely passed: values in SI by key path;
+    `importance`: share of each in beta squared.
     """
 
     index: float
@@ -73,14 +66,7 @@ def counted_interval(beyond: int, count: int) -> tuple[float, float]:
 def first_order(study: Study, kept: Kept, limit: float) -> FirstOrder | None:
     """Find the point at which a limit is most likely passed; None where there is none to be found.
 
-    Parameters
-    ----------
-    study : Study
-        One whose keys are drawn, or have one value.
-    kept : Kept
-        Which quantity.
-    limit : float
-        In SI.
+    `study`: one whose keys are drawn, or have one value; `limit`: of the quantity, in SI.
     """
     from scipy.optimize import minimize
     from scipy.special import ndtr

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from catopt.errors import InputError, Problem, need_package
 from catopt.shown import Shown
 from catopt.study.axis import Array
-from catopt.study.quantities import Kept
+from catopt.study.base import Kept
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store
 from catopt.study.study import Study
@@ -37,26 +37,11 @@ _MOST_SHOWN = 10
 class Statistic:
     """One quantity over all members that have it, each by what it counts.
 
-    Attributes
-    ----------
-    kept : Kept
-        Which.
-    count : int
-        Members that have it.
-    mean, deviation : float
-        Of it, in SI.
-    least, largest : float
-        Of all members, in SI.
-    levels : tuple of float
-        Values that a share of `LEVELS` does not exceed.
-    worst : int
-        Member at its bad end, from 0.
-    limit, beyond : float or None
-        A limit, and the share of the members beyond it.
-    interval : tuple of float or None
-        Of the probability to be beyond it, where nothing but draws varies.
-    first_beyond : int or None
-        The first member beyond it, from 0; None where none is.
+    `count`: members that have it; `mean`, `deviation`: of it, in SI; `least`, `largest`: of all
+    members, in SI; `levels`: values that a share of `LEVELS` does not exceed; `worst`: member at
+    its bad end, from 0; `limit`, `beyond`: a limit, and the share of the members beyond it;
+    `interval`: of the probability to be beyond it, where nothing but draws varies; `first_beyond`:
+    the first member beyond it, from 0; None where none is.
     """
 
     kept: Kept
@@ -77,14 +62,8 @@ class Statistic:
 class ByChoice:
     """How often a limit is passed by the draws of one choice of what is not drawn.
 
-    Attributes
-    ----------
-    kept : Kept
-        Which quantity.
-    member : int
-        The first of its members, from 0.
-    beyond, count : int
-        Draws beyond the limit, of how many with an answer.
+    `member`: the first of its members, from 0; `beyond`, `count`: draws beyond the limit, of how
+    many with an answer.
     """
 
     kept: Kept
@@ -107,15 +86,9 @@ class ByChoice:
 class Influence:
     """How much of the spread of a quantity one of the things that vary explains.
 
-    Attributes
-    ----------
-    keys : tuple of str
-        Key paths that vary together.
-    share : float
-        Of the variance, what would go if they were known (first-order index, by parts of equal
-        count where there are many values).
-    low, high : float
-        Least and largest mean of the quantity over their values, in SI.
+    `keys`: key paths that vary together; `share`: of the variance, what would go if they were known
+    (first-order index, by parts of equal count where there are many values); `low`, `high`: least
+    and largest mean of the quantity over their values, in SI.
     """
 
     keys: tuple[str, ...]
@@ -205,7 +178,7 @@ class StudyResult(Shown):
         limit = self.study.limits.get(kept.name)
         beyond = interval = first_beyond = None
         if limit is not None:
-            is_beyond = values > limit if kept.high_is_worse else values < limit
+            is_beyond = kept.beyond(values, limit)
             beyond = float(shares[is_beyond].sum())
             if is_beyond.any():
                 first_beyond = int(there[np.argmax(is_beyond)])
@@ -238,14 +211,10 @@ class StudyResult(Shown):
         study = self.study
         names = [axis.name for axis in study.axes]
         sizes = [len(axis) for axis in study.axes]
-        kept = {
-            each.name: (
-                names,
-                self.store.column(at).reshape(sizes),
-                {"units": each.measure.si_unit},
-            )
-            for at, each in enumerate(self.measured)
-        }
+        kept = {}
+        for at, each in enumerate(self.measured):
+            column = self.store.column(at).reshape(sizes)
+            kept[each.name] = (names, column, {"units": each.measure.si_unit})
         along = {
             key: (axis.name, np.asarray(values))
             for axis in study.axes
@@ -270,12 +239,8 @@ class StudyResult(Shown):
             for choice, row in enumerate(values):
                 known = row[np.isfinite(row)]
                 if known.size:
-                    is_beyond = (
-                        known > each.limit if each.kept.high_is_worse else known < each.limit
-                    )
-                    found.append(
-                        ByChoice(each.kept, choice * drawn, int(is_beyond.sum()), known.size)
-                    )
+                    beyond = int(each.kept.beyond(known, each.limit).sum())
+                    found.append(ByChoice(each.kept, choice * drawn, beyond, known.size))
         return tuple(found)
 
     @cached_property

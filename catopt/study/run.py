@@ -1,28 +1,43 @@
-"""Running a study: piece by piece, here, in processes side by side, or on a cluster."""
+"""Running a study: piece by piece, here, side by side, or on a cluster; and what it asks for."""
 
 from __future__ import annotations
 
 import os
+import signal
+import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from contextlib import ExitStack
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
 from functools import partial
 from itertools import islice
+from multiprocessing import connection, get_context, parent_process
 from pathlib import Path
+from time import perf_counter
+from typing import Any
 
 import numpy as np
 
-from catopt.errors import InputError, NoAnswerError, NotConvergedError
+from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.study.base import Base
-from catopt.study.executors import processes, worth
 from catopt.study.file import read_study
 from catopt.study.member import OfSizing, compute_member, reason_of
 from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
 from catopt.study.study import Piece, Study
+from catopt.verify.side_by_side import no_script
 
 Progress = Callable[[int, int], None]
+
+_AHEAD = 2
+"""Pieces that each process is given beyond the one it runs."""
+
+_TIMED = 3
+"""Members that are timed: the first, one in the middle, the last."""
+
+_BYTES = 3
+"""On disk beside a number in the store: its digits in the table of members."""
 
 
 def run_study(
@@ -86,28 +101,11 @@ def run_into(
 ) -> None:
     """Compute what a store does not have yet.
 
-    Parameters
-    ----------
-    study : Study
-        What to run.
-    store : Store
-        Of this study.
-    executor : Executor, optional
-        What runs the pieces, as of `concurrent.futures`; here and now when left out. The numbers
-        do not hang on it.
-    at_once : int
-        Pieces that the executor is given at a time.
-    of_sizing : callable, optional
-        Told each sizing, before its piece is stored; it goes through pickle to the executor.
-    progress : callable, optional
-        Told the members done and all.
-
-    Raises
-    ------
-    CatoptError
-        A fault of catopt's own. A member without an answer stops nothing.
-    KeyboardInterrupt
-        What was computed by then is in the store.
+    `executor`: what runs the pieces, as of `concurrent.futures`; here and now when left out; the
+    numbers do not hang on it; `at_once`: pieces that it is given at a time; `of_sizing`: told each
+    sizing, before its piece is stored; it goes through pickle to the executor; `progress`: told the
+    members done and all. A member without an answer stops nothing; after a KeyboardInterrupt, what
+    was computed by then is in the store.
     """
     done = store.done()
     task = partial(compute_piece, study.base, of_sizing=of_sizing)
@@ -144,11 +142,8 @@ def compute_piece(base: Base, piece: Piece, *, of_sizing: OfSizing | None = None
     return Computed(piece.number, numbers, tuple(words), reasons)
 
 
-Task = Callable[[Piece], Computed]
-
-
 def _at_once(
-    task: Task, pieces: Iterator[Piece], executor: Executor, count: int
+    task: Callable[[Piece], Computed], pieces: Iterator[Piece], executor: Executor, count: int
 ) -> Iterator[Computed]:
     """Keep an executor busy with a few pieces at a time; what waits costs memory."""
     running: set[Future[Computed]] = {executor.submit(task, each) for each in islice(pieces, count)}
@@ -161,3 +156,113 @@ def _at_once(
     finally:
         for each in running:
             each.cancel()
+
+
+# ------------------------------------------------------------------ what runs the pieces
+
+
+def worth(study: Study) -> int:
+    """Return how many processes a study is worth: one where its members are solved in bulk."""
+    return 1 if study.base.compute == "statics" else min(os.cpu_count() or 1, study.pieces)
+
+
+@contextmanager
+def processes(count: int) -> Iterator[tuple[Executor, int]]:
+    """Run pieces in processes; yield what runs them, and the pieces to give it at a time."""
+    with no_script(), ProcessPoolExecutor(count, get_context("spawn"), _begin) as pool:
+        try:
+            yield pool, _AHEAD * count
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def _begin() -> None:
+    """Set a process up: Ctrl-C is for the one that started it, with which it ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    starter = parent_process()
+    if starter is not None:
+        threading.Thread(target=_end_with, args=(starter.sentinel,), daemon=True).start()
+
+
+def _end_with(sentinel: int) -> None:
+    connection.wait([sentinel])
+    os._exit(1)
+
+
+@contextmanager
+def cluster(address: str) -> Iterator[tuple[Executor, int]]:
+    """Run pieces on the cluster of a Dask scheduler, such as ``tcp://10.0.0.1:8786``.
+
+    Raises InputError where Dask is not installed, or no scheduler answers there.
+    """
+
+    def refused(allowed: str) -> InputError:
+        return InputError([Problem("--scheduler", address, allowed)], "options")
+
+    try:
+        from distributed import Client
+    except ImportError:
+        raise refused('needs Dask; pip install "catopt[cluster]"') from None
+    try:
+        client = Client(address, timeout="10s")
+    except (OSError, TimeoutError, ValueError) as error:
+        raise refused(f"no scheduler answers there: {error}") from None
+    with client:
+        threads = sum(client.nthreads().values())
+        if not threads:
+            raise refused("the scheduler has no workers yet; start some (dask worker)")
+        yield client.get_executor(), _AHEAD * threads
+
+
+# ------------------------------------------------------------------ how much a study asks for
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What a study asks for.
+
+    `timed`: members that were computed to know it; `seconds`: processor time that all members take,
+    by those; `size`: bytes that they take on disk.
+    """
+
+    study: Study
+    timed: int
+    seconds: float
+    size: float
+
+    def to_dict(self) -> dict[str, Any]:
+        """Build the document that ``catopt study --plan --json`` prints."""
+        return {
+            "schema": "catopt.study_plan/1",
+            "title": self.study.title,
+            "members": len(self.study),
+            "timed": self.timed,
+            "processor_time_s": self.seconds,
+            "disk_bytes": self.size,
+        }
+
+
+def plan_study(study: Study) -> Plan:
+    """Time a few members of a study; of those at rest, a whole piece after a first one."""
+    kept = study.base.kept
+    width = 8.0 * (len(kept) + len(study.keys)) * (1 + _BYTES)
+    if study.base.compute == "statics":
+        piece = study.piece(0)
+        compute_piece(study.base, piece)
+        began = perf_counter()
+        compute_piece(study.base, piece)
+        timed = len(piece)
+    else:
+        members = sorted({0, len(study) // 2, len(study) - 1})[:_TIMED]
+        compute_piece(study.base, _alone(study, members[0]))
+        began = perf_counter()
+        for member in members:
+            compute_piece(study.base, _alone(study, member))
+        timed = len(members)
+    seconds = (perf_counter() - began) / timed * len(study)
+    return Plan(study, timed, seconds, width * len(study))
+
+
+def _alone(study: Study, member: int) -> Piece:
+    return Piece(0, member, study.values(member, member + 1))

@@ -20,8 +20,7 @@ from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
 from catopt.study.axis import Array
 from catopt.study.base import Base
-from catopt.study.keys import kind_of_key
-from catopt.study.member import read_member, reason_of
+from catopt.study.member import kind_of_key, read_member, reason_of
 from catopt.study.study import Piece
 
 _LOADS: Final = ("horizontal_force", "span", "fairlead_tension")

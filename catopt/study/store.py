@@ -31,16 +31,9 @@ CREATE TABLE IF NOT EXISTS pieces (
 class Computed:
     """What came of the members of a piece.
 
-    Attributes
-    ----------
-    number : int
-        Of the piece, from 0.
-    numbers : ndarray, shape (members, quantities)
-        In SI, nan where there is none; in the order of what is kept.
-    words : tuple of tuple of str
-        Texts, by member.
-    reasons : dict of int to str
-        Why there is no answer, by member within the piece.
+    `number`: of the piece, from 0; `numbers` (members, quantities): in SI, nan where there is none;
+    in the order of what is kept; `words`: texts, by member; `reasons`: why there is no answer, by
+    member within the piece.
     """
 
     number: int
@@ -52,22 +45,8 @@ class Computed:
 class Store:
     """Pieces of one study, each written whole or not at all.
 
-    Parameters
-    ----------
-    study : Study
-        Whose they are.
-    directory : Path, optional
-        Where they are kept; in memory when left out.
-
-    Attributes
-    ----------
-    close : callable
-        Closes the file.
-
-    Raises
-    ------
-    InputError
-        The directory has the pieces of another study, or cannot be written.
+    `directory`: where they are kept; in memory when left out; `close` closes the file. Raises
+    InputError where the directory has the pieces of another study, or cannot be written.
     """
 
     def __init__(self, study: Study, directory: Path | None = None) -> None:

@@ -18,10 +18,9 @@ from catopt._version import __version__
 from catopt.constants import YEAR
 from catopt.model.kinds import Measured
 from catopt.quantities import Quantity
-from catopt.study.axis import Array, Axis
+from catopt.study.axis import Array, Axis, Distribution
 from catopt.study.base import Base
-from catopt.study.distribution import Distribution
-from catopt.study.keys import kind_of_key
+from catopt.study.member import kind_of_key
 
 PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "linear": 50, "sizing": 4})
 """Members that are computed, and stored, together: some seconds of work."""
@@ -31,12 +30,8 @@ PIECE = MappingProxyType({"statics": 20_000, "checks": 100, "motion": 1, "linear
 class Piece:
     """Members that are computed together.
 
-    Attributes
-    ----------
-    number, first : int
-        Of the piece, and of its first member, from 0.
-    columns : mapping
-        Values of each member by key path.
+    `number`, `first`: of the piece, and of its first member, from 0; `columns`: values of each
+    member by key path.
     """
 
     number: int
@@ -55,16 +50,8 @@ class Piece:
 class Study:
     """A study, ready to be run.
 
-    Attributes
-    ----------
-    title : str
-        Of the study.
-    base : Base
-        What all members have in common.
-    axes : tuple of Axis
-        What varies; the last one varies fastest.
-    limits : mapping of str to float
-        Values in SI, by quantity, beyond which the share of the members is asked for.
+    `base`: what all members have in common; `axes`: what varies; the last one varies fastest;
+    `limits`: values in SI, by quantity, beyond which the share of the members is asked for.
     """
 
     title: str

@@ -15,7 +15,7 @@ from catopt.errors import InputError, Problem, need_package
 from catopt.model.kinds import Kind, Measured, Whole
 from catopt.study.axis import Array, Axis
 from catopt.study.base import Base
-from catopt.study.keys import kind_of_key
+from catopt.study.member import kind_of_key
 from catopt.units import as_written, to_si
 
 if TYPE_CHECKING:
@@ -29,22 +29,11 @@ _SHOWN = 10
 def read_table(base: Base, path: Path, columns: Mapping[str, str], weight: str | None) -> Axis:
     """Read a table as an axis.
 
-    Parameters
-    ----------
-    base : Base
-        Whose keys vary.
-    path : Path
-        CSV with a row of headings, such as ``load.horizontal_force (kN)``. Where the headings are
-        parted by semicolons, numbers have a decimal comma. Or a Parquet file of such columns.
-    columns : mapping of str to str
-        Key by heading, for headings that are no keys.
-    weight : str, optional
-        Heading of the column that says what each row counts, such as hours.
-
-    Raises
-    ------
-    InputError
-        With every heading, and the first cells of each column, that are wrong.
+    `base`: whose keys vary; `path`: CSV with a row of headings, such as ``load.horizontal_force
+    (kN)``; where the headings are parted by semicolons, numbers have a decimal comma; or a Parquet
+    file of such columns; `columns`: key by heading, for headings that are no keys; `weight`:
+    heading of the column that says what each row counts, such as hours. Raises InputError with
+    every heading, and the first cells of each column, that are wrong.
     """
     frame = _read(path)
     problems: list[Problem] = []
@@ -85,13 +74,7 @@ def _read(path: Path) -> pd.DataFrame:
 
 
 def need_parquet() -> None:
-    """Refuse Parquet where the package pyarrow is missing.
-
-    Raises
-    ------
-    InputError
-        With how to install it.
-    """
+    """Refuse Parquet where the package pyarrow is missing; InputError says how to install it."""
     need_package("pyarrow", "tables", "Parquet")
 
 

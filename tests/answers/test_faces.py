@@ -59,8 +59,7 @@ from catopt.render.workbook import workbook
 from catopt.reproduce import reproduce
 from catopt.study.axis import Axis
 from catopt.study.file import read_study
-from catopt.study.plan import plan_study
-from catopt.study.run import run_study
+from catopt.study.run import plan_study, run_study
 from catopt.study.study import Study
 from catopt.verify.case import Design, verify_case, verify_front
 from catopt.verify.dynamic import verify_dynamic

@@ -13,8 +13,7 @@ from catopt.answers.study import study_answer
 from catopt.checks.case import check_case
 from catopt.constants import YEAR
 from catopt.study.file import read_study
-from catopt.study.keys import with_changes
-from catopt.study.member import read_member
+from catopt.study.member import read_member, with_changes
 from catopt.study.result import StudyResult
 from catopt.study.run import run_into, run_study
 from catopt.study.statics import one_at_rest

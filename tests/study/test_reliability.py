@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom, gumbel_r, lognorm, norm, uniform
 
-from catopt.study.distribution import Distribution
+from catopt.study.axis import Distribution
 from catopt.study.reliability import counted_interval
 from catopt.study.result import StudyResult
 from catopt.study.run import run_study

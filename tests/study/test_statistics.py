@@ -8,9 +8,8 @@ import numpy as np
 import pytest
 
 from catopt.figures.study import exceedance
-from catopt.study.axis import Axis
+from catopt.study.axis import Axis, Distribution
 from catopt.study.base import Base
-from catopt.study.distribution import Distribution
 from catopt.study.result import StudyResult
 from catopt.study.store import Computed, Store
 from catopt.study.study import Study
