@@ -13,8 +13,7 @@ from tempfile import TemporaryDirectory
 
 from catopt.casefile import read_case, write_case
 from catopt.casefile.sizing_file import SIZING, moored_in
-from catopt.cli.note_kind import answer_of
-from catopt.cli.size_note import note_of_file
+from catopt.cli.note_kind import answer_of, note_of_sizing
 from catopt.design.search import design_case
 from catopt.notes.line import Note, read_note
 from catopt.notes.size import SizeNote
@@ -62,7 +61,7 @@ def size_note_of_case(name: str) -> SizeNote:
     path = ROOT / "cases" / name / SIZING
     moored = moored_in(path)
     assert moored is not None
-    return note_of_file(path, moored)
+    return note_of_sizing(path, moored)
 
 
 def _book() -> dict[str, bytes]:

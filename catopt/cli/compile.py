@@ -11,11 +11,7 @@ if TYPE_CHECKING:
 
 
 def compile_all(context: typer.Context) -> None:
-    """Compile all that catopt compiles, once, and keep it for every later run.
-
-    Nobody has to: without it each part is compiled when a large job first needs it. It serves
-    whoever prepares a machine for others, or for a course; it takes two to three minutes.
-    """
+    """Compile all that catopt compiles, once, and keep it for every later run."""
     from time import perf_counter
 
     from catopt.compile_jobs import JOBS, compile_always

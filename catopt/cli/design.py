@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from enum import StrEnum
 from functools import partial
 from pathlib import Path
@@ -9,15 +10,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
+from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
+from catopt.cli.options import CaseArgument, CountOption, OutOption
+from catopt.cli.values import by_option, given_ones
+from catopt.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.design.result import DesignResult
     from catopt.model import Case
-
-INTERRUPTED = 130
-"""128 + SIGINT; the front so far is printed all the same."""
 
 
 class SearchMethod(StrEnum):
@@ -29,69 +30,36 @@ class SearchMethod(StrEnum):
     SWARM = "swarm"
 
 
+@answering(OutOption)
 def design(
-    context: typer.Context,
-    case: Annotated[
-        Path, typer.Argument(metavar="CASE", help="Case file (TOML) with a table [design].")
-    ],
-    method: Annotated[
-        SearchMethod | None,
-        typer.Option(
-            metavar="METHOD",
-            help="enumeration of every design, nsga2, swarm, or auto: enumeration where it is "
-            "quick enough; overrides the case.",
-        ),
-    ] = None,
-    evaluations: Annotated[
-        int | None,
-        typer.Option(metavar="N", help="nsga2 and swarm: designs evaluated; overrides the case."),
-    ] = None,
-    seed: Annotated[
-        int | None, typer.Option(metavar="N", help="nsga2 and swarm: seed; overrides the case.")
-    ] = None,
-    lang: LangOption = ReportLanguage.ENGLISH,
-    as_json: JsonOption = False,
-    out: OutOption = None,
+    asked: Asked,
+    case: CaseArgument,
+    method: Annotated[SearchMethod | None, typer.Option(metavar="METHOD")] = None,
+    evaluations: CountOption = None,
+    seed: CountOption = None,
 ) -> None:
-    """Search the lines that are best in mass and offset at once.
-
-    Every line is made of components that are sold and passes every check in every load case; the
-    answer is the front between the objectives, with one design recommended. Ctrl-C ends the search
-    and keeps the front so far (exit status 130).
-    """
+    """Search the lines that are best in mass and offset at once."""
     from catopt.answers.design import design_answer
-    from catopt.cli.result_files import Asked, refuse_own_case
 
-    asked = Asked(context.obj, lang, as_json, out)
-    if out is not None:
-        refuse_own_case(out)
-    result = _searched(_asked(case, method, evaluations, seed), asked.output)
+    asked.check_place()
+    if asked.out is not None:
+        refuse_own_case(asked.out)
+    how = given_ones(method=method and method.value, evaluations=evaluations, seed=seed)
+    result = _searched(_with_settings(case, how), asked.output)
     asked.give(design_answer(result), result.to_dict, further=partial(_further, result))
     if result.interrupted:
         asked.output.note("The front is that of the designs evaluated so far.")
         raise typer.Exit(INTERRUPTED)
 
 
-def _asked(
-    path: Path, method: SearchMethod | None, evaluations: int | None, seed: int | None
-) -> Case:
+def _with_settings(path: Path, given: dict[str, Any]) -> Case:
     """Read the case and put the options in place of its settings."""
-    from dataclasses import replace
-
     from catopt.casefile import read_case
-    from catopt.cli.values import by_option
-    from catopt.errors import InputError, Problem
 
     case = read_case(path)
     if case.design is None:
         allowed = "missing; a table [design] says what may vary (docs/case-file.md)"
         raise InputError([Problem("design", "", allowed)], str(path))
-    options: dict[str, Any] = {
-        "method": None if method is None else method.value,
-        "evaluations": evaluations,
-        "seed": seed,
-    }
-    given = {key: value for key, value in options.items() if value is not None}
     with by_option():
         return replace(case, design=replace(case.design, **given))
 

@@ -1,20 +1,24 @@
-"""``--help`` in Vietnamese, for those who set CATOPT_LANG=vi."""
+"""The words of ``--help``, in the language of CATOPT_LANG: read when help is asked for."""
 
 from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from functools import cache
 from importlib.resources import files
 from typing import Any, Final
+
+from typer.core import TyperCommand, TyperGroup
+
+from catopt.cli.options import in_environment
 
 _OWN: Final = {
     "Usage": "Cách dùng",
     "Options": "Tùy chọn",
     "Arguments": "Tham số",
     "Commands": "Lệnh",
+    "Show this message and exit.": "Hiện trang này rồi thoát.",
 }
-"""Headings that typer writes."""
+"""Headings that typer writes, and its own option."""
 _ADDED: Final = {
     "env var: ": "biến môi trường: ",
     "default: ": "mặc định: ",
@@ -23,35 +27,54 @@ _ADDED: Final = {
 """What typer adds to the help of an option, in brackets at its end."""
 
 
-@cache
-def vietnamese() -> Mapping[str, str]:
-    """Read the paragraphs of the help, by what the English ones say."""
-    text = files("catopt.cli").joinpath("help_vi.toml").read_text("utf-8")
-    found: dict[str, str] = tomllib.loads(text)
-    return found
+def table() -> dict[str, Any]:
+    """Read the help: by command, its parts and options, each in both languages."""
+    read = files("catopt.cli").joinpath("help.toml").read_text("utf-8")
+    return tomllib.loads(read)
 
 
-def paragraphs(text: str) -> list[str]:
-    """Split a help into paragraphs, each on one line."""
-    return [" ".join(each.split()) for each in text.split("\n\n")]
+def put_words(command: Any) -> None:
+    """Put their help into the whole command line, by typer's own attributes."""
+    read = table()
+    _put(command, read["catopt"], read, read["shared"])
 
 
-def in_vietnamese(text: str) -> str:
-    """Take a help paragraph by paragraph; one that is not in the table stays."""
-    return "\n\n".join(vietnamese().get(each, each) for each in paragraphs(text))
+def _put(
+    command: Any, own: Mapping[str, Any], below: Mapping[str, Any], shared: Mapping[str, Any]
+) -> None:
+    language = in_environment()
+    for key in {"help", "short_help", "epilog"} & own.keys():
+        setattr(command, key, own[key][language])
+    for each in command.params:  # a help that is there may be the key of a shared one
+        texts = own.get(each.name) or shared.get(each.help or each.name)
+        if texts:
+            each.help = texts[language]
+    for name, each in getattr(command, "commands", {}).items():
+        _put(each, below[name], below[name], shared)
 
 
-def put_into_vietnamese(command: Any) -> None:
-    """Put the help of a command and of all below it into Vietnamese, by typer's own attributes."""
-    for of, key in (
-        (command, "help"),
-        (command, "short_help"),
-        (command, "epilog"),
-        *((each, "help") for each in command.params),
-    ):
-        text = getattr(of, key, None)
-        if text:
-            setattr(of, key, in_vietnamese(text))
+class _WithWords:
+    """A command that puts the words into the help before it shows any of it."""
+
+    def get_help(self, ctx: Any) -> str:
+        put_words(ctx.find_root().command)
+        return super().get_help(ctx)  # type: ignore[misc, no-any-return]
+
+    def shell_complete(self, ctx: Any, incomplete: str) -> Any:
+        put_words(ctx.find_root().command)
+        return super().shell_complete(ctx, incomplete)  # type: ignore[misc]
+
+
+class WithWords(_WithWords, TyperCommand):
+    """A command whose help is in the table."""
+
+
+class GroupWithWords(_WithWords, TyperGroup):
+    """A group of commands whose help is in the table."""
+
+
+def in_vietnamese(command: Any) -> None:
+    """Make typer's own words Vietnamese, of a command and of all below it."""
     command.options_metavar = "[TÙY CHỌN]"
     context = command.context_class
     formatter = _formatter(context.formatter_class)
@@ -60,7 +83,7 @@ def put_into_vietnamese(command: Any) -> None:
     if below:
         command.subcommand_metavar = "LỆNH [THAM SỐ]..."
     for each in below.values():
-        put_into_vietnamese(each)
+        in_vietnamese(each)
 
 
 def _formatter(kind: Any) -> Any:
@@ -84,7 +107,7 @@ def _of_typer(text: str) -> str:
     """Put what typer adds to the help of an option into Vietnamese."""
     help_text, mark, added = text.rpartition("  [")
     if not mark:
-        return vietnamese().get(text, text)
+        return _OWN.get(text, text)
     for word, said in _ADDED.items():
         added = added.replace(word, said)
     return f"{help_text}{mark}{added}"

@@ -8,41 +8,29 @@ from contextlib import contextmanager
 from dataclasses import replace
 from enum import StrEnum
 from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
-from catopt.cli.completion import buoys, completed
-from catopt.cli.options import JsonOption, LangOption, ReportLanguage, TablesOutOption
-from catopt.cli.ship_form import (
-    Form,
-    needs_turning,
-    refuse_needless,
-    ships_afloat,
-    what_is_taken,
-)
-from catopt.cli.size import is_file
+from catopt.cli.answering import Asked, answering
+from catopt.cli.help_words import GroupWithWords, WithWords
+from catopt.cli.options import LengthOption, TablesOutOption
+from catopt.cli.size import BuoyArgument, is_file
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
-from catopt.cli.units_option import in_units
+from catopt.cli.values import given_ones, in_si
+from catopt.errors import InputError, Problem
+from catopt.ties import largest
+from catopt.units import Dimension
+from catopt.words import Cited, Measure, Message, term
 
 if TYPE_CHECKING:
     from catopt.casefile.sizing_file import Moored
-    from catopt.cli.output import Output
-    from catopt.loads import Loads, Lying, SeaState
+    from catopt.loads import Afloat, Loads, Lying, SeaState, Turning
+    from catopt.loads.ship_estimate import Condition
     from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
-    from catopt.words import Message
 
-loads = typer.Typer(
-    name="loads",
-    rich_markup_mode=None,
-    no_args_is_help=True,
-    help="Compute what wind, current and waves do to a buoy or a ship.",
-    epilog="Each force comes with its formula, its numbers and its source. Confidence: A read in "
-    "the primary document; B in two secondary ones, or in one and checked by numbers; C in one "
-    "secondary one; R recalled, read in none.",
-)
+loads = typer.Typer(name="loads", cls=GroupWithWords, rich_markup_mode=None, no_args_is_help=True)
 
 _TAKEN = {
     "wind": "0 m/s",
@@ -62,11 +50,23 @@ _SHIP = (
     *("load_method", "wave_coefficient", "wind_mean", "ship", "dwt"),
     *("wind_angle", "current_angle", "wave_angle", "current_yaw", "scan"),
 )
+_OF_BUOYS = {"chain_diameter": "chain", "pull": "pull"}
+_OF_SHIPS = {
+    "length_waterline": "waterline",
+    "displacement": "block",
+    "midship_area": "midship",
+    "kind": "kind",
+    "propeller": "propeller",
+    "reflection": "reflection",
+    "method": "load_method",
+    "mooring_point": "mooring_point",
+    "wind_centre": "wind_centre",
+    "lateral_centre": "wind_centre",
+    "MooredShip.deadweight": "dwt",
+}
+"""Options that a sizing does not have, by what they are called in Python."""
 
-
-def measure(flag: str, dimension: str, text: str) -> Any:
-    """Declare an option with a unit that a sizing does not have."""
-    return typer.Option(flag, metavar=dimension, help=text)
+KindOption = Annotated[str | None, typer.Option(metavar="KIND")]
 
 
 class ChainSpeed(StrEnum):
@@ -83,52 +83,21 @@ class Drift(StrEnum):
     LARGEST_WAVE = "largest-wave"
 
 
-@loads.command()
-@in_units
+@loads.command(cls=WithWords)
+@answering(TablesOutOption)
 @with_inputs("buoy", _BUOY, _TAKEN)
 def buoy(
-    context: typer.Context,
-    name: Annotated[
-        str,
-        typer.Argument(
-            metavar="BUOY",
-            autocompletion=completed(buoys),
-            help='Name of the buoy, such as "pillar 1.8 m", or a file (.toml) for catopt size.',
-        ),
-    ],
+    asked: Asked,
+    name: Annotated[str, BuoyArgument],
     *,
-    chain: Annotated[
-        str,
-        typer.Option(metavar="LENGTH", help="Nominal diameter of the chain; 0 leaves it out."),
-    ] = "0 mm",
-    pull: Annotated[
-        str, measure("--pull", "FORCE", "Vertical pull of the line on the buoy.")
-    ] = "0 kN",
-    chain_speed: Annotated[
-        ChainSpeed,
-        typer.Option(
-            metavar="WHICH",
-            help="Speed of the water along the chain: surface, with the waves, on the safe side; "
-            "or current, tide and wind alone.",
-        ),
-    ] = ChainSpeed.SURFACE,
-    lang: LangOption = ReportLanguage.ENGLISH,
-    as_json: JsonOption = False,
-    out: TablesOutOption = None,
+    chain: Annotated[str, typer.Option(metavar="LENGTH")] = "0 mm",
+    pull: Annotated[str, typer.Option(metavar="FORCE")] = "0 kN",
+    chain_speed: Annotated[ChainSpeed, typer.Option(metavar="WHICH")] = ChainSpeed.SURFACE,
     **inputs: Any,
 ) -> None:
-    """Compute the loads on a buoy and its chain, after IALA's CALMAR reference.
-
-    Wind, current and waves come from one side; with --low-water both levels are computed, and the
-    largest force is shown. catopt's buoys are generic ones of its own geometry;
-    a name that it lacks is answered with those it has. What a file leaves out is 0, and what is
-    given as an option goes before it.
-    """
-    from catopt.cli.values import in_si
-    from catopt.loads import SurfaceCurrent, WaterLevels, Wind
+    """Compute the loads on a buoy and its chain, after IALA's CALMAR reference."""
+    from catopt.loads import WaterLevels, buoy_loads
     from catopt.sizing.requests import shape_of
-    from catopt.ties import largest
-    from catopt.units import Dimension
 
     place = name if is_file(name) else None
     options = {"buoy": None if place else name, **inputs}
@@ -139,151 +108,80 @@ def buoy(
             if each in of.given:
                 of.telling.add(each, f"{of[each]:g} N", "leave it out: these loads are computed")
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
+
+        body = shape_of(of)
+        weather = _weather(of, of["wind"])
+        levels = make(WaterLevels, of["low_water"] or of["depth"], of["depth"])
         every = make(
-            lambda own, *parts: _at_each_level(
-                *parts,
-                chain_diameter=own["--chain"],
-                pull=own["--pull"],
-                marine_growth=of["growth"],
-                chain_speed=chain_speed.value,
-                water_density=of["water_density"],
+            lambda own, levels, body, wind, current, sea: tuple(
+                buoy_loads(
+                    body,
+                    wind,
+                    current,
+                    sea,
+                    each,
+                    chain_diameter=own["--chain"],
+                    pull=own["--pull"],
+                    marine_growth=of["growth"],
+                    chain_speed=chain_speed.value,
+                    water_density=of["water_density"],
+                )
+                for each in dict.fromkeys((levels, WaterLevels.steady(levels.low)))
             ),
             own,
-            shape_of(of),
-            make(Wind, of["wind"]),
-            make(SurfaceCurrent, of["current"]),
-            make(_sea, of),
-            make(WaterLevels, of["low_water"] or of["depth"], of["depth"]),
+            levels,
+            body,
+            *weather,
         )
         of.telling.raise_if_any()
     assert every is not None
     result = largest(every, lambda each: each.horizontal_force)
     said = (*_of_levels(every, of), *_no_part(of, {*_BUOY, "buoy"}))
-    result = replace(result, assumptions=(*said, *result.assumptions))
-    _give(context.obj, result, lang=lang, as_json=as_json, out=out)
+    _give(asked, replace(result, assumptions=(*said, *result.assumptions)))
 
 
-@loads.command()
-@in_units
+@loads.command(cls=WithWords)
+@answering(TablesOutOption)
 @with_inputs("tanker", _SHIP, _TAKEN)
 def ship(
-    context: typer.Context,
-    file: Annotated[
-        str | None,
-        typer.Argument(
-            metavar="FILE", help="File (.toml) for catopt size tanker; or give options."
-        ),
-    ] = None,
+    asked: Asked,
+    file: Annotated[str | None, typer.Argument(metavar="FILE")] = None,
     *,
-    kind: Annotated[
-        str | None,
-        typer.Option(
-            metavar="KIND",
-            help='Kind for the wind, such as "cargo loaded"; if left out, that of --ship, "tanker '
-            'loaded", and in ballast "tanker ballast".',
-        ),
-    ] = None,
-    propeller: Annotated[
-        str | None,
-        typer.Option(
-            metavar="KIND",
-            help="Kind for a locked propeller: destroyer, cruiser, carrier, cargo, tanker or "
-            "submarine; none when left out, with a file that of its ship.",
-        ),
-    ] = None,
-    waterline: Annotated[
-        str | None,
-        measure("--waterline", "LENGTH", "Waterline length; 0.97 of --length when left out."),
-    ] = None,
-    block: Annotated[
-        float | None,
-        typer.Option(
-            metavar="NUMBER",
-            help="Block coefficient, for the displacement; if left out, 0.80, and in ballast 0.72.",
-        ),
-    ] = None,
-    midship: Annotated[
-        float, typer.Option(metavar="NUMBER", help="Midship coefficient, for the midship area.")
-    ] = 0.98,
-    weathervane: Annotated[
-        bool,
-        typer.Option(
-            "--weathervane",
-            help="The ship lies on one point and turns until the moments of wind, current and "
-            "waves cancel: the angles are then counted from any one line, not from the bow. So it "
-            "does where a file has directions.",
-        ),
-    ] = False,
-    mooring_point: Annotated[
-        str | None,
-        measure(
-            "--mooring-point", "LENGTH", "Forward of midships; if left out, half the waterline."
-        ),
-    ] = None,
-    wind_centre: Annotated[
-        str | None,
-        measure(
-            "--wind-centre",
-            "LENGTH",
-            "Centre of the lateral area, forward of midships; if left out, that of the estimated "
-            "area with its deckhouse at the stern, and midships of an area that is given.",
-        ),
-    ] = None,
-    reflection: Annotated[
-        float,
-        typer.Option(
-            metavar="NUMBER", help="Part of the wave height that the hull reflects; at most 1."
-        ),
-    ] = 1.0,
-    drift: Annotated[
-        Drift,
-        typer.Option(
-            metavar="WAVES",
-            help="Mean wave drift over the sea (sea-state), or under regular waves of the height "
-            "Hmax (largest-wave).",
-        ),
-    ] = Drift.SEA_STATE,
-    lang: LangOption = ReportLanguage.ENGLISH,
-    as_json: JsonOption = False,
-    out: TablesOutOption = None,
+    kind: KindOption = None,
+    propeller: KindOption = None,
+    waterline: LengthOption = None,
+    block: Annotated[float | None, typer.Option(metavar="NUMBER")] = None,
+    midship: Annotated[float, typer.Option(metavar="NUMBER")] = 0.98,
+    weathervane: Annotated[bool, typer.Option("--weathervane")] = False,
+    mooring_point: LengthOption = None,
+    wind_centre: LengthOption = None,
+    reflection: Annotated[float, typer.Option(metavar="NUMBER")] = 1.0,
+    drift: Annotated[Drift, typer.Option(metavar="WAVES")] = Drift.SEA_STATE,
     **inputs: Any,
 ) -> None:
-    """Compute the loads on a ship, from wind, current and waves.
-
-    Every method that applies stands in one table: UFC-Blendermann (wind after Blendermann, current
-    after UFC 4-159-03, mean wave drift of a box that reflects), UFC-4-159-03 alone, 22TCN-222-95.
-    The one named, or of several the largest, comes first.
-
-    Without angles the ship is taken for weathervaning, head to everything. With a ballast draught
-    both conditions are computed, with --low-water at both depths, and the worst is shown. What a
-    file leaves out of wind, current and waves is 0, and what is given as an option goes before it.
-    """
-    from catopt.cli.values import in_si
-    from catopt.loads import METHODS, SurfaceCurrent, WaterLevels, Wind, every_lying
+    """Compute the loads on a ship, from wind, current and waves."""
+    from catopt.loads import METHODS, WaterLevels, every_lying, every_method
+    from catopt.loads.ship_estimate import estimates
     from catopt.sizing.headings import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.read_input import estimated_dimensions
     from catopt.sizing.requests import TAKEN_FOR, of_the_wind, wind_of_30_s
-    from catopt.ties import largest
-    from catopt.units import Dimension
 
-    given = {
-        "--waterline": (waterline, Dimension.LENGTH),
-        "--mooring-point": (mooring_point, Dimension.LENGTH),
-        "--wind-centre": (wind_centre, Dimension.LENGTH),
-    }
-    needless = {
-        "mooring_point": mooring_point,
-        "wind_centre": wind_centre,
+    lengths = {
+        "--waterline": waterline,
+        "--mooring-point": mooring_point,
+        "--wind-centre": wind_centre,
     }
     with _known("tanker", file, inputs, as_option, _OF_SHIPS) as of:
         make = of.telling.make
         of.want("length", "breadth", "draught", "depth")
-        own = make(in_si, given)
+        own = make(in_si, {name: (text, Dimension.LENGTH) for name, text in lengths.items()})
         turns = weathervane or any(inputs[name] is None for name in of.given & {*DIRECTIONS})
-        for name in () if turns else ("current_yaw", "scan"):
-            if name in of.given:
-                of.telling.add(name, str(inputs[name] or of[name]), needs_turning())
-        make(refuse_needless, {} if turns else needless)
+        if not turns:
+            needless = {name: inputs[name] or of[name] for name in ("current_yaw", "scan")}
+            needless = {name: text for name, text in needless.items() if name in of.given}
+            needless |= given_ones(mooring_point=mooring_point, wind_centre=wind_centre)
+            for name, text in needless.items():
+                of.telling.add(name, str(text), "leave it out, or give --weathervane with it")
         of.telling.raise_if_any()
         assert own is not None
         point = own.get("--mooring-point")
@@ -291,7 +189,7 @@ def ship(
         of.telling.raise_if_any()
         if file is not None:
             propeller = propeller or TAKEN_FOR[of["ship"] or "tanker"][1]
-        form = Form(
+        form = _Form(
             own.get("--waterline", 0.97 * of["length"]),
             block,
             midship,
@@ -299,20 +197,17 @@ def ship(
             propeller,
             own.get("--wind-centre"),
         )
-        ships, estimated = ships_afloat(of, form)
+        ships = list(_ships_afloat(of, form))
         how = {
             "reflection": reflection,
             "drift": "sea state" if drift is Drift.SEA_STATE else "largest wave",
             "wave_coefficient": of["wave_coefficient"],
             "water_density": of["water_density"],
         }
-        weather = (
-            make(Wind, wind_of_30_s(of)),
-            make(SurfaceCurrent, of["current"]),
-            make(_sea, of),
-        )
+        weather = _weather(of, wind_of_30_s(of))
+        levels = make(WaterLevels, of["low_water"] or of["depth"], of["depth"])
         lyings = make(
-            lambda wind, current, sea, levels, turned: every_lying(
+            lambda levels, turned, wind, current, sea: every_lying(
                 ships,
                 wind,
                 current,
@@ -323,48 +218,43 @@ def ship(
                 turning=turning,
                 **how,
             ),
-            *weather,
-            make(WaterLevels, of["low_water"] or of["depth"], of["depth"]),
+            levels,
             make(turned_round, make(directions_of, of), of["scan"] or math.inf),
+            *weather,
         )
         of.telling.raise_if_any()
         assert lyings is not None
         worst = largest(lyings, lambda each: each.loads.horizontal_force)
-        others = make(lambda: _others(worst, weather, how, is_balanced=turns))
+        every = make(
+            lambda: every_method(
+                worst.afloat.ship,
+                *weather,
+                worst.depth,
+                wind_on=worst.afloat.wind_on,
+                headings=worst.headings,
+                is_balanced=turns,
+                **how,
+            )
+        )
         of.telling.raise_if_any()
+    others = [each for each in every or () if each.method != worst.loads.method]
     by_hs = drift is Drift.SEA_STATE and of["hs"] is not None
-    no_part = _no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set()))
-    said = (*what_is_taken(form, worst, turning), *estimated, *of_the_wind(of), *no_part)
+    has_areas = of["frontal_area"] is not None and of["lateral_area"] is not None
+    said = (
+        *_what_is_taken(form, worst, turning),
+        *(() if has_areas else estimates()[1:]),
+        *of_the_wind(of),
+        *_no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set())),
+    )
     warned = estimated_dimensions(of.read)
     told = [
-        replace(
-            each,
-            assumptions=(*each.assumptions, *said),
-            warnings=(*each.warnings, *warned),
-        )
-        for each in (worst.loads, *(others or ()))
+        replace(each, assumptions=(*each.assumptions, *said), warnings=(*each.warnings, *warned))
+        for each in (worst.loads, *others)
     ]
-    shown = lyings if turns or len(lyings) > 1 else ()
-    _give(context.obj, *told, lyings=shown, lang=lang, as_json=as_json, out=out)
+    _give(asked, *told, lyings=lyings if turns or len(lyings) > 1 else ())
 
 
 # ------------------------------------------------------------------ parts of the commands
-
-_OF_BUOYS = {"chain_diameter": "chain", "pull": "pull"}
-_OF_SHIPS = {
-    "length_waterline": "waterline",
-    "displacement": "block",
-    "midship_area": "midship",
-    "kind": "kind",
-    "propeller": "propeller",
-    "reflection": "reflection",
-    "method": "load_method",
-    "mooring_point": "mooring_point",
-    "wind_centre": "wind_centre",
-    "lateral_centre": "wind_centre",
-    "MooredShip.deadweight": "dwt",
-}
-"""Options that a sizing does not have, by what they are called in Python."""
 
 
 @contextmanager
@@ -388,20 +278,8 @@ def _known(
         yield file.known(given, spell, defaults=_TAKEN, called=called)
 
 
-def _at_each_level(
-    body: Any, wind: Any, current: Any, sea: Any, levels: Any, **how: Any
-) -> tuple[Loads, ...]:
-    """Compute the loads on a buoy at high water, and at low water where that is another."""
-    from catopt.loads import WaterLevels, buoy_loads
-
-    every = (levels,) if levels.low == levels.high else (levels, WaterLevels.steady(levels.low))
-    return tuple(buoy_loads(body, wind, current, sea, each, **how) for each in every)
-
-
 def _of_levels(every: Sequence[Loads], of: Known) -> Iterator[Message]:
     """Say what the force is at each level, where there are two."""
-    from catopt.words import Measure, Message
-
     if len(every) > 1:
         high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
         depths = {"deep": of["depth"], "shallow": of["low_water"]}
@@ -411,7 +289,6 @@ def _of_levels(every: Sequence[Loads], of: Known) -> Iterator[Message]:
 def _no_part(of: Known, counted: Collection[str]) -> Iterator[Message]:
     """Say what was given, mostly by a sizing's file, that is no part of the loads."""
     from catopt.sizing.inputs import inputs_of
-    from catopt.words import Cited, Message
 
     names = [
         of.telling.spell(name) if name in (*_BUOY, *_SHIP) else each.key
@@ -422,9 +299,16 @@ def _no_part(of: Known, counted: Collection[str]) -> Iterator[Message]:
         yield Message("loads.no_part", names=Cited(", ".join(names)))
 
 
+def _weather(of: Known, wind: float | None) -> tuple[Any, ...]:
+    """Make wind, in m/s, current and waves; None of what is wrong."""
+    from catopt.loads import SurfaceCurrent, Wind
+
+    make = of.telling.make
+    return make(Wind, wind), make(SurfaceCurrent, of["current"]), make(_sea, of)
+
+
 def _sea(of: Known) -> SeaState:
     """Make the waves; none when no height is given."""
-    from catopt.errors import InputError, Problem
     from catopt.loads import SeaState
 
     if of["hs"] is None and of["hmax"] is None:
@@ -434,36 +318,74 @@ def _sea(of: Known) -> SeaState:
     return SeaState(of["period"], of["hs"], of["hmax"])
 
 
-def _others(
-    worst: Lying, weather: tuple[Any, ...], how: dict[str, Any], *, is_balanced: bool
-) -> list[Loads]:
-    from catopt.loads import every_method
+class _Form(NamedTuple):
+    """What makes a ship of its main dimensions, beside them; lengths in m."""
 
-    ship = worst.afloat
-    every = every_method(
-        ship.ship,
-        *weather,
-        worst.depth,
-        wind_on=ship.wind_on,
-        headings=worst.headings,
-        is_balanced=is_balanced,
-        **how,
-    )
-    return [each for each in every if each.method != worst.loads.method]
+    waterline: float
+    block: float | None
+    midship: float
+    kind: str | None
+    propeller: str | None
+    wind_centre: float | None
 
 
-def _give(
-    output: Output,
-    *results: Loads,
-    lyings: Sequence[Lying] = (),
-    lang: ReportLanguage,
-    as_json: bool,
-    out: Path | None,
-) -> None:
+def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
+    """Make the ship at each draught that is known."""
+    from catopt.loads import Afloat, Ship
+    from catopt.loads.ship_estimate import BLOCK
+    from catopt.sizing.requests import TAKEN_FOR, ship_at
+    from catopt.sizing.tanker_request import check_deadweight
+
+    wind_on, _ = TAKEN_FOR[of["ship"] or "tanker"]
+    has_ballast = of["ballast_draught"] is not None
+    key = "loads.ship_in_condition" if has_ballast else "loads.ship_of"
+    conditions: list[Condition] = ["loaded", "ballast"] if has_ballast else ["loaded"]
+    for condition in conditions:
+        draught = of["draught" if condition == "loaded" else "ballast_draught"]
+        windage = of.telling.make(partial(ship_at, of, condition, "tanker"))
+        of.telling.raise_if_any()
+        assert windage is not None
+        section = of["breadth"] * draught
+        block = BLOCK[condition] if form.block is None else form.block
+        centre = windage.lateral_centre if form.wind_centre is None else form.wind_centre
+        make_ship = partial(
+            Ship,
+            Message(key, length=of["length"], condition=term(condition)),
+            length_overall=of["length"],
+            length_waterline=form.waterline,
+            breadth=of["breadth"],
+            draught=draught,
+            displacement=block * form.waterline * section,
+            midship_area=form.midship * section,
+            lateral_area=windage.lateral_area,
+            frontal_area=windage.frontal_area,
+            propeller=form.propeller,
+            lateral_centre=centre,
+        )
+        body = of.telling.make(make_ship)
+        of.telling.raise_if_any()
+        assert body is not None
+        if condition == "loaded" and of["dwt"] is not None:
+            of.telling.make(check_deadweight, of["dwt"], body)
+            of.telling.raise_if_any()
+        yield Afloat(condition, body, form.kind or wind_on.format(condition))
+
+
+def _what_is_taken(form: _Form, worst: Lying, turning: Turning | None) -> Iterator[Message]:
+    """Say what the ship was taken for."""
+    ship = worst.afloat.ship
+    block = ship.displacement / (ship.length_waterline * ship.breadth * ship.draught)
+    yield Message("loads.hull_form", length=form.waterline, block=block, midship=form.midship)
+    if turning is not None:
+        from catopt.sizing.headings import turning_words
+
+        yield turning_words(turning, ship)
+
+
+def _give(asked: Asked, *results: Loads, lyings: Sequence[Lying] = ()) -> None:
     from catopt.answers.loads import loads_answer
-    from catopt.cli.result_files import Asked
     from catopt.loads.document import loads_document
 
-    asked = Asked(output, lang, as_json, out)
+    asked.check_place()
     document = partial(loads_document, *results, lyings=lyings)
     asked.give(loads_answer(*results, lyings=lyings), document)

@@ -8,39 +8,22 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from catopt.cli.completion import completed, templates
+from catopt.cli.options import JsonOption
+from catopt.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
-    from catopt.errors import InputError
+
+_NAME = typer.Argument(metavar="NAME", autocompletion=completed(templates))
 
 
 def new(
     context: typer.Context,
-    name: Annotated[
-        str,
-        typer.Argument(
-            metavar="NAME",
-            autocompletion=completed(templates),
-            help="Template: buoy, tanker, leg, system, design, motion, study, size-buoy or "
-            "size-tanker.",
-        ),
-    ],
-    path: Annotated[
-        Path | None,
-        typer.Argument(metavar="PATH", help="File to write; ./NAME.toml when left out."),
-    ] = None,
-    as_json: Annotated[
-        bool,
-        typer.Option("--json", help="Print where it was written as one JSON document."),
-    ] = False,
+    name: Annotated[str, _NAME],
+    path: Annotated[Path | None, typer.Argument(metavar="PATH")] = None,
+    as_json: JsonOption = False,
 ) -> None:
-    """Write a commented file to start from.
-
-    buoy has every key of a case file with a comment; tanker, leg, system, design and motion are
-    shorter; study is for catopt study, and comes with the buoy that it varies; size-buoy and
-    size-tanker are for catopt size. Each works as it stands. A file that is already there is never
-    overwritten.
-    """
+    """Write a commented file to start from."""
     from catopt.casefile.new_case import TEMPLATES, template
 
     output: Output = context.obj
@@ -79,6 +62,4 @@ def _create(place: Path, text: str) -> None:
 
 
 def _refused(place: Path, why: str) -> InputError:
-    from catopt.errors import InputError, Problem
-
     return InputError([Problem("path", str(place), why)])

@@ -7,11 +7,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from catopt.cli.values import refuse
+from catopt.errors import InputError, Problem
+
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
     from catopt.casefile.sizing_file import Moored
     from catopt.cli.output import Progress
-    from catopt.errors import Problem
+    from catopt.notes.directory import Asked
     from catopt.notes.line import Note
     from catopt.notes.size import SizeNote
     from catopt.notes.system import SystemNote
@@ -23,19 +26,8 @@ if TYPE_CHECKING:
 class Wanted:
     """What a note is to be, as the options say.
 
-    Attributes
-    ----------
-    design : int or None
-        Number of a design of a result directory, counted from 1.
-    date : str
-        For the title block.
-    verify : bool
-        Whether the truss model is put beside the closed form.
-    swarm, motion : bool or None
-        Whether the particle swarm and the line in motion are there, too; None: as was asked for in
-        a result directory.
-    once : bool or None
-        Whether the line in motion is run without its proof; None: as in a result directory.
+    A design counts from 1; of `swarm`, `motion` and `once` (the line in motion without its proof)
+    None is what was asked for in a result directory.
     """
 
     design: int | None = None
@@ -49,10 +41,7 @@ class Wanted:
 def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -> AnyNote:
     """Compute the note of a case file, a file for ``catopt size`` or a directory that --out wrote.
 
-    Raises
-    ------
-    InputError, NoAnswerError, NotConvergedError
-        As for `read_note`, `read_system_note` and `catopt.cli.size_note.note_of_file`.
+    Raises InputError, NoAnswerError and NotConvergedError as the readers of the three kinds do.
     """
     from catopt.casefile.sizing_file import moored_in
 
@@ -63,16 +52,7 @@ def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -
         return _of_a_body(path, wanted, progress)
     from catopt.notes.line import read_note
 
-    return read_note(
-        path,
-        wanted.design,
-        date=wanted.date,
-        verify=wanted.verify,
-        swarm=wanted.swarm,
-        motion=wanted.motion,
-        once=wanted.once,
-        progress=progress,
-    )
+    return read_note(path, **vars(wanted), progress=progress)
 
 
 def is_of_a_body(path: Path) -> bool:
@@ -82,7 +62,6 @@ def is_of_a_body(path: Path) -> bool:
     """
     from catopt.casefile.design_directory import DESIGN_CASE
     from catopt.documents import parse_toml, read_text
-    from catopt.errors import InputError
 
     place = path / DESIGN_CASE if path.is_dir() else path
     try:
@@ -92,47 +71,50 @@ def is_of_a_body(path: Path) -> bool:
 
 
 def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
-    from catopt.cli.size_note import note_of_file as note_of_sizing
-    from catopt.errors import InputError
     from catopt.notes.directory import Asked
 
     why = (
         f"it is of a line that is known; this file is for catopt size {moored}, which writes the "
         "line that it finds with --save: report on that case"
     )
-    problems = list(_of_a_line_alone(wanted, why, swarm=False))
-    if problems:
-        raise InputError(problems, "options")
+    refuse(_of_a_line_alone(replace(wanted, swarm=None), why))
     asked = Asked(swarm=bool(wanted.swarm))
     return note_of_sizing(path, moored, date=wanted.date, verify=wanted.verify, asked=asked)
 
 
+def note_of_sizing(
+    path: Path, moored: Moored, *, date: str = "", verify: bool = True, asked: Asked | None = None
+) -> SizeNote:
+    """Size what a file for ``catopt size`` describes, and make the note of it."""
+    from catopt.notes.origin import read_source
+    from catopt.notes.size import Given, size_note
+    from catopt.sizing.file import size_file
+
+    given = Given(read_source(path))
+    return size_note(size_file(path, moored), given, date=date, verify=verify, asked=asked)
+
+
 def _of_a_body(path: Path, wanted: Wanted, progress: Progress | None) -> AnyNote:
     from catopt.casefile.design_directory import DESIGN_DOCUMENT
-    from catopt.errors import InputError
     from catopt.notes.directory import asked_in
     from catopt.notes.system import read_system_note
 
     why = "it is for one line with a load; this file is of a body moored by several"
     has_front = path.is_dir() and (path / DESIGN_DOCUMENT).is_file()
     design = wanted.design if has_front else None
-    refused = replace(wanted, motion=None, design=None if has_front else wanted.design)
-    problems = list(_of_a_line_alone(refused, why, swarm=True))
-    if problems:
-        raise InputError(problems, "options")
+    alone = replace(wanted, motion=None, design=None if has_front else wanted.design)
+    refuse(_of_a_line_alone(alone, why))
     asked = asked_in(path).with_motion(wanted.motion, wanted.once)
     return read_system_note(
         path, design, date=wanted.date, verify=wanted.verify, asked=asked, progress=progress
     )
 
 
-def _of_a_line_alone(wanted: Wanted, why: str, *, swarm: bool) -> Iterator[Problem]:
-    """Yield what was asked for and is of one line alone; the swarm where that is, too."""
-    from catopt.errors import Problem
-
+def _of_a_line_alone(wanted: Wanted, why: str) -> Iterator[Problem]:
+    """Yield what was asked for and is of one line alone."""
     if wanted.design is not None:
         yield Problem("--design", str(wanted.design), why)
-    if swarm and wanted.swarm:
+    if wanted.swarm:
         yield Problem("--method", "pso", why)
     if wanted.motion:
         yield Problem("--dynamic", "given", why)

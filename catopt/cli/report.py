@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli.options import LANGUAGE_VARIABLE, JsonOption, OnceOption, ReportLanguage
+from catopt.cli.answering import INTERRUPTED, Asked, answering
+from catopt.cli.options import CaseArgument, DesignOption, OnceOption, PlaceOption
 from catopt.cli.solve import Method
-from catopt.cli.verify import INTERRUPTED, stop_if_not_converged
+from catopt.cli.values import refused
+from catopt.cli.verify import stop_if_not_converged
 
 if TYPE_CHECKING:
     from catopt.cli.note_kind import AnyNote
-    from catopt.cli.output import Output, Progress
     from catopt.notes.line import Note
     from catopt.notes.system import SystemNote
     from catopt.verify.dynamic_result import DynamicVerification
@@ -25,127 +27,60 @@ OTHER_ENDINGS = (".pdf", ".xlsx", ".xls", ".docx", ".doc", ".odt", ".md", ".txt"
 """Files that somebody may hope for and that a note is not."""
 
 
+@answering(PlaceOption, language_after="design")
 def report(
-    context: typer.Context,
-    case: Annotated[
-        Path,
-        typer.Argument(
-            metavar="CASE",
-            help="Case file (TOML), file of catopt size, or a directory that --out of catopt "
-            "solve, check, curve, verify, system or design wrote.",
-        ),
-    ],
-    design: Annotated[
-        int | None,
-        typer.Option(
-            metavar="K",
-            help="Of a result directory, the number of the design; the recommended one when left "
-            "out.",
-        ),
-    ] = None,
-    lang: Annotated[
-        ReportLanguage,
-        typer.Option(
-            metavar="LANGUAGE",
-            envvar=LANGUAGE_VARIABLE,
-            help="Language of page and workbook: en, or vi for Vietnamese.",
-        ),
-    ] = ReportLanguage.ENGLISH,
-    date: Annotated[
-        str,
-        typer.Option(
-            metavar="TEXT",
-            help="Date for the title block, as it is to stand there; no date when left out.",
-        ),
-    ] = "",
-    with_workbook: Annotated[
-        bool,
-        typer.Option(
-            "--xlsx",
-            help="Write the workbook of the same name beside the page, too; in a directory given "
-            "by --out it always is.",
-        ),
-    ] = False,
-    verify: Annotated[
-        bool,
-        typer.Option(
-            "--verify/--no-verify",
-            help="Put the truss model beside the closed form, or leave that out, which saves a "
-            "second.",
-        ),
-    ] = True,
-    method: Annotated[
-        Method | None,
-        typer.Option(
-            metavar="METHOD",
-            help="pso puts the particle swarm beside the closed form, on which the note rests in "
-            "any case. When left out: of a result directory, what catopt solve was asked for "
-            "there.",
-        ),
-    ] = None,
-    motion: Annotated[
-        bool | None,
-        typer.Option(
-            "--dynamic/--no-dynamic",
-            help="Also run the line in time, as catopt verify --dynamic does, or leave that out. "
-            "When left out: of a result directory, what catopt verify was asked for there.",
-        ),
-    ] = None,
+    asked: Asked,
+    case: CaseArgument,
+    design: DesignOption = None,
+    date: Annotated[str, typer.Option(metavar="TEXT")] = "",
+    with_workbook: Annotated[bool, typer.Option("--xlsx")] = False,
+    verify: Annotated[bool, typer.Option("--verify/--no-verify")] = True,
+    method: Annotated[Method | None, typer.Option(metavar="METHOD")] = None,
+    motion: Annotated[bool | None, typer.Option("--dynamic/--no-dynamic")] = None,
     once: OnceOption = False,
-    as_json: JsonOption = False,
-    out: Annotated[
-        Path | None,
-        typer.Option(
-            "--out",
-            metavar="PLACE",
-            help="File to write, ending in .html, or a directory for page and workbook; the page "
-            "in the working directory when left out. Files of the same name are replaced.",
-        ),
-    ] = None,
 ) -> None:
-    """Write the calculation note of a case: one HTML page for a checker, and a workbook.
-
-    The page holds all it shows, opens from disk without a network and prints to A4: inputs,
-    components with their sources, the line to scale, tensions, checks, every result with its
-    equation and its numbers put in, and the same line by a truss model. The workbook has its tables
-    with native charts. The same case gives the same files to the last byte.
-    """
+    """Write the calculation note of a case: one HTML page for a checker, and a workbook."""
     from catopt.cli.note_kind import Wanted, answer_of, note_of_file
     from catopt.notes.line import Note
     from catopt.notes.origin import file_name
     from catopt.render.page import page
     from catopt.report.files import write_files
 
-    output: Output = context.obj
-    _check_place(out)
-    with output.progress("Calculation note") as tell:
+    output, language = asked.output, asked.language
+    _check_place(asked.out)
+    with output.progress("Calculation note") as watched:
+
+        def tell(done: int, total: int) -> None:
+            if watched is not None:
+                watched(done, total)
+
+        # Three steps: the note, as far as its line in motion is, then its page and its workbook.
+        of_first = None if watched is None else lambda done, total: tell(done, 3 * total)
         swarm = None if method is None else method is Method.PSO
         wanted = Wanted(design, date, verify, swarm, motion, once or None)
-        note = note_of_file(case, wanted, _first_of_three(tell))
-        number = None
+        note = note_of_file(case, wanted, of_first)
         moved = _moved(note)
-        _stop_if_interrupted(moved, output)
-        if isinstance(note, Note):
-            number = None if note.chosen is None else note.chosen.number
-        _tell(tell, 1)
-        folder, name, is_folder = _place(out, file_name(case, number))
+        _stop_if_interrupted(asked, moved)
+        number = note.chosen.number if isinstance(note, Note) and note.chosen else None
+        tell(1, 3)
+        folder, name, is_folder = _place(asked.out, file_name(case, number))
         answer = answer_of(note)
-        files = {name: page(answer, lang.value)}
-        _tell(tell, 2)
+        files = {name: page(answer, language)}
+        tell(2, 3)
         if with_workbook or is_folder:
             from catopt.render.workbook import workbook
 
-            files[str(Path(name).with_suffix(".xlsx"))] = workbook(answer, lang.value)
+            files[str(Path(name).with_suffix(".xlsx"))] = workbook(answer, language)
     places = write_files(folder, files, keep=[case])
-    written = list(zip(places, files.values(), strict=True))
-    if as_json:
+    if asked.as_json:
+        written = [_file(*each) for each in zip(places, files.values(), strict=True)]
         sections = [section.name for section in answer.sections]
-        output.json(_document(note, sections, lang.value, written))
+        output.json(_document(note, sections, language, *written))
     else:
-        for path, _ in written:
+        for path in places:
             output.text(str(path))
     if moved is not None:
-        stop_if_not_converged(output, moved, lang)
+        stop_if_not_converged(asked, moved)
 
 
 def _moved(note: AnyNote) -> DynamicVerification | None:
@@ -158,39 +93,27 @@ def _moved(note: AnyNote) -> DynamicVerification | None:
     return note.motion.found if isinstance(note, Note) and note.motion is not None else None
 
 
-def _tell(tell: Progress | None, steps: int) -> None:
-    """Tell how much is done: the note, its page, its workbook."""
-    if tell is not None:
-        tell(steps, 3)
-
-
-def _first_of_three(tell: Progress | None) -> Progress | None:
-    """Tell of the line in motion as of the first step."""
-    return None if tell is None else lambda done, total: tell(done, 3 * total)
-
-
-def _stop_if_interrupted(moved: DynamicVerification | None, output: Output) -> None:
+def _stop_if_interrupted(asked: Asked, moved: DynamicVerification | None) -> None:
     """Write nothing after Ctrl-C: a note of half a run is none, and an older one is worth more."""
     if moved is not None and not moved.is_complete:
         from catopt.verify.motion_words import stopped_words
 
-        output.note(
-            f"catopt: {stopped_words(moved)}; no note was written. "
-            "catopt verify CASE --dynamic --out DIR keeps what a stopped run has computed"
+        asked.leave(
+            INTERRUPTED,
+            f"{stopped_words(moved)}; no note was written. "
+            "catopt verify CASE --dynamic --out DIR keeps what a stopped run has computed",
         )
-        raise typer.Exit(INTERRUPTED)
 
 
 def _check_place(out: Path | None) -> None:
     """Refuse, before anything is computed, a place where no page can go."""
     if out is None:
         return
-    from catopt.errors import InputError, Problem
     from catopt.report.files import check_directory
 
     if out.suffix.lower() in OTHER_ENDINGS and not out.exists():
         allowed = "a page, in a file that ends in .html, or a directory is wanted"
-        raise InputError([Problem("--out", str(out), allowed)], "options")
+        raise refused("--out", str(out), allowed)
     check_directory(_place(out, "")[0])
 
 
@@ -204,7 +127,11 @@ def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:
 
 
 def _document(
-    note: AnyNote, sections: list[str], language: str, written: list[tuple[Path, bytes]]
+    note: AnyNote,
+    sections: list[str],
+    language: str,
+    page: dict[str, Any],
+    workbook: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
     from catopt.cli.note_kind import line_of
@@ -216,12 +143,11 @@ def _document(
     assert of is not None
     checks = of.checks
     governing = checks.governing
-    page, *workbook = [_file(*each) for each in written]
     return {
         "schema": "catopt.report/1",
         "title": note.title,
         **page,
-        "workbook": workbook[0] if workbook else None,
+        "workbook": workbook,
         "language": language,
         "date": note.origin.date,
         "version": note.origin.version,
@@ -250,6 +176,4 @@ def _verification(note: Note | SystemNote) -> dict[str, Any] | None:
 
 
 def _file(path: Path, content: bytes) -> dict[str, Any]:
-    from hashlib import sha256
-
     return {"path": str(path), "bytes": len(content), "sha256": sha256(content).hexdigest()}

@@ -7,36 +7,23 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed, studies
-from catopt.cli.options import JsonOption, LangOption, OutOption, ReportLanguage
+from catopt.cli.options import OutOption
 
 if TYPE_CHECKING:
     from catopt.reproduce import Reproduction
 
+_NAME = typer.Argument(metavar="NAME", autocompletion=completed(studies))
 
-def reproduce(
-    context: typer.Context,
-    name: Annotated[
-        str | None,
-        typer.Argument(
-            metavar="NAME",
-            autocompletion=completed(studies),
-            help="One study, such as buoy_9p5m; all when left out.",
-        ),
-    ] = None,
-    lang: LangOption = ReportLanguage.ENGLISH,
-    as_json: JsonOption = False,
-    out: OutOption = None,
-) -> None:
-    """Recompute published figures and judge each printed number.
 
-    A number reproduces when catopt's, rounded to the printed decimals, has every printed digit.
-    """
+@answering(OutOption, without=["units"])
+def reproduce(asked: Asked, name: Annotated[str | None, _NAME] = None) -> None:
+    """Recompute published figures and judge each printed number."""
     from catopt.answers.reproduction import reproduction_answer
-    from catopt.cli.result_files import Asked
     from catopt.reproduce import reproduce as recompute
 
-    asked = Asked(context.obj, lang, as_json, out)
+    asked.check_place()
     with asked.output.progress("Swarm runs") as tell:
         result = recompute(name, progress=tell)
     asked.give(reproduction_answer(result), result.to_dict, further=partial(_further, result))

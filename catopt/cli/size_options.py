@@ -37,19 +37,15 @@ def by_option(name: str, index: int | None = None) -> str:
     return "BUOY" if name == "buoy" else as_option(name, index)
 
 
-def help_of(each: Input, taken: str | None = None) -> str:
-    """Say what an option takes, and what is taken when it is left out.
-
-    `taken` is what is taken where that is not what a sizing takes.
-    """
+def _help_of(each: Input, taken: str | None) -> str:
+    """Say what an option takes, and what is taken when it is left out, which may be given."""
     flags = {name: as_option(name) for name in _NAMED}
     left_out = Message(each.left_out, **flags) if each.left_out else each.default
     left_out = left_out if taken is None else taken
-    which = f": {', '.join(each.words)}" if each.words else ""
     is_shown = each.required or each.name == "buoy"
     said = (
         Message(f"inputs.{each.name}"),
-        which,
+        f": {', '.join(each.words)}" if each.words else "",
         Message("left_out.such_as", example=each.example) if is_shown else "",
         Message("left_out.if_left_out", taken=left_out) if left_out else "",
     )
@@ -61,7 +57,8 @@ def with_inputs(
 ) -> Callable[[Command], Command]:
     """Give a command the options of inputs in place of its ``**inputs``.
 
-    Of all inputs where no `names` are given; `taken` is as of `help_of`, by input.
+    Of all inputs where no `names` are given; `taken` is what is taken of those that are left out,
+    by input, where that is not what a sizing takes.
     """
 
     def decorate(command: Command) -> Command:
@@ -69,7 +66,7 @@ def with_inputs(
         first = [each for each in own if each.kind is each.POSITIONAL_OR_KEYWORD]
         last = [each for each in own if each.kind is each.KEYWORD_ONLY]
         options = [
-            _parameter(each, help_of(each, taken.get(name)))
+            _parameter(each, _help_of(each, taken.get(name)))
             for name, each in inputs_of(moored).items()
             if (name in names or not names) and name not in _NO_OPTIONS[moored]
         ]

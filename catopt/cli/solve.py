@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from enum import StrEnum
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.options import (
-    CaseArgument,
-    DesignOption,
-    JsonOption,
-    LangOption,
-    OutOption,
-    ReportLanguage,
-)
+from catopt.cli import values
+from catopt.cli.answering import Asked, answering
+from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
+from catopt.errors import Problem
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -30,100 +27,45 @@ class Method(StrEnum):
     PSO = "pso"
 
 
+@answering(OutOption)
 def solve(
-    context: typer.Context,
+    asked: Asked,
     case: CaseArgument,
-    method: Annotated[
-        Method,
-        typer.Option(
-            metavar="METHOD",
-            help="closed-form, or pso for the particle swarm, which wants a known horizontal "
-            "force and the anchor on the bed.",
-        ),
-    ] = Method.CLOSED_FORM,
-    runs: Annotated[
-        int | None, typer.Option(metavar="N", help="pso: independent runs; overrides the case.")
-    ] = None,
-    particles: Annotated[
-        int | None, typer.Option(metavar="N", help="pso: size of the swarm; overrides the case.")
-    ] = None,
-    iterations: Annotated[
-        int | None, typer.Option(metavar="N", help="pso: iterations a run; overrides the case.")
-    ] = None,
-    seed: Annotated[
-        int | None, typer.Option(metavar="N", help="pso: seed; overrides the case.")
-    ] = None,
-    boundary: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="pso: what happens to a particle beyond a bound: nearest, reflective, shrink, "
-            "random, intermediate or periodic; overrides the case.",
-        ),
-    ] = None,
-    load_case: Annotated[
-        str | None,
-        typer.Option(
-            "--load-case",
-            metavar="NAME",
-            help="Solve under this load case; when left out under [load], or else the first one.",
-        ),
-    ] = None,
+    method: Annotated[Method, typer.Option(metavar="METHOD")] = Method.CLOSED_FORM,
+    runs: CountOption = None,
+    particles: CountOption = None,
+    iterations: CountOption = None,
+    seed: CountOption = None,
+    boundary: Annotated[str | None, typer.Option(metavar="NAME")] = None,
+    load_case: LoadCaseOption = None,
     design: DesignOption = None,
-    profile: Annotated[
-        bool, typer.Option("--profile", help="Add the shape and the tension along the line.")
-    ] = False,
-    lang: LangOption = ReportLanguage.ENGLISH,
-    as_json: JsonOption = False,
-    out: OutOption = None,
+    profile: Annotated[bool, typer.Option("--profile")] = False,
 ) -> None:
-    """Solve one mooring line at rest.
-
-    Prints the inclination at the anchor, the span, the tensions and how the line lies, with the
-    residuals of the equilibrium. Forces are shown in kN and tf, the JSON document is in SI.
-    """
+    """Solve one mooring line at rest."""
     from catopt.answers.solution import solution_answer
-    from catopt.casefile.design_directory import read_case_or_design
-    from catopt.cli.result_files import Asked
-    from catopt.cli.state import in_state, with_known_codes
+    from catopt.catenary.case import under_a_load
     from catopt.report.bundle import solution_pictures
 
-    asked = Asked(context.obj, lang, as_json, out)
-    settings: dict[str, Any] = {
-        "runs": runs,
-        "particles": particles,
-        "iterations": iterations,
-        "seed": seed,
-        "boundary": boundary,
-    }
-    given = {key: value for key, value in settings.items() if value is not None}
-    whole = with_known_codes(read_case_or_design(case, design))
-    read = _with_settings(in_state(whole, load_case), given, method)
+    asked.check_place()
+    given = values.given_ones(
+        runs=runs, particles=particles, iterations=iterations, seed=seed, boundary=boundary
+    )
+    read = values.in_state(values.read_known(case, design), load_case)
+    if method is not Method.PSO:
+        needs = "needs --method pso"
+        values.refuse(Problem(f"--{key}", str(value), needs) for key, value in given.items())
+    if given:
+        with values.by_option():
+            read = replace(read, swarm=replace(read.swarm, **given))
     solution = _solved(read, method, asked.output)
-    given_case, read = read, _as_solved(read)
-    answer = solution_answer(read, solution, with_profile=profile)
+    loaded, _ = under_a_load(read)
     asked.give(
-        answer,
+        solution_answer(loaded, solution, with_profile=profile),
         partial(solution.to_dict, profile=True),
-        given_case,
-        partial(solution_pictures, read, solution),
+        read,
+        partial(solution_pictures, loaded, solution),
         printed=partial(solution.to_dict, profile=profile),
     )
-
-
-def _with_settings(case: Case, given: dict[str, Any], method: Method) -> Case:
-    from dataclasses import replace
-
-    from catopt.cli.values import by_option
-    from catopt.errors import InputError, Problem
-
-    if given and method is not Method.PSO:
-        raise InputError(
-            [Problem(f"--{key}", str(value), "needs --method pso") for key, value in given.items()],
-            "options",
-        )
-    with by_option():
-        return replace(case, swarm=replace(case.swarm, **given)) if given else case
 
 
 def _solved(case: Case, method: Method, output: Output) -> Solution:
@@ -136,9 +78,3 @@ def _solved(case: Case, method: Method, output: Output) -> Solution:
         return solve_case(
             case, "pso", progress=None if tell is None else lambda done: tell(done, runs)
         )
-
-
-def _as_solved(case: Case) -> Case:
-    from catopt.catenary.case import under_a_load
-
-    return under_a_load(case)[0]

@@ -4,44 +4,39 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias
 
 import typer
 
+from catopt.cli.answering import FAILED, INTERRUPTED, STOPPED, Asked, answering
 from catopt.cli.options import (
     CaseArgument,
+    CountOption,
     DesignOption,
-    JsonOption,
-    LangOption,
+    LoadCaseOption,
     OnceOption,
     OutOption,
-    ReportLanguage,
+    StrictOption,
 )
+from catopt.cli.values import read_known, refuse
+from catopt.errors import Problem
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.words import say
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from catopt.answers.blocks import Answer
     from catopt.checks.result import CheckReport
-    from catopt.cli.output import Output
     from catopt.model import Case
     from catopt.notes.front_in_motion import FrontInMotion
     from catopt.verify.case import Design, FrontVerification
     from catopt.verify.dynamic_result import DynamicVerification
     from catopt.verify.proof import Proof
     from catopt.verify.result import Verification
-    from catopt.words import Language
 
-    _Found = Verification | FrontVerification
-
-DIFFERS = 3
-"""Of --strict: the input is right, but the models do not agree."""
-
-STOPPED = 4
-"""Of --all: for a design a solver did not converge; of --dynamic: a maximum hangs on the step."""
-
-INTERRUPTED = 130
-"""Of --dynamic: Ctrl-C; what was computed until then is printed and written."""
+    _AtRest = Verification | FrontVerification
+    _InMotion: TypeAlias = "_Moved | FrontInMotion | None"
 
 
 class _Moved(NamedTuple):
@@ -54,236 +49,100 @@ class _Moved(NamedTuple):
         return self.found.to_dict() | {"checks": self.checks.motion_document()}
 
 
+@answering(OutOption)
 def verify(
-    context: typer.Context,
+    asked: Asked,
     case: CaseArgument,
-    load_case: Annotated[
-        str | None,
-        typer.Option(
-            "--load-case",
-            metavar="NAME",
-            help="Verify this load case only; when left out every one, or the [load].",
-        ),
-    ] = None,
+    load_case: LoadCaseOption = None,
     design: DesignOption = None,
-    every: Annotated[
-        bool,
-        typer.Option(
-            "--all",
-            help="Verify every design of the front in the result directory CASE, each in the load "
-            "case that governs it; with --dynamic each in motion under every load case.",
-        ),
-    ] = False,
-    elements: Annotated[
-        int,
-        typer.Option(
-            metavar="N",
-            help="Bars of a line on the coarsest of the three meshes; the others have 2 N and 4 N.",
-        ),
-    ] = ELEMENTS,
-    tolerance: Annotated[
-        float,
-        typer.Option(
-            metavar="X",
-            help="Largest difference that counts as agreement: of the fairlead tension, of the "
-            "line's length, in rad.",
-        ),
-    ] = TOLERANCE,
-    strict: Annotated[
-        bool,
-        typer.Option(
-            "--strict",
-            help="End with exit status 3 when the models do not agree; the answer is printed.",
-        ),
-    ] = False,
-    with_motion: Annotated[
-        bool,
-        typer.Option(
-            "--dynamic",
-            help="Also run the line in time, in the waves, the current and the motion of the case "
-            "file. Ctrl-C keeps what was computed until then.",
-        ),
-    ] = False,
+    every: Annotated[bool, typer.Option("--all")] = False,
+    elements: Annotated[int, typer.Option(metavar="N")] = ELEMENTS,
+    tolerance: Annotated[float, typer.Option(metavar="X")] = TOLERANCE,
+    strict: StrictOption = False,
+    with_motion: Annotated[bool, typer.Option("--dynamic")] = False,
     once: OnceOption = False,
-    twice_the_bars: Annotated[
-        bool,
-        typer.Option(
-            "--twice-the-bars",
-            help="Of --dynamic: run again with twice the bars, too, also a line that stays taut.",
-        ),
-    ] = False,
-    workers: Annotated[
-        int | None,
-        typer.Option(
-            metavar="N",
-            help="Of --dynamic: run the seeds ([dynamics] runs) in N processes side by side; "
-            "where it saves time on all cores when left out.",
-        ),
-    ] = None,
-    lang: LangOption = ReportLanguage.ENGLISH,
-    as_json: JsonOption = False,
-    out: OutOption = None,
+    twice_the_bars: Annotated[bool, typer.Option("--twice-the-bars")] = False,
+    workers: CountOption = None,
 ) -> None:
-    """Compare the closed form with a truss model that shares nothing with it.
-
-    Prints every quantity by both models, with the order by which the truss model closes up over
-    three meshes and the difference before and after extrapolation. A line on which they differ is
-    an answer: the exit status is 0 unless --strict is given.
-    """
-    output: Output = context.obj
-    if out is not None:
-        from catopt.report.files import check_directory
-
-        check_directory(out)
-    _refuse_without_motion(
-        workers, with_motion=with_motion, once=once, twice_the_bars=twice_the_bars
-    )
+    """Compare the closed form with a truss model that shares nothing with it."""
+    asked.check_place()
+    proofs = {"--once": once, "--twice-the-bars": twice_the_bars}
+    refuse(_of_motion(proofs, workers, with_motion=with_motion))
     check_settings(elements, tolerance, source="options", prefix="--")
-    found: _Found
-    dynamic: _Moved | FrontInMotion | None = None
     proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
+    how = {"elements": elements, "tolerance": tolerance}
+    moving = {"proof": proof, "workers": workers} if with_motion else None
+    found: _AtRest
+    dynamic: _InMotion
     if every:
-        _refuse(load_case, design)
-        found = _front(case, output, elements, tolerance)
-        read = _case_of_front(case)
-        if with_motion:
-            dynamic = _front_in_motion(case, output, proof, workers)
+        wanted = "does not go with --all, which takes every design in the load case that governs it"
+        given = {"--load-case": load_case, "--design": design}
+        refuse(Problem(key, str(each), wanted) for key, each in given.items() if each is not None)
+        read, found, dynamic = _front(asked, case, how, moving)
     else:
-        read = _read(case, design, with_motion=with_motion)
-        if with_motion and read.site.seabed_slope != 0.0:
-            from catopt.verify.result import Verification
+        read, found, dynamic = _case(asked, read_known(case, design), load_case, how, moving)
+    at_rest, in_motion = _answers(found, dynamic)
 
-            found = Verification(read, ())  # there is no closed form to compare with
-        else:
-            found = _case(read, output, load_case, elements, tolerance)
-        if with_motion:
-            dynamic = _dynamic(read, output, load_case, proof, workers)
-    if out is not None:
-        from catopt.cli.result_files import write_result
+    def document() -> dict[str, Any]:
+        return found.to_dict() | ({} if dynamic is None else {"dynamic": dynamic.to_dict()})
 
-        files = _files(found, dynamic, lang.value)
-        write_result(output, out, files, read, front=case if every else None)
-    if as_json:
-        output.json(_document(found, dynamic))
-    else:
-        _show(output, found, dynamic, lang.value)
-    _stop_in_motion(output, dynamic, lang)
-    _end(output, found, strict=strict)
+    if asked.out is not None:
+        files = _files(asked, found, dynamic, document())
+        asked.write(files, read, front=case if every else None)
+    sections = () if in_motion is None else in_motion.sections
+    asked.show(replace(at_rest, sections=(*at_rest.sections, *sections)), document)
+    _stop_in_motion(asked, dynamic)
+    _end(asked, found, strict=strict)
 
 
-def _document(found: _Found, dynamic: _Moved | FrontInMotion | None) -> dict[str, Any]:
-    return found.to_dict() | ({} if dynamic is None else {"dynamic": dynamic.to_dict()})
+def _of_motion(
+    proofs: dict[str, bool], workers: int | None, *, with_motion: bool
+) -> Iterator[Problem]:
+    """Yield what says how a line in motion is proven, where none is run or in two ways."""
+    for option, is_given in {**proofs, "--workers": workers is not None}.items():
+        if is_given and not with_motion:
+            yield Problem(option, "", "goes with --dynamic, which is missing")
+    if all(proofs.values()):
+        yield Problem("--once", "", "does not go with --twice-the-bars")
+    if workers is not None and workers < 1:
+        yield Problem("--workers", str(workers), "1 or more processes")
 
 
-def _answer(found: _Found) -> Answer:
-    from catopt.answers.verification import front_answer, verification_answer
-    from catopt.verify.case import FrontVerification
-
-    if isinstance(found, FrontVerification):
-        return front_answer(found)
-    return verification_answer(found)
+# ------------------------------------------------------------------ one case
 
 
-def _answer_in_motion(dynamic: _Moved | FrontInMotion, *, with_series: bool = False) -> Answer:
-    if isinstance(dynamic, _Moved):
-        from catopt.answers.motion import motion_answer
-
-        return motion_answer(dynamic.found, dynamic.checks, with_series=with_series)
-    from catopt.answers.front_in_motion import front_in_motion_answer
-
-    return front_in_motion_answer(dynamic)
-
-
-def _show(
-    output: Output, found: _Found, dynamic: _Moved | FrontInMotion | None, language: Language
-) -> None:
-    from catopt.render.terminal import show
-
-    answer = _answer(found)
-    if dynamic is not None:
-        moved = _answer_in_motion(dynamic)
-        answer = replace(answer, sections=(*answer.sections, *moved.sections))
-    show(output, answer, language)
-
-
-def _files(
-    found: _Found, dynamic: _Moved | FrontInMotion | None, language: Language
-) -> dict[str, bytes]:
-    """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
-    from catopt.render.files import files_of
-    from catopt.render.plain import document_bytes
-    from catopt.report.bundle import motion_pictures, verification_pictures
+def _case(
+    asked: Asked,
+    case: Case,
+    load_case: str | None,
+    how: dict[str, Any],
+    moving: dict[str, Any] | None,
+) -> tuple[Case, Verification, _Moved | None]:
+    """Verify a case; what a line in motion lacks is told before anything is solved."""
+    from catopt.verify.case import verify_case
     from catopt.verify.result import Verification
 
-    document = _document(found, dynamic)
-    if isinstance(found, Verification) and not found.parts:
-        files = {"verify.json": document_bytes(document)}  # nothing at rest is compared
-    else:
-        files = files_of(_answer(found), document, language)
-    if isinstance(found, Verification):
-        files |= verification_pictures(found)
-    if dynamic is not None:
-        files |= files_of(_answer_in_motion(dynamic, with_series=True), None, language)
-    if isinstance(dynamic, _Moved):
-        files |= motion_pictures(dynamic.found)
-    return files
-
-
-def _stop_in_motion(
-    output: Output, dynamic: _Moved | FrontInMotion | None, lang: ReportLanguage
-) -> None:
-    """Leave with 130 where a run was stopped, with 4 where one has not converged."""
-    if isinstance(dynamic, _Moved):
-        if not dynamic.found.is_complete:
-            from catopt.verify.motion_words import stopped_sentence
-
-            output.note(f"catopt: {say(stopped_sentence(dynamic.found), lang.value)}")
-            raise typer.Exit(INTERRUPTED)
-        stop_if_not_converged(output, dynamic.found, lang)
-    elif dynamic is not None:
-        if not dynamic.is_complete:
-            raise typer.Exit(INTERRUPTED)
-        if not dynamic.has_converged:
-            output.note("catopt: for a design in motion a solver did not converge")
-            raise typer.Exit(STOPPED)
-
-
-def _end(output: Output, found: _Found, *, strict: bool) -> None:
-    """Leave with the exit status that the comparison at rest asks for."""
-    from catopt.answers.verification import front_sentence, verdict_sentence
-    from catopt.verify.case import FrontVerification
-
-    if isinstance(found, FrontVerification) and not found.has_converged:
-        output.note("catopt: for a design a solver did not converge")
-        raise typer.Exit(STOPPED)
-    if strict and not found.is_settled:
-        sentence = (
-            front_sentence(found)
-            if isinstance(found, FrontVerification)
-            else verdict_sentence(found)
-        )
-        output.note(f"catopt: {sentence}")
-        raise typer.Exit(DIFFERS)
-
-
-def stop_if_not_converged(output: Output, found: DynamicVerification, lang: ReportLanguage) -> None:
-    """Leave with the status of a solver that did not converge, where a line in motion has not."""
-    if found.verdict == "not converged":
-        from catopt.verify.motion_words import not_converged_sentence
-
-        output.note(f"catopt: {say(not_converged_sentence(found), lang.value)}")
-        raise typer.Exit(STOPPED)
-
-
-def _read(path: Path, design: int | None, *, with_motion: bool) -> Case:
-    """Read the case; what a line in motion lacks is told before anything is solved."""
-    from catopt.casefile.design_directory import read_case_or_design
-    from catopt.cli.state import with_known_codes
-
-    case = with_known_codes(read_case_or_design(path, design))
-    if with_motion:
+    if moving is not None:
         _check_for_motion(case)
-    return case
+    if moving is not None and case.site.seabed_slope != 0.0:
+        found = Verification(case, ())  # there is no closed form to compare with
+    else:
+        with asked.output.progress("Load cases") as tell:
+            found = verify_case(case, load_case=load_case, progress=tell, **how)
+    if moving is None:
+        return case, found, None
+    from catopt.notes.motion import checks_in_motion
+    from catopt.verify.dynamic import verify_dynamic
+
+    with asked.output.progress("Line in motion") as tell:
+        moved = verify_dynamic(
+            case,
+            load_case=load_case,
+            progress=tell,
+            announce=lambda words: asked.output.note(f"catopt: {words}"),
+            **moving,
+        )
+    return case, found, _Moved(moved, checks_in_motion(moved))
 
 
 def _check_for_motion(case: Case) -> None:
@@ -295,127 +154,142 @@ def _check_for_motion(case: Case) -> None:
     check_strengths(case)
 
 
-def _case(
-    case: Case, output: Output, load_case: str | None, elements: int, tolerance: float
-) -> Verification:
-    from catopt.verify.case import verify_case
-
-    with output.progress("Load cases") as tell:
-        return verify_case(
-            case, load_case=load_case, elements=elements, tolerance=tolerance, progress=tell
-        )
+# ------------------------------------------------------------------ a front of designs
 
 
-def _dynamic(
-    case: Case, output: Output, load_case: str | None, proof: Proof, workers: int | None
-) -> _Moved:
-    from catopt.notes.motion import checks_in_motion
-    from catopt.verify.dynamic import verify_dynamic
-
-    with output.progress("Line in motion") as tell:
-        found = verify_dynamic(
-            case,
-            load_case=load_case,
-            proof=proof,
-            workers=workers,
-            progress=tell,
-            announce=lambda words: output.note(f"catopt: {words}"),
-        )
-    return _Moved(found, checks_in_motion(found))
-
-
-def _case_of_front(directory: Path) -> Case:
+def _front(
+    asked: Asked, directory: Path, how: dict[str, Any], moving: dict[str, Any] | None
+) -> tuple[Case, FrontVerification, FrontInMotion | None]:
+    """Verify every design of a front in the load case that governs it, and in motion."""
     from catopt.casefile import read_case
-    from catopt.casefile.design_directory import DESIGN_CASE
-
-    return read_case(directory / DESIGN_CASE)
-
-
-def _front(directory: Path, output: Output, elements: int, tolerance: float) -> FrontVerification:
-    designs = _designs(directory)
-    title = _case_of_front(directory).title
+    from catopt.casefile.design_directory import DESIGN_CASE, read_design_document
     from catopt.verify.case import verify_front
 
-    with output.progress("Designs") as tell:
-        return verify_front(title, designs, elements=elements, tolerance=tolerance, progress=tell)
-
-
-def _front_in_motion(
-    directory: Path, output: Output, proof: Proof, workers: int | None
-) -> FrontInMotion:
-    from catopt.casefile.design_directory import read_design_document
+    document = read_design_document(directory)
+    designs = list(_designs(directory, document["front"]))
+    case = read_case(directory / DESIGN_CASE)
+    with asked.output.progress("Designs") as tell:
+        found = verify_front(case.title, designs, progress=tell, **how)
+    if moving is None:
+        return case, found, None
     from catopt.notes.front_in_motion import front_in_motion
 
-    document, designs = read_design_document(directory), _designs(directory)
     for each in designs:
         _check_for_motion(each.case)
     objectives = [
         tuple(entry[key] for key in document["objectives"]) for entry in document["front"]
     ]
-    with output.progress("Designs in motion") as tell:
-        return front_in_motion(
+    with asked.output.progress("Designs in motion") as tell:
+        moved = front_in_motion(
             [(d.number, d.case, own) for d, own in zip(designs, objectives, strict=True)],
             document["recommended"] + 1,
-            proof=proof,
-            workers=workers,
             progress=tell,
+            **moving,
         )
+    return case, found, moved
 
 
-def _refuse(load_case: str | None, design: int | None) -> None:
-    from catopt.errors import InputError, Problem
-
-    given = {"--load-case": load_case, "--design": design}
-    problems = [
-        Problem(option, str(value), "does not go with --all, which takes every design in the load "
-        "case that governs it")
-        for option, value in given.items()
-        if value is not None
-    ]  # fmt: skip
-    if problems:
-        raise InputError(problems, "options")
-
-
-def _refuse_without_motion(
-    workers: int | None, *, with_motion: bool, once: bool, twice_the_bars: bool
-) -> None:
-    """Refuse what says how a line in motion is proven, where none is run or in two ways."""
-    from catopt.errors import InputError, Problem
-
-    given = {
-        "--once": once, "--twice-the-bars": twice_the_bars, "--workers": workers is not None,
-    }  # fmt: skip
-    problems = [
-        Problem(option, "", "goes with --dynamic, which is missing")
-        for option, is_given in given.items()
-        if is_given and not with_motion
-    ]
-    if once and twice_the_bars:
-        problems.append(Problem("--once", "", "does not go with --twice-the-bars"))
-    if workers is not None and workers < 1:
-        problems.append(Problem("--workers", str(workers), "1 or more processes"))
-    if problems:
-        raise InputError(problems, "options")
-
-
-def _designs(directory: Path) -> list[Design]:
-    """Read every design of a front with the load case that governs it."""
-    from catopt.casefile.design_directory import read_design, read_design_document
-
-    front = read_design_document(directory)["front"]
-    cases = [read_design(directory, number) for number in range(1, len(front) + 1)]
+def _designs(directory: Path, front: list[dict[str, Any]]) -> Iterator[Design]:
+    """Read every design of a front with the load case of the check that governs it, if any."""
+    from catopt.casefile.design_directory import read_design
     from catopt.verify.case import Design
 
-    return [
-        Design(number, case, _governing_load_case(entry, case))
-        for number, (case, entry) in enumerate(zip(cases, front, strict=True), start=1)
-    ]
+    for number, entry in enumerate(front, start=1):
+        case = read_design(directory, number)
+        states = {state.name for state in case.load_cases}
+        governing = [
+            check["load_case"]
+            for check in entry["checks"]
+            if f"{check['name']} ({check['load_case']})" == entry["governing"]
+        ]
+        is_state = bool(governing) and governing[0] in states
+        yield Design(number, case, governing[0] if is_state else None)
 
 
-def _governing_load_case(entry: dict[str, Any], case: Case) -> str | None:
-    """Find the load case of the check that governs a design; None where none is named."""
-    for check in entry["checks"]:
-        if f"{check['name']} ({check['load_case']})" == entry["governing"]:
-            names = {state.name for state in case.load_cases}
-            return str(check["load_case"]) if check["load_case"] in names else None
-    return None
+# ------------------------------------------------------------------ what came of it
+
+
+def _answers(
+    found: _AtRest, dynamic: _InMotion, *, with_series: bool = False
+) -> tuple[Answer, Answer | None]:
+    """Lay out what was found at rest, and in motion."""
+    from catopt.answers.verification import front_answer, verification_answer
+    from catopt.verify.case import FrontVerification
+
+    if isinstance(found, FrontVerification):
+        at_rest = front_answer(found)
+    else:
+        at_rest = verification_answer(found)
+    if dynamic is None:
+        return at_rest, None
+    if isinstance(dynamic, _Moved):
+        from catopt.answers.motion import motion_answer
+
+        return at_rest, motion_answer(dynamic.found, dynamic.checks, with_series=with_series)
+    from catopt.answers.front_in_motion import front_in_motion_answer
+
+    return at_rest, front_in_motion_answer(dynamic)
+
+
+def _files(
+    asked: Asked,
+    found: _AtRest,
+    dynamic: _InMotion,
+    document: dict[str, Any],
+) -> dict[str, bytes]:
+    """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
+    from catopt.render.files import files_of
+    from catopt.render.plain import document_bytes
+    from catopt.report.bundle import motion_pictures, verification_pictures
+    from catopt.verify.result import Verification
+
+    at_rest, in_motion = _answers(found, dynamic, with_series=True)
+    if isinstance(found, Verification) and not found.parts:
+        files = {"verify.json": document_bytes(document)}  # nothing at rest is compared
+    else:
+        files = files_of(at_rest, document, asked.language)
+    if isinstance(found, Verification):
+        files |= verification_pictures(found)
+    if in_motion is not None:
+        files |= files_of(in_motion, None, asked.language)
+    if isinstance(dynamic, _Moved):
+        files |= motion_pictures(dynamic.found)
+    return files
+
+
+def _stop_in_motion(asked: Asked, dynamic: _InMotion) -> None:
+    """Leave with 130 where a run was stopped, with 4 where one has not converged."""
+    if isinstance(dynamic, _Moved):
+        if not dynamic.found.is_complete:
+            from catopt.verify.motion_words import stopped_sentence
+
+            asked.leave(INTERRUPTED, say(stopped_sentence(dynamic.found), asked.language))
+        stop_if_not_converged(asked, dynamic.found)
+    elif dynamic is not None:
+        if not dynamic.is_complete:
+            raise typer.Exit(INTERRUPTED)
+        if not dynamic.has_converged:
+            asked.leave(STOPPED, "for a design in motion a solver did not converge")
+
+
+def stop_if_not_converged(asked: Asked, found: DynamicVerification) -> None:
+    """Leave with the status of a solver that did not converge, where a line in motion has not."""
+    if found.verdict == "not converged":
+        from catopt.verify.motion_words import not_converged_sentence
+
+        asked.leave(STOPPED, say(not_converged_sentence(found), asked.language))
+
+
+def _end(asked: Asked, found: _AtRest, *, strict: bool) -> None:
+    """Leave with the exit status that the comparison at rest asks for."""
+    from catopt.answers.verification import front_sentence, verdict_sentence
+    from catopt.verify.case import FrontVerification
+
+    if isinstance(found, FrontVerification):
+        if not found.has_converged:
+            asked.leave(STOPPED, "for a design a solver did not converge")
+        sentence = front_sentence(found)
+    else:
+        sentence = verdict_sentence(found)
+    if strict and not found.is_settled:
+        asked.leave(FAILED, sentence)

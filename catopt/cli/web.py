@@ -7,47 +7,26 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from catopt.cli.values import refused
+
 if TYPE_CHECKING:
     from catopt.cli.output import Output
-
-__all__ = ["page_app", "web"]
 
 
 def web(
     context: typer.Context,
-    out: Annotated[
-        Path | None,
-        typer.Option(metavar="DIR", help="Write the page as a folder for a web server."),
-    ] = None,
-    single: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write the page as one .html that opens from disk."),
-    ] = None,
-    taken_from: Annotated[
-        Path | None,
-        typer.Option(
-            "--from",
-            metavar="DIR",
-            help="Folder with the files of Pyodide and Python that are fetched from the npm "
-            "registry and PyPI when this is left out.",
-        ),
-    ] = None,
+    out: Annotated[Path | None, typer.Option(metavar="DIR")] = None,
+    single: Annotated[Path | None, typer.Option(metavar="FILE")] = None,
+    taken_from: Annotated[Path | None, typer.Option("--from", metavar="DIR")] = None,
 ) -> None:
-    """Write the page that sizes and computes moorings in the browser.
-
-    Nothing has to be installed to open it, and it asks no server for anything. What it is made of
-    is pinned by SHA-256; docs/page.md has sizes and times.
-    """
-    from catopt.errors import InputError, Problem
+    """Write the page that sizes and computes moorings in the browser."""
     from catopt.report.files import check_directory, write_files
     from catopt.web.build import fetched, pieces
     from catopt.web.document import document
 
     output: Output = context.obj
     if (out is None) == (single is None):
-        raise InputError(
-            [Problem("--out", "", "give either --out DIR or --single FILE")], "options"
-        )
+        raise refused("--out", "", "give either --out DIR or --single FILE")
     folder = out if single is None else single.parent
     assert folder is not None
     check_directory(folder)
@@ -65,19 +44,12 @@ def web(
 
 def page_app(
     context: typer.Context,
-    port: Annotated[int, typer.Option(metavar="N", help="Port; 0: any that is free.")] = 0,
-    browser: Annotated[
-        bool, typer.Option("--browser/--no-browser", help="Open the browser, too.")
-    ] = True,
+    port: Annotated[int, typer.Option(metavar="N")] = 0,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser")] = True,
 ) -> None:
-    """Open the page with catopt itself behind it; Ctrl-C ends it.
-
-    Only this machine is answered, and only under the address that is printed. It computes what the
-    page of catopt web computes in the browser, sooner.
-    """
+    """Open the page with catopt itself behind it; Ctrl-C ends it."""
     import webbrowser
 
-    from catopt.errors import InputError, Problem
     from catopt.web.server import PageServer
 
     output: Output = context.obj
@@ -85,7 +57,7 @@ def page_app(
         server = PageServer(port)
     except (OSError, OverflowError) as error:
         allowed = "give a port from 0 to 65535 that no other program uses"
-        raise InputError([Problem("--port", f"{port} ({error})", allowed)], "options") from error
+        raise refused("--port", f"{port} ({error})", allowed) from error
     with server:
         output.text(server.address)
         if browser:

@@ -19,7 +19,7 @@ _OWN = "own"
 """Answer of one whose buoy is not in the library."""
 
 
-def asked(
+def answered(
     moored: Moored,
     typed: Mapping[str, object],
     given: Mapping[str, object],

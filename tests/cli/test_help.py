@@ -8,6 +8,7 @@ import pytest
 import typer
 
 from catopt.cli.app import command as catopt_command
+from catopt.cli.help_words import put_words
 
 from .command_page import PAGE, blocks, commands, help_of
 from .conftest import Run
@@ -42,6 +43,7 @@ def test_the_help_on_the_page_is_the_real_one(command: str) -> None:
 @pytest.mark.parametrize("command", commands()[1:])
 def test_every_option_and_its_help_is_on_the_page(command: str) -> None:
     """Whatever lays the help out, these words are ours."""
+    put_words(catopt_command)
     found: Any = catopt_command
     for name in command.split()[1:]:
         found = found.commands[name]

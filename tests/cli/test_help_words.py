@@ -1,9 +1,10 @@
-"""`--help` in Vietnamese: every word of it, and no word for what is not there."""
+"""The table of the help: every text in both languages, and no text for what is not there."""
 
 from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from typing import Any
@@ -11,12 +12,14 @@ from typing import Any
 import pytest
 
 from catopt.cli.app import command
-from catopt.cli.help_words import in_vietnamese, paragraphs, vietnamese
+from catopt.cli.help_words import put_words, table
 
 TELL = """
 import json
 from catopt.cli.app import command
+from catopt.cli.help_words import put_words
 from tests.cli.test_help_words import texts_of
+put_words(command)
 print(json.dumps(texts_of(command)))
 """
 
@@ -36,6 +39,21 @@ def texts_of(command: Any, path: str = "catopt") -> dict[str, str]:
     return found
 
 
+def paragraphs(text: str) -> list[str]:
+    """Split a help into paragraphs, each on one line."""
+    return [" ".join(each.split()) for each in text.split("\n\n")]
+
+
+def texts_of_table(read: dict[str, Any], place: str = "") -> dict[str, dict[str, str]]:
+    """Every text of the table, in its languages, by its key."""
+    if isinstance(read.get("en"), str):
+        return {place: read}
+    found = {}
+    for key, below in read.items():
+        found |= texts_of_table(below, f"{place}.{key}".lstrip("."))
+    return found
+
+
 @pytest.fixture(scope="module")
 def in_both() -> list[tuple[str, str, str]]:
     """Where each help stands, in English and in Vietnamese."""
@@ -47,6 +65,7 @@ def in_both() -> list[tuple[str, str, str]]:
         encoding="utf-8",
     )
     said = json.loads(ran.stdout)
+    put_words(command)
     english = texts_of(command)
     assert said.keys() == english.keys()
     return [(where, english[where], said[where]) for where in english]
@@ -63,14 +82,22 @@ def test_every_help_is_in_vietnamese(in_both: list[tuple[str, str, str]]) -> Non
     assert not untold
 
 
-def test_no_vietnamese_help_is_of_words_that_are_gone() -> None:
-    used = {one for english in texts_of(command).values() for one in paragraphs(english)}
-    assert set(vietnamese()) - used == {"Show this message and exit."}
+def test_no_help_is_of_what_is_gone(in_both: list[tuple[str, str, str]]) -> None:
+    english = {text.strip() for _, text, _ in in_both}
+    assert [key for key, each in texts_of_table(table()).items() if each["en"] not in english] == []
+
+
+def test_every_option_and_every_command_has_its_help(in_both: list[tuple[str, str, str]]) -> None:
+    """None shows the docstring of its function, or the key of a text."""
+    words = {each["en"] for each in texts_of_table(table()).values()}
+    without = [where for where, english, _ in in_both if english not in words]
+    assert all(re.match(r"catopt (size|loads) (buoy|tanker|ship) ", where) for where in without)
 
 
 def test_names_that_are_typed_stay_as_they_are() -> None:
     """Options, files and words of options within a help are the same in both languages."""
-    for english, said in vietnamese().items():
+    for texts in texts_of_table(table()).values():
+        english, said = texts["en"], texts["vi"]
         for word in english.replace(",", " ").replace(";", " ").replace(":", " ").split():
             name = word.strip('."()')
             if name.startswith(("--", "[")) and name not in ("[OPTIONS]",):
@@ -92,9 +119,3 @@ def test_the_help_of_a_command_has_no_english_heading() -> None:
         ran.stdout.replace("[", " ").replace("]", " ").replace(":", " ").split()
     )
     assert max(map(len, ran.stdout.splitlines())) <= 80
-
-
-def test_what_is_not_in_the_table_stays() -> None:
-    assert in_vietnamese("Case file (TOML).\n\nNever heard of.") == (
-        "Tệp số liệu (TOML).\n\nNever heard of."
-    )

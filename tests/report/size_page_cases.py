@@ -7,7 +7,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from catopt.casefile.sizing_file import Moored
-from catopt.cli.size_note import note_of_file
+from catopt.cli.note_kind import note_of_sizing
 from catopt.notes.size import SizeNote
 from catopt.words import Language
 
@@ -90,7 +90,7 @@ def known_size_note(name: str) -> SizeNote:
     """Compute the note of a sizing, once: it is a value, so that tests may share it."""
     with TemporaryDirectory() as folder:
         path, moored = sizing_path(Path(folder), name)
-        return note_of_file(path, moored)
+        return note_of_sizing(path, moored)
 
 
 @cache

@@ -1,0 +1,240 @@
+"""Giving an answer as it is asked for: printed, as a document, and as files with their case."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass
+from functools import wraps
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+import typer
+
+from catopt.cli.options import (
+    ForceUnits,
+    JsonOption,
+    LangOption,
+    ReportLanguage,
+    UnitsOption,
+)
+from catopt.cli.values import refused
+from catopt.errors import InputError
+from catopt.words import say
+
+if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
+    from catopt.cli.output import Output
+    from catopt.model import Case
+    from catopt.words import Language
+
+FAILED = 3
+"""The input is right, but the answer is not what ``--strict`` asks for."""
+STOPPED = 4
+"""A solver did not converge, or a maximum hangs on the step or the bars."""
+INTERRUPTED = 130
+"""128 + SIGINT: Ctrl-C; what was computed until then is given all the same."""
+
+Documents = Callable[[], dict[str, Any]]
+Files = Callable[[], dict[str, bytes]]
+
+
+@dataclass(frozen=True)
+class Asked:
+    """How an answer is asked for: where it is printed, ``--lang``, ``--json`` and ``--out``."""
+
+    output: Output
+    language: Language
+    as_json: bool
+    out: Path | None
+
+    def check_place(self) -> None:
+        """Refuse a place that no files can go to, before anything is computed."""
+        if self.out is not None:
+            from catopt.report.files import check_directory
+
+            check_directory(self.out)
+
+    def leave(self, status: int, why: str) -> NoReturn:
+        """End with an exit status, and say why on standard error."""
+        self.output.note(f"catopt: {why}")
+        raise typer.Exit(status)
+
+    def give(
+        self,
+        answer: Answer,
+        document: Documents,
+        case: Case | None = None,
+        further: Files | None = None,
+        printed: Documents | None = None,
+    ) -> None:
+        """Write the files, with the case and `further` ones, then print the document or the answer.
+
+        The document is `printed` with less in it where that is given.
+        """
+        if self.out is not None:
+            from catopt.render.files import files_of
+
+            if further is None:
+                files = files_of(answer, document(), self.language)
+            else:
+                with self.output.progress("Tables and figures"):
+                    files = files_of(answer, document(), self.language) | further()
+            self.write(files, case)
+        self.show(answer, printed or document)
+
+    def show(self, answer: Answer, document: Documents) -> None:
+        """Print the document or the answer."""
+        if self.as_json:
+            self.output.json(document())
+            return
+        from catopt.render.terminal import show
+
+        show(self.output, answer, self.language)
+
+    def write(
+        self, files: Mapping[str, bytes], case: Case | None = None, front: Path | None = None
+    ) -> None:
+        """Write files of an answer, with its case if there is one, and tell how many there are.
+
+        With the case ``catopt report DIR`` makes the note of it. A case file that catopt did not
+        write is never replaced, nor is that of a design search, without which its front would be
+        lost: the directory `front` of a search goes with the case.
+        """
+        from catopt.report.files import write_files
+
+        assert self.out is not None
+        whole, text, stays = dict(files), None, ""
+        if case is not None:
+            from catopt.casefile import write_case
+            from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+
+            text = write_case(case).encode()
+            stays = _stays(self.out, with_front=front is not None)
+            if not stays:
+                whole[DESIGN_CASE] = text
+            if not stays and front is not None:
+                whole[DESIGN_DOCUMENT] = (front / DESIGN_DOCUMENT).read_bytes()
+        written = write_files(self.out, whole, case=text)
+        self.output.note(f"{len(written)} files written to {self.out}")
+        if case is not None and stays and not _is_of(self.out / DESIGN_CASE, case):
+            self.output.note(
+                f"catopt: {DESIGN_CASE} in {self.out} stays as it is, {stays}; "
+                f"catopt report {self.out} is of that one"
+            )
+
+    def give_file(
+        self,
+        name: str,
+        text: str,
+        document: Callable[[str | None], dict[str, Any]],
+        remarks: Iterable[str],
+        keep: Path,
+    ) -> None:
+        """Write a text as one file, or print it, and say what has to be known of it.
+
+        The file has its `name` in a directory; `keep` was read, and nothing goes in its place.
+        """
+        path = None
+        if self.out is not None:
+            from catopt.report.files import write_files
+
+            place = self.out / name if self.out.is_dir() or not self.out.suffix else self.out
+            (written,) = write_files(place.parent, {place.name: text.encode()}, keep=[keep])
+            path = str(written)
+        for remark in remarks:
+            self.output.note(f"note: {say(remark, self.language)}")
+        if self.as_json:
+            self.output.json(document(path))
+        else:  # as a whole: a path is not folded
+            self.output.file(text if path is None else f"{path}\n")
+
+
+def answering(
+    out: Any, *, without: Collection[str] = (), language_after: str = ""
+) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Give a command ``--lang``, ``--units``, ``--json`` and `out` at its end, as its `asked`.
+
+    But for those `without`; the first two follow the parameter `language_after`, if it is given.
+    """
+
+    def decorate(command: Callable[..., None]) -> Callable[..., None]:
+        @wraps(command)
+        def answered(
+            context: typer.Context,
+            as_json: bool,
+            out: Path | None,
+            lang: ReportLanguage = ReportLanguage.ENGLISH,
+            units: ForceUnits | None = None,
+            **options: Any,
+        ) -> None:
+            from catopt.render.units import UNITS
+
+            before = UNITS.set("" if units is None else units.value)
+            try:
+                command(Asked(context.obj, lang.value, as_json, out), **options)
+            finally:
+                UNITS.reset(before)
+
+        _, *own = inspect.signature(command, eval_str=True).parameters.values()
+        names = [each.name for each in own]
+        place = names.index(language_after) + 1 if language_after else len(own)
+        parameters = [
+            _parameter("context", typer.Context),
+            *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[:place]),
+            _parameter("lang", LangOption, ReportLanguage.ENGLISH),
+            _parameter("units", UnitsOption, None),
+            *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[place:]),
+            _parameter("as_json", JsonOption, False),
+            _parameter("out", out, None),
+        ]
+        kept = [each for each in parameters if each.name not in without]
+        answered.__signature__ = inspect.Signature(kept)  # type: ignore[attr-defined]
+        return answered
+
+    return decorate
+
+
+def _parameter(
+    name: str, annotation: Any, default: Any = inspect.Parameter.empty
+) -> inspect.Parameter:
+    kind = inspect.Parameter.KEYWORD_ONLY
+    return inspect.Parameter(name, kind, default=default, annotation=annotation)
+
+
+def refuse_own_case(directory: Path) -> None:
+    """Raise InputError for a directory whose case file, to be replaced, is the user's own."""
+    if _stays(directory, with_front=True):
+        allowed = (
+            "has a case.toml that catopt did not write, in whose place that of the answer would "
+            "go; give another directory"
+        )
+        raise refused("--out", str(directory), allowed)
+
+
+def _stays(directory: Path, *, with_front: bool) -> str:
+    """Say why the case file in a directory must not be replaced; empty where it may."""
+    from catopt.casefile import parse_case, write_case
+    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+
+    place = directory / DESIGN_CASE
+    if not place.exists():
+        return ""
+    if (directory / DESIGN_DOCUMENT).exists() and not with_front:
+        return "for the front in design.json goes with it"
+    try:
+        text = place.read_text("utf-8")
+        is_ours = text == write_case(parse_case(text, folder=str(directory)))
+    except (OSError, ValueError, InputError):
+        is_ours = False
+    return "" if is_ours else "for catopt did not write it"
+
+
+def _is_of(place: Path, case: Case) -> bool:
+    """Whether a case file says what a case is."""
+    from catopt.casefile import read_case
+
+    try:
+        return read_case(place) == case
+    except InputError:
+        return False
