@@ -11,13 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import typer
 
-from catopt.cli.options import (
-    ForceUnits,
-    JsonOption,
-    LangOption,
-    ReportLanguage,
-    UnitsOption,
-)
+from catopt.cli import options as option
 from catopt.cli.values import refused
 from catopt.errors import InputError
 from catopt.words import say
@@ -164,8 +158,8 @@ def answering(
             context: typer.Context,
             as_json: bool,
             out: Path | None,
-            lang: ReportLanguage = ReportLanguage.ENGLISH,
-            units: ForceUnits | None = None,
+            lang: option.ReportLanguage = option.ReportLanguage.ENGLISH,
+            units: option.ForceUnits | None = None,
             **options: Any,
         ) -> None:
             from catopt.render.units import UNITS
@@ -182,10 +176,10 @@ def answering(
         parameters = [
             _parameter("context", typer.Context),
             *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[:place]),
-            _parameter("lang", LangOption, ReportLanguage.ENGLISH),
-            _parameter("units", UnitsOption, None),
+            _parameter("lang", option.LangOption, option.ReportLanguage.ENGLISH),
+            _parameter("units", option.UnitsOption, None),
             *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[place:]),
-            _parameter("as_json", JsonOption, False),
+            _parameter("as_json", option.JsonOption, False),
             _parameter("out", out, None),
         ]
         kept = [each for each in parameters if each.name not in without]

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from catopt.cli import completion
 from catopt.cli.answering import Asked, answering
+from catopt.cli.completion import completed
 from catopt.cli.help_words import GroupWithWords, WithWords
 from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
-from catopt.cli.values import in_si, refuse
+from catopt.cli.values import given_ones, in_si, refuse
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
 
@@ -30,8 +30,8 @@ FamiliesOption = Annotated[Path | None, typer.Option("--families", metavar="FILE
 VariantOption = Annotated[list[str] | None, typer.Option("--variant", metavar="QUANTITY=NAME")]
 RecalledOption = Annotated[bool, typer.Option("--recalled")]
 WaterOption = Annotated[str | None, typer.Option("--water-density", metavar="DENSITY")]
-_FAMILY = typer.Argument(metavar="FAMILY", autocompletion=completion.completed(completion.families))
-_GRADE = typer.Argument(metavar="GRADE", autocompletion=completion.completed(completion.grades))
+_FAMILY = typer.Argument(metavar="FAMILY", autocompletion=completed("family"))
+_GRADE = typer.Argument(metavar="GRADE", autocompletion=completed("grade"))
 
 
 @catalog.command("list", cls=WithWords)
@@ -153,11 +153,9 @@ def _settings(
         for pair in pairs
         if not (pair[0] and pair[2])
     )
-    settings: dict[str, Any] = {"allow_recalled": recalled}
-    settings["variants"] = {pair[0].strip(): pair[2].strip() for pair in pairs}
-    if "--water-density" in values:
-        settings["water_density"] = values["--water-density"]
-    return settings
+    chosen = {name.strip(): variant.strip() for name, _, variant in pairs}
+    density = given_ones(water_density=values.get("--water-density"))
+    return {"allow_recalled": recalled, "variants": chosen, **density}
 
 
 def _search(

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from catopt.cli.answering import FAILED, Asked, answering
-from catopt.cli.completion import codes, completed
+from catopt.cli.completion import completed
 from catopt.cli.options import CaseArgument, DesignOption, StrictOption, TablesOutOption
 from catopt.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from catopt.model import Case
 
-_CODE = typer.Option(metavar="NAME", autocompletion=completed(codes))
+_CODE = typer.Option(metavar="NAME", autocompletion=completed("code"))
 
 
 @answering(TablesOutOption)

@@ -10,14 +10,13 @@ import os
 from collections.abc import Callable, Iterable
 from typing import Any
 
-Completer = Callable[[str], list[str]]
 
-
-def completed(names: Callable[[], Iterable[str]]) -> Completer:
-    """Make what completes one of several names; they are looked up when they are wanted."""
+def completed(names: str | tuple[str, ...]) -> Callable[[str], list[str]]:
+    """Make what completes one of several names, or one of a kind, looked up when it is wanted."""
 
     def complete(incomplete: str) -> list[str]:
-        return [_as_typed(name) for name in dict.fromkeys(names()) if name.startswith(incomplete)]
+        known = dict.fromkeys(_names(names) if isinstance(names, str) else names)
+        return [_as_typed(name) for name in known if name.startswith(incomplete)]
 
     return complete
 
@@ -33,81 +32,50 @@ def _as_typed(name: str) -> str:
     return name.replace(" ", f"{escape} ")
 
 
-def templates() -> Iterable[str]:
-    """Names of templates."""
-    from catopt.casefile.new_case import TEMPLATES
-
-    return TEMPLATES
+_OF_INPUTS = ("buoy", "chain", "anchor", "soil", "code")
+"""Inputs of a sizing that are names of a kind."""
 
 
-def studies() -> Iterable[str]:
-    """Names of published studies."""
-    from catopt.reproduce.studies import names
+def _names(kind: str) -> Iterable[str]:
+    """Look up all names of a kind; a component of the catalogue is a family with its grade."""
+    match kind:
+        case "template":
+            from catopt.casefile.new_case import TEMPLATES
 
-    return names()
+            return TEMPLATES
+        case "study":
+            from catopt.reproduce.studies import names
 
+            return names()
+        case "code":
+            from catopt.checks.profiles import profiles
 
-def codes() -> Iterable[str]:
-    """Names of profiles of criteria."""
-    from catopt.checks.profiles import profiles
+            return (each.name for each in profiles())
+        case "buoy":
+            from catopt.loads import buoys
 
-    return (each.name for each in profiles())
+            return (each.name for each in buoys())
+        case "anchor":
+            from catopt.loads.holding_data import ANCHORS
 
+            return ANCHORS
+        case "soil":  # under drag anchors and under sinkers
+            from catopt.loads.holding_data import SOILS
+            from catopt.loads.sinker import SOIL_FRICTION
 
-def buoys() -> Iterable[str]:
-    """Names of buoys of the library."""
-    from catopt.loads import buoys
-
-    return (each.name for each in buoys())
-
-
-def anchors() -> Iterable[str]:
-    """Names of drag anchors."""
-    from catopt.loads.holding_data import ANCHORS
-
-    return ANCHORS
-
-
-def soils() -> Iterable[str]:
-    """Names of soils, under drag anchors and under sinkers."""
-    from catopt.loads.holding_data import SOILS
-    from catopt.loads.sinker import SOIL_FRICTION
-
-    return (*SOILS, *SOIL_FRICTION)
-
-
-def families() -> Iterable[str]:
-    """Names of families of the catalogue."""
+            return (*SOILS, *SOIL_FRICTION)
     from catopt.catalogue import families
 
-    return (each.name for each in families())
-
-
-def components() -> Iterable[str]:
-    """Names of components: a family with its grade."""
-    from catopt.catalogue import families
-
-    return (f"{each.name} {grade}".rstrip() for each in families() for grade in each.grades)
-
-
-def grades() -> Iterable[str]:
-    """Grades of all families."""
-    from catopt.catalogue import families
-
-    return (grade for each in families() for grade in each.grades if grade)
-
-
-_OF_INPUTS: dict[str, Callable[[], Iterable[str]]] = {
-    "buoy": buoys,
-    "chain": components,
-    "anchor": anchors,
-    "soil": soils,
-    "code": codes,
-}
+    if kind == "family":
+        return (each.name for each in families())
+    graded = [(each.name, grade) for each in families() for grade in each.grades]
+    if kind == "grade":
+        return (grade for _, grade in graded if grade)
+    return (f"{name} {grade}".rstrip() for name, grade in graded)
 
 
 def of_input(name: str, words: tuple[str, ...]) -> dict[str, Any]:
     """Say, for the option of a sizing's input, what completes it."""
     if words:
-        return {"autocompletion": completed(lambda: words)}
-    return {"autocompletion": completed(_OF_INPUTS[name])} if name in _OF_INPUTS else {}
+        return {"autocompletion": completed(words)}
+    return {"autocompletion": completed(name)} if name in _OF_INPUTS else {}

@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
+from catopt.cli import options
 from catopt.cli.answering import FAILED, STOPPED, Asked, answering
-from catopt.cli.options import (
-    CaseArgument,
-    CountOption,
-    LoadCaseOption,
-    OnceOption,
-    StrictOption,
-    TablesOutOption,
-)
 from catopt.cli.values import with_known_codes
 from catopt.words import say
 
 
-@answering(TablesOutOption)
+@answering(options.TablesOutOption)
 def fatigue(
     asked: Asked,
-    case: CaseArgument,
-    load_case: LoadCaseOption = None,
-    once: OnceOption = False,
-    workers: CountOption = None,
-    strict: StrictOption = False,
+    case: options.CaseArgument,
+    load_case: options.LoadCaseOption = None,
+    once: options.OnceOption = False,
+    workers: options.CountOption = None,
+    strict: options.StrictOption = False,
 ) -> None:
     """Find the damage of each segment in a year of the sea states of [fatigue], and its life."""
     from catopt.answers.fatigue import fatigue_answer, fatigue_sentence

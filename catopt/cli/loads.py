@@ -108,11 +108,10 @@ def buoy(
             if each in of.given:
                 of.telling.add(each, f"{of[each]:g} N", "leave it out: these loads are computed")
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
-
         body = shape_of(of)
         weather = _weather(of, of["wind"])
         levels = make(WaterLevels, of["low_water"] or of["depth"], of["depth"])
-        every = make(
+        every = of.telling.made(
             lambda own, levels, body, wind, current, sea: tuple(
                 buoy_loads(
                     body,
@@ -133,8 +132,6 @@ def buoy(
             body,
             *weather,
         )
-        of.telling.raise_if_any()
-    assert every is not None
     result = largest(every, lambda each: each.horizontal_force)
     said = (*_of_levels(every, of), *_no_part(of, {*_BUOY, "buoy"}))
     _give(asked, replace(result, assumptions=(*said, *result.assumptions)))
@@ -184,9 +181,9 @@ def ship(
                 of.telling.add(name, str(text), "leave it out, or give --weathervane with it")
         of.telling.raise_if_any()
         assert own is not None
-        point = own.get("--mooring-point")
-        turning = make(lambda: read_turning(of["current_yaw"] or "", point)) if turns else None
-        of.telling.raise_if_any()
+        yaw = of["current_yaw"] or ""
+        turned = partial(read_turning, yaw, own.get("--mooring-point"))
+        turning = of.telling.made(turned) if turns else None
         if file is not None:
             propeller = propeller or TAKEN_FOR[of["ship"] or "tanker"][1]
         form = _Form(
@@ -206,7 +203,7 @@ def ship(
         }
         weather = _weather(of, wind_of_30_s(of))
         levels = make(WaterLevels, of["low_water"] or of["depth"], of["depth"])
-        lyings = make(
+        lyings = of.telling.made(
             lambda levels, turned, wind, current, sea: every_lying(
                 ships,
                 wind,
@@ -222,10 +219,8 @@ def ship(
             make(turned_round, make(directions_of, of), of["scan"] or math.inf),
             *weather,
         )
-        of.telling.raise_if_any()
-        assert lyings is not None
         worst = largest(lyings, lambda each: each.loads.horizontal_force)
-        every = make(
+        every = of.telling.made(
             lambda: every_method(
                 worst.afloat.ship,
                 *weather,
@@ -236,8 +231,7 @@ def ship(
                 **how,
             )
         )
-        of.telling.raise_if_any()
-    others = [each for each in every or () if each.method != worst.loads.method]
+    others = [each for each in every if each.method != worst.loads.method]
     by_hs = drift is Drift.SEA_STATE and of["hs"] is not None
     has_areas = of["frontal_area"] is not None and of["lateral_area"] is not None
     said = (
@@ -342,9 +336,7 @@ def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
     conditions: list[Condition] = ["loaded", "ballast"] if has_ballast else ["loaded"]
     for condition in conditions:
         draught = of["draught" if condition == "loaded" else "ballast_draught"]
-        windage = of.telling.make(partial(ship_at, of, condition, "tanker"))
-        of.telling.raise_if_any()
-        assert windage is not None
+        windage = of.telling.made(partial(ship_at, of, condition, "tanker"))
         section = of["breadth"] * draught
         block = BLOCK[condition] if form.block is None else form.block
         centre = windage.lateral_centre if form.wind_centre is None else form.wind_centre
@@ -362,9 +354,7 @@ def _ships_afloat(of: Known, form: _Form) -> Iterator[Afloat]:
             propeller=form.propeller,
             lateral_centre=centre,
         )
-        body = of.telling.make(make_ship)
-        of.telling.raise_if_any()
-        assert body is not None
+        body = of.telling.made(make_ship)
         if condition == "loaded" and of["dwt"] is not None:
             of.telling.make(check_deadweight, of["dwt"], body)
             of.telling.raise_if_any()

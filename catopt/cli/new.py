@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from catopt.cli.completion import completed, templates
+from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption
 from catopt.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from catopt.cli.output import Output
 
-_NAME = typer.Argument(metavar="NAME", autocompletion=completed(templates))
+_NAME = typer.Argument(metavar="NAME", autocompletion=completed("template"))
 
 
 def new(

@@ -35,16 +35,10 @@ DAMAGED = "catopt: compiled code in {} was damaged; it is dropped and compiled a
 
 
 class Output:
-    """Where the answer of a command, its notes and its progress go.
-
-    Attributes
-    ----------
-    debug : bool
-        Whether a fault of ours shows its traceback.
-    """
+    """Where the answer of a command, its notes and its progress go."""
 
     def __init__(self) -> None:
-        self.debug = False
+        self.debug = False  # whether a fault of ours shows its traceback
         self._consoles: dict[TextIO, Console] = {}
 
     def json(self, document: dict[str, Any]) -> None:

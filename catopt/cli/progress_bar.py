@@ -35,10 +35,7 @@ class _Left(ProgressColumn):
 
 
 def progress_bar(console: Console, clock: Callable[[], float] = monotonic) -> Progress:
-    """Make a bar that goes away when it is done.
-
-    `clock` gives the time in s.
-    """
+    """Make a bar that goes away when it is done; `clock` gives the time in s."""
     return Progress(
         TextColumn("{task.description}", markup=False),
         BarColumn(_WIDTH),

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from catopt.cli.answering import Asked, answering
-from catopt.cli.completion import completed, studies
+from catopt.cli.completion import completed
 from catopt.cli.options import OutOption
 
 if TYPE_CHECKING:
     from catopt.reproduce import Reproduction
 
-_NAME = typer.Argument(metavar="NAME", autocompletion=completed(studies))
+_NAME = typer.Argument(metavar="NAME", autocompletion=completed("study"))
 
 
 @answering(OutOption, without=["units"])

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from catopt.cli.answering import Asked, answering, refuse_own_case
-from catopt.cli.completion import buoys, completed
+from catopt.cli.completion import completed
 from catopt.cli.help_words import GroupWithWords, WithWords
 from catopt.cli.options import OutOption
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 size = typer.Typer(name="size", cls=GroupWithWords, rich_markup_mode=None, no_args_is_help=True)
 
-BuoyArgument = typer.Argument(metavar="BUOY", autocompletion=completed(buoys))
+BuoyArgument = typer.Argument(metavar="BUOY", autocompletion=completed("buoy"))
 SaveOption = Annotated[Path | None, typer.Option("--save", metavar="CASE")]
 
 

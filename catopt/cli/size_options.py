@@ -92,10 +92,7 @@ def _parameter(each: Input, words: str) -> inspect.Parameter:
 
 
 def typed(moored: Moored, options: Mapping[str, Any]) -> dict[str, object]:
-    """Take what was typed, by input.
-
-    Options that are None, empty or False are left out.
-    """
+    """Take what was typed, by input; options that are None, empty or False are left out."""
     from catopt.sizing.kinds import from_text
 
     inputs = inputs_of(moored)

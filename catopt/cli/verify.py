@@ -8,16 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias
 
 import typer
 
+from catopt.cli import options
 from catopt.cli.answering import FAILED, INTERRUPTED, STOPPED, Asked, answering
-from catopt.cli.options import (
-    CaseArgument,
-    CountOption,
-    DesignOption,
-    LoadCaseOption,
-    OnceOption,
-    OutOption,
-    StrictOption,
-)
 from catopt.cli.values import read_known, refuse
 from catopt.errors import Problem
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
@@ -49,20 +41,20 @@ class _Moved(NamedTuple):
         return self.found.to_dict() | {"checks": self.checks.motion_document()}
 
 
-@answering(OutOption)
+@answering(options.OutOption)
 def verify(
     asked: Asked,
-    case: CaseArgument,
-    load_case: LoadCaseOption = None,
-    design: DesignOption = None,
+    case: options.CaseArgument,
+    load_case: options.LoadCaseOption = None,
+    design: options.DesignOption = None,
     every: Annotated[bool, typer.Option("--all")] = False,
     elements: Annotated[int, typer.Option(metavar="N")] = ELEMENTS,
     tolerance: Annotated[float, typer.Option(metavar="X")] = TOLERANCE,
-    strict: StrictOption = False,
+    strict: options.StrictOption = False,
     with_motion: Annotated[bool, typer.Option("--dynamic")] = False,
-    once: OnceOption = False,
+    once: options.OnceOption = False,
     twice_the_bars: Annotated[bool, typer.Option("--twice-the-bars")] = False,
-    workers: CountOption = None,
+    workers: options.CountOption = None,
 ) -> None:
     """Compare the closed form with a truss model that shares nothing with it."""
     asked.check_place()
@@ -91,8 +83,7 @@ def verify(
         asked.write(files, read, front=case if every else None)
     sections = () if in_motion is None else in_motion.sections
     asked.show(replace(at_rest, sections=(*at_rest.sections, *sections)), document)
-    _stop_in_motion(asked, dynamic)
-    _end(asked, found, strict=strict)
+    _leave(asked, found, dynamic, strict=strict)
 
 
 def _of_motion(
@@ -257,8 +248,19 @@ def _files(
     return files
 
 
-def _stop_in_motion(asked: Asked, dynamic: _InMotion) -> None:
-    """Leave with 130 where a run was stopped, with 4 where one has not converged."""
+def stop_if_not_converged(asked: Asked, found: DynamicVerification) -> None:
+    """Leave with the status of a solver that did not converge, where a line in motion has not."""
+    if found.verdict == "not converged":
+        from catopt.verify.motion_words import not_converged_sentence
+
+        asked.leave(STOPPED, say(not_converged_sentence(found), asked.language))
+
+
+def _leave(asked: Asked, found: _AtRest, dynamic: _InMotion, *, strict: bool) -> None:
+    """Leave where a run was stopped, one did not converge, or the models differ at rest."""
+    from catopt.answers.verification import front_sentence, verdict_sentence
+    from catopt.verify.case import FrontVerification
+
     if isinstance(dynamic, _Moved):
         if not dynamic.found.is_complete:
             from catopt.verify.motion_words import stopped_sentence
@@ -270,21 +272,6 @@ def _stop_in_motion(asked: Asked, dynamic: _InMotion) -> None:
             raise typer.Exit(INTERRUPTED)
         if not dynamic.has_converged:
             asked.leave(STOPPED, "for a design in motion a solver did not converge")
-
-
-def stop_if_not_converged(asked: Asked, found: DynamicVerification) -> None:
-    """Leave with the status of a solver that did not converge, where a line in motion has not."""
-    if found.verdict == "not converged":
-        from catopt.verify.motion_words import not_converged_sentence
-
-        asked.leave(STOPPED, say(not_converged_sentence(found), asked.language))
-
-
-def _end(asked: Asked, found: _AtRest, *, strict: bool) -> None:
-    """Leave with the exit status that the comparison at rest asks for."""
-    from catopt.answers.verification import front_sentence, verdict_sentence
-    from catopt.verify.case import FrontVerification
-
     if isinstance(found, FrontVerification):
         if not found.has_converged:
             asked.leave(STOPPED, "for a design a solver did not converge")

@@ -40,10 +40,7 @@ def size(of: Known) -> Sizing:
     Raises what `catopt.size_buoy` and `catopt.size_tanker` raise.
     """
     maker: Callable[..., Sizing] = sized_buoy if of.moored == "buoy" else sized_tanker
-    found = of.telling.make(maker, request_of(of))
-    of.telling.raise_if_any()
-    assert found is not None
-    return found
+    return of.telling.made(maker, request_of(of))
 
 
 def request_of(of: Known) -> BuoyRequest | TankerRequest:

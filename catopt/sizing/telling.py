@@ -94,6 +94,13 @@ class Telling:
                 self._keep(error.source, each)
         return None
 
+    def made(self, maker: Callable[..., Made], *parts: Any) -> Made:
+        """Make a value as `make` does; raise with all that was kept where anything is wrong."""
+        found = self.make(maker, *parts)
+        self.raise_if_any()
+        assert found is not None
+        return found
+
     def raise_if_any(self) -> None:
         """Raise InputError with all that was kept, each once; with nothing, if all is told."""
         if self._problems or self._told:
