@@ -64,27 +64,14 @@ def assess(
     sinker: Any,
     unsolved: Any,
 ) -> None:
-    """Build, solve and check designs number `first` to `end` (not included).
+    """Build, solve and check designs number `first` to `end` (not included) of shape (n, genes).
 
-    Parameters
-    ----------
-    genes : array of int, shape (n, genes)
-        The designs (`catopt.design.space`).
-    tables, room
-        What their value follows from; work space.
-    stops_early : bool
-        Whether a design that has failed one check is left: its objectives are nan then, and its
-        excess is above ROUNDING but not the largest.
-    first, end : int
-        Range of designs.
-    objectives : array, shape (n, 4)
-        Written to: mass, offset, excursion and cost; nan where there is no equilibrium.
-    excess : array, shape (n,)
-        Written to: the largest of all checks; -1 where there is none.
-    sinker : array of int, shape (n,)
-        Written to: the lightest that holds, or the heaviest; -1 where there is none.
-    unsolved : array of int, shape (1,)
-        Raised by the number of lines that did not converge.
+    With `stops_early` a design that has failed one check is left: its objectives are nan then, and
+    its excess is above ROUNDING but not the largest. Written to: `objectives`, shape (n, 4): mass,
+    offset, excursion and cost, nan where there is no equilibrium; `excess`, shape (n,): the largest
+    of all checks, -1 where there is none; `sinker`, shape (n,): the lightest that holds, or the
+    heaviest, -1 where there is none; `unsolved`, shape (1,), raised by the number of lines that did
+    not converge.
     """
     for i in range(first, end):
         for k in range(4):
@@ -111,17 +98,13 @@ def assess(
 
 
 class _Found(NamedTuple):
-    """One design in all load cases.
+    """One design in all load cases."""
 
-    The largest excess, the largest span (m, nan when a load case was left out), the least span of
-    the reference load cases (m, infinite without), the sinker, and lines that did not converge.
-    """
-
-    worst: float
-    largest: float
-    reference: float
+    worst: float  # the largest excess
+    largest: float  # the largest span, m; nan when a load case was left out
+    reference: float  # the least span of the reference load cases, m; infinite without
     sinker: int
-    unsolved: int
+    unsolved: int  # lines that did not converge
 
 
 @inlined

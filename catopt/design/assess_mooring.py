@@ -39,8 +39,7 @@ from catopt.design.bounds import (
     least_forces,
     least_offset,
 )
-from catopt.design.mooring_tables import BodyRoom, MooringTables
-from catopt.design.tables import Room, Tables
+from catopt.design.tables import BodyRoom, MooringTables, Room, Tables
 from catopt.model.anchor import sinker_needed
 from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import pull_at
@@ -49,22 +48,12 @@ from catopt.mooring.static_equilibrium import static_equilibrium
 
 
 class Search(NamedTuple):
-    """What bounds go by.
+    """What bounds go by."""
 
-    Attributes
-    ----------
-    is_bounded, stops_early : bool
-        Whether designs are excluded by bounds; whether one is left at its first failed check.
-    best : array, shape (n, wanted objectives)
-        What designs known to be feasible are worth.
-    columns : array of int, shape (wanted objectives,)
-        Which objectives are wanted.
-    """
-
-    is_bounded: bool
-    stops_early: bool
-    best: Any
-    columns: Any
+    is_bounded: bool  # whether designs are excluded by bounds
+    stops_early: bool  # whether a design is left at its first failed check
+    best: Any  # shape (n, wanted objectives): what designs known to be feasible are worth
+    columns: Any  # shape (wanted objectives,): which objectives are wanted
 
 
 def assess_moorings(
@@ -74,7 +63,6 @@ def assess_moorings(
     search: Search,
     room: Room,
     body: BodyRoom,
-    least: Any,
     first: int,
     end: int,
     objectives: Any,
@@ -82,27 +70,12 @@ def assess_moorings(
     excluded: Any,
     unsolved: Any,
 ) -> None:
-    """Solve and check moorings number `first` to `end` (not included).
+    """Solve and check moorings number `first` to `end` (not included), their layout the last genes.
 
-    Parameters
-    ----------
-    genes : array of int, shape (n, genes)
-        The designs (`catopt.design.space`), their layout last.
-    tables, line, search
-        What their value follows from, and what excludes one.
-    room, body, least
-        Work space; the last of shape (wanted objectives,).
-    first, end : int
-        Range of designs.
-    objectives : array, shape (n, 4)
-        Written to, as by `catopt.design.assess.assess`; mass and cost of all lines, and the largest
-        offset of the body from its zero-load position with all lines.
-    excess : array, shape (n,)
-        Written to: the largest of all checks of all lines in all states.
-    excluded : array of int, shape (n,)
-        Written to: the bound that excludes a design, NONE where it was solved.
-    unsolved : array of int, shape (1,)
-        Raised by the number of states that did not converge.
+    Written to, as by `catopt.design.assess.assess`: `objectives`, with mass and cost of all lines
+    and the largest offset of the body from its zero-load position with all lines; `excess`, of all
+    lines in all states; `excluded`, shape (n,): the bound that excludes a design, NONE where it was
+    solved; `unsolved`, raised by the number of states that did not converge.
     """
     for i in range(first, end):
         objectives[i, :] = math.nan
@@ -138,7 +111,6 @@ def assess_moorings(
                 search,
                 room,
                 body,
-                least,
                 objectives[i],
             )
             excluded[i] = found.excluded
@@ -163,16 +135,12 @@ def _radius(anchors: int, pieces: Pieces, tables: MooringTables, line: Tables) -
 
 
 class _Found(NamedTuple):
-    """One mooring in all states.
+    """One mooring in all states."""
 
-    The bound that excludes it, the largest excess, the largest offset (m, nan where a state has no
-    equilibrium or was left out), and states that did not converge.
-    """
-
-    excluded: int
-    worst: float
-    largest: float
-    unsolved: int
+    excluded: int  # the bound that excludes it
+    worst: float  # the largest excess
+    largest: float  # offset, m; nan where a state has no equilibrium or was left out
+    unsolved: int  # states that did not converge
 
 
 def _in_all_states(
@@ -186,7 +154,6 @@ def _in_all_states(
     search: Search,
     room: Room,
     body: BodyRoom,
-    least: Any,
     objectives: Any,
 ) -> _Found:
     """Solve and check the mooring of the line in the work space; with all lines first."""
@@ -196,7 +163,7 @@ def _in_all_states(
     origin = unloaded.rest
     if search.is_bounded and origin.status == CONVERGED:
         far = least_offset(forces, tables, problem, unloaded.known.span.max())
-        if _is_needless(far, line, search, least, objectives):
+        if _is_needless(far, line, search, body.least, objectives):
             return _Found(LEAST_OFFSET, -math.inf, math.nan, 0)
     worst, largest = -math.inf, 0.0
     for state in range(tables.first[layout], tables.first[layout + 1]):
@@ -221,7 +188,7 @@ def _in_all_states(
             return _Found(NONE, worst, math.nan, 0)
         x, y = end.x - origin.x, end.y - origin.y
         largest = max(largest, math.sqrt(x * x + y * y))
-        if search.is_bounded and _is_needless(largest, line, search, least, objectives):
+        if search.is_bounded and _is_needless(largest, line, search, body.least, objectives):
             return _Found(OFFSET_SO_FAR, worst, math.nan, 0)
     return _Found(NONE, worst, largest, 0)
 

@@ -14,8 +14,7 @@ from catopt.catenary.line_problem import LineProblem
 from catopt.catenary.state import CONVERGED
 from catopt.checks.excess import ROUNDING, tension_excess
 from catopt.compiled import inlined
-from catopt.design.mooring_tables import MooringTables
-from catopt.design.tables import Room, Tables
+from catopt.design.tables import MooringTables, Room, Tables
 
 BOUNDS: Final = ("reach", "strength", "least_offset", "offset_so_far")
 """By what a design is excluded."""

@@ -9,7 +9,6 @@ import numpy as np
 
 from catopt.design.evaluation import DesignProblem
 from catopt.design.outcome import Outcome, Progress, Tally
-from catopt.design.problem import Genes
 
 CHUNK = 50_000
 """Designs evaluated at once: some ten MB, and a fraction of a second between two signs of life."""
@@ -22,18 +21,10 @@ MEASURABLE = 0.005
 
 
 class Estimate(NamedTuple):
-    """How large a design space is.
-
-    Attributes
-    ----------
-    designs : int
-        That there are.
-    seconds : float
-        That their evaluation may take.
-    """
+    """How large a design space is."""
 
     designs: int
-    seconds: float
+    seconds: float  # that their evaluation may take
 
     def __str__(self) -> str:
         return f"{self.designs:,} designs, {_duration(self.seconds)}"
@@ -77,48 +68,28 @@ def enumerate_designs(
     with `bounds` off the front is the same, to the last digit. Threads change nothing in the
     answer. Ctrl-C ends it early, with the front of the designs evaluated until then.
     """
-    pass_, evaluated = _Pass(problem, progress, workers), 0
-    try:
+
+    def evaluate(tally: Tally, *, stops_early: bool, bounds: bool) -> None:
         for genes in problem.batches(chunk):
-            pass_.take(genes, stops_early=True, bounds=bounds)
-        if pass_.feasible == 0:
+            best = tally.front.objectives if bounds else None
+            found = problem.assess(genes, stops_early=stops_early, workers=workers, best=best)
+            objectives, is_whole = found.objectives[:, problem.columns], not stops_early
+            excluded = found.excluded
+            tally.count(genes, objectives, found.excess, is_whole=is_whole, excluded=excluded)
+            tally.unsolved += found.unsolved
+            if progress is not None:
+                progress(tally.evaluations + sum(tally.excluded), problem.space.count)
+
+    tally, evaluated = Tally(problem), 0
+    try:
+        evaluate(tally, stops_early=True, bounds=bounds)
+        if tally.feasible == 0:
             # Only now is it worth knowing by how much each design fails.
-            pass_, evaluated = _Pass(problem, progress, workers), pass_.evaluations
-            for genes in problem.batches(chunk):
-                pass_.take(genes, stops_early=False, bounds=False)
+            tally, evaluated = Tally(problem), tally.evaluations
+            evaluate(tally, stops_early=False, bounds=False)
     except KeyboardInterrupt:
-        return pass_.outcome(interrupted=True, evaluated=evaluated)
-    return pass_.outcome(interrupted=False, evaluated=evaluated)
-
-
-class _Pass(Tally):
-    """One pass over the space, and what it has found so far."""
-
-    def __init__(self, problem: DesignProblem, progress: Progress | None, workers: int) -> None:
-        super().__init__(problem)
-        self.problem = problem
-        self._progress = progress
-        self._workers = workers
-
-    def take(self, genes: Genes, *, stops_early: bool, bounds: bool) -> None:
-        """Evaluate designs, as far as none of those known proves them needless."""
-        assessed = self.problem.assess(
-            genes,
-            stops_early=stops_early,
-            workers=self._workers,
-            best=self.front.objectives if bounds else None,
-        )
-        objectives = assessed.objectives[:, self.problem.columns]
-        self.count(
-            genes,
-            objectives,
-            assessed.excess,
-            is_whole=not stops_early,
-            excluded=assessed.excluded,
-        )
-        self.unsolved += assessed.unsolved
-        if self._progress is not None:
-            self._progress(self.evaluations + sum(self.excluded), self.problem.space.count)
+        return tally.outcome(interrupted=True, evaluated=evaluated)
+    return tally.outcome(interrupted=False, evaluated=evaluated)
 
 
 def _duration(seconds: float) -> str:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Final, NamedTuple
+from typing import Any, ClassVar, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,15 +14,15 @@ from catopt.catenary.batch import in_ranges
 from catopt.checks.case import LOAD, check_line
 from catopt.checks.criteria import criteria_of
 from catopt.checks.remarks import NO_CHECK
-from catopt.checks.result import CheckReport
 from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, MASS, OFFSET, assess
 from catopt.design.options import resolve
 from catopt.design.problem import Evaluated, Floats, Genes
-from catopt.design.sinkers import sinker, with_a_sinker
+from catopt.design.result import DesignPoint
 from catopt.design.space import DesignSpace
 from catopt.design.tables import Tables, room, tables_of
-from catopt.model import Anchor, Case, LoadCase
+from catopt.model import Anchor, Case, Design, Line, LoadCase, SinkerChoice
+from catopt.model.immersion import weight_in_water
 from catopt.model.validity import Findings
 from catopt.words import Message
 
@@ -33,19 +34,10 @@ OBJECTIVE_KEYS: Final = {
 }
 """Key of each objective in results and documents."""
 
-_OBJECTIVE_WORDS: Final = {
-    "mass": "design.objective_mass",
-    "offset": "design.objective_offset",
-    "excursion": "design.objective_excursion",
-    "cost": "design.objective_cost",
-}
-
 _A_PIECE = 4e-5
 """Time that a segment or clump weight of a design takes in one load case as plain Python, s."""
 
 _COLUMNS: Final = {"mass": MASS, "offset": OFFSET, "excursion": EXCURSION, "cost": COST}
-OBJECTIVE_COUNT: Final = len(_COLUMNS)
-
 
 LEAST_SHARE: Final = 1000
 """Designs a thread, below which starting it costs more than it saves."""
@@ -53,57 +45,31 @@ LEAST_SHARE: Final = 1000
 
 def objective_words(name: str) -> Message:
     """Return what an objective is called in a sentence."""
-    return Message(_OBJECTIVE_WORDS[name])
+    return Message(f"design.objective_{name}")
 
 
 class Assessed(NamedTuple):
-    """All that one pass over designs gives.
+    """All that one pass over designs gives."""
 
-    Attributes
-    ----------
-    objectives : ndarray, shape (n, 4)
-        Mass (kg), offset, excursion (m) and cost (USD), wanted or not.
-    excess : ndarray, shape (n,)
-        As in `Evaluated`.
-    sinker : ndarray of int, shape (n,)
-        The lightest that holds, or the heaviest; -1 where there is none.
-    unsolved : int
-        How many lines did not converge.
-    excluded : tuple of int
-        How many designs each of `catopt.design.bounds.BOUNDS` has excluded; empty for single lines,
-        which have none.
-    """
-
-    objectives: Floats
-    excess: Floats
+    objectives: Floats  # shape (n, 4): mass (kg), offset, excursion (m), cost (USD), wanted or not
+    excess: Floats  # shape (n,): as in `Evaluated`
+    # shape (n,): the lightest that holds, or the heaviest; -1: there is none
     sinker: NDArray[np.int64]
-    unsolved: int
-    excluded: tuple[int, ...] = ()
+    unsolved: int  # lines that did not converge
+    excluded: tuple[int, ...] = ()  # designs by bound (`catopt.design.bounds.BOUNDS`), of moorings
 
 
 @dataclass(frozen=True)
 class DesignProblem:
-    """A case's design space with its evaluation; serves `catopt.design.problem.Problem`.
-
-    Attributes
-    ----------
-    case : Case
-        What is asked.
-    states : tuple of LoadCase
-        Those of the case, or its load as the only one.
-    space : DesignSpace
-        All designs.
-    tables : Tables
-        The same as plain arrays, with load cases and limits.
-    warnings : tuple of str
-        What an engineer should know of the figures.
-    """
+    """A case's design space with its evaluation; serves `catopt.design.problem.Problem`."""
 
     case: Case
-    states: tuple[LoadCase, ...]
+    states: tuple[LoadCase, ...]  # those of the case, or its load as the only one
     space: DesignSpace
     tables: Tables
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[str, ...]  # what an engineer should know of the figures
+
+    least_share: ClassVar[int] = LEAST_SHARE
 
     @classmethod
     def of(cls, case: Case) -> DesignProblem:
@@ -115,15 +81,20 @@ class DesignProblem:
         states = load_cases_of(case)
         case = replace(case, find=None)
         assert case.design is not None
-        checked = with_a_sinker(case)
-        key = "anchor" if case.design.sinker is None else "design.sinker"
-        criteria = criteria_of(checked, anchor_key=key)
+        sinkers = case.design.sinker
+        # All sinkers have the same factors, which is all that the criteria want of an anchor.
+        checked = case if sinkers is None else replace(case, anchor=_sinker(case, sinkers, 0))
+        criteria = criteria_of(checked, anchor_key="anchor" if sinkers is None else "design.sinker")
         space, remarks = resolve(case, criteria, states)
-        tables = tables_of(checked, states, space, criteria, case.design.sinker)
-        warnings = (*remarks, *criteria.warnings)
-        if not criteria.all:
-            warnings = (*warnings, Message(NO_CHECK))
-        return cls(case, states, space, tables, warnings)
+        tables = tables_of(checked, states, space, criteria, sinkers)
+        nothing = () if criteria.all else (Message(NO_CHECK),)
+        return cls(case, states, space, tables, (*remarks, *criteria.warnings, *nothing))
+
+    @property
+    def design(self) -> Design:
+        """What may vary and what is made small."""
+        assert self.case.design is not None
+        return self.case.design
 
     @property
     def sizes(self) -> tuple[int, ...]:
@@ -133,8 +104,7 @@ class DesignProblem:
     @property
     def names(self) -> tuple[str, ...]:
         """The objectives, as the case has them."""
-        assert self.case.design is not None
-        return self.case.design.objectives
+        return self.design.objectives
 
     @property
     def objectives(self) -> int:
@@ -175,46 +145,99 @@ class DesignProblem:
         stops_early: bool = False,
         workers: int = 1,
         of: int = 0,
-        best: Floats | None = None,  # noqa: ARG002 - a line is solved sooner than a bound is found
+        best: Floats | None = None,
     ) -> Assessed:
         """Solve and check many designs, of shape (n, genes).
 
         Of so many in all, where that is known, with `of`. Where a design is left at its first
         failed check, its objectives are nan, and its excess is above ROUNDING but not the largest.
-        What is feasible stays the same, and with any number of threads.
+        What is feasible stays the same, and with any number of threads. `best` is what designs
+        known to be feasible are worth, by which bounds exclude others; None: none is excluded.
         """
         genes = np.ascontiguousarray(genes, dtype=np.int64)
         count = len(genes)
-        objectives, excess = np.empty((count, OBJECTIVE_COUNT)), np.empty(count)
-        sinkers = np.empty(count, dtype=np.int64)
-        lines = max(of, count) * len(self.states)
-        loop = compiled(assess, _A_PIECE * len(self.space.variables) * lines)
+        objectives, excess = np.empty((count, len(_COLUMNS))), np.empty(count)
+        chosen = np.empty(count, dtype=np.int64)
+        loop, given = self._loop(max(of, count), stops_early, best)
 
         def run(first: int, end: int) -> int:
-            left = np.zeros(1, dtype=np.int64)
-            tables, space = self.tables, room(self.tables)
-            loop(genes, tables, space, stops_early, first, end, objectives, excess, sinkers, left)
-            return int(left[0])
+            unsolved = np.zeros(1, dtype=np.int64)
+            loop(genes, *given(), first, end, objectives, excess, chosen, unsolved)
+            return int(unsolved[0])
 
-        unsolved = sum(in_ranges(run, 0, count, workers, LEAST_SHARE))
-        return Assessed(objectives, excess, sinkers, unsolved)
+        unsolved = sum(in_ranges(run, 0, count, workers, self.least_share))
+        return Assessed(objectives, excess, chosen, unsolved)
+
+    def _loop(
+        self,
+        designs: int,
+        stops_early: bool,
+        best: Floats | None,  # noqa: ARG002 - a line is solved sooner than a bound is found
+    ) -> tuple[Callable[..., None], Callable[[], tuple[Any, ...]]]:
+        """Return the loop over so many designs, and what makes its tables and a thread's room."""
+        work = _A_PIECE * len(self.space.variables) * designs * len(self.states)
+        return compiled(assess, work), lambda: (self.tables, room(self.tables), stops_early)
 
     def batches(self, chunk: int) -> Iterator[Genes]:
         """Yield all designs, so many at once."""
         for first in range(0, self.space.count, chunk):
             yield self.space.genes_between(first, min(first + chunk, self.space.count))
 
-    def check(self, genes: tuple[int, ...]) -> CheckReport:
-        """Check a design in plain closed form; errors as for `check_case`."""
-        return check_line(self.space.line(genes), self.case, self.anchor(genes))
+    def point(self, genes: tuple[int, ...]) -> DesignPoint:
+        """Solve and check a design in plain closed form; errors as for `check_case`."""
+        return self._point(self.space.line(genes), self.anchor(genes), genes)
 
     def anchor(self, genes: tuple[int, ...]) -> Anchor | None:
         """Return the anchor of a design: the sinker chosen for it, or that of the case."""
-        assert self.case.design is not None
-        if self.case.design.sinker is None:
+        if self.design.sinker is None:
             return self.case.anchor
         index = int(self.assess(np.array([genes])).sinker[0])
-        return sinker(self.case.design.sinker, index, self.case.site.water_density)
+        return _sinker(self.case, self.design.sinker, index)
+
+    def present(self) -> DesignPoint:
+        """Check the line of the case; a sinker that the search chooses is not part of it."""
+        return self._point(self.case.line, self.case.anchor, ())
+
+    def _point(self, line: Line, anchor: Anchor | None, genes: tuple[int, ...]) -> DesignPoint:
+        checks = check_line(line, self.case, anchor)
+        spans = [solution.span for _, solution in checks.solutions]
+        at_rest = [
+            span
+            for span, state in zip(spans, self.states, strict=True)
+            if state.kind == "reference"
+        ]
+        excursion = max(spans) - min(at_rest) if at_rest else None
+        objectives = self._by_key(line, max(spans), excursion)
+        return DesignPoint(line, anchor, genes, objectives, checks)
+
+    def _by_key(
+        self, line: Line, offset: float, excursion: float | None, lines: int = 1
+    ) -> Mapping[str, float]:
+        """List all known objectives of a number of equal lines, the wanted ones first.
+
+        A line of the user's own may lack a mass or a price; what follows from them is left out.
+        """
+        priced = [(each.length, each.price) for each in line.segments if each.price is not None]
+        cost = None
+        if len(priced) == len(line.segments):
+            cost = lines * math.fsum(length * price for length, price in priced)
+        mass = None if line.mass is None else lines * line.mass
+        values = {"mass": mass, "offset": offset, "excursion": excursion, "cost": cost}
+        named = ((OBJECTIVE_KEYS[name], values[name]) for name in self.known)
+        return {key: value for key, value in named if value is not None}
+
+
+def _sinker(case: Case, choice: SinkerChoice, index: int) -> Anchor:
+    """Make one of the sinkers that a design may be held by."""
+    mass = choice.masses[index]
+    return Anchor(
+        kind="sinker",
+        submerged_weight=weight_in_water(mass, choice.density, case.site.water_density),
+        friction=choice.friction,
+        safety_factor=choice.safety_factor,
+        factor_source=choice.factor_source,
+        mass=mass,
+    )
 
 
 def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
@@ -235,7 +258,4 @@ def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
         allowed = "missing; load cases, or a load with its horizontal_force, are wanted"
         found.add("load_cases", "", allowed)
     found.raise_if_any()
-    if case.load_cases:
-        return case.load_cases
-    assert force is not None
-    return (LoadCase(LOAD, force),)
+    return case.load_cases or (LoadCase(LOAD, force or 0.0),)

@@ -2,34 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Any, ClassVar, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from catopt.catenary.batch import in_ranges
 from catopt.catenary.solve import solve
 from catopt.checks.criteria import Criteria, criteria_of
 from catopt.checks.remarks import NO_CHECK
-from catopt.checks.result import CheckReport
 from catopt.compiled import compiled
 from catopt.design.assess import COST, MASS
 from catopt.design.assess_mooring import Search, assess_moorings
 from catopt.design.bounds import BOUNDS
-from catopt.design.evaluation import OBJECTIVE_COUNT, Assessed, DesignProblem
+from catopt.design.evaluation import Assessed, DesignProblem
 from catopt.design.mooring_point import mooring_point
-from catopt.design.mooring_tables import (
-    MooringTables,
-    body_room,
-    mooring_tables,
-    with_reserve,
-)
 from catopt.design.options import resolve
 from catopt.design.problem import Floats, Genes
+from catopt.design.result import DesignPoint
 from catopt.design.space import ClumpWeightVariable, DesignSpace, LayoutVariable, SegmentVariable
-from catopt.design.tables import room, tables_of
+from catopt.design.tables import MooringTables, body_room, mooring_tables, room, tables_of
 from catopt.model import Case, Design, DesignLoad, LoadCase, System
 from catopt.model.design import loads_of
 from catopt.model.validity import Findings
@@ -37,8 +30,6 @@ from catopt.words import Message
 
 _A_LINE: Final = 4e-4
 """Time that a line of a mooring takes in one state as plain Python, s."""
-LEAST_SHARE: Final = 8
-"""Designs a thread, below which starting it costs more than it saves."""
 BLOCK: Final = 2**20
 """Designs that are sorted by mass at once."""
 BATCHES: Final = 64, 4096
@@ -49,15 +40,12 @@ BATCHES: Final = 64, 4096
 class MooringProblem(DesignProblem):
     """A body's case with its design space and evaluation.
 
-    Attributes
-    ----------
-    case, states, space, tables, warnings
-        As of a single line; the states are the mooring with all lines and without one.
-    mooring : MooringTables
-        Layouts, headings and states as plain arrays.
+    The states, as load cases of a line, are the mooring with all lines and without one.
     """
 
-    mooring: MooringTables | None = None
+    mooring: MooringTables
+
+    least_share: ClassVar[int] = 8
 
     @classmethod
     def of(cls, case: Case) -> MooringProblem:
@@ -74,92 +62,84 @@ class MooringProblem(DesignProblem):
         layout = _layout(design, system, loads, found)
         found.raise_if_any()
         criteria = criteria_of(case)
-        states = _states(loads)
-        space, remarks = resolve(case, criteria, states)
+        space, remarks = resolve(case, criteria, _states(loads))
         _check_stretch(space, found)
         found.raise_if_any()
         warnings = (*remarks, *criteria.warnings, *_unlooked(criteria, loads))
-        space = replace(space, layout=layout)
-        return cls._made(case, space, criteria, warnings)
+        return cls._made(case, replace(space, layout=layout), criteria, loads, warnings)
 
     @classmethod
     def of_present(cls, case: Case) -> MooringProblem:
         """Make the problem whose only design is the mooring of the case file."""
+        assert case.design is not None
         assert case.system is not None
         line, legs = case.line, case.system.legs
-        loads = tuple(
+        weights = tuple(
             ClumpWeightVariable(
                 (load.mass or 0.0,),
                 (load.submerged_weight,),
                 (load.position,),
-                0,
-                False,
-                load.name,
-                load.friction,
+                name=load.name,
+                friction=load.friction,
             )
             for load in line.point_loads
         )
         space = DesignSpace(
             tuple(SegmentVariable((each,), (each.length,)) for each in line.segments),
-            loads,
+            weights,
             LayoutVariable((tuple(leg.azimuth for leg in legs),), (legs[0].anchor_radius,)),
         )
-        return cls._made(case, space, criteria_of(case), ())
+        return cls._made(case, space, criteria_of(case), loads_of(case.design, case.system), ())
 
     @classmethod
     def _made(
-        cls, case: Case, space: DesignSpace, criteria: Criteria, warnings: tuple[str, ...]
+        cls,
+        case: Case,
+        space: DesignSpace,
+        criteria: Criteria,
+        loads: Sequence[DesignLoad],
+        warnings: tuple[str, ...],
     ) -> MooringProblem:
-        design, system = case.design, case.system
-        assert design is not None
-        assert system is not None
-        loads = loads_of(design, system)
         states = _states(loads)
         line = tables_of(case, states, space, criteria, None)
-        mooring = mooring_tables(case, loads, space, line)
-        line, mooring = with_reserve(mooring, line, criteria)
+        line, mooring = mooring_tables(case, loads, space, line, criteria)
         return cls(case, states, space, line, warnings, mooring)
 
-    def assess(
-        self,
-        genes: Genes,
-        *,
-        stops_early: bool = False,
-        workers: int = 1,
-        of: int = 0,
-        best: Floats | None = None,
-    ) -> Assessed:
-        """Solve and check many moorings; as of single lines, with designs excluded by bounds.
+    def assess(self, genes: Genes, **settings: Any) -> Assessed:
+        """Solve and check many moorings; as of single lines, with designs excluded by bounds."""
+        found = super().assess(genes, **settings)
+        bounds = found.sinker  # the loop writes there which bound has excluded a design
+        by_bound = np.bincount(bounds[bounds >= 0], minlength=len(BOUNDS))
+        return found._replace(
+            sinker=np.full(len(genes), -1, dtype=np.int64), excluded=tuple(by_bound.tolist())
+        )
 
-        `best` is what designs known to be feasible are worth; None: no design is excluded.
-        """
-        assert self.mooring is not None
-        genes = np.ascontiguousarray(genes, dtype=np.int64)
-        count, tables = len(genes), self.mooring
-        objectives, excess = np.empty((count, OBJECTIVE_COUNT)), np.empty(count)
-        excluded = np.empty(count, dtype=np.int64)
+    def _loop(
+        self, designs: int, stops_early: bool, best: Floats | None
+    ) -> tuple[Callable[..., None], Callable[[], tuple[Any, ...]]]:
+        """Return the loop over so many designs, and what makes its tables and a thread's room."""
+        tables, columns = self.mooring, np.array(self.columns, dtype=np.int64)
         known = np.empty((0, self.objectives)) if best is None else best
-        columns = np.array(self.columns, dtype=np.int64)
         search = Search(best is not None, stops_early, np.ascontiguousarray(known), columns)
         states = len(tables.missing) / len(tables.lines)
-        work = _A_LINE * float(tables.lines.mean()) * states * max(of, count)
-        loop = compiled(assess_moorings, work)
+        loop = compiled(assess_moorings, _A_LINE * float(tables.lines.mean()) * states * designs)
 
-        def run(first: int, end: int) -> int:
-            left = np.zeros(1, dtype=np.int64)
-            rooms = room(self.tables), body_room(tables, self.tables), np.empty(len(columns))
-            found = objectives, excess, excluded, left
-            loop(genes, tables, self.tables, search, *rooms, first, end, *found)
-            return int(left[0])
+        def given() -> tuple[Any, ...]:
+            rooms = room(self.tables), body_room(tables, self.tables, len(columns))
+            return tables, self.tables, search, *rooms
 
-        unsolved = sum(in_ranges(run, 0, count, workers, LEAST_SHARE))
-        none = np.full(count, -1, dtype=np.int64)
-        by_bound = np.bincount(excluded[excluded >= 0], minlength=len(BOUNDS))
-        return Assessed(objectives, excess, none, unsolved, tuple(by_bound.tolist()))
+        return loop, given
 
-    def check(self, genes: tuple[int, ...]) -> CheckReport:
-        """Check a mooring in plain closed form; errors as for `solve_system`."""
-        return mooring_point(self, genes).checks
+    def point(self, genes: tuple[int, ...]) -> DesignPoint:
+        """Solve and check a mooring in plain closed form; errors as for `solve_system`."""
+        line, found = self.space.line(genes), mooring_point(self, genes)
+        objectives = self._by_key(line, found.offset, None, len(found.system.legs))
+        return DesignPoint(line, self.case.anchor, genes, objectives, found.checks, found)
+
+    def present(self) -> DesignPoint:
+        """Check the mooring of the case."""
+        own = MooringProblem.of_present(self.case)
+        return own.point((0,) * len(own.sizes))
 
     def batches(self, chunk: int) -> Iterator[Genes]:  # noqa: ARG002 - the same for every machine
         """Yield all designs by rising mass within each block, the first batches small.
@@ -186,7 +166,6 @@ class MooringProblem(DesignProblem):
             option = genes[:, 2 * s] - line.segment_optional[s]
             own = line.length[s, genes[:, 2 * s + 1]] * np.nan_to_num(by[s, np.maximum(option, 0)])
             total += np.where(option >= 0, own, 0.0)
-        assert self.mooring is not None
         lines = self.mooring.lines[genes[:, -2]]
         step = self.tables.step[MASS if by is self.tables.mass else COST]
         rounded: NDArray[np.float64] = np.floor(lines * total / step + 0.5)
@@ -195,9 +174,8 @@ class MooringProblem(DesignProblem):
     @property
     def loads(self) -> tuple[DesignLoad, ...]:
         """What the body has to meet."""
-        assert self.case.design is not None
         assert self.case.system is not None
-        return loads_of(self.case.design, self.case.system)
+        return loads_of(self.design, self.case.system)
 
     def pretension(self, genes: tuple[int, ...]) -> float | None:
         """Horizontal force in each line with the body at its origin, N, where it is chosen."""

@@ -11,7 +11,7 @@ from catopt.checks.criteria import criteria_of
 from catopt.checks.criterion import Place, State
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import InState, check_state
-from catopt.design.mooring_tables import states_of
+from catopt.design.symmetry import states_of
 from catopt.model import DesignLoad, System
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.solve import solution_at
@@ -25,32 +25,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MooringPoint:
-    """A mooring, checked.
+    """A mooring, checked."""
 
-    Attributes
-    ----------
-    system : System
-        With all lines, under the force of the case or its first load.
-    checks : CheckReport
-        Of each check the hardest: over all lines, headings and states of its kind.
-    offset : float
-        The largest, from the zero-load position with all lines, m.
-    farthest : SystemSolution
-        The body with all lines under the force of that heading.
-    state : Message
-        Which state and heading that is.
-    load : DesignLoad
-        Of which load.
-    pretension : float or None
-        Horizontal force in each line with the body at its origin, N, where that is chosen.
-    """
-
-    system: System
-    checks: CheckReport
-    offset: float
-    farthest: SystemSolution
-    state: Message
-    load: DesignLoad
+    system: System  # with all lines, under the force of the case or its first load
+    checks: (
+        CheckReport  # of each check the hardest: over all lines, headings and states of its kind
+    )
+    offset: float  # the largest, from the zero-load position with all lines, m
+    farthest: SystemSolution  # the body with all lines under the force of that heading
+    state: Message  # which state and heading that is
+    load: DesignLoad  # of which load
+    # horizontal force in each line with the body at its origin, N, where that is chosen
     pretension: float | None = None
 
 

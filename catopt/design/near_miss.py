@@ -63,7 +63,7 @@ def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
     """Check a design that fails."""
     line = problem.space.line(genes)
     try:
-        report = problem.check(genes)
+        report = problem.point(genes).checks
     except (NoAnswerError, NotConvergedError) as error:
         return NearMiss(line, (), error.message)
     return NearMiss(line, report.failed)

@@ -8,6 +8,7 @@ pymoo's last population but the front of all that was ever evaluated.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -22,10 +23,9 @@ from pymoo.operators.crossover.sbx import SBX
 from pymoo.operators.mutation.pm import PM
 
 from catopt.checks.excess import ROUNDING
-from catopt.design.evaluation_archive import EvaluationArchive, explore
-from catopt.design.outcome import Outcome, Progress
-from catopt.design.problem import Genes, Problem
-from catopt.design.steps import alternate, scattered
+from catopt.design.outcome import EvaluationArchive
+from catopt.design.problem import Genes
+from catopt.design.steps import explore, scattered
 
 CROSSOVER_PROBABILITY = 0.9
 SPREAD = 3.0
@@ -38,32 +38,19 @@ BREEDINGS = 20
 Config.warnings["not_compiled"] = False
 
 
-def nsga2(
-    problem: Problem,
-    *,
-    evaluations: int,
-    population: int = 100,
-    seed: int = 1,
-    progress: Progress | None = None,
-) -> Outcome:
-    """Search a design space by NSGA-II, with rounds of local improvement of the front.
+def _evolve(
+    archive: EvaluationArchive, until: float, population: int, generator: np.random.Generator
+) -> None:
+    """Evolve until a share of the budget is spent or there are no new designs."""
+    algorithm = _algorithm(archive, population, generator)
+    while archive.share_spent < until:
+        algorithm.next()
+        if not algorithm.has_next():
+            return
 
-    Each of the evaluations counts once, and the search ends earlier where it finds no new designs.
-    The same seed gives the same front. `progress` is called after every batch with the designs
-    evaluated and `evaluations`. Ctrl-C gives the front so far.
-    """
-    generator = np.random.default_rng(seed)
 
-    def evolve(archive: EvaluationArchive, until: float) -> None:
-        algorithm = _algorithm(archive, population, generator)
-        while archive.share_spent < until:
-            algorithm.next()
-            if not algorithm.has_next():
-                return
-
-    return explore(
-        problem, evaluations, progress, lambda archive: alternate(archive, evolve, population)
-    )
+nsga2 = partial(explore, _evolve)
+"""Search a design space by NSGA-II; as of `catopt.design.steps.explore`."""
 
 
 def _algorithm(archive: EvaluationArchive, population: int, generator: np.random.Generator) -> Any:

@@ -10,6 +10,7 @@ says so, and its second gene does not matter: in the canonical form it is 0.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
 
@@ -27,36 +28,45 @@ AT_END = 1e-9
 """Part of the line's length next to its ends in which no clump weight can hang."""
 
 
-@dataclass(frozen=True)
-class SegmentVariable:
-    """What one segment may be.
+class Variable:
+    """What two genes stand for: what a part is made of, and its length or place."""
 
-    Attributes
-    ----------
-    options : tuple of Segment
-        What it may be made of, each with the first of the lengths.
-    lengths : tuple of float
-        Unstretched, m, rising.
-    is_optional : bool
-        Whether it may be absent.
-    name : str
-        For tables.
-    """
+    is_optional: bool
+    """Whether the part may be absent."""
+    name: str
+    """For tables."""
 
-    options: tuple[Segment, ...]
-    lengths: tuple[float, ...]
-    is_optional: bool = False
-    name: str = ""
+    @property
+    def values(self) -> tuple[Sequence[object], Sequence[object]]:
+        """What the part may be made of, and its lengths or places."""
+        raise NotImplementedError
 
     @property
     def sizes(self) -> tuple[int, int]:
         """How many values its two genes have."""
-        return len(self.options) + self.is_optional, len(self.lengths)
+        kinds, places = self.values
+        return len(kinds) + self.is_optional, max(len(places), 1)
 
     @property
     def count(self) -> int:
-        """How many different segments it may be, absent included."""
-        return len(self.options) * len(self.lengths) + self.is_optional
+        """How many different parts it may be, absent included."""
+        kinds, places = self.sizes
+        return (kinds - self.is_optional) * places + self.is_optional
+
+
+@dataclass(frozen=True)
+class SegmentVariable(Variable):
+    """What one segment may be."""
+
+    options: tuple[Segment, ...]  # what it may be made of, each with the first of the lengths
+    lengths: tuple[float, ...]  # unstretched, m, rising
+    is_optional: bool = False
+    name: str = ""
+
+    @property
+    def values(self) -> tuple[Sequence[Segment], Sequence[float]]:
+        """Options and lengths."""
+        return self.options, self.lengths
 
     def segment(self, kind: int, length: int) -> Segment | None:
         """Return the segment of two genes; None where it is absent."""
@@ -65,97 +75,54 @@ class SegmentVariable:
 
 
 @dataclass(frozen=True)
-class ClumpWeightVariable:
-    """What one clump weight may be.
+class ClumpWeightVariable(Variable):
+    """What one clump weight may be; it has positions, or hangs at a joint.
 
-    Attributes
-    ----------
-    masses : tuple of float
-        In air, kg, rising.
-    submerged_weights : tuple of float
-        Of those masses, N.
-    positions : tuple of float
-        Unstretched arc length from the anchor, m, rising; empty when it hangs at a joint.
-    joint : int
-        At the upper end of this segment, counted from 1 at the anchor, or where that would be when
-        it is absent; 0 when the clump weight has positions.
-    is_optional : bool
-        Whether it may be absent.
-    name : str
-        For tables.
-    friction : float or None
-        Coulomb coefficient on the bed; None: that of the bed.
+    The joint is the upper end of that segment, counted from 1 at the anchor, or where that would be
+    when it is absent.
     """
 
-    masses: tuple[float, ...]
-    submerged_weights: tuple[float, ...]
-    positions: tuple[float, ...] = ()
-    joint: int = 0
+    masses: tuple[float, ...]  # in air, kg, rising
+    submerged_weights: tuple[float, ...]  # of those masses, N
+    positions: tuple[float, ...] = ()  # unstretched arc length from the anchor, m, rising
+    joint: int = 0  # 0 when it has positions
     is_optional: bool = False
     name: str = ""
-    friction: float | None = None
+    friction: float | None = None  # Coulomb coefficient on the bed; None: that of the bed
 
     @property
-    def sizes(self) -> tuple[int, int]:
-        """How many values its two genes have."""
-        return len(self.masses) + self.is_optional, max(len(self.positions), 1)
-
-    @property
-    def count(self) -> int:
-        """How many different clump weights it may be, absent included."""
-        return len(self.masses) * max(len(self.positions), 1) + self.is_optional
+    def values(self) -> tuple[Sequence[float], Sequence[float]]:
+        """Masses and positions."""
+        return self.masses, self.positions
 
 
 @dataclass(frozen=True)
-class LayoutVariable:
+class LayoutVariable(Variable):
     """How many lines a body may have, and how far away their anchors may be.
 
-    Attributes
-    ----------
-    azimuths : tuple of tuple of float
-        Of each number of lines, rad; more lines come later.
-    radii : tuple of float
-        Horizontal distances from the body's origin to the anchors, m, rising; empty where
-        pretensions are given.
-    pretensions : tuple of float
-        Instead: horizontal forces in each line with the body at its origin, N, rising; the
-        distance of the anchors follows from the line.
+    By radii, or by the horizontal force in each line with the body at its origin, from which the
+    distance of the anchors follows.
     """
 
-    azimuths: tuple[tuple[float, ...], ...]
-    radii: tuple[float, ...]
-    pretensions: tuple[float, ...] = ()
+    azimuths: tuple[tuple[float, ...], ...]  # of each number of lines, rad; more lines come later
+    radii: tuple[float, ...]  # from the body's origin to the anchors, m, rising
+    pretensions: tuple[float, ...] = ()  # N, rising
     is_optional: bool = False
     name: str = ""
 
     @property
-    def sizes(self) -> tuple[int, int]:
-        """How many values its two genes have."""
-        return len(self.azimuths), len(self.pretensions or self.radii)
-
-    @property
-    def count(self) -> int:
-        """How many different layouts it may be."""
-        return math.prod(self.sizes)
+    def values(self) -> tuple[Sequence[object], Sequence[float]]:
+        """Azimuths, and radii or pretensions."""
+        return self.azimuths, self.pretensions or self.radii
 
 
 @dataclass(frozen=True)
 class DesignSpace:
-    """All designs.
+    """All designs: of one line by itself, or of several such lines about a body."""
 
-    Attributes
-    ----------
-    segments : tuple of SegmentVariable
-        From the anchor to the fairlead; one at least is always there.
-    clump_weights : tuple of ClumpWeightVariable
-        In the order of the case.
-    layout : LayoutVariable or None
-        Of several such lines about a body; None for one line by itself.
-    """
-
-    segments: tuple[SegmentVariable, ...]
+    segments: tuple[SegmentVariable, ...]  # from the anchor up; one at least is always there
     clump_weights: tuple[ClumpWeightVariable, ...] = ()
-    layout: LayoutVariable | None = None
+    layout: LayoutVariable | None = None  # None for one line by itself
 
     @property
     def variables(self) -> tuple[SegmentVariable | ClumpWeightVariable | LayoutVariable, ...]:
@@ -222,10 +189,6 @@ class DesignSpace:
 
     def line(self, genes: tuple[int, ...]) -> Line:
         """Build the line of a design; InputError when it has a flaw."""
-        segments = [
-            variable.segment(genes[GENES_EACH * index], genes[GENES_EACH * index + 1])
-            for index, variable in enumerate(self.segments)
-        ]
         loads = [
             PointLoad(
                 position,
@@ -236,16 +199,16 @@ class DesignSpace:
             )
             for variable, position, mass in self._hung(genes, self._lengths(genes))
         ]
-        return Line([segment for segment in segments if segment is not None], loads)
+        return Line([segment for segment in self._segments(genes) if segment is not None], loads)
+
+    def _segments(self, genes: tuple[int, ...]) -> list[Segment | None]:
+        """Return each segment, None where it is absent."""
+        pairs = zip(genes[::GENES_EACH], genes[1::GENES_EACH], strict=True)
+        return [each.segment(*pair) for each, pair in zip(self.segments, pairs, strict=False)]
 
     def _lengths(self, genes: tuple[int, ...]) -> list[float]:
         """Length of each segment, 0 where it is absent, m."""
-        lengths = []
-        for index, variable in enumerate(self.segments):
-            kind, length = genes[GENES_EACH * index : GENES_EACH * (index + 1)]
-            is_there = kind >= variable.is_optional
-            lengths.append(variable.lengths[length] if is_there else 0.0)
-        return lengths
+        return [0.0 if each is None else each.length for each in self._segments(genes)]
 
     def _hung(
         self, genes: tuple[int, ...], lengths: list[float]

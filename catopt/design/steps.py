@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from catopt.design.evaluation_archive import EvaluationArchive
 from catopt.design.front import crowding_distance
+from catopt.design.outcome import BudgetSpentError, EvaluationArchive, Outcome, Progress
 from catopt.design.problem import Genes, Problem
 
 ROAMING = 0.6
@@ -17,8 +17,9 @@ Measured (benchmarks/results/search.md): 0.3 and 0.6 do equally well, without im
 is worse. More than half leaves room to find other parts of spaces that are far larger.
 """
 
-Roam = Callable[[EvaluationArchive, float], None]
-"""Evaluates designs until the given share of the budget is spent or it finds no new one."""
+Roam = Callable[[EvaluationArchive, float, int, np.random.Generator], None]
+"""Evaluates designs, a population at once, until the given share of the budget is spent or it finds
+no new one."""
 
 
 def scattered(problem: Problem, count: int, generator: np.random.Generator) -> Genes:
@@ -92,11 +93,31 @@ def _look_round(archive: EvaluationArchive, steps: Genes, finished: set[bytes], 
     return True
 
 
-def alternate(archive: EvaluationArchive, roam: Roam, batch: int) -> None:
-    """Roam and improve in turns, until the budget is spent or a round finds no new design."""
-    before = -1
-    while archive.evaluations > before:
-        before = archive.evaluations
-        spent = archive.share_spent
-        roam(archive, spent + ROAMING * (1.0 - spent))
-        improve(archive, batch)
+def explore(
+    roam: Roam,
+    problem: Problem,
+    *,
+    evaluations: int,
+    population: int = 100,
+    seed: int = 1,
+    progress: Progress | None = None,
+) -> Outcome:
+    """Roam a design space and improve the front in turns, until a round finds no new design.
+
+    Each of the evaluations counts once; when they are spent, the search ends. The same seed gives
+    the same front. `progress` is called after every batch with the designs evaluated and
+    `evaluations`. Ctrl-C gives the front so far.
+    """
+    generator = np.random.default_rng(seed)
+    archive, before = EvaluationArchive(problem, evaluations, progress), -1
+    try:
+        while archive.evaluations > before:
+            before = archive.evaluations
+            spent = archive.share_spent
+            roam(archive, spent + ROAMING * (1.0 - spent), population, generator)
+            improve(archive, population)
+    except BudgetSpentError:
+        pass
+    except KeyboardInterrupt:
+        return archive.outcome(interrupted=True)
+    return archive.outcome(interrupted=False)

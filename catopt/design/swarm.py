@@ -12,17 +12,18 @@ so some particles are stirred at every turn, and so is each one that lands on a 
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
 from catopt.catenary.swarm.optimiser import velocity
 from catopt.catenary.swarm.quiet import without_logging
 from catopt.checks.excess import ROUNDING
-from catopt.design.evaluation_archive import EvaluationArchive, explore
 from catopt.design.front import crowding_distance
-from catopt.design.outcome import Outcome, Progress
+from catopt.design.outcome import EvaluationArchive
 from catopt.design.problem import Evaluated, Floats, Genes, Problem
-from catopt.design.steps import alternate, scattered
+from catopt.design.steps import explore, scattered
 from catopt.model import SwarmSettings
 
 with without_logging():
@@ -40,30 +41,8 @@ PATIENCE = 20
 """Turns without a new design after which the swarm has come to rest."""
 
 
-def swarm(
-    problem: Problem,
-    *,
-    evaluations: int,
-    population: int = 100,
-    seed: int = 1,
-    progress: Progress | None = None,
-) -> Outcome:
-    """Search a design space by a particle swarm, with rounds of local improvement of the front.
-
-    The population is that of particles; the rest as for `catopt.design.nsga2.nsga2`.
-    """
-    generator = np.random.default_rng(seed)
-
-    def fly(archive: EvaluationArchive, until: float) -> None:
-        _fly(archive, population, until, generator)
-
-    return explore(
-        problem, evaluations, progress, lambda archive: alternate(archive, fly, population)
-    )
-
-
 def _fly(
-    archive: EvaluationArchive, population: int, until: float, generator: np.random.Generator
+    archive: EvaluationArchive, until: float, population: int, generator: np.random.Generator
 ) -> None:
     """Fly until a share of the budget is spent or the swarm has come to rest."""
     problem = archive.problem
@@ -84,6 +63,11 @@ def _fly(
         before = archive.evaluations
         best = _remember(flock, best, genes, archive.evaluate(genes), generator)
         idle = 0 if archive.evaluations > before else idle + 1
+
+
+swarm = partial(explore, _fly)
+"""Search a design space by a particle swarm, the population that of particles; as of
+`catopt.design.steps.explore`."""
 
 
 def _at_rest(genes: Genes) -> Swarm:

@@ -6,23 +6,40 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from catopt.model import DesignLoad
+
 SAME_ANGLE = 1e-9
 """rad within which two directions are one: what rounding may add, and nothing that is meant."""
 
 
 class BodyState(NamedTuple):
-    """One state of a mooring under one heading of its force.
+    """One state of a mooring under one heading of its force."""
 
-    Attributes
-    ----------
-    missing : int
-        The line that is gone, from 0; -1 while all are there.
-    heading : int
-        Index of the direction of the force.
-    """
+    missing: int  # the line that is gone, from 0; -1 while all are there
+    heading: int  # index of the direction of the force
+
+
+class LoadedState(NamedTuple):
+    """One state of a mooring: which line is gone, -1 for none, under which load, towards where."""
 
     missing: int
-    heading: int
+    load: DesignLoad
+    direction: float
+
+
+def states_of(
+    loads: Sequence[DesignLoad], azimuths: Sequence[float], *, turns: bool
+) -> tuple[LoadedState, ...]:
+    """List the states of a layout that differ: height by height, with all lines first."""
+    states = [
+        LoadedState(state.missing, load, load.directions[state.heading])
+        for load in loads
+        for state in distinct_states(
+            azimuths, load.directions, with_line_out=load.line_out, mirrors=not turns
+        )
+    ]
+    heights = list(dict.fromkeys(load.lift for load in loads))
+    return tuple(sorted(states, key=lambda each: (heights.index(each.load.lift), each.missing)))
 
 
 def distinct_states(
@@ -34,16 +51,9 @@ def distinct_states(
 ) -> tuple[BodyState, ...]:
     """List the states that differ: of those that a turn of the whole pattern brings to one, one.
 
-    Parameters
-    ----------
-    azimuths : sequence of float
-        Of equal lines about a body, rad.
-    directions : sequence of float
-        Of a force of one size, rad.
-    with_line_out : bool
-        Whether each line is gone in turn, too.
-    mirrors : bool
-        Whether mirror images count as one: where the body does not turn and nothing turns it.
+    Of equal lines about a body and of directions of a force of one size, rad; with each line gone
+    in turn, too, where `with_line_out`. Where the body does not turn and nothing turns it, mirror
+    images count as one: `mirrors`.
 
     Examples
     --------

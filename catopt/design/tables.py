@@ -7,14 +7,17 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from catopt.catenary.batch import room_for_runs
 from catopt.catenary.runs import Runs
 from catopt.checks.criteria import Criteria, Limits
 from catopt.design.problem import Floats
 from catopt.design.space import DesignSpace
-from catopt.model import Case, LoadCase, SinkerChoice
+from catopt.design.symmetry import states_of, widest_gap
+from catopt.model import Case, DesignLoad, LoadCase, SinkerChoice
 from catopt.model.immersion import weight_in_water
+from catopt.mooring.arrangement import Arrangement, Lines
 
 RESOLUTION = 2.0**-40
 """Part of the largest value of an objective that two designs must differ by to differ at all.
@@ -25,86 +28,53 @@ thousand times the rounding of a double, and a power of 2, so that round masses 
 
 
 class Tables(NamedTuple):
-    """All that the value of a design follows from.
+    """All that the value of a line follows from.
 
-    Tables of segments and clump weights are filled up to the longest row.
-
-    Attributes
-    ----------
-    segment_optional : array of int, shape (segments,)
-        1 where the segment may be absent.
-    length : array, shape (segments, lengths)
-        m.
-    weight, compliance, mass, price : array, shape (segments, options)
-        N/m, 1/N, kg/m, USD/m; nan where not known.
-    allowed : array, shape (load cases, segments, options)
-        Largest tension that is allowed, N; infinite when not checked.
-    clump_optional, joint : array of int, shape (clump weights,)
-        1 where it may be absent; the segment at whose upper end it hangs, or 0.
-    clump_friction : array, shape (clump weights,)
-        Coulomb coefficients on the bed; below 0 for that of the bed.
-    clump_mass, clump_weight : array, shape (clump weights, masses)
-        kg, N.
-    position : array, shape (clump weights, positions)
-        m.
-    force, height : array, shape (load cases,)
-        At the fairlead, N, and its height above the bed, m; the largest force comes first.
-    is_reference : array of int, shape (load cases,)
-        1 where excursions start.
-    limit : array, shape (load cases, 7)
-        The columns of `catopt.checks.criteria.Limits`.
-    sinker_weight : array, shape (sinkers,)
-        In water, N, rising; the anchor's own where nothing is to be chosen; else empty.
-    sinker_friction, holding_capacity : float
-        Of the sinkers on the soil; of the drag anchor, N, infinite when there is none.
-    anchor_height, friction : float
-        m above the bed; Coulomb coefficient of the bed.
-    step : array, shape (4,)
-        What mass (kg), offset, excursion (m) and cost (USD) are rounded to.
+    Tables of segments and clump weights are filled up to the longest row; of load cases the largest
+    force comes first.
     """
 
+    # shape (segments,): 1 where the segment may be absent
     segment_optional: Any
+    # shape (segments, lengths): m
     length: Any
+    # shape (segments, options): N/m, 1/N, kg/m, USD/m; nan where not known
     weight: Any
     compliance: Any
     mass: Any
     price: Any
+    # shape (load cases, segments, options): largest tension allowed, N; infinite: not checked
     allowed: Any
+    # shape (clump weights,): 1 where it may be absent; the segment at whose upper end it hangs or 0
     clump_optional: Any
     joint: Any
+    # shape (clump weights, masses): kg, N
     clump_mass: Any
     clump_weight: Any
+    # shape (clump weights,): Coulomb coefficients on the bed; below 0 for that of the bed
     clump_friction: Any
+    # shape (clump weights, positions): m
     position: Any
+    # shape (load cases,): at the fairlead, N; its height above the bed, m; 1 where excursions start
     force: Any
     height: Any
     is_reference: Any
+    # shape (load cases, 7): the columns of `catopt.checks.criteria.Limits`
     limit: Any
+    # shape (sinkers,): in water, N, rising; the anchor's own where nothing is to be chosen
     sinker_weight: Any
     sinker_friction: float
-    holding_capacity: float
-    anchor_height: float
-    friction: float
+    holding_capacity: float  # of the drag anchor, N, infinite when there is none
+    anchor_height: float  # m above the bed
+    friction: float  # Coulomb coefficient of the bed
+    # shape (4,): what mass (kg), offset, excursion (m) and cost (USD) are rounded to
     step: Any
 
 
 class Room(NamedTuple):
-    """Work space for one design, so that the loop over designs makes nothing anew.
+    """Work space for one design, so that the loop over designs makes nothing anew."""
 
-    Attributes
-    ----------
-    length, weight, compliance, position, point_weight, point_friction : array
-        The line's segments and clump weights (pieces.split).
-    option, owner : array of int
-        What each segment is made of and which it was; the segment of each piece.
-    piece_length, piece_weight, piece_compliance, piece_load : array
-        The line's pieces.
-    runs : Runs
-        The line's runs.
-    tension : array
-        The largest tension of each segment.
-    """
-
+    # the line's segments and clump weights (pieces.split), and which segments of the space they are
     length: Any
     weight: Any
     compliance: Any
@@ -112,44 +82,107 @@ class Room(NamedTuple):
     point_weight: Any
     point_friction: Any
     place: Any
+    # what each segment is made of; the segment of each piece
     option: Any
     owner: Any
+    # the line's pieces, and its runs
     piece_length: Any
     piece_weight: Any
     piece_compliance: Any
     piece_load: Any
     runs: Runs
+    # the largest tension of each segment, N
     tension: Any
+
+
+class MooringTables(NamedTuple):
+    """All that the value of a mooring follows from, beside `Tables` of its line.
+
+    In `Tables` the first load case is the whole mooring, the second one line out.
+    """
+
+    # shape (layouts,): how many lines there are
+    lines: Any
+    # shape (layouts, lines): rad
+    azimuth: Any
+    # shape (layouts, 1 + lines): cosine of half the widest angle between neighbours, with all lines
+    # and without each
+    gap: Any
+    # shape (radii,) of the anchors, m; or instead shape (pretensions,): horizontal force in each
+    # line with the body at its origin, N
+    radius: Any
+    pretension: Any
+    moment: float  # N m
+    # shape (layouts + 1,): first state of each layout
+    first: Any
+    # shape (states,): which line is gone, -1 for none; none in the first state of each height
+    missing: Any
+    # shape (states,): towards which the force acts, rad, its size, N, and the height of the
+    # fairleads above the bed, m
+    direction: Any
+    force: Any
+    height: Any
+    # shape (2,): largest vertical pull of all lines together, N: all there, and one out
+    reserve: Any
+    fairlead_radius: float  # m
+    turns: bool  # whether the body is free in yaw
+    # whether the span of every line is proved to rise with its horizontal force, and the fairleads
+    # are at one height in all states
+    is_monotone: bool
+
+
+class BodyRoom(NamedTuple):
+    """Work space for one mooring, of the largest number of lines and pieces."""
+
+    arrangement: Arrangement
+    rest: Lines  # what is known of the lines without a load
+    under_load: Lines
+    least: Any  # shape (wanted objectives,): what a design is worth at least
+
+
+def _whole(size: int) -> NDArray[np.int64]:
+    return np.empty(size, dtype=np.int64)
 
 
 def room(tables: Tables) -> Room:
     """Make work space."""
     segments, weights = len(tables.segment_optional), len(tables.clump_optional)
     count = segments + weights
-
-    def floats(size: int) -> Floats:
-        return np.empty(size)
-
-    def whole(size: int) -> Any:
-        return np.empty(size, dtype=np.int64)
-
     return Room(
-        length=floats(segments),
-        weight=floats(segments),
-        compliance=floats(segments),
-        position=floats(weights),
-        point_weight=floats(weights),
+        length=np.empty(segments),
+        weight=np.empty(segments),
+        compliance=np.empty(segments),
+        position=np.empty(weights),
+        point_weight=np.empty(weights),
         point_friction=np.full(weights, -1.0),
-        place=whole(segments),
-        option=whole(segments),
-        owner=whole(count),
-        piece_length=floats(count),
-        piece_weight=floats(count),
-        piece_compliance=floats(count),
-        piece_load=floats(2 * count + 2),
+        place=_whole(segments),
+        option=_whole(segments),
+        owner=_whole(count),
+        piece_length=np.empty(count),
+        piece_weight=np.empty(count),
+        piece_compliance=np.empty(count),
+        piece_load=np.empty(2 * count + 2),
         runs=room_for_runs(count),
-        tension=floats(segments),
+        tension=np.empty(segments),
     )
+
+
+def body_room(tables: MooringTables, line: Tables, objectives: int) -> BodyRoom:
+    """Make work space for a mooring."""
+    lines = int(tables.lines.max())
+    pieces = lines * (len(line.segment_optional) + len(line.clump_optional))
+    own = {
+        "friction": line.friction,
+        "first": np.zeros(lines + 1, dtype=np.int64),
+        "length": np.zeros(pieces),
+        "weight": np.zeros(pieces),
+        "compliance": np.zeros(pieces),
+        "load": np.zeros(2 * pieces + 2 * lines),
+    }
+    by_line = {name: np.zeros(lines) for name in Arrangement._fields if name not in own}
+    rest, under_load = (Lines(*(np.zeros(lines) for _ in Lines._fields)) for _ in range(2))
+    arrangement = Arrangement(**by_line, **own)  # type: ignore[arg-type]
+    return BodyRoom(arrangement, rest, under_load, np.empty(objectives))
 
 
 def tables_of(
@@ -159,18 +192,22 @@ def tables_of(
     criteria: Criteria,
     sinkers: SinkerChoice | None,
 ) -> Tables:
-    """Lay everything out."""
+    """Lay out lines, load cases and limits."""
     states = sorted(states, key=lambda state: -state.horizontal_force)
     segments, weights = space.segments, space.clump_weights
-    made = [variable.options for variable in segments]
     sinker_weight, sinker_friction, capacity = _holding(case, sinkers)
+
+    def of_options(name: str) -> Floats:
+        figures = [[getattr(option, name) for option in each.options] for each in segments]
+        return _padded([[math.nan if x is None else x for x in row] for row in figures])
+
     tables = Tables(
         segment_optional=np.array([v.is_optional for v in segments], dtype=np.int64),
         length=_padded([v.lengths for v in segments]),
-        weight=_padded([[s.submerged_weight for s in row] for row in made]),
-        compliance=_padded([[1.0 / s.EA for s in row] for row in made]),
-        mass=_padded([[_or_nan(s.mass) for s in row] for row in made]),
-        price=_padded([[_or_nan(s.price) for s in row] for row in made]),
+        weight=of_options("submerged_weight"),
+        compliance=1.0 / of_options("EA"),
+        mass=of_options("mass"),
+        price=of_options("price"),
         allowed=_allowed(states, space, criteria),
         clump_optional=np.array([v.is_optional for v in weights], dtype=np.int64),
         joint=np.array([v.joint for v in weights], dtype=np.int64),
@@ -195,6 +232,57 @@ def tables_of(
     return tables
 
 
+def mooring_tables(
+    case: Case, loads: Sequence[DesignLoad], space: DesignSpace, line: Tables, criteria: Criteria
+) -> tuple[Tables, MooringTables]:
+    """Lay out numbers of lines, radii and the states under all loads, beside the tables of a line.
+
+    The reserve of buoyancy, which all lines share, is taken from the limits of each.
+    """
+    system = case.system
+    assert system is not None
+    assert space.layout is not None
+    layouts = space.layout.azimuths
+    most = max(map(len, layouts))
+    azimuth, gap = np.zeros((len(layouts), most)), np.full((len(layouts), 1 + most), -1.0)
+    for row, angles in enumerate(layouts):
+        azimuth[row, : len(angles)] = angles
+        gap[row, 0] = math.cos(0.5 * widest_gap(angles))
+        for gone in range(len(angles) if len(angles) > 1 else 0):
+            left = [*angles[:gone], *angles[gone + 1 :]]
+            gap[row, 1 + gone] = math.cos(0.5 * widest_gap(left))
+    states = [states_of(loads, angles, turns=system.turns) for angles in layouts]
+    flat = [state for each in states for state in each]
+    limits = (criteria.limits("extreme"), criteria.limits("extreme", "one_line_out"))
+    limit = line.limit.copy()
+    limit[:, Limits._fields.index("reserve_buoyancy")] = math.inf
+    return line._replace(limit=limit), MooringTables(
+        lines=np.array([len(angles) for angles in layouts], dtype=np.int64),
+        azimuth=azimuth,
+        gap=gap,
+        radius=np.array(space.layout.radii),
+        pretension=np.array(space.layout.pretensions),
+        moment=float(system.moment),
+        first=np.cumsum([0, *map(len, states)], dtype=np.int64),
+        missing=np.array([state.missing for state in flat], dtype=np.int64),
+        direction=np.array([state.direction for state in flat]),
+        force=np.array([state.load.force for state in flat]),
+        height=np.array([case.fairlead_height + state.load.lift for state in flat]),
+        reserve=np.array([each.reserve_buoyancy for each in limits]),
+        fairlead_radius=float(system.legs[0].fairlead_radius),
+        turns=system.turns,
+        is_monotone=_is_monotone(line) and len({load.lift for load in loads}) == 1,
+    )
+
+
+def _is_monotone(line: Tables) -> bool:
+    """Whether docs/theory.md proves of every line that its span rises with its force."""
+    is_smooth = line.friction == 0.0 and not (line.clump_friction > 0.0).any()
+    floats = (line.weight <= 0.0).any()
+    is_plain = line.anchor_height == 0.0 and len(line.clump_optional) == 0 and not floats
+    return bool(is_smooth or is_plain)
+
+
 def _padded(rows: Sequence[Sequence[float]]) -> Floats:
     """Put rows of different length into one array."""
     width = max((len(row) for row in rows), default=1)
@@ -202,10 +290,6 @@ def _padded(rows: Sequence[Sequence[float]]) -> Floats:
     for index, row in enumerate(rows):
         table[index, : len(row)] = row
     return table
-
-
-def _or_nan(value: float | None) -> float:
-    return math.nan if value is None else value
 
 
 def _holding(case: Case, sinkers: SinkerChoice | None) -> tuple[list[float], float, float]:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from catopt.checks.excess import ROUNDING
-from catopt.design.evaluation_archive import EvaluationArchive
 from catopt.design.front import crowding_distance
+from catopt.design.outcome import EvaluationArchive
 from catopt.design.steps import double_steps, improve, reached, scattered, single_steps
 
 from .known_space import KnownSpace, grid, scrambled, tanker
