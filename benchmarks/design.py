@@ -316,7 +316,7 @@ def _long_front() -> str:
     chosen = np.flatnonzero(excess <= ROUNDING)[:FRONT]
     outcome = Outcome(genes[chosen], objectives[chosen], len(genes), FRONT, False, None, 0.0)
     start = time.perf_counter()
-    result = answer(problem, Found(outcome, "nsga2", 0.0), seed=1)
+    result = answer(problem, Found(outcome, "nsga2", 0.0))
     seconds = time.perf_counter() - start
     return (
         f"Answer of {len(result.front)} designs, each solved and checked again in plain Python in "

@@ -26,8 +26,7 @@ from catopt.checks.excess import ROUNDING
 from catopt.design import steps
 from catopt.design.enumeration import enumerate_designs
 from catopt.design.evaluation import DesignProblem
-from catopt.design.front import non_dominated
-from catopt.design.hypervolume import hypervolume, reference_point
+from catopt.design.front import hypervolume, non_dominated, reference_point
 from catopt.design.nsga2 import nsga2
 from catopt.design.outcome import Outcome
 from catopt.design.problem import Floats, Problem

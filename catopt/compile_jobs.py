@@ -68,8 +68,7 @@ def _designs() -> None:
     """Designs of a line and of a mooring, and the front of two and of three objectives."""
     import numpy as np
 
-    from catopt.design.front import non_dominated
-    from catopt.design.hypervolume import hypervolume
+    from catopt.design.front import hypervolume, non_dominated
     from catopt.design.search import design_case
 
     design_case(_template("design"))

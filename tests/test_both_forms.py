@@ -14,8 +14,7 @@ import pytest
 import catopt
 from catopt import Line, PointLoad, Segment, read_case, solve_many
 from catopt.design.evaluation import DesignProblem
-from catopt.design.front import non_dominated
-from catopt.design.hypervolume import hypervolume
+from catopt.design.front import hypervolume, non_dominated
 from catopt.design.mooring import MooringProblem
 from catopt.fem import (
     Bed,

@@ -8,11 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from catopt.design.bounds import BOUNDS
-from catopt.design.ends import ends
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, objective_words
-from catopt.design.hypervolume import hypervolume, reference_point
-from catopt.design.knee import Knee, knee
-from catopt.design.neighbours import neighbours
+from catopt.design.front import Knee, hypervolume, knee, reference_point
+from catopt.design.neighbours import ends, neighbours
 from catopt.design.outcome import Outcome
 from catopt.design.points import design_point, present_line
 from catopt.design.problem import Genes
@@ -22,24 +20,14 @@ from catopt.words import Listed, Message
 
 
 class Found(NamedTuple):
-    """What a search came to.
-
-    Attributes
-    ----------
-    outcome : Outcome
-        The front as numbers.
-    method : str
-        ``"enumeration"``, ``"nsga2"`` or ``"swarm"``.
-    seconds : float
-        That it took.
-    """
+    """What a search came to."""
 
     outcome: Outcome
-    method: str
+    method: str  # "enumeration", "nsga2" or "swarm"
     seconds: float
 
 
-def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
+def answer(problem: DesignProblem, found: Found) -> DesignResult:
     """Check every design of the front once more, in plain closed form, and choose one.
 
     The front has one design or more. NotConvergedError: the closed form confirms none of them.
@@ -64,7 +52,7 @@ def answer(problem: DesignProblem, found: Found, seed: int) -> DesignResult:
         feasible=outcome.feasible,
         hypervolume=hypervolume(objectives, corner),
         reference_point=tuple(corner.tolist()),
-        seed=seed,
+        seed=problem.design.seed,
         interrupted=outcome.interrupted,
         ends=ends(problem, front),
         neighbours=neighbours(problem, front[best.index].genes),
@@ -103,28 +91,20 @@ def _why(problem: DesignProblem, best: Knee, front: tuple[DesignPoint, ...]) -> 
     return Message("design.knee", shares=Listed(shares, "and"))
 
 
-def _of_method(problem: DesignProblem, found: Found) -> Iterator[Message]:
-    """Say where enumeration took the place of the search asked for, or could have."""
-    design, count = problem.case.design, problem.space.count
-    assert design is not None
-    if design.method in ("auto", "enumeration"):
-        return
-    if found.method == "enumeration":
-        values = {"method": design.method, "evaluations": design.evaluations, "count": count}
-        yield Message("design.all_enumerated", **values)
-    elif count <= design.max_enumerated:
-        yield Message("design.approximate", method=design.method, count=count)
-
-
-def _of_search(problem: DesignProblem, found: Found, confirmed: int) -> list[Message]:
+def _of_search(problem: DesignProblem, found: Found, confirmed: int) -> Iterator[Message]:
     """Say what an engineer should know of how the front, of so many designs, was found."""
-    told = list(_of_method(problem, found))
-    if found.outcome.interrupted:
-        done = found.outcome.evaluations
-        told.append(Message("design.interrupted", done=done, count=problem.space.count))
-    if found.outcome.unsolved:
-        told.append(Message("design.unsolved", count=found.outcome.unsolved))
-    left_out = len(found.outcome.genes) - confirmed
+    design, outcome, count = problem.design, found.outcome, problem.space.count
+    # Enumeration took the place of the search asked for, or could have.
+    if design.method not in ("auto", "enumeration"):
+        if found.method == "enumeration":
+            values = {"method": design.method, "evaluations": design.evaluations, "count": count}
+            yield Message("design.all_enumerated", **values)
+        elif count <= design.max_enumerated:
+            yield Message("design.approximate", method=design.method, count=count)
+    if outcome.interrupted:
+        yield Message("design.interrupted", done=outcome.evaluations, count=count)
+    if outcome.unsolved:
+        yield Message("design.unsolved", count=outcome.unsolved)
+    left_out = len(outcome.genes) - confirmed
     if left_out:
-        told.append(Message("design.not_confirmed", count=left_out))
-    return told
+        yield Message("design.not_confirmed", count=left_out)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import TYPE_CHECKING, Any
 
 from catopt.design.mooring_point import under
@@ -10,9 +11,14 @@ from catopt.model.design import loads_of
 from catopt.words.saved import messages_in
 
 if TYPE_CHECKING:
-    from catopt.design.mooring_point import MooringPoint
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
-    from catopt.model import Anchor, PointLoad, Segment
+
+_UNIT = re.compile("_(m|N|kg|rad|USD)(_per_(m|m3|s))?$")
+
+
+def figures(of: object, keys: str) -> dict[str, Any]:
+    """List attributes by keys that end in their unit, if any: ``mass_kg`` is the mass, in kg."""
+    return {key: getattr(of, _UNIT.sub("", key)) for key in keys.split()}
 
 
 def design_document(result: DesignResult) -> dict[str, Any]:
@@ -23,20 +29,13 @@ def design_document(result: DesignResult) -> dict[str, Any]:
         "objectives": list(result.objectives),
         "load_cases": _load_cases(result),
         "front": [_point(point) for point in result.front],
-        "recommended": result.recommended,
-        "recommendation": result.recommendation,
+        **figures(result, "recommended recommendation"),
         "ends": list(result.ends),
         "neighbours": [_neighbour(each, result) for each in result.neighbours],
         "present": _neighbour(result.present, result),
-        "method": result.method,
-        "is_exact": result.is_exact,
-        "designs": result.designs,
-        "evaluations": result.evaluations,
-        "feasible": result.feasible,
-        "hypervolume": result.hypervolume,
+        **figures(result, "method is_exact designs evaluations feasible hypervolume"),
         "reference_point": list(result.reference_point),
-        "seed": result.seed,
-        "interrupted": result.interrupted,
+        **figures(result, "seed interrupted"),
         "warnings": list(result.warnings),
     }
     if result.excluded:
@@ -65,86 +64,56 @@ def _load_cases(result: DesignResult) -> list[dict[str, Any]]:
     documents = []
     for name, solution in result.front[0].checks.solutions:
         kind, level = kinds.get(name, ("extreme", 0.0))
-        documents.append(
-            {
-                "name": name,
-                "kind": kind,
-                "water_level_m": level,
-                "horizontal_force_N": solution.horizontal_force,
-                "fairlead_height_m": solution.fairlead_height,
-            }
-        )
+        document = {"name": name, "kind": kind, "water_level_m": level}
+        documents.append(document | figures(solution, "horizontal_force_N fairlead_height_m"))
     return documents
 
 
 def _point(point: DesignPoint) -> dict[str, Any]:
-    governing = point.governing
-    return {
+    governing, mooring = point.governing, point.mooring
+    solutions = () if mooring else point.checks.solutions
+    document: dict[str, Any] = {
         "mass_kg": point.line.mass,
         **point.objectives,
-        "segments": [_segment(segment) for segment in point.line.segments],
-        "point_loads": [_point_load(load) for load in point.line.point_loads],
-        "sinker": _sinker(point.anchor),
+        "segments": [
+            {
+                "name": segment.name,
+                "component": segment.component or None,
+                **figures(segment, "nominal_diameter_m length_m submerged_weight_N_per_m"),
+                **figures(segment, "mass_kg_per_m"),
+                "EA_N": segment.EA if math.isfinite(segment.EA) else None,
+                **figures(
+                    segment, "MBL_N proof_load_N price_USD_per_m wear_rate_m_per_s wear_zone"
+                ),
+            }
+            for segment in point.line.segments
+        ],
+        "point_loads": [
+            figures(load, "name position_m submerged_weight_N mass_kg")
+            for load in point.line.point_loads
+        ],
+        "sinker": None,
         "checks": [check.to_dict() for check in point.checks.results],
         "governing": "" if governing is None else governing.in_case,
         "feasible": point.checks.passes,
-        "spans_m": []
-        if point.mooring
-        else [solution.span for _, solution in point.checks.solutions],
+        "spans_m": [solution.span for _, solution in solutions],
         "genes": list(point.genes),
-        **({"system": _system(point.mooring)} if point.mooring else {}),
     }
-
-
-def _system(mooring: MooringPoint) -> dict[str, Any]:
-    """Say how many lines there are, where, and what takes the body farthest."""
-    legs = mooring.system.legs
-    return {
-        "azimuths_rad": [leg.azimuth for leg in legs],
-        "anchor_radius_m": legs[0].anchor_radius,
-        **({} if mooring.pretension is None else {"pretension_N": mooring.pretension}),
-        "farthest_state": mooring.state,
-        "farthest_force_N": list(mooring.farthest.system.force),
-        "farthest_water_level_m": mooring.load.water_level,
-        "farthest_fairlead_rise_m": mooring.load.fairlead_rise,
-    }
-
-
-def _segment(segment: Segment) -> dict[str, Any]:
-    return {
-        "name": segment.name,
-        "component": segment.component or None,
-        "nominal_diameter_m": segment.nominal_diameter,
-        "length_m": segment.length,
-        "submerged_weight_N_per_m": segment.submerged_weight,
-        "mass_kg_per_m": segment.mass,
-        "EA_N": segment.EA if math.isfinite(segment.EA) else None,
-        "MBL_N": segment.MBL,
-        "proof_load_N": segment.proof_load,
-        "price_USD_per_m": segment.price,
-        "wear_rate_m_per_s": segment.wear_rate,
-        "wear_zone": segment.wear_zone,
-    }
-
-
-def _point_load(load: PointLoad) -> dict[str, Any]:
-    return {
-        "name": load.name,
-        "position_m": load.position,
-        "submerged_weight_N": load.submerged_weight,
-        "mass_kg": load.mass,
-    }
-
-
-def _sinker(anchor: Anchor | None) -> dict[str, Any] | None:
-    if anchor is None or anchor.kind != "sinker":
-        return None
-    return {
-        "mass_kg": anchor.mass,
-        "submerged_weight_N": anchor.submerged_weight,
-        "friction": anchor.friction,
-        "safety_factor": anchor.safety_factor,
-    }
+    if point.anchor is not None and point.anchor.kind == "sinker":
+        keys = "mass_kg submerged_weight_N friction safety_factor"
+        document["sinker"] = figures(point.anchor, keys)
+    if mooring is not None:
+        legs = mooring.system.legs
+        document["system"] = {
+            "azimuths_rad": [leg.azimuth for leg in legs],
+            "anchor_radius_m": legs[0].anchor_radius,
+            **({} if mooring.pretension is None else {"pretension_N": mooring.pretension}),
+            "farthest_state": mooring.state,
+            "farthest_force_N": list(mooring.farthest.system.force),
+            "farthest_water_level_m": mooring.load.water_level,
+            "farthest_fairlead_rise_m": mooring.load.fairlead_rise,
+        }
+    return document
 
 
 def _neighbour(each: Neighbour, result: DesignResult) -> dict[str, Any]:

@@ -52,7 +52,8 @@ def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDe
         allowed = "nearer to the anchor, or longer segments, are wanted"
         raise InputError([Problem("design.clump_weights", flaw, allowed)], "design")
     miss = near_miss(problem, outcome.closest)
-    what = [Message("design.indented", said=part) for part in _failing(miss)]
+    reasons = [_check_words(result) for result in miss.failing] or [miss.reason]
+    what = [Message("design.indented", said=reason) for reason in reasons]
     key = "design.nearest_so_far" if outcome.interrupted else "design.nearest"
     nearest = Message(key, line=_line_words(miss.line))
     message = Several((Several((said, nearest), " "), *what), "\n")
@@ -61,18 +62,10 @@ def no_feasible_design(problem: DesignProblem, outcome: Outcome) -> NoFeasibleDe
 
 def near_miss(problem: DesignProblem, genes: tuple[int, ...]) -> NearMiss:
     """Check a design that fails."""
-    line = problem.space.line(genes)
     try:
-        report = problem.point(genes).checks
+        return NearMiss(problem.space.line(genes), problem.point(genes).checks.failed)
     except (NoAnswerError, NotConvergedError) as error:
-        return NearMiss(line, (), error.message)
-    return NearMiss(line, report.failed)
-
-
-def _failing(miss: NearMiss) -> list[str]:
-    if not miss.failing:
-        return [miss.reason]
-    return [_check_words(result) for result in miss.failing]
+        return NearMiss(problem.space.line(genes), (), error.message)
 
 
 def _check_words(result: CheckResult) -> str:

@@ -1,13 +1,14 @@
-"""What one size or one step up or down would do to a design."""
+"""What one size or one step up or down would do to a design, and what a front runs into."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from catopt.design.evaluation import DesignProblem
+from catopt.checks.result import CheckResult
+from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, objective_words
 from catopt.design.points import design_point
-from catopt.design.result import Neighbour
+from catopt.design.result import DesignPoint, Neighbour
 from catopt.design.space import (
     GENES_EACH,
     ClumpWeightVariable,
@@ -16,31 +17,21 @@ from catopt.design.space import (
     SegmentVariable,
 )
 from catopt.errors import NoAnswerError, NotConvergedError
-from catopt.model import Segment
-from catopt.words import Measure, Message
+from catopt.ties import first_largest
+from catopt.words import Listed, Measure, Message, Several
 
 Design = tuple[int, ...]
+_Variable = SegmentVariable | ClumpWeightVariable | LayoutVariable
 
 
 class Step(NamedTuple):
-    """One change of one variable.
+    """One change of one variable."""
 
-    Attributes
-    ----------
-    change : str
-        In words.
-    genes : tuple of int
-        The design that it leads to.
-    variable : str
-        What changes, where its values rise: ``"the length of segment 1"``; empty where they do not.
-    direction : int
-        1 up and -1 down; 0 where values do not rise.
-    """
-
-    change: str
-    genes: Design
+    change: str  # in words
+    genes: Design  # the design that it leads to
+    # what changes, where its values rise: "the length of segment 1"; empty where they do not
     variable: str = ""
-    direction: int = 0
+    direction: int = 0  # 1 up and -1 down; 0 where values do not rise
 
 
 def neighbours(problem: DesignProblem, genes: Design) -> tuple[Neighbour, ...]:
@@ -66,40 +57,18 @@ def steps(space: DesignSpace, genes: Design) -> Iterator[Step]:
     """
     for index, variable in enumerate(space.variables):
         at = GENES_EACH * index
-        own = (genes[at], genes[at + 1])
         name = _name(space, index)
-        if isinstance(variable, SegmentVariable):
-            changes = _of_segment(variable, *own)
-        elif isinstance(variable, LayoutVariable):
-            changes = _of_layout(variable, *own)
-        else:
-            changes = _of_weight(variable, *own)
-        for change in changes:
+        for change in _changes(variable, genes[at], genes[at + 1]):
             reached = (*genes[:at], *change.pair, *genes[at + GENES_EACH :])
-            what = Message(_WHAT[change.what], part=name) if change.what else ""
-            said = Message(change.key, part=name, **change.values)
+            what = Message(f"design.{change.what}", part=name) if change.direction else ""
+            said = Message(f"design.{change.how}", part=name, **change.values)
             yield Step(said, reached, what, change.direction)
-
-
-_WHAT = {
-    "size": "design.size",
-    "length": "design.length",
-    "mass": "design.mass",
-    "place": "design.place",
-    "lines": "design.lines",
-    "radius": "design.radius",
-    "pretension": "design.pretension",
-}
-"""Key of what changes."""
-
-
-_PUT_IN, _LEFT_OUT, _CHANGED = "design.put_in", "design.left_out", "design.changed"
 
 
 class _Change(NamedTuple):
     """New genes of one variable."""
 
-    key: str
+    how: str
     values: Mapping[str, str]
     pair: tuple[int, int]
     what: str = ""
@@ -117,72 +86,82 @@ def _name(space: DesignSpace, index: int) -> str:
     return space.variables[index].name or Message(key, number=number)
 
 
-def _of_segment(variable: SegmentVariable, kind: int, length: int) -> Iterator[_Change]:
-    here = variable.segment(kind, length)
-    if here is None:
-        added = variable.segment(1, 0)
-        assert added is not None
-        of_it = Message("design.of_length", length=added.length, segment=_called(added))
-        yield _Change(_PUT_IN, {"added": of_it}, (1, 0))
+def _changes(variable: _Variable, kind: int, place: int) -> Iterator[_Change]:
+    """List the changes of a variable of two genes."""
+    here = kind - variable.is_optional
+    if here < 0:
+        yield _Change("put_in", {"added": _least(variable)}, (1, 0))
         return
-    option = kind - variable.is_optional
-    for other, segment in enumerate(variable.options):
-        values = {"new": _called(segment), "old": _called(here)}
-        pair = (other + variable.is_optional, length)
-        if segment.component == here.component:
-            if abs(other - option) == 1:
-                yield _Change(_CHANGED, values, pair, "size", other - option)
-        elif segment.nominal_diameter == here.nominal_diameter:
-            yield _Change(_CHANGED, values, pair)
-    for other in _beside(length, len(variable.lengths)):
-        lengths = (variable.lengths[other], here.length)
-        new, old = (Message("design.in_metres", length=each) for each in lengths)
-        change = {"new": new, "old": old}
-        yield _Change(_CHANGED, change, (kind, other), "length", other - length)
-    if variable.is_optional:
-        yield _Change(_LEFT_OUT, {}, (0, 0))
-
-
-def _of_weight(variable: ClumpWeightVariable, kind: int, place: int) -> Iterator[_Change]:
-    mass = kind - variable.is_optional
-    masses, positions = variable.masses, variable.positions
-    if mass < 0:
-        least = {"mass": masses[0] / 1e3}
-        added = Message("design.in_tonnes", **least)
-        if positions:
-            added = Message("design.weight_at", position=positions[0], **least)
-        yield _Change(_PUT_IN, {"added": added}, (1, 0))
-        return
-    for other in _beside(mass, len(masses)):
-        new, old = (Message("design.in_tonnes", mass=masses[n] / 1e3) for n in (other, mass))
+    what, what_of_place = _what(variable)
+    for other, direction in _other_kinds(variable, here):
+        values = {"new": _kind(variable, other), "old": _kind(variable, here)}
         pair = (other + variable.is_optional, place)
-        yield _Change(_CHANGED, {"new": new, "old": old}, pair, "mass", other - mass)
-    for other in _beside(place, len(positions)):
-        # English names the place once: "at 7 m for 6 m".
-        new = Message("design.at", position=positions[other])
-        old = Message("design.in_metres", length=positions[place])
-        yield _Change(_CHANGED, {"new": new, "old": old}, (kind, other), "place", other - place)
+        yield _Change("changed", values, pair, what, direction)
+    for other in _beside(place, len(variable.values[1])):
+        values = {"new": _place(variable, other, is_new=True), "old": _place(variable, place)}
+        yield _Change("changed", values, (kind, other), what_of_place, other - place)
     if variable.is_optional:
-        yield _Change(_LEFT_OUT, {}, (0, 0))
+        yield _Change("left_out", {}, (0, 0))
 
 
-def _of_layout(variable: LayoutVariable, lines: int, anchors: int) -> Iterator[_Change]:
-    for other in _beside(lines, len(variable.azimuths)):
-        counts = (len(variable.azimuths[each]) for each in (other, lines))
-        new, old = (Message("design.so_many_lines", count=each) for each in counts)
-        yield _Change(_CHANGED, {"new": new, "old": old}, (other, anchors), "lines", other - lines)
-    for other in _beside(anchors, variable.sizes[1]):
-        new, old = (_anchored(variable, each) for each in (other, anchors))
-        what = "pretension" if variable.pretensions else "radius"
-        yield _Change(_CHANGED, {"new": new, "old": old}, (lines, other), what, other - anchors)
+def _other_kinds(variable: _Variable, here: int) -> Iterator[tuple[int, int]]:
+    """Yield what else a part may be made of; whether that is up or down, 0 where it is neither."""
+    if not isinstance(variable, SegmentVariable):
+        for other in _beside(here, len(variable.values[0])):
+            yield other, other - here
+        return
+    own = variable.options[here]
+    for other, segment in enumerate(variable.options):
+        if segment.component == own.component:
+            if abs(other - here) == 1:
+                yield other, other - here
+        elif segment.nominal_diameter == own.nominal_diameter:
+            yield other, 0
 
 
-def _anchored(variable: LayoutVariable, anchors: int) -> Message:
-    """Say how far away the anchors are, or by which pretension they are placed."""
+def _what(variable: _Variable) -> tuple[str, str]:
+    """Name what the two genes of a variable change."""
+    if isinstance(variable, SegmentVariable):
+        return "size", "length"
+    if isinstance(variable, ClumpWeightVariable):
+        return "mass", "place"
+    return "lines", "pretension" if variable.pretensions else "radius"
+
+
+def _kind(variable: _Variable, index: int) -> str:
+    """Say what a part is made of."""
+    if isinstance(variable, SegmentVariable):
+        return variable.options[index].name or Message("design.segment_of_line")
+    if isinstance(variable, ClumpWeightVariable):
+        return Message("design.in_tonnes", mass=variable.masses[index] / 1e3)
+    return Message("design.so_many_lines", count=len(variable.azimuths[index]))
+
+
+def _place(variable: _Variable, index: int, *, is_new: bool = False) -> str:
+    """Say how long a segment is, where a clump weight hangs, or how the anchors are placed."""
+    if isinstance(variable, SegmentVariable):
+        return Message("design.in_metres", length=variable.lengths[index])
+    if isinstance(variable, ClumpWeightVariable):
+        # English names the place once: "at 7 m for 6 m".
+        if is_new:
+            return Message("design.at", position=variable.positions[index])
+        return Message("design.in_metres", length=variable.positions[index])
     if not variable.pretensions:
-        return Message("design.at_radius", radius=variable.radii[anchors])
-    force = Measure("horizontal_force", variable.pretensions[anchors])
+        return Message("design.at_radius", radius=variable.radii[index])
+    force = Measure("horizontal_force", variable.pretensions[index])
     return Message("design.at_pretension", force=force)
+
+
+def _least(variable: _Variable) -> str:
+    """Say what is put in where a part is absent."""
+    if isinstance(variable, SegmentVariable):
+        segment = _kind(variable, 0)
+        return Message("design.of_length", length=variable.lengths[0], segment=segment)
+    assert isinstance(variable, ClumpWeightVariable)
+    if not variable.positions:
+        return _kind(variable, 0)
+    mass, position = variable.masses[0] / 1e3, variable.positions[0]
+    return Message("design.weight_at", position=position, mass=mass)
 
 
 def _beside(index: int, count: int) -> Iterator[int]:
@@ -190,5 +169,64 @@ def _beside(index: int, count: int) -> Iterator[int]:
     yield from (other for other in (index - 1, index + 1) if 0 <= other < count)
 
 
-def _called(segment: Segment) -> str:
-    return segment.name or Message("design.segment_of_line")
+# ------------------------------------------------------------------ the ends of a front
+
+
+def ends(problem: DesignProblem, front: Sequence[DesignPoint]) -> tuple[Message, ...]:
+    """Say for each objective what keeps it from being smaller than at its end of the front."""
+    said = []
+    for name in problem.names:
+        key = OBJECTIVE_KEYS[name]
+        index = first_largest([-each.objectives[key] for each in front])
+        objective, what = objective_words(name), _end_of_front(problem, front[index], key)
+        said.append(Message("design.end", objective=objective, number=index + 1, what=what))
+    return tuple(said)
+
+
+def _end_of_front(problem: DesignProblem, point: DesignPoint, key: str) -> Message:
+    """Say what the steps to a smaller value of an objective run into."""
+    here = point.objectives[key]
+    around = [(step, neighbour(problem, step)) for step in steps(problem.space, point.genes)]
+    checks = dict.fromkeys(
+        _stop(found.point.governing)
+        for _, found in around
+        if found.point is not None
+        and found.point.objectives[key] < here
+        and not found.point.checks.passes
+    )
+    parts = []
+    if checks:
+        parts.append(Message("design.runs_into", checks=Listed(checks, "or")))
+    closed = list(_closed(around, key, here))
+    if closed:
+        parts.append(Message("design.choices_end", variables=Listed(closed, "and")))
+    if not parts:
+        parts.append(Message("design.no_step"))
+    return Several((Several(parts), *_tightest(point.governing)), " ")
+
+
+def _closed(around: Sequence[tuple[Step, Neighbour]], key: str, here: float) -> Iterator[str]:
+    """Yield the variables at the end of their choices where one more step would give less.
+
+    A step back gives more, and there is none on the other side.
+    """
+    for variable in dict.fromkeys(step.variable for step, _ in around if step.variable):
+        found = [each for step, each in around if step.variable == variable]
+        point = found[0].point
+        if len(found) == 1 and point is not None and point.objectives[key] > here:
+            yield variable
+
+
+def _stop(worst: CheckResult | None) -> Message:
+    assert worst is not None
+    return Message(f"design.stop_{worst.kind}", load_case=worst.load_case)
+
+
+def _tightest(worst: CheckResult | None) -> Iterator[Message]:
+    if worst is None:
+        return
+    values = {"check": worst.name, "load_case": worst.load_case}
+    if worst.utilisation is None:
+        yield Message("design.tightest", **values)
+    else:
+        yield Message("design.tightest_used", used=worst.utilisation, **values)

@@ -45,8 +45,14 @@ def resolve(
         ]
         if not choice.components:
             options = list(_own(case, index, choice, key, found))
-        _check_figures(options, components, case.design.objectives, key, found)
-        _check_strengths(options, criteria, states, key, found)
+        lacking: dict[tuple[str, str], list[str]] = {}
+        for where, allowed, name in (
+            *_lacking_figures(options, components, case.design.objectives, key),
+            *_lacking_strengths(options, criteria, states, key),
+        ):
+            lacking.setdefault((where, allowed), []).append(name)
+        for (where, allowed), names in lacking.items():
+            found.add(where, _listed(names), allowed)
         variables.append(
             SegmentVariable(tuple(options), choice.lengths, choice.optional, choice.name)
         )
@@ -114,46 +120,31 @@ def _own(
         found.add(f"{key}.components", "", allowed)
 
 
-def _check_figures(
-    options: list[Segment],
-    components: list[Component],
-    objectives: tuple[str, ...],
-    key: str,
-    found: Findings,
-) -> None:
-    """Note what the objectives need and an option lacks: once for each reason."""
-    lacking: dict[str, list[str]] = {}
+def _lacking_figures(
+    options: list[Segment], components: list[Component], objectives: tuple[str, ...], key: str
+) -> Iterator[tuple[str, str, str]]:
+    """Yield what the objectives need and an option lacks: where, why, and the option's name."""
     for objective, quantity in (("mass", "mass"), ("cost", "price")):
         for index, option in enumerate(options):
             if objective in objectives and getattr(option, quantity) is None:
                 why = components[index].missing.get(quantity, "") if components else ""
                 allowed = f"no {quantity} is known, which the objective {objective} needs"
                 allowed += f" ({why})" if why else ""
-                lacking.setdefault(allowed, []).append(option.name or "the line's segment")
-    for allowed, names in lacking.items():
-        found.add(key, _listed(names), allowed)
+                yield key, allowed, option.name or "the line's segment"
 
 
-def _check_strengths(
-    options: list[Segment],
-    criteria: Criteria,
-    states: Sequence[LoadCase],
-    key: str,
-    found: Findings,
-) -> None:
-    """Note what the criteria need and an option lacks: once for each reason."""
-    lacking: dict[tuple[str, str], list[str]] = {}
+def _lacking_strengths(
+    options: list[Segment], criteria: Criteria, states: Sequence[LoadCase], key: str
+) -> Iterator[tuple[str, str, str]]:
+    """Yield what the criteria need and an option lacks: where, why, and the option's name."""
     looked_at = {each.kind for each in states}, key, {each.state for each in states}
     for option in options:
-        name = option.name or "the line's segment"
         try:
             problems = list(criteria.lacking(criteria.strength(option, key), *looked_at))
         except InputError as error:
             problems = list(error.problems)
         for problem in problems:
-            lacking.setdefault((problem.key, problem.allowed), []).append(name)
-    for (where, allowed), names in lacking.items():
-        found.add(where, _listed(names), allowed)
+            yield problem.key, problem.allowed, option.name or "the line's segment"
 
 
 def _listed(names: list[str]) -> str:

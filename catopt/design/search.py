@@ -72,12 +72,10 @@ def design_case(
     case = _with_settings(case, method, seed, evaluations)
     is_mooring = case.design is not None and case.system is not None
     problem = (MooringProblem if is_mooring else DesignProblem).of(case)
-    design = problem.case.design
-    assert design is not None
-    found = _search(problem, design, progress, announce or _say_nothing)
+    found = _search(problem, progress, announce or _say_nothing)
     if not len(found.outcome.genes):
         raise no_feasible_design(problem, found.outcome)
-    return answer(problem, found, design.seed)
+    return answer(problem, found)
 
 
 def _with_settings(
@@ -91,14 +89,16 @@ def _with_settings(
     return replace(case, design=replace(case.design, **own))  # type: ignore[arg-type]
 
 
-def _search(
-    problem: DesignProblem, design: Design, progress: Progress | None, announce: Announce
-) -> Found:
-    designs = problem.space.count
-    method = _method(design, designs)
+def _search(problem: DesignProblem, progress: Progress | None, announce: Announce) -> Found:
+    design, designs = problem.design, problem.space.count
+    method, workers = _method(design, designs), os.cpu_count() or 1
     if method == "enumeration":
-        _check_count(designs)
-        workers = os.cpu_count() or 1
+        if designs > MOST_ENUMERATED:
+            allowed = (
+                f"is for {MOST_ENUMERATED:,} designs at most, of which the space has {designs:,}: "
+                "widen the steps, or take nsga2 or swarm"
+            )
+            raise InputError([Problem("design.method", "enumeration", allowed)], "design")
         size = estimate(problem, workers=workers)
         announce(f"enumeration of {size}")
         start = time.perf_counter()
@@ -107,7 +107,7 @@ def _search(
     budget = design.evaluations
     announce(f"{method}: {budget:,} evaluations in a space of {designs:,} designs")
     if designs <= design.max_enumerated:
-        announce(f"enumeration would be exact: {estimate(problem, workers=os.cpu_count() or 1)}")
+        announce(f"enumeration would be exact: {estimate(problem, workers=workers)}")
     if method == "nsga2":
         try:
             from catopt.design.nsga2 import nsga2 as search
@@ -116,14 +116,9 @@ def _search(
             raise InputError([Problem("design.method", "nsga2", allowed)], "design") from error
     else:
         from catopt.design.swarm import swarm as search
-    start = time.perf_counter()
-    outcome = search(
-        problem,
-        evaluations=budget,
-        population=min(design.population, budget),
-        seed=design.seed,
-        progress=progress,
-    )
+    start, population = time.perf_counter(), min(design.population, budget)
+    settings = {"evaluations": budget, "population": population, "seed": design.seed}
+    outcome = search(problem, progress=progress, **settings)
     return Found(outcome, method, time.perf_counter() - start)
 
 
@@ -132,15 +127,6 @@ def _method(design: Design, designs: int) -> SearchMethod:
     if design.method == "auto":
         return "enumeration" if designs <= design.max_enumerated else LARGE_SPACES
     return "enumeration" if design.evaluations >= designs else design.method
-
-
-def _check_count(designs: int) -> None:
-    if designs > MOST_ENUMERATED:
-        allowed = (
-            f"is for {MOST_ENUMERATED:,} designs at most, of which the space has {designs:,}: "
-            "widen the steps, or take nsga2 or swarm"
-        )
-        raise InputError([Problem("design.method", "enumeration", allowed)], "design")
 
 
 def _say_nothing(_: str) -> None:

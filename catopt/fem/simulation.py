@@ -118,8 +118,8 @@ class Simulation:
         nodes, bars = x.shape[0], lines.length.size
         self._room = Room(
             now=_moving(lines, np.array(x, dtype=float)),
-            water=WaterAt(
-                *np.zeros((3, nodes, 3)), surface=np.full(nodes, np.inf), wet=np.ones((bars, 2))
+            water=WaterAt._make(
+                [*np.zeros((3, nodes, 3)), np.full(nodes, np.inf), np.ones((bars, 2))]
             ),
             water_before=np.zeros((nodes, 3)),
             equations=Equations(*np.zeros((3, nodes, 3, 3)), *np.zeros((2, nodes, 3))),

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from catopt.checks.criteria import criteria_of
-from catopt.design.knee import knee
+from catopt.design.front import knee
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.notes.motion import checks_in_motion, lines_at_rest
 from catopt.ties import largest

@@ -191,7 +191,7 @@ def test_an_interrupted_search_keeps_its_front_and_says_so() -> None:
             raise KeyboardInterrupt
 
     outcome = enumerate_designs(problem, chunk=100, progress=stop)
-    result = answer(problem, Found(outcome, "enumeration", 0.1), seed=1)
+    result = answer(problem, Found(outcome, "enumeration", 0.1))
     assert result.interrupted
     assert not result.is_exact
     assert result.evaluations == 200

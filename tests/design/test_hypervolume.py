@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from pymoo.indicators.hv import HV
 
-from catopt.design.hypervolume import hypervolume, reference_point
+from catopt.design.front import hypervolume, reference_point
 
 
 def volume(rows: list[list[float]], reference: list[float]) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from catopt.design.knee import knee
+from catopt.design.front import knee
 
 
 def test_knee_lies_furthest_below_the_chord() -> None:

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from catopt.checks.excess import ROUNDING
-from catopt.design.front import non_dominated
-from catopt.design.hypervolume import hypervolume, reference_point
+from catopt.design.front import hypervolume, non_dominated, reference_point
 from catopt.design.nsga2 import nsga2
 from catopt.design.outcome import Outcome
 from catopt.design.swarm import swarm
