@@ -30,7 +30,7 @@ from catopt.words import Cited, Measure, Message, Several, term
 if TYPE_CHECKING:
     from catopt.loads.component import Loads
     from catopt.sizing import Sizing
-    from catopt.sizing.candidates import Candidate
+    from catopt.sizing.alternatives import Candidate
     from catopt.sizing.pattern import Pattern
 
 

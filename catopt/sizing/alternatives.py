@@ -1,38 +1,87 @@
-"""The lines that another preference would have recommended, and what each gives for what."""
+"""What stands beside the recommended line: other sizes, other preferences, steps that fail."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
-from catopt.errors import InputError, NoAnswerError
+from catopt.catalogue.choice import chosen
+from catopt.checks.result import CheckResult
+from catopt.design.evaluation import DesignProblem
+from catopt.design.near_miss import NoFeasibleDesignError
+from catopt.design.neighbours import neighbour, steps
+from catopt.errors import CatoptError, InputError, NoAnswerError
 from catopt.quantities import QUANTITIES
-from catopt.sizing.candidates import why_none
 from catopt.sizing.line_choice import PREFERENCES, Prefer
-from catopt.sizing.settle import Settled
-from catopt.words import Measure, Message
+from catopt.sizing.settle import Settled, point_diameter
+from catopt.words import Measure, Message, Several
+
+Role = Literal["smaller", "recommended", "larger"]
+
+_SAME_SIZE = 1e-6
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One size of chain, with the shortest line of it that passes under its own loads."""
+
+    role: Role
+    component: str  # family and grade
+    diameter: float  # nominal, m
+    settled: Settled | None  # None where no length of it passes
+    reason: str = ""  # why there is none
+
+
+def candidates(settled: Settled, of_size: Callable[[str, float], Settled]) -> tuple[Candidate, ...]:
+    """Size the neighbours of a recommended line, by rising size.
+
+    `of_size` settles loads and line for one size (m) of one component. They are less than three
+    where no smaller or no larger one is sold.
+    """
+    component = settled.point.line.segments[0].component
+    diameter = point_diameter(settled.point)
+    case = settled.posed.case
+    sold = chosen(case.catalogue, case.site.water_density).sold(component)
+    sizes = [each.nominal_diameter for each in sold]
+    smaller = [size for size in sizes if size < diameter - _SAME_SIZE][-1:]
+    larger = [size for size in sizes if size > diameter + _SAME_SIZE][:1]
+
+    def candidate(role: Role, size: float) -> Candidate:
+        try:
+            return Candidate(role, component, size, of_size(component, size))
+        except (NoAnswerError, InputError) as error:
+            return Candidate(role, component, size, None, _why_none(error))
+
+    return (
+        *(candidate("smaller", size) for size in smaller),
+        Candidate("recommended", component, diameter, settled),
+        *(candidate("larger", size) for size in larger),
+    )
+
+
+def _why_none(error: CatoptError) -> str:
+    """Say in one line why no line of what was asked for passes."""
+    near_miss = error.near_miss if isinstance(error, NoFeasibleDesignError) else None
+    if near_miss is not None and near_miss.failing:
+        return Message("sizing.fails", what=near_miss.failing[0].in_case)
+    if isinstance(error, InputError):
+        what = Several(problem.allowed for problem in error.problems)
+        return Message("sizing.fails", what=what)
+    said = error.message
+    if isinstance(error, NoFeasibleDesignError) and isinstance(said, Several):
+        return said.parts[0]
+    return said
 
 
 @dataclass(frozen=True)
 class Alternative:
-    """A line by another preference, under its own loads.
-
-    Attributes
-    ----------
-    prefer : {"cheapest", "lightest", "balanced", "least-swing"}
-        Which one it is of its front.
-    settled : Settled or None
-        The line and its loads; None where none passes under those.
-    swing : float
-        Swing radius at low water, m; 0 without a line.
-    reason : str
-        Why there is none; else empty.
-    """
+    """A line by another preference, under its own loads."""
 
     prefer: Prefer
-    settled: Settled | None
-    swing: float = 0.0
-    reason: str = ""
+    settled: Settled | None  # None where no line passes
+    swing: float = 0.0  # swing radius at low water, m; 0 without a line
+    reason: str = ""  # why there is none
 
     @property
     def mass(self) -> float:
@@ -53,26 +102,21 @@ def alternatives(
     `sized` settles a line by a preference, and gives its swing radius, m; where not every price is
     known, none is the cheapest.
     """
+
+    def alternative(prefer: Prefer) -> Alternative:
+        try:
+            return Alternative(prefer, *sized(prefer))
+        except (NoAnswerError, InputError) as error:
+            return Alternative(prefer, None, reason=_why_none(error))
+
     others = (each for each in PREFERENCES if each != own)
-    return tuple(_alternative(each, sized) for each in others if priced or each != "cheapest")
-
-
-def _alternative(prefer: Prefer, sized: Callable[[Prefer], tuple[Settled, float]]) -> Alternative:
-    try:
-        return Alternative(prefer, *sized(prefer))
-    except (NoAnswerError, InputError) as error:
-        return Alternative(prefer, None, reason=why_none(error))
+    return tuple(alternative(each) for each in others if priced or each != "cheapest")
 
 
 def trade(swing: float, mass: float, own_swing: float, own_mass: float) -> Message:
     """Say what a line gives and takes beside the recommended one.
 
-    Parameters
-    ----------
-    swing, mass : float
-        Swing radius, m, and mass of the line in air, kg.
-    own_swing, own_mass : float
-        Those of the recommended line.
+    By the swing radius, m, and the mass in air, kg, of both.
 
     Examples
     --------
@@ -99,3 +143,32 @@ def _change(what: str, quantity: str, own: float, other: float) -> Message:
 
 def _digits(value: float) -> int:
     return 0 if value >= 10.0 else 1
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A step to less that the line cannot take."""
+
+    change: str  # in words: "chain: 28 m for 28.5 m"
+    check: CheckResult | None  # that fails by the most; None where there is no equilibrium
+    reason: str = ""  # why there is none
+
+    @property
+    def words(self) -> str:
+        """What it runs into."""
+        return self.reason if self.check is None else self.check.in_case
+
+
+def limits(settled: Settled) -> tuple[Limit, ...]:
+    """List the steps to less that fail under the settled loads, each with its worst check."""
+    problem = DesignProblem.of(settled.posed.case)
+    found = []
+    for step in steps(problem.space, settled.point.genes):
+        if step.direction >= 0:
+            continue
+        tried = neighbour(problem, step)
+        if tried.point is None:
+            found.append(Limit(tried.change, None, tried.reason))
+        elif not tried.point.checks.passes:
+            found.append(Limit(tried.change, tried.point.checks.governing))
+    return tuple(found)

@@ -80,14 +80,9 @@ class SinkerGround:
         return self.safety_factor == SAFETY_FACTOR
 
     def choice(self, *, coded: bool, heavy: bool = False) -> SinkerChoice:
-        """Make the sinkers that a design chooses from.
+        """Make the sinkers that a design chooses from, with those for ships where `heavy`.
 
-        Parameters
-        ----------
-        coded : bool
-            Whether the code that is checked has a factor on sliding, which then holds.
-        heavy : bool
-            Whether those for ships are among them.
+        `coded`: the code that is checked has a factor on sliding, which then holds.
         """
         return SinkerChoice(
             masses=HEAVY_SINKERS if heavy else SINKER_MASSES,
@@ -102,13 +97,6 @@ class SinkerGround:
 
         One rule takes the friction of the soil (NAVFAC), the other phi = 45 deg whatever the soil
         (IALA CALMAR). They differ by a factor of two and more.
-
-        Parameters
-        ----------
-        of : SinkerSize
-            By the rule that was chosen.
-        water_density : float
-            kg/m3.
         """
         soil = usual("soil") if self.soil == _CALMAR_SOIL else _CALMAR_SOIL
         steel = self.material == "steel"  # CALMAR's angle is that of any sinker
@@ -122,15 +110,7 @@ class SinkerGround:
     def sized(
         self, horizontal_force: float, vertical_force: float, water_density: float
     ) -> SinkerSize:
-        """Size a sinker for a pull, with its sources and notes; N, kg/m3.
-
-        Parameters
-        ----------
-        horizontal_force, vertical_force : float
-            Of the line on it, N.
-        water_density : float
-            kg/m3.
-        """
+        """Size a sinker for a pull of the line on it, N, with its sources and notes."""
         return size_sinker(
             horizontal_force,
             vertical_force,
@@ -175,13 +155,7 @@ class DragGround:
         self.sized(0.0)
 
     def sized(self, horizontal_force: float) -> DragAnchorSize:
-        """Size an anchor for a horizontal pull.
-
-        Parameters
-        ----------
-        horizontal_force : float
-            N.
-        """
+        """Size an anchor for a horizontal pull, N."""
         return size_drag_anchor(
             self.anchor,
             self.soil,
@@ -192,13 +166,7 @@ class DragGround:
         )
 
     def held(self, size: DragAnchorSize) -> Anchor:
-        """Make the anchor of a case.
-
-        Parameters
-        ----------
-        size : DragAnchorSize
-            What `sized` gave.
-        """
+        """Make the anchor of a case out of what `sized` gave."""
         return Anchor(
             kind="drag",
             holding_capacity=size.capacity.capacity,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from catopt.design.result import DesignPoint
@@ -10,15 +11,11 @@ from catopt.loads.buoy import buoy_loads
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
-from catopt.model import Buoy, Case, Design, LoadCase, Site
-from catopt.sizing.alternatives import alternatives
-from catopt.sizing.assumed import Assumed, rounded_up
+from catopt.model import Buoy, Design, LoadCase
+from catopt.sizing.answer import case_of, sizing_of
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.candidates import candidates
-from catopt.sizing.components import catalogue_of, first_line, sold, unpriced_components
-from catopt.sizing.limits import limits
-from catopt.sizing.line_choice import Prefer
-from catopt.sizing.posed import LoadsAt, Posed
+from catopt.sizing.line_choice import sold
+from catopt.sizing.posed import Assumed, LoadsAt, Posed, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.words import Measure, Message
@@ -33,64 +30,23 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
 
     The loads of wind, current and waves make a case with a storm at high and one at low water; the
     design search finds its best lines. The loads are those on a chain of at least the recommended
-    size and under at least its pull (`catopt.sizing.settle`).
-
-    Parameters
-    ----------
-    request : BuoyRequest
-        Buoy, place, weather, and what the line may be.
-
-    Returns
-    -------
-    Sizing
-        With the case that `catopt.design_case` and `catopt.check_case` take.
-
-    Raises
-    ------
-    InputError
-        With what is wrong: no such chain, a reserve buoyancy below the weight of any chain.
-    NoFeasibleDesignError
-        Nothing that is sold passes every check.
+    size and under at least its pull (`catopt.sizing.settle`). InputError: no such chain, a reserve
+    buoyancy below the weight of any chain. NoFeasibleDesignError: nothing that is sold passes.
     """
     _check_reserve(request)
     settled = _settled(request)
-    solutions = dict(settled.point.checks.solutions)
-    sinker = request.ground.sized(
-        max(each.anchor.horizontal_force for each in solutions.values()),
-        max(0.0, *(each.anchor.vertical_force for each in solutions.values())),
-        request.environment.water_density,
-    )
-    return Sizing(
-        kind="buoy",
-        settled=settled,
-        candidates=candidates(
-            settled,
-            lambda component, diameter: _settled(
-                replace(request, line=request.line.only(component, diameter)),
-                replace(settled.needed, diameter=diameter),
-            ),
+    return sizing_of(
+        "buoy",
+        request,
+        settled,
+        of_size=lambda line, size: _settled(
+            replace(request, line=line), replace(settled.needed, diameter=size)
         ),
-        alternatives=alternatives(
-            request.line.prefer,
-            lambda prefer: _by(request, prefer),
-            priced=not unpriced_components(request.line, request.environment.water_density),
-        ),
-        limits=limits(settled),
-        swing=_swing(settled),
-        dynamic_factor=request.line.dynamic_factor,
-        sinker=sinker,
-        other_sinker=request.ground.by_other_rule(sinker, request.environment.water_density),
+        of_line=lambda line: _settled(replace(request, line=line)),
+        swing=_swing,
         reserve_buoyancy=request.reserve_buoyancy,
-        assumptions=_assumptions(request, settled.assumed),
-        defaults=request.defaults,
-        inputs=request.inputs,
+        assumptions=tuple(_assumptions(request, settled.assumed)),
     )
-
-
-def _by(request: BuoyRequest, prefer: Prefer) -> tuple[Settled, float]:
-    """Settle the line of another preference, with its swing radius."""
-    settled = _settled(replace(request, line=request.line.by(prefer)))
-    return settled, _swing(settled).total
 
 
 def _swing(settled: Settled) -> SwingRadius:
@@ -109,36 +65,35 @@ def _settled(request: BuoyRequest, start: Assumed | None = None) -> Settled:
     return settle(lambda assumed: pose_buoy(request, assumed), needed, request.line, start)
 
 
+def _keel(request: BuoyRequest, assumed: Assumed) -> float:
+    """From the water to where the chain is made fast, m."""
+    return request.keel_depth(min(assumed.pull, request.reserve_buoyancy))
+
+
 def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
     """Make the case of a buoy whose size of chain and pull are assumed."""
     env, line = request.environment, request.line
-    keel = request.keel_depth(min(assumed.pull, request.reserve_buoyancy))
-    levels = env.levels
-    loads = (
-        LoadsAt(Message("sizing.storm_high"), levels.high, *_loads(request, assumed, levels)),
-        LoadsAt(
-            Message("sizing.storm_low"),
-            levels.low,
-            *_loads(request, assumed, WaterLevels.steady(levels.low)),
-        ),
+    keel, levels = _keel(request, assumed), env.levels
+    loads = tuple(
+        LoadsAt(Message(name), at.high, *_loads(request, assumed, at))
+        for name, at in (
+            ("sizing.storm_high", levels),
+            ("sizing.storm_low", WaterLevels.steady(levels.low)),
+        )
     )
     rises = (env.crest, levels.low - levels.high)
     height = levels.high + env.crest - keel
-    case = Case(
-        site=Site(levels.high, water_density=env.water_density),
-        line=first_line(line, env.water_density, 2.0 * height),
-        load=None,
+    case = case_of(
+        request,
+        body=request.buoy.name,
+        length=2.0 * height,
+        rest=0.0,
         fairlead_height=levels.high - keel,
-        checks=line.checks_beyond(0.0),
-        title=request.title or _title(request.buoy.name, levels),
-        source=request.source or "catopt size buoy",
         load_cases=tuple(
             LoadCase(each.load_case, each.horizontal_force, rise)
             for each, rise in zip(loads, rises, strict=True)
         ),
-        service=line.service,
         buoy=Buoy(request.reserve_buoyancy),
-        catalogue=catalogue_of(line),
         design=Design(
             segments=(line.segment(height),),
             objectives=line.objectives,
@@ -146,10 +101,6 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
         ),
     )
     return Posed(case, loads)
-
-
-def _title(name: str, levels: WaterLevels) -> Message:
-    return Message("sizing.title", body=name, depth=levels.high)
 
 
 def _loads(
@@ -187,33 +138,20 @@ def _check_reserve(request: BuoyRequest) -> None:
         raise InputError([Problem("reserve_buoyancy", found, allowed)], "BuoyRequest")
 
 
-def _assumptions(request: BuoyRequest, assumed: Assumed) -> tuple[str, ...]:
-    env = request.environment
-    keel = request.keel_depth(min(assumed.pull, request.reserve_buoyancy))
+def _assumptions(request: BuoyRequest, assumed: Assumed) -> Iterator[str]:
+    env, service, keel = request.environment, request.line.service, _keel(request, assumed)
     levels = {"high": env.levels.high, "crest": env.crest, "low": env.levels.low, "keel": keel}
-    crest = Message("sizing.high_water", **levels)
+    yield Message("sizing.high_water", **levels)
     if isinstance(request.buoy, BuoyShape):
-        values = {
-            "diameter": assumed.diameter * 1e3,
-            "pull": Measure("vertical_force", assumed.pull),
-        }
-        settled = Message("sizing.loads_on_chain", **values)
+        pull = Measure("vertical_force", assumed.pull)
+        yield Message("sizing.loads_on_chain", diameter=assumed.diameter * 1e3, pull=pull)
     else:
-        settled = Message("sizing.force_given")
-    return crest, settled, *_wear(request), *_trough(request, keel)
-
-
-def _trough(request: BuoyRequest, keel: float) -> tuple[str, ...]:
-    """Say where a buoy that is afloat in still water touches the bed between two crests."""
-    env = request.environment
+        yield Message("sizing.force_given")
+    if service is None:
+        yield Message("sizing.as_new")
+    else:
+        yield Message("sizing.worn", loss=service.diameter_loss() * 1e3)
+    # Where a buoy that is afloat in still water touches the bed between two crests.
     room = env.levels.low - 0.5 * env.sea.height_in(env.levels.low) - keel
-    if room >= 0.0:
-        return ()
-    return (Message("sizing.touches_bed", depth=-room),)
-
-
-def _wear(request: BuoyRequest) -> tuple[str, ...]:
-    if request.line.service is None:
-        return (Message("sizing.as_new"),)
-    loss = request.line.service.diameter_loss()
-    return (Message("sizing.worn", loss=loss * 1e3),)
+    if room < 0.0:
+        yield Message("sizing.touches_bed", depth=-room)

@@ -9,7 +9,7 @@ from catopt.model.validity import Findings
 from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
-from catopt.sizing.line_choice import LineChoice
+from catopt.sizing.line_choice import LineChoice, unpriced_components
 from catopt.sizing.read_input import ReadInput
 
 
@@ -92,6 +92,11 @@ class BuoyRequest:
         if isinstance(self.buoy, BuoyShape) and self.environment.is_calm:
             found.add("wind", "no wind, no current and no waves", "something has to push the buoy")
         found.raise_if_any()
+
+    @property
+    def is_priced(self) -> bool:
+        """Whether a price is known of everything that the line may have."""
+        return not unpriced_components(self.line, self.environment.water_density)
 
     @property
     def reserve_buoyancy(self) -> float:

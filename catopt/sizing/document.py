@@ -11,8 +11,7 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.loads.drag_anchor import DragAnchorSize
     from catopt.loads.sinker import SinkerSize
-    from catopt.sizing.alternatives import Alternative
-    from catopt.sizing.candidates import Candidate
+    from catopt.sizing.alternatives import Alternative, Candidate
     from catopt.sizing.pattern import Pattern
     from catopt.sizing.posed import LoadsAt
     from catopt.sizing.read_input import ReadInput

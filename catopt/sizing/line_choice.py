@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Final, Literal, get_args
 
+from catopt.catalogue.choice import chosen
+from catopt.catalogue.figure import within
 from catopt.checks.profiles import profiles_of
 from catopt.constants import YEAR
-from catopt.errors import InputError
-from catopt.model import Checks, SegmentChoice, Service
+from catopt.errors import InputError, Problem
+from catopt.model import CatalogueChoice, Checks, Line, Segment, SegmentChoice, Service
 from catopt.model.validity import Findings
 from catopt.sizing.kinds import usual
 from catopt.words import Message
@@ -26,6 +29,8 @@ _LONGEST_LIFE: Final = 100.0
 """Years."""
 _FASTEST_WEAR: Final = 10e-3
 """m a year."""
+_ON_THE_BED: Final = 30.0
+"""m."""
 
 
 @dataclass(frozen=True)
@@ -110,13 +115,15 @@ class LineChoice:
         """The checks of the case."""
         return Checks(codes=(self.code,), allow_recalled=self.allow_recalled)
 
+    @property
+    def catalogue(self) -> CatalogueChoice:
+        """Where the components come from."""
+        return CatalogueChoice(allow_recalled=self.allow_recalled)
+
     def checks_beyond(self, rest: float) -> Checks:
         """Return the checks with the bound on the swing radius as one on the span.
 
-        Parameters
-        ----------
-        rest : float
-            What of the swing radius is not of the line, m.
+        `rest` is what of the swing radius is not of the line, m.
         """
         if self.max_swing is None:
             return self.checks
@@ -154,14 +161,9 @@ class LineChoice:
         )
 
     def segment(self, height: float, longest: float = 0.0) -> SegmentChoice:
-        """Make the design's segment.
+        """Make the design's segment for the largest height that the line spans, m.
 
-        Parameters
-        ----------
-        height : float
-            Largest that the line spans, m.
-        longest : float
-            Length to look at, m, where that is more than 12 heights.
+        `longest` is the length to look at, m, where that is more than 12 heights.
         """
         step = self.length_step or round_step(height)
         first = math.floor(height / step) + 1
@@ -179,3 +181,51 @@ class LineChoice:
 def round_step(height: float) -> float:
     """Pick a round step of length near a 25th of the height that a line spans, m."""
     return next((step for step in _STEPS if step >= height / _STEPS_A_HEIGHT), _STEPS[-1])
+
+
+# ------------------------------------------------------------------ what is sold
+
+
+@cache
+def sold(choice: LineChoice, water_density: float) -> tuple[Segment, ...]:
+    """List a metre of everything that is sold within the bounds, component by component.
+
+    Refused when there is no such component, or no size of any of them is sold within the bounds.
+    """
+    limits = (choice.diameter_min or 0.0, choice.diameter_max or math.inf)
+    catalogue = chosen(choice.catalogue, water_density)
+    there = [each for name in choice.components for each in catalogue.sold(name)]
+    within_bounds = [each for each in there if within(each.nominal_diameter, limits)]
+    if not within_bounds:
+        names = ", ".join(choice.components)
+        least, most = limits[0] * 1e3, limits[1] * 1e3
+        allowed = f"no size of it is sold from {least:g} to {most:g} mm"
+        raise InputError([Problem("components", names, allowed)], "LineChoice")
+    return tuple(each.segment(1.0) for each in within_bounds)
+
+
+def unpriced_components(choice: LineChoice, water_density: float) -> tuple[str, ...]:
+    """List the components of which the price of a size that may be taken is not known."""
+    every = sold(choice, water_density)
+    return tuple(dict.fromkeys(each.component for each in every if each.price is None))
+
+
+def longest_useful(choice: LineChoice, water_density: float, height: float) -> float:
+    """Return the length beyond which more line only lies on the bed, m.
+
+    At its breaking load a line of weight w hangs over s = sqrt(2 h MBL/w - h^2) of its length, as a
+    catenary that leaves the bed horizontally, h the height that it spans, m. Of what is sold the
+    longest counts; some 30 m may have to lie on the bed (UFC asks for a shot).
+    """
+    ratios = (
+        each.MBL / each.submerged_weight
+        for each in sold(choice, water_density)
+        if each.MBL is not None and each.submerged_weight > 0.0
+    )
+    square = 2.0 * height * max(ratios, default=0.0) - height * height
+    return math.sqrt(max(square, 0.0)) + _ON_THE_BED
+
+
+def first_line(choice: LineChoice, water_density: float, length: float) -> Line:
+    """Make a line to begin with: a case has to have one before the search has found any."""
+    return Line([replace(sold(choice, water_density)[0], length=length)])

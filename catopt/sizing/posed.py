@@ -1,4 +1,4 @@
-"""A sizing put as a case: the loads that were computed, and the case that they make."""
+"""A sizing put as a case: the line that is assumed, its loads, and the case that they make."""
 
 from __future__ import annotations
 
@@ -10,32 +10,20 @@ from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.weathervane import Lying
 from catopt.model import Case
 
+_ROUNDING = 1e-9
+
 
 @dataclass(frozen=True)
 class LoadsAt:
-    """The loads of one load case.
-
-    Attributes
-    ----------
-    load_case : str
-        Its name.
-    depth : float
-        Of the still water, m.
-    parts : tuple of Loads
-        On the ship, on the buoy; empty where the force was given.
-    given : float
-        Force that was given instead, N.
-    shared : bool
-        Whether the load is that of a body with several lines, of which the case has one.
-    lying : Lying or None
-        Of a ship: how it lies under the largest force of all directions and stable headings.
-    """
+    """The loads of one load case."""
 
     load_case: str
-    depth: float
-    parts: tuple[Loads, ...] = ()
-    given: float = 0.0
+    depth: float  # of the still water, m
+    parts: tuple[Loads, ...] = ()  # on the ship, on the buoy; empty where the force was given
+    given: float = 0.0  # force that was given instead, N
+    # whether the load is that of a body with several lines, of which the case has one
     shared: bool = False
+    # how a ship lies under the largest force of all directions and stable headings
     lying: Lying | None = None
 
     @property
@@ -46,18 +34,40 @@ class LoadsAt:
 
 @dataclass(frozen=True)
 class Posed:
-    """What goes to the design search.
+    """What goes to the design search."""
 
-    Attributes
-    ----------
-    case : Case
-        With load cases, checks and design.
-    loads : tuple of LoadsAt
-        Of each extreme load case, in the order of the case.
-    drag_anchor : DragAnchorSize or None
-        That the case is held by, where it is one.
-    """
+    case: Case  # with load cases, checks and design
+    loads: tuple[LoadsAt, ...]  # of each extreme load case, in the order of the case
+    drag_anchor: DragAnchorSize | None = None  # that the case is held by, where it is one
 
-    case: Case
-    loads: tuple[LoadsAt, ...]
-    drag_anchor: DragAnchorSize | None = None
+
+@dataclass(frozen=True)
+class Assumed:
+    """The line that the loads were computed for."""
+
+    diameter: float = 0.0  # nominal, of the chain that the water moves, m; 0 for none
+    pull: float = 0.0  # of the line downwards on the buoy, N
+    # horizontal force on the line in each load case, N; empty where it is that of the loads
+    forces: tuple[float, ...] = ()
+
+    def covers(self, other: Assumed) -> bool:
+        """Whether the loads for this are on the safe side of those for another."""
+        own, others = self._values(other), other._values(self)
+        return all(a >= b * (1.0 - _ROUNDING) for a, b in zip(own, others, strict=True))
+
+    def raised_to(self, other: Assumed) -> Assumed:
+        """Return the larger of each."""
+        diameter, pull, *forces = map(max, self._values(other), other._values(self))
+        return Assumed(diameter, pull, tuple(forces))
+
+    def _values(self, other: Assumed) -> tuple[float, ...]:
+        forces = self.forces or (0.0,) * len(other.forces)
+        return self.diameter, self.pull, *forces
+
+
+def rounded_up(value: float, digits: int = 2) -> float:
+    """Round a positive number up to so many digits: 4231 becomes 4300."""
+    if value <= 0.0:
+        return 0.0
+    unit = 10.0 ** (math.floor(math.log10(value)) - digits + 1)
+    return float(unit * math.ceil(value / unit * (1.0 - _ROUNDING)))

@@ -16,17 +16,15 @@ from catopt.loads.ship_estimate import MOULDED, Condition, estimated_tanker, est
 from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
-from catopt.sizing.components import sold, unpriced_components
-from catopt.sizing.environment import Environment, usual_period
+from catopt.sizing.environment import Environment, mean_over, usual_period
 from catopt.sizing.headings import Weathervaning, weathervaning_of
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
 from catopt.sizing.known import Known
-from catopt.sizing.line_choice import LineChoice
+from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
-from catopt.sizing.wind_mean import mean_over
 from catopt.units import lasting
 from catopt.words import Message, term
 

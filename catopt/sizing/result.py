@@ -16,11 +16,9 @@ from catopt.loads.sinker import SinkerSize
 from catopt.loads.source import CALMAR
 from catopt.model import Case
 from catopt.shown import Shown
-from catopt.sizing.alternatives import Alternative, trade
-from catopt.sizing.candidates import Candidate
+from catopt.sizing.alternatives import Alternative, Candidate, Limit, trade
 from catopt.sizing.document import sizing_document
 from catopt.sizing.kinds import usual
-from catopt.sizing.limits import Limit
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.read_input import ReadInput, estimated_dimensions
 from catopt.sizing.settle import Settled, point_diameter

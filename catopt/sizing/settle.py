@@ -20,9 +20,8 @@ from catopt.design.result import DesignPoint, DesignResult
 from catopt.design.search import design_case
 from catopt.errors import NotConvergedError
 from catopt.model import Case
-from catopt.sizing.assumed import Assumed
 from catopt.sizing.line_choice import LineChoice
-from catopt.sizing.posed import Posed
+from catopt.sizing.posed import Assumed, Posed
 from catopt.words import Message, Several
 
 MOST_ROUNDS: Final = 40
@@ -33,28 +32,14 @@ _ADVICE: Final = ("buoyancy", "tension", "uplift_angle", "sliding", "grounded_le
 
 @dataclass(frozen=True)
 class Settled:
-    """A line and the loads that it was sized for.
-
-    Attributes
-    ----------
-    posed : Posed
-        Loads and case.
-    point : DesignPoint
-        The recommended design of that case.
-    assumed, needed : Assumed
-        What the loads were computed for, and what the recommended line comes to: never more.
-    rounds : int
-        Searches that it took.
-    choice : LineChoice
-        What the line might be, and which design of the front was wanted.
-    """
+    """A line and the loads that it was sized for."""
 
     posed: Posed
-    point: DesignPoint
-    assumed: Assumed
-    needed: Assumed
-    rounds: int
-    choice: LineChoice
+    point: DesignPoint  # the recommended design of its case
+    assumed: Assumed  # what the loads were computed for
+    needed: Assumed  # what the recommended line comes to: never more
+    rounds: int  # searches that it took
+    choice: LineChoice  # what the line might be, and which design of the front was wanted
 
     @cached_property
     def result(self) -> DesignResult:
@@ -86,21 +71,32 @@ def settle(
     it is taken if it holds itself. The nearer the start to what comes out, the fewer rounds; what
     is assumed only rises, so that it comes to an end before `MOST_ROUNDS`.
 
-    Raises
-    ------
-    InputError
-        The case cannot be made, such as a pull above the reserve buoyancy.
-    NoFeasibleDesignError
-        Nothing that is sold passes every check.
-    NotConvergedError
-        After `MOST_ROUNDS`.
+    InputError: the case cannot be made, such as a pull above the reserve buoyancy.
+    NoFeasibleDesignError: nothing that is sold passes every check. NotConvergedError: after
+    `MOST_ROUNDS`.
     """
+
+    def search(assumed: Assumed, rounds: int) -> Settled:
+        posed = pose(assumed)
+        try:
+            point = _best(posed.case, choice)
+        except NoFeasibleDesignError as error:
+            raise _advised(error) from error
+        return Settled(posed, point, assumed, needed(posed, point), rounds, choice)
+
     assumed = start or Assumed()
     for rounds in range(1, MOST_ROUNDS + 1):
-        found = _search(pose, needed, assumed, choice, rounds)
-        if assumed.covers(found.needed):
-            return _nearer(found, pose, needed, choice)
-        assumed = assumed.raised_to(found.needed)
+        found = search(assumed, rounds)
+        if not assumed.covers(found.needed):
+            assumed = assumed.raised_to(found.needed)
+            continue
+        if found.needed.covers(found.assumed):
+            return found
+        try:
+            exact = search(found.needed, rounds + 1)
+        except NoFeasibleDesignError:
+            return found
+        return exact if exact.assumed.covers(exact.needed) else found
     raise NotConvergedError(Message("sizing.not_settled", rounds=MOST_ROUNDS))
 
 
@@ -121,37 +117,6 @@ def _preferred(objectives: Floats, choice: LineChoice) -> int:
     if choice.prefer == "cheapest":
         return int(np.argmin(objectives[:, 0] + choice.swing_price * objectives[:, 1]))
     return 0 if choice.prefer == "lightest" else len(objectives) - 1
-
-
-def _nearer(
-    found: Settled,
-    pose: Callable[[Assumed], Posed],
-    needed: Callable[[Posed, DesignPoint], Assumed],
-    choice: LineChoice,
-) -> Settled:
-    """Try the loads of just the line that was found, where those assumed were larger."""
-    if found.needed.covers(found.assumed):
-        return found
-    try:
-        exact = _search(pose, needed, found.needed, choice, found.rounds + 1)
-    except NoFeasibleDesignError:
-        return found
-    return exact if exact.assumed.covers(exact.needed) else found
-
-
-def _search(
-    pose: Callable[[Assumed], Posed],
-    needed: Callable[[Posed, DesignPoint], Assumed],
-    assumed: Assumed,
-    choice: LineChoice,
-    rounds: int,
-) -> Settled:
-    posed = pose(assumed)
-    try:
-        point = _best(posed.case, choice)
-    except NoFeasibleDesignError as error:
-        raise _advised(error) from error
-    return Settled(posed, point, assumed, needed(posed, point), rounds, choice)
 
 
 def _best(case: Case, choice: LineChoice) -> DesignPoint:

@@ -14,18 +14,14 @@ from catopt.loads.buoy import buoy_loads
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.weathervane import Afloat, Lying, every_lying
-from catopt.model import Buoy, Case, ClumpWeightChoice, Design, LoadCase, Site
-from catopt.sizing.alternatives import alternatives
+from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
 from catopt.sizing.anchorage import DragGround
-from catopt.sizing.assumed import Assumed, rounded_up
-from catopt.sizing.candidates import candidates
-from catopt.sizing.components import catalogue_of, first_line, longest_useful
+from catopt.sizing.answer import case_of, sizing_of
 from catopt.sizing.environment import Environment
 from catopt.sizing.headings import Weathervaning, turning_words
-from catopt.sizing.limits import limits
-from catopt.sizing.line_choice import Prefer
+from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.pattern import BodyState, Pattern, pattern, shared_force
-from catopt.sizing.posed import LoadsAt, Posed
+from catopt.sizing.posed import Assumed, LoadsAt, Posed, rounded_up
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled, point_diameter, point_pull, settle
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
@@ -63,75 +59,27 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     different directions. Of a single line the horizontal force is that of
     the loads. Of several lines around the body it is at first that of the rule of practice of S4;
     the mooring equilibrium then says what the most loaded line carries, and the line is sized anew
-    for no less than that (`catopt.sizing.settle`).
-
-    Parameters
-    ----------
-    request : TankerRequest
-        Ship, place, weather, and what the mooring may be.
-
-    Returns
-    -------
-    Sizing
-        With the case of one line that `catopt.design_case` and `catopt.check_case` take.
-
-    Raises
-    ------
-    InputError
-        With what is wrong: no such chain, a buoy that is pulled under.
-    NoAnswerError
-        Nothing that is sold passes every check; the buoy does not carry all lines.
+    for no less than that (`catopt.sizing.settle`). InputError: no such chain, a buoy that is pulled
+    under. NoAnswerError: nothing that is sold passes; the buoy does not carry all lines.
     """
     settled = _settled(request)
-    around = _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
-    solutions = [solution for _, solution in settled.point.checks.solutions]
-    sinker = other = None
-    if not isinstance(request.ground, DragGround):
-        sinker = request.ground.sized(
-            max(each.anchor.horizontal_force for each in solutions),
-            max(0.0, *(each.anchor.vertical_force for each in solutions)),
-            request.environment.water_density,
-        )
-        other = request.ground.by_other_rule(sinker, request.environment.water_density)
-    return Sizing(
-        kind="tanker",
-        settled=settled,
-        candidates=candidates(
-            settled,
-            lambda component, diameter: _settled(
-                replace(
-                    request,
-                    line=request.line.only(component, diameter),
-                    clump_masses=_masses(settled.point),
-                ),
-                settled.needed,
-            ),
+    around = _around(request, settled)
+    masses = (load.mass for load in settled.point.line.point_loads)
+    narrowed = replace(request, clump_masses=tuple(each for each in masses if each is not None))
+    return sizing_of(
+        "tanker",
+        request,
+        settled,
+        of_size=lambda line, _: _settled(replace(narrowed, line=line), settled.needed),
+        of_line=lambda line: _settled(replace(request, line=line), settled.needed),
+        swing=lambda each: _swing(
+            request, each, around if each is settled else _around(request, each)
         ),
-        alternatives=alternatives(
-            request.line.prefer,
-            lambda prefer: _by(request, prefer, settled),
-            priced=request.is_priced,
-        ),
-        limits=limits(settled),
-        swing=_swing(request, settled, around),
-        dynamic_factor=request.line.dynamic_factor,
-        sinker=sinker,
-        other_sinker=other,
         drag_anchor=settled.posed.drag_anchor,
         reserve_buoyancy=_reserve(request),
         pattern=around,
         assumptions=tuple(_assumptions(request, settled)),
-        defaults=request.defaults,
-        inputs=request.inputs,
     )
-
-
-def _by(request: TankerRequest, prefer: Prefer, own: Settled) -> tuple[Settled, float]:
-    """Settle the line of another preference, with its swing radius."""
-    request = replace(request, line=request.line.by(prefer))
-    settled = _settled(request, own.needed)
-    around = _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
-    return settled, _swing(request, settled, around).total
 
 
 def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None = None) -> Posed:
@@ -140,42 +88,34 @@ def pose_tanker(request: TankerRequest, assumed: Assumed, reserve: float | None 
     `assumed`: chain and pull that the loads on the buoy are computed for, and the least horizontal
     force of the line in each load case; `reserve`: what the line may pull down on a buoy, N.
     """
-    env, line = request.environment, request.line
-    states = tuple(_states(request))
-    base = env.levels.high + _fairlead(request, request.ships[0])
+    states, levels = tuple(_states(request)), request.environment.levels
+    base = levels.high + _fairlead(request, request.ships[0])
     loads = tuple(_loads_at(request, each, assumed) for each in states)
     forces = _line_forces(request, loads, assumed)
     height = base + max(state.level + state.rise for state in states)
-    drag = request.ground.sized(max(forces)) if isinstance(request.ground, DragGround) else None
+    drag = anchor = None
+    if isinstance(request.ground, DragGround):
+        drag = request.ground.sized(max(forces))
+        anchor = request.ground.held(drag)
     cases = [
         LoadCase(state.name, force, state.level, fairlead_rise=state.rise)
         for state, force in zip(states, forces[: len(states)], strict=True)
     ]
-    if request.lines > 1:
-        for state, force in zip(states, forces[len(states) :], strict=True):
-            name = Message("sizing.one_line_out", load_case=state.name)
-            cases.append(
-                LoadCase(name, force, state.level, state="one_line_out", fairlead_rise=state.rise)
-            )
-    else:
-        cases.append(
-            LoadCase(Message("sizing.everyday"), EVERYDAY_SHARE * max(forces), 0.0, "reference")
-        )
-    case = Case(
-        site=Site(env.levels.high, water_density=env.water_density),
-        line=first_line(line, env.water_density, 3.0 * height),
-        load=None,
+    if request.lines == 1:
+        everyday = Message("sizing.everyday")
+        cases.append(LoadCase(everyday, EVERYDAY_SHARE * max(forces), 0.0, "reference"))
+    for intact, force in zip(tuple(cases), forces[len(states) :], strict=False):
+        name = Message("sizing.one_line_out", load_case=intact.name)
+        cases.append(replace(intact, name=name, horizontal_force=force, state="one_line_out"))
+    case = case_of(
+        request,
+        body=request.ships[0].ship.name,
+        length=3.0 * height,
+        rest=request.beyond_the_line,
         fairlead_height=base,
-        checks=line.checks_beyond(request.beyond_the_line),
-        title=request.title or _title(request),
-        source=request.source or "catopt size tanker",
         load_cases=tuple(cases),
-        service=line.service,
         buoy=None if reserve is None else Buoy(reserve),
-        anchor=request.ground.held(drag)
-        if drag and isinstance(request.ground, DragGround)
-        else None,
-        catalogue=catalogue_of(line),
+        anchor=anchor,
         design=_design(request, height),
     )
     return Posed(case, loads, drag)
@@ -194,7 +134,8 @@ def _settled(request: TankerRequest, start: Assumed | None = None) -> Settled:
             return settled
         # Of the pull of all, one line has its part: the search is to find a line with less of it.
         allowed = _LESS * point_pull(settled.point) * reserve / pull
-    raise _pulled_under(request.lines, pull, reserve)
+    pulled = {"pull": pull / 1e3, "more": (pull - reserve) / 1e3}
+    raise NoAnswerError(Message("sizing.pulled_under", lines=request.lines, **pulled))
 
 
 def _settled_within(
@@ -223,17 +164,6 @@ def _settled_within(
         request.line,
         start,
     )
-
-
-def _pulled_under(lines: int, pull: float, reserve: float) -> NoAnswerError:
-    return NoAnswerError(
-        Message("sizing.pulled_under", lines=lines, pull=pull / 1e3, more=(pull - reserve) / 1e3)
-    )
-
-
-def _title(request: TankerRequest) -> Message:
-    ship = request.ships[0].ship
-    return Message("sizing.title", body=ship.name, depth=request.environment.levels.high)
 
 
 _LOAD_CASES = {
@@ -358,9 +288,9 @@ def _design(request: TankerRequest, height: float) -> Design:
     )
 
 
-def _masses(point: DesignPoint) -> tuple[float, ...]:
-    """List the clump weights of a design, in air, kg."""
-    return tuple(load.mass for load in point.line.point_loads if load.mass is not None)
+def _around(request: TankerRequest, settled: Settled) -> Pattern | None:
+    """Solve the equilibrium of several lines."""
+    return _pattern(request, settled.posed, settled.point) if request.lines > 1 else None
 
 
 def _pattern(request: TankerRequest, posed: Posed, point: DesignPoint) -> Pattern:

@@ -11,11 +11,10 @@ from catopt.loads.ship_estimate import Condition
 from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.validity import Findings
 from catopt.sizing.anchorage import DragGround, SinkerGround
-from catopt.sizing.components import unpriced_components
 from catopt.sizing.environment import Environment
 from catopt.sizing.headings import Weathervaning
 from catopt.sizing.kinds import usual
-from catopt.sizing.line_choice import LineChoice
+from catopt.sizing.line_choice import LineChoice, unpriced_components
 from catopt.sizing.read_input import ReadInput
 
 _LEAST_CARGO: Final = 0.4

@@ -24,11 +24,9 @@ from catopt.sizing import (
     TankerRequest,
 )
 from catopt.sizing.alternatives import Alternative
-from catopt.sizing.components import longest_useful, sold
-from catopt.sizing.environment import usual_period
+from catopt.sizing.environment import mean_over, usual_period
 from catopt.sizing.headings import turned_round
-from catopt.sizing.line_choice import round_step
-from catopt.sizing.wind_mean import mean_over
+from catopt.sizing.line_choice import longest_useful, round_step, sold
 from tests.sizing.test_consistency import LOADED, SHIP, deep
 
 YEAR = 365.25 * 86400.0

@@ -34,10 +34,10 @@ from catopt.sizing import (
     size_buoy,
     size_tanker,
 )
-from catopt.sizing.assumed import Assumed, rounded_up
 from catopt.sizing.buoy import HIGH, LOW
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
+from catopt.sizing.posed import Assumed, rounded_up
 
 ROUNDING = 1e-9
 SHIP = estimated_tanker("tanker", 234.0, 31.3, 12.4, moulded_depth=16.0)

@@ -219,7 +219,7 @@ def three_lines(levels: WaterLevels) -> Sizing:
     place = dataclasses.replace(deep(), levels=levels)
     with pytest.MonkeyPatch.context() as patched:
         for beside in ("candidates", "alternatives"):
-            patched.setattr(f"catopt.sizing.tanker.{beside}", lambda *_, **__: ())
+            patched.setattr(f"catopt.sizing.answer.{beside}", lambda *_, **__: ())
         return size_tanker(TankerRequest((LOADED,), place, line=line, lines=3))
 
 

@@ -12,7 +12,7 @@ from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.errors import InputError
 from catopt.model import CatalogueChoice
 from catopt.sizing import LineChoice
-from catopt.sizing.components import longest_useful
+from catopt.sizing.line_choice import longest_useful
 from catopt.sizing.result import Sizing
 from catopt.words import say
 

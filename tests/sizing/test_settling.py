@@ -11,7 +11,7 @@ import pytest
 from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.errors import NotConvergedError
 from catopt.sizing import LineChoice
-from catopt.sizing.assumed import Assumed
+from catopt.sizing.posed import Assumed
 from catopt.sizing.settle import Settled, settle
 
 CHOICE = LineChoice(("chain studless R3",), "break/5")

@@ -22,9 +22,8 @@ from catopt.sizing import (
     size_buoy,
     size_tanker,
 )
-from catopt.sizing.alternatives import trade
+from catopt.sizing.alternatives import Limit, trade
 from catopt.sizing.kinds import usual
-from catopt.sizing.limits import Limit
 from tests.sizing.test_consistency import LOADED, deep
 
 G = 9.80665

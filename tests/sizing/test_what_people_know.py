@@ -8,11 +8,11 @@ import catopt
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.sizing.alternatives import trade
+from catopt.sizing.environment import mean_over
 from catopt.sizing.known import known
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.sizing.wind_mean import mean_over
 
 SHIP = {"length": 234.0, "breadth": 31.3, "draught": 12.4, "depth": 20.0}
 

@@ -1,0 +1,77 @@
+"""What the sizings of a buoy and of a tanker share: the case that is put, and the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Literal
+
+from catopt.model import Case, Site
+from catopt.sizing.alternatives import alternatives, candidates, limits
+from catopt.sizing.anchorage import SinkerGround
+from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.line_choice import LineChoice, Prefer, first_line
+from catopt.sizing.result import Sizing, SwingRadius
+from catopt.sizing.settle import Settled
+from catopt.sizing.tanker_request import TankerRequest
+from catopt.words import Message
+
+
+def case_of(
+    request: BuoyRequest | TankerRequest, *, body: str, length: float, rest: float, **own: Any
+) -> Case:
+    """Make the case of one line, which has a length to begin with, m.
+
+    `body` is what is moored, and `rest` what of the swing radius is not of the line, m.
+    """
+    env, line = request.environment, request.line
+    kind = "buoy" if isinstance(request, BuoyRequest) else "tanker"
+    return Case(
+        site=Site(env.levels.high, water_density=env.water_density),
+        line=first_line(line, env.water_density, length),
+        load=None,
+        checks=line.checks_beyond(rest),
+        title=request.title or Message("sizing.title", body=body, depth=env.levels.high),
+        source=request.source or f"catopt size {kind}",
+        service=line.service,
+        catalogue=line.catalogue,
+        **own,
+    )
+
+
+def sizing_of(
+    kind: Literal["buoy", "tanker"],
+    request: BuoyRequest | TankerRequest,
+    settled: Settled,
+    *,
+    of_size: Callable[[LineChoice, float], Settled],
+    of_line: Callable[[LineChoice], Settled],
+    swing: Callable[[Settled], SwingRadius],
+    **own: Any,
+) -> Sizing:
+    """Put the recommended line beside others, and its sinker beside that of another rule.
+
+    `of_size` settles the line of one size, m, `of_line` that of another preference.
+    """
+    line, density, ground = request.line, request.environment.water_density, request.ground
+
+    def by(prefer: Prefer) -> tuple[Settled, float]:
+        other = of_line(line.by(prefer))
+        return other, swing(other).total
+
+    if isinstance(ground, SinkerGround):
+        ends = [solution.anchor for _, solution in settled.point.checks.solutions]
+        pull = max(each.horizontal_force for each in ends)
+        own["sinker"] = ground.sized(pull, max(0.0, *(e.vertical_force for e in ends)), density)
+        own["other_sinker"] = ground.by_other_rule(own["sinker"], density)
+    return Sizing(
+        kind=kind,
+        settled=settled,
+        candidates=candidates(settled, lambda name, size: of_size(line.only(name, size), size)),
+        alternatives=alternatives(line.prefer, by, priced=request.is_priced),
+        limits=limits(settled),
+        swing=swing(settled),
+        dynamic_factor=line.dynamic_factor,
+        defaults=request.defaults,
+        inputs=request.inputs,
+        **own,
+    )
