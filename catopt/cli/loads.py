@@ -160,7 +160,7 @@ def ship(
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
     from catopt.loads.ship_estimate import estimates
     from catopt.sizing.headings import DIRECTIONS, directions_of, read_turning, turned_round
-    from catopt.sizing.read_input import estimated_dimensions
+    from catopt.sizing.known import estimated_dimensions
     from catopt.sizing.requests import TAKEN_FOR, of_the_wind, wind_of_30_s
 
     lengths = {

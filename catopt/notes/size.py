@@ -18,7 +18,7 @@ from catopt.notes.directory import Asked
 from catopt.notes.line import Chosen, Note, note_of
 from catopt.notes.origin import Origin, SourceFile, origin_of
 from catopt.notes.sheet import Sheet, sheet_of
-from catopt.sizing.schema import schema_of
+from catopt.sizing.kinds import schema_of
 from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:

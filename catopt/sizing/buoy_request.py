@@ -9,8 +9,8 @@ from catopt.model.validity import Findings
 from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.environment import Environment
 from catopt.sizing.kinds import usual
+from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import LineChoice, unpriced_components
-from catopt.sizing.read_input import ReadInput
 
 
 @dataclass(frozen=True)

@@ -4,64 +4,61 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from catopt.design.document import figures
 from catopt.loads.document import loads_document, lying_document
 from catopt.units import Dimension
 
 if TYPE_CHECKING:
-    from catopt.catenary.solution import Solution
-    from catopt.loads.drag_anchor import DragAnchorSize
     from catopt.loads.sinker import SinkerSize
     from catopt.sizing.alternatives import Alternative, Candidate
-    from catopt.sizing.pattern import Pattern
+    from catopt.sizing.known import ReadInput
+    from catopt.sizing.pattern import PatternState
     from catopt.sizing.posed import LoadsAt
-    from catopt.sizing.read_input import ReadInput
     from catopt.sizing.result import Sizing
-
-SCHEMA = "catopt.size/1"
 
 
 def sizing_document(of: Sizing) -> dict[str, Any]:
     """Lay a sizing out for JSON, in SI."""
-    segment = of.point.line.segments[0]
-    governing = of.point.governing
-    settled = of.settled
+    settled, point, line = of.settled, of.point, of.point.line
+    segment, governing, pattern = line.segments[0], point.governing, of.pattern
+    other, drag = of.other_sinker, of.drag_anchor
     return {
-        "schema": SCHEMA,
+        "schema": "catopt.size/1",
         "kind": of.kind,
         "title": of.case.title,
         "inputs": [_input(each) for each in of.inputs],
         "chain": {
-            "component": segment.component,
-            "nominal_diameter_m": segment.nominal_diameter,
-            "length_m": of.point.line.length,
+            **figures(segment, "component nominal_diameter_m"),
+            "length_m": line.length,
             "shots": of.shots,
-            "mass_kg": of.point.line.mass,
+            "mass_kg": line.mass,
             "cost_USD": of.cost,
-            "MBL_N": segment.MBL,
-            "proof_load_N": segment.proof_load,
+            **figures(segment, "MBL_N proof_load_N"),
         },
-        "clump_weights": [
-            {"mass_kg": load.mass, "position_m": load.position}
-            for load in of.point.line.point_loads
-        ],
+        "clump_weights": [figures(load, "mass_kg position_m") for load in line.point_loads],
         "sinker": None if of.sinker is None else _sinker(of.sinker, of),
         "other_sinker": None
-        if of.other_sinker is None
-        else _other_sinker(of.other_sinker, of.other_rule),
-        "drag_anchor": None if of.drag_anchor is None else _drag_anchor(of.drag_anchor),
+        if other is None
+        else figures(other, "mass_kg needed_mass_kg friction") | {"rule": of.other_rule},
+        "drag_anchor": None
+        if drag is None
+        else figures(drag, "anchor soil mass_kg needed_mass_kg")
+        | {
+            "smaller_mass_kg": drag.smaller,
+            "larger_mass_kg": drag.larger,
+            "holding_capacity_N": drag.capacity.capacity,
+            "capacity_note": drag.capacity.note,
+            "wanted_factor": drag.safety_factor,
+            "factor": drag.factor,
+        },
         "swing_radius": {
-            "total_m": of.swing.total,
-            "load_case": of.swing.load_case,
+            **figures(of.swing, "total_m load_case"),
             "parts": [{"name": name, "length_m": length} for name, length in of.swing.parts],
         },
-        "excursion_m": of.excursion,
-        "largest_tension_N": of.largest_tension,
-        "dynamic_factor": of.dynamic_factor,
+        **figures(of, "excursion_m largest_tension_N dynamic_factor"),
         "utilisation_in_motion": {key: of.in_motion.get(key) for key in ("tension", "holding")},
-        "break_factor": of.break_factor,
-        "proof_factor": of.proof_factor,
-        "reserve_buoyancy_N": of.reserve_buoyancy,
-        "load_cases": [_load_case(name, solution, of) for name, solution in _solutions(of)],
+        **figures(of, "break_factor proof_factor reserve_buoyancy_N"),
+        "load_cases": [_load_case(index, of) for index in range(len(point.checks.solutions))],
         "loads": [_loads(each) for each in settled.posed.loads],
         "assumed": {
             "nominal_diameter_m": settled.assumed.diameter,
@@ -69,15 +66,17 @@ def sizing_document(of: Sizing) -> dict[str, Any]:
             "line_forces_N": list(settled.assumed.forces),
             "rounds": settled.rounds,
         },
-        "checks": [check.to_dict() for check in of.point.checks.results],
+        "checks": [check.to_dict() for check in point.checks.results],
         "governing": "" if governing is None else governing.in_case,
         "limits": [{"change": each.change, "fails": each.words} for each in of.limits],
         "alternatives": [_alternative(each, of) for each in of.alternatives],
         "candidates": [_candidate(each) for each in of.candidates],
-        "pattern": None if of.pattern is None else _pattern(of.pattern),
+        "pattern": None
+        if pattern is None
+        else figures(pattern, "lines pretension_N anchor_radius_m")
+        | {"states": [_state(each) for each in pattern.states]},
         "design": {
-            "designs": settled.result.designs,
-            "feasible": settled.result.feasible,
+            **figures(settled.result, "designs feasible"),
             "front": len(settled.result.front),
             "recommended": settled.index + 1,
             "recommendation": of.why,
@@ -95,76 +94,36 @@ def _input(of: ReadInput) -> dict[str, Any]:
     return {"name": of.of.name, "value": value, "unit": unit, "origin": of.origin}
 
 
-def _solutions(of: Sizing) -> tuple[tuple[str, Solution], ...]:
-    return of.point.checks.solutions
-
-
-def _load_case(name: str, solution: Solution, of: Sizing) -> dict[str, Any]:
+def _load_case(index: int, of: Sizing) -> dict[str, Any]:
+    name, solution = of.point.checks.solutions[index]
     state = next(each for each in of.case.load_cases if each.name == name)
     return {
-        "name": name,
-        "kind": state.kind,
-        "state": state.state,
-        "water_level_m": state.water_level,
-        "horizontal_force_N": solution.horizontal_force,
-        "fairlead_height_m": solution.fairlead_height,
-        "tension_N": solution.fairlead.tension,
-        "vertical_force_N": solution.fairlead.vertical_force,
+        **figures(state, "name kind state water_level_m"),
+        **figures(solution, "horizontal_force_N fairlead_height_m"),
+        **figures(solution.fairlead, "tension_N vertical_force_N"),
         "anchor_horizontal_force_N": solution.anchor.horizontal_force,
         "anchor_vertical_force_N": solution.anchor.vertical_force,
-        "span_m": solution.span,
-        "grounded_length_m": solution.grounded_length,
+        **figures(solution, "span_m grounded_length_m"),
     }
 
 
 def _loads(of: LoadsAt) -> dict[str, Any]:
     return {
-        "load_case": of.load_case,
-        "depth_m": of.depth,
-        "horizontal_force_N": of.horizontal_force,
-        "given_N": of.given,
+        **figures(of, "load_case depth_m horizontal_force_N given_N"),
         "heading": None if of.lying is None else lying_document(of.lying),
         "parts": [loads_document(part) for part in of.parts],
     }
 
 
 def _sinker(of: SinkerSize, sizing: Sizing) -> dict[str, Any]:
-    anchor = sizing.point.anchor
-    source = of.friction_source
+    anchor, source = sizing.point.anchor, of.friction_source
     return {
         "mass_kg": of.mass if anchor is None else anchor.mass,
         "needed_mass_kg": of.needed_mass,
         "smaller_mass_kg": of.smaller,
         "larger_mass_kg": of.larger,
-        "material": of.material,
-        "density_kg_per_m3": of.density,
-        "submerged_weight_N": of.submerged_weight,
-        "friction": of.friction,
+        **figures(of, "material density_kg_per_m3 submerged_weight_N friction"),
         "friction_source": None if source is None else source.text,
-        "wanted_factor": of.safety_factor,
-        "factor": of.factor,
-    }
-
-
-def _other_sinker(of: SinkerSize, rule: str) -> dict[str, Any]:
-    return {
-        "mass_kg": of.mass,
-        "needed_mass_kg": of.needed_mass,
-        "friction": of.friction,
-        "rule": rule,
-    }
-
-
-def _drag_anchor(of: DragAnchorSize) -> dict[str, Any]:
-    return {
-        "anchor": of.anchor,
-        "soil": of.soil,
-        "mass_kg": of.mass,
-        "needed_mass_kg": of.needed_mass,
-        "smaller_mass_kg": of.smaller,
-        "larger_mass_kg": of.larger,
-        "holding_capacity_N": of.capacity.capacity,
-        "capacity_note": of.capacity.note,
         "wanted_factor": of.safety_factor,
         "factor": of.factor,
     }
@@ -172,8 +131,7 @@ def _drag_anchor(of: DragAnchorSize) -> dict[str, Any]:
 
 def _candidate(of: Candidate) -> dict[str, Any]:
     document: dict[str, Any] = {
-        "role": of.role,
-        "component": of.component,
+        **figures(of, "role component"),
         "nominal_diameter_m": of.diameter,
         "feasible": of.settled is not None,
         "reason": of.reason,
@@ -195,48 +153,26 @@ def _candidate(of: Candidate) -> dict[str, Any]:
 
 
 def _alternative(of: Alternative, sizing: Sizing) -> dict[str, Any]:
-    document: dict[str, Any] = {"prefer": of.prefer, "feasible": of.settled is not None}
-    if of.settled is None:
-        keys = ("component", "nominal_diameter_m", "length_m", "mass_kg", "cost_USD",
-                "swing_radius_m", "trade")  # fmt: skip
-        return document | dict.fromkeys(keys) | {"reason": of.reason}
-    line = of.settled.point.line
-    return document | {
-        "component": line.segments[0].component,
-        "nominal_diameter_m": line.segments[0].nominal_diameter,
-        "length_m": line.length,
-        "mass_kg": of.mass,
+    line = None if of.settled is None else of.settled.point.line
+    segment = None if line is None else line.segments[0]
+    return {
+        "prefer": of.prefer,
+        "feasible": line is not None,
+        "component": segment and segment.component,
+        "nominal_diameter_m": segment and segment.nominal_diameter,
+        "length_m": line and line.length,
+        "mass_kg": line and of.mass,
         "cost_USD": of.cost,
-        "swing_radius_m": of.swing,
-        "trade": sizing.trade(of),
-        "reason": "",
+        "swing_radius_m": line and of.swing,
+        "trade": line and sizing.trade(of),
+        "reason": of.reason,
     }
 
 
-def _pattern(of: Pattern) -> dict[str, Any]:
+def _state(of: PatternState) -> dict[str, Any]:
+    out = "direction_rad line_force_N tension_N offset_m pull_N"
     return {
-        "lines": of.lines,
-        "pretension_N": of.pretension,
-        "anchor_radius_m": of.anchor_radius,
-        "states": [
-            {
-                "load_case": state.load_case,
-                "force_N": state.force,
-                "rule_force_N": state.rule_force,
-                "line_force_N": state.line_force,
-                "tension_N": state.tension,
-                "direction_rad": state.direction,
-                "offset_m": state.offset,
-                "pull_N": state.pull,
-                "one_line_out": {
-                    "missing_line": state.line_out.missing,
-                    "direction_rad": state.line_out.direction,
-                    "line_force_N": state.line_out.line_force,
-                    "tension_N": state.line_out.tension,
-                    "offset_m": state.line_out.offset,
-                    "pull_N": state.line_out.pull,
-                },
-            }
-            for state in of.states
-        ],
+        **figures(of, "load_case force_N rule_force_N line_force_N tension_N direction_rad"),
+        **figures(of, "offset_m pull_N"),
+        "one_line_out": {"missing_line": of.line_out.missing, **figures(of.line_out, out)},
     }

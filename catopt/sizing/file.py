@@ -20,10 +20,10 @@ from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.inputs import SINKER, Input, inputs_of
+from catopt.sizing.kinds import schema_of
 from catopt.sizing.known import Known, known
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.result import Sizing
-from catopt.sizing.schema import schema_of
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.sizing.telling import Spelling, as_keyword
 
@@ -32,27 +32,13 @@ _NOTHING: Final[Mapping[str, object]] = MappingProxyType({})
 
 @dataclass(frozen=True)
 class SizingFile:
-    """What a file gives.
-
-    Attributes
-    ----------
-    moored : {"buoy", "tanker"}
-        Which of the two kinds of file it is.
-    source : str
-        Its name, for messages.
-    folder : str
-        That paths in it count from.
-    document : dict
-        As the TOML reader returns it.
-    findings : tuple of Finding
-        What is wrong with it in itself.
-    """
+    """What a file gives."""
 
     moored: Moored
-    source: str
-    folder: str
-    document: dict[str, Any]
-    findings: tuple[Finding, ...]
+    source: str  # its name, for messages
+    folder: str  # that paths in it count from
+    document: dict[str, Any]  # as the TOML reader returns it
+    findings: tuple[Finding, ...]  # what is wrong with it in itself
 
     def known(
         self,
@@ -210,19 +196,8 @@ def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:
 def size_file(path: str | os.PathLike[str], moored: Moored) -> Sizing:
     """Size what a file describes: as ``catopt size`` does, but nothing is asked for.
 
-    Parameters
-    ----------
-    path : str or path
-        The file.
-    moored : {"buoy", "tanker"}
-        Which of the two kinds of file it is.
-
-    Raises
-    ------
-    InputError
-        With every mistake, each by its key; what is wanted and is not in the file is one.
-    NoAnswerError, NotConvergedError
-        As for `size_buoy` and `size_tanker`.
+    InputError: every mistake, each by its key; what is wanted and is not in the file is one. Else
+    as for `size_buoy` and `size_tanker`.
     """
     return sized(read_file(path, moored))
 

@@ -23,18 +23,10 @@ _LEAST_STEP: Final = math.radians(1.0)
 
 
 class Weathervaning(NamedTuple):
-    """From where a ship is pushed, and what turns it.
+    """From where a ship is pushed, and what turns it."""
 
-    Attributes
-    ----------
-    directions : tuple of Headings
-        Each is one case.
-    turning : Turning or None
-        None: everything comes from one side, and the ship lies head to it.
-    """
-
-    directions: tuple[Headings, ...] = (HEAD_ON,)
-    turning: Turning | None = None
+    directions: tuple[Headings, ...] = (HEAD_ON,)  # each is one case
+    turning: Turning | None = None  # None: all comes from one side, and the ship lies head to it
 
 
 def weathervaning_of(of: Known) -> Weathervaning | None:

@@ -23,79 +23,31 @@ SINKER: Final = "sinker"
 
 @dataclass(frozen=True)
 class Input:
-    """One thing that a sizing may be told.
+    """One thing that a sizing may be told."""
 
-    Attributes
-    ----------
-    name : str
-        Keyword in Python; the option is the same with dashes.
-    key : str
-        In a file, with its section.
-    takes : str
-        Name of a dimension (`catopt.units.Dimension`), or TEXT, NAME, FILE, WHICH, COUNT or FLAG.
-    example : object
-        As a file has it.
-    default : str
-        What is taken when it is left out, as a user would write it; empty where that is no value.
-    of : tuple of str
-        What has to be moored for it to count.
-    above, at_least : float or None
-        Bounds in SI, exclusive and inclusive.
-    most : str
-        What the model takes at most; it says why.
-    words : tuple of str
-        Of which WHICH takes one.
-    several : bool
-        Whether there may be several values.
-    required : bool
-        Whether it has to be known, or what stands in its place.
-    asked : bool
-        Whether a terminal is asked for it when something that is required is missing.
-    called : tuple of str
-        What the model calls it, where that differs: the place of its errors.
-    also : tuple of str
-        What a user may call it in a file, who is then told the key.
-    not_with : tuple of str
-        Inputs that stand in its place, or have it in them.
-    only_with : str
-        Input without which it would not be evaluated; empty where there is none.
-    why : str
-        End of the message to one who gives it beside one of those; empty where the model tells it.
-    taken : str
-        Key of the text that tells that the default was taken.
-    left_out : str
-        Key of the text that says what is taken, where that is no fixed value.
-    bare : str
-        Unit of a bare number; that of SI when empty.
-    estimated_from : str
-        Input from which it is estimated, where that is given; empty where there is none.
-    tanker : tuple of (str, object)
-        Attributes that are others for a tanker.
-    """
-
-    name: str
-    key: str
-    takes: str
-    example: object
-    default: str = ""
-    of: tuple[Moored, ...] = ("buoy", "tanker")
-    above: float | None = None
+    name: str  # keyword in Python; the option is the same with dashes
+    key: str  # in a file, with its section
+    takes: str  # name of a `catopt.units.Dimension`, or TEXT, NAME, FILE, WHICH, COUNT or FLAG
+    example: object  # as a file has it
+    default: str = ""  # what is taken when left out, as a user would write it; empty: no value
+    of: tuple[Moored, ...] = ("buoy", "tanker")  # what has to be moored for it to count
+    above: float | None = None  # bounds in SI, exclusive and inclusive
     at_least: float | None = None
-    most: str = ""
-    words: tuple[str, ...] = ()
-    several: bool = False
-    required: bool = False
-    asked: bool = False
-    called: tuple[str, ...] = ()
-    also: tuple[str, ...] = ()
-    not_with: tuple[str, ...] = ()
-    only_with: str = ""
-    why: str = ""
-    taken: str = ""
-    left_out: str = ""
-    bare: str = ""
-    estimated_from: str = ""
-    tanker: tuple[tuple[str, object], ...] = ()
+    most: str = ""  # what the model takes at most; it says why
+    words: tuple[str, ...] = ()  # of which WHICH takes one
+    several: bool = False  # whether there may be several values
+    required: bool = False  # whether it has to be known, or what stands in its place
+    asked: bool = False  # on a terminal, when something that is required is missing
+    called: tuple[str, ...] = ()  # what the model calls it, if otherwise: the place of its errors
+    also: tuple[str, ...] = ()  # what a user may call it in a file, who then reads the key
+    not_with: tuple[str, ...] = ()  # inputs that stand in its place, or have it in them
+    only_with: str = ""  # input without which it would not be evaluated
+    why: str = ""  # end of the message to one who gives it beside those; empty: the model says it
+    taken: str = ""  # key of the text that says that the default was taken
+    left_out: str = ""  # key of the text that says what is taken, where that is no fixed value
+    bare: str = ""  # unit of a bare number; that of SI when empty
+    estimated_from: str = ""  # input from which it is estimated, where that is given
+    tanker: tuple[tuple[str, object], ...] = ()  # attributes that are others for a tanker
 
     @property
     def path(self) -> tuple[str, ...]:

@@ -1,14 +1,19 @@
-"""What kind of value each input of a sizing is, and what is taken when it is left out."""
+"""What kind of value each input of a sizing is, what is taken for it, and the form of a file.
+
+A file has every section and key of the table of inputs. None is required: what the file leaves out
+may come as an option or be asked for. Upper limits are those of the model, which says them.
+"""
 
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import Annotated, Any
 
+from catopt.casefile.schema import Table
 from catopt.casefile.sizing_file import Moored
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.numerals import bare_number
-from catopt.sizing.inputs import Input, inputs_of
+from catopt.sizing.inputs import Input, inputs_of, rows_of
 from catopt.units import Dimension, as_written
 
 
@@ -46,3 +51,33 @@ def default_of(each: Input) -> Any:
 def usual(name: str, moored: Moored = "buoy") -> Any:
     """Return the default of an input by its name; in SI."""
     return default_of(inputs_of(moored)[name])
+
+
+@cache
+def schema_of(moored: Moored) -> type[Table]:
+    """Make the schema of a file."""
+    inputs = rows_of(moored)
+    sections = dict.fromkeys(each.section for each in inputs)
+    tables = {
+        name: _table(name, [each for each in inputs if each.section == name]) for name in sections
+    }
+    annotations = {name: table | None for name, table in tables.items() if name}
+    return _made("SizingTable", tables[""], annotations)
+
+
+def _table(name: str, inputs: list[Input]) -> type[Table]:
+    made = _made(
+        f"{name.title()}Table", Table, {each.path[-1]: _annotation(each) for each in inputs}
+    )
+    made.symbols = {alias: each.path[-1] for each in inputs for alias in each.also}
+    return made
+
+
+def _made(name: str, base: type[Table], annotations: dict[str, Any]) -> type[Table]:
+    """Make a schema none of whose keys is required."""
+    return type(name, (base,), dict.fromkeys(annotations) | {"__annotations__": annotations})
+
+
+def _annotation(each: Input) -> Any:
+    one = Annotated[Any, kind_of(each)]
+    return list[one] if each.several else one

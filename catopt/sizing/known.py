@@ -3,44 +3,83 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 from catopt.casefile.sizing_file import Moored
 from catopt.catalogue.names import nearest
 from catopt.loads.ship_dimensions import DIMENSIONS_SOURCE, ship_dimensions
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
-from catopt.sizing.read_input import Origin, ReadInput
 from catopt.sizing.telling import Spelling, Telling, as_keyword
-from catopt.units import as_written
-from catopt.words import Cited
+from catopt.units import UNITS, Dimension, as_written
+from catopt.words import Cited, Measure, Message, Several, term
+
+Origin = Literal["given", "taken", "estimated"]
+
+_FIELD = {"LENGTH": "m", "MASS": "t", "AREA": "m^2", "DENSITY": "kg/m^3", "NUMBER": ""}
+"""Units of what has no example with one."""
+
+
+@dataclass(frozen=True)
+class ReadInput:
+    """An input as it was read, for the beginning of the answer."""
+
+    of: Input  # its row in the table
+    value: Any  # in SI; a tuple of several
+    origin: Origin  # by the user, by default, or by an estimate from what was given
+    source: str = ""  # of an estimate
+
+    @property
+    def name(self) -> Message:
+        """What it is."""
+        return Message(f"inputs.{self.of.name}")
+
+    @property
+    def said(self) -> str:
+        """Its value in the unit that one writes it in."""
+        values = self.value if isinstance(self.value, tuple) else (self.value,)
+        return Several((self._said(each) for each in values), ", ")
+
+    @property
+    def from_where(self) -> Message:
+        """Whether it was given, taken or estimated, and by what."""
+        return Message(f"sizing.is_{self.origin}", source=self.source)
+
+    def _said(self, value: Any) -> str:
+        if self.of.takes == "FORCE":
+            return Message("sizing.about", value=Measure("horizontal_force", value))
+        if not self.of.is_measure:
+            return term(str(value).lower() if isinstance(value, bool) else str(value))
+        unit = self._unit
+        if not unit:
+            return f"{value:.6g}"
+        factor = UNITS[Dimension[self.of.takes]].get(unit, 1.0)
+        if self.of.takes == "TIME" and value < factor:
+            unit, factor = "s", 1.0
+        return Message("sizing.in_unit", value=value / factor, unit=term(unit))
+
+    @property
+    def _unit(self) -> str:
+        """Take that of the example, or of the default that was taken."""
+        example = self.of.example[0] if isinstance(self.of.example, tuple) else self.of.example
+        texts = (example, self.of.default)
+        for text in reversed(texts) if self.origin == "taken" else texts:
+            if isinstance(text, str) and " " in text:
+                return text.partition(" ")[2]
+        return _FIELD.get(self.of.takes, "")
 
 
 @dataclass(frozen=True)
 class Known:
-    """Inputs of a sizing that have been read.
-
-    Attributes
-    ----------
-    moored : {"buoy", "tanker"}
-        What is to be moored.
-    values : mapping of str to object
-        By name, in SI: what was given without fault, and what is taken in its place.
-    given : frozenset of str
-        What was given, with faults or without.
-    telling : Telling
-        Keeps what is wrong.
-    estimated : frozenset of str
-        What was estimated from others that were given.
-    """
+    """Inputs of a sizing that have been read."""
 
     moored: Moored
-    values: Mapping[str, Any]
-    given: frozenset[str]
-    telling: Telling
-    estimated: frozenset[str] = frozenset()
+    values: Mapping[str, Any]  # by name, in SI: given without fault, or taken in its place
+    given: frozenset[str]  # with faults or without
+    telling: Telling  # keeps what is wrong
+    estimated: frozenset[str] = frozenset()  # from others that were given
 
     def __getitem__(self, name: str) -> Any:
         """Return a value; None where it is not known."""
@@ -185,3 +224,12 @@ def _contradictions(
             if other in given and not is_needless(inputs[other], given):
                 allowed = f"leave it out, or {telling.spell(other)}{each.why}"
                 telling.add(name, as_written(value), allowed)
+
+
+def estimated_dimensions(inputs: Iterable[ReadInput]) -> tuple[Message, ...]:
+    """Say which dimensions an answer rests on that were estimated."""
+    found = [each for each in inputs if each.origin == "estimated"]
+    if not found:
+        return ()
+    names = Several((each.name for each in found), ", ")
+    return (Message("sizing.estimated_dimensions", names=names, source=found[0].source),)

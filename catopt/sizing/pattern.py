@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoAnswerError
@@ -22,114 +22,55 @@ _DIRECTIONS: Final = 3
 
 
 class BodyState(NamedTuple):
-    """A load case of the body.
-
-    Attributes
-    ----------
-    load_case : str
-        Its name.
-    force : float
-        On the body, N.
-    fairlead_height : float
-        Above the seabed, m.
-    """
+    """A load case of the body."""
 
     load_case: str
-    force: float
-    fairlead_height: float
+    force: float  # on the body, N
+    fairlead_height: float  # above the seabed, m
 
 
 @dataclass(frozen=True)
-class WithoutLine:
-    """The body at rest anew without one of its lines, under the force from its hardest side.
+class AtRest:
+    """The body at rest under the force from its hardest side."""
 
-    Attributes
-    ----------
-    missing : int
-        The line that is gone, from 1: line 1 is the one that the force comes nearest to.
-    direction : float
-        Between line 1 and where the force comes from, rad.
-    line_force, tension : float
-        Horizontal force and tension at the fairlead of the most loaded line that is left, N.
-    offset : float
-        Largest offset of the body from its place with all lines under no load, m; whichever line
-        is gone and wherever the force comes from.
-    pull : float
-        Largest pull of the lines that are left downwards on the body, N.
-    """
-
-    missing: int
+    # between the most loaded line, without one between line 1, and where the force comes from, rad
     direction: float
-    line_force: float
-    tension: float
+    line_force: float  # horizontal, of the most loaded line at the fairlead, N
+    tension: float  # of that line at the fairlead, N
+    # of the body from its place with all lines under no load, m: the largest, wherever the force
+    # comes from and whichever line is gone
     offset: float
-    pull: float
+    pull: float  # the largest of the lines together downwards on the body, N
 
 
 @dataclass(frozen=True)
-class PatternState:
-    """The body at rest in one load case, under the force from its hardest side.
+class WithoutLine(AtRest):
+    """The body at rest anew without one of its lines."""
 
-    Attributes
-    ----------
-    load_case : str
-        Its name.
-    force : float
-        On the body, N.
-    rule_force : float or None
-        Horizontal force of the most loaded line by the rule of practice, N; None where the rule
-        wants another number of lines.
-    line_force, tension : float
-        Horizontal force and tension at the fairlead of the most loaded line, N.
-    direction : float
-        Between the most loaded line and where the force comes from, rad.
-    offset : float
-        Of the body from its place under no load, in whichever direction it is the largest, m.
-    pull : float
-        Of all lines downwards on the body, N.
-    fairlead_height : float
-        Above the seabed, m.
-    line_out : WithoutLine
-        The same load case with any one line gone.
-    """
+    missing: int  # the line that is gone, from 1: the force comes nearest to line 1
+
+
+@dataclass(frozen=True)
+class PatternState(AtRest):
+    """The body at rest in one load case."""
 
     load_case: str
-    force: float
+    force: float  # on the body, N
+    # of the most loaded line by the rule of practice, N; None where the rule wants another number
     rule_force: float | None
-    line_force: float
-    tension: float
-    direction: float
-    offset: float
-    pull: float
-    fairlead_height: float
-    line_out: WithoutLine
+    fairlead_height: float  # above the seabed, m
+    line_out: WithoutLine  # the same load case with any one line gone
 
 
 @dataclass(frozen=True)
 class Pattern:
-    """A symmetric pattern of equal lines.
+    """A symmetric pattern of equal lines."""
 
-    Attributes
-    ----------
-    lines : int
-        How many.
-    pretension : float
-        Horizontal force of every line under no load, at high water without a crest, N.
-    anchor_radius : float
-        From the body to the anchors, m.
-    states : tuple of PatternState
-        One for each load case.
-    system : System
-        Under the load case of the largest force in a line.
-    warnings : tuple of str
-        What an engineer should know.
-    """
-
-    lines: int
-    pretension: float
-    anchor_radius: float
-    states: tuple[PatternState, ...]
-    system: System
+    lines: int  # how many
+    pretension: float  # horizontal, of every line under no load, at high water without a crest, N
+    anchor_radius: float  # from the body to the anchors, m
+    states: tuple[PatternState, ...]  # one for each load case
+    system: System  # under the load case of the largest force in a line
     warnings: tuple[str, ...] = ()
 
     @property
@@ -208,29 +149,42 @@ def system_case(case: Case, of: Pattern) -> Case:
     )
 
 
+class _Solved(NamedTuple):
+    """The body under the force from one side, rad off line 1, and its offset, m."""
+
+    off: float
+    solution: SystemSolution
+    offset: float
+    missing: int = 0
+
+
 def _hardest(system: System, state: BodyState, lines: int) -> tuple[PatternState, SystemSolution]:
     """Let the force come from against a line, and on to half way to the next one."""
     pushed = [
         (off, system.under(_from(off, state.force)))
         for off in (math.pi / lines * step / (_DIRECTIONS - 1) for step in range(_DIRECTIONS))
     ]
-    solved = [(off, solve_system(each)) for off, each in pushed]
-    off, hardest = largest(solved, lambda each: _line_force(each[1]))
-    return (
-        PatternState(
-            load_case=state.load_case,
-            force=state.force,
-            rule_force=_rule(state.force, lines),
-            line_force=_line_force(hardest),
-            tension=max(line.tension for line in hardest.lines),
-            direction=off,
-            offset=max(math.hypot(*each.offset) for _, each in solved),
-            pull=max(_pull(each) for _, each in solved),
-            fairlead_height=state.fairlead_height,
-            line_out=_without_line(pushed, state.load_case),
-        ),
-        hardest,
+    solutions = [(off, solve_system(each)) for off, each in pushed]
+    worst, figures = _worst([_Solved(*each, math.hypot(*each[1].offset)) for each in solutions])
+    made = PatternState(
+        **figures,
+        **state._asdict(),
+        rule_force=_rule(state.force, lines),
+        line_out=_without_line(pushed, state.load_case),
     )
+    return made, worst.solution
+
+
+def _worst(found: Sequence[_Solved]) -> tuple[_Solved, dict[str, Any]]:
+    """Pick the side of the largest force in a line, with the figures of `AtRest`."""
+    worst = largest(found, lambda each: _line_force(each.solution))
+    return worst, {
+        "direction": worst.off,
+        "line_force": _line_force(worst.solution),
+        "tension": max(line.tension for line in worst.solution.lines),
+        "offset": max(each.offset for each in found),
+        "pull": max(_pull(each.solution) for each in found),
+    }
 
 
 def _from(off: float, force: float) -> tuple[float, float]:
@@ -249,16 +203,9 @@ def _without_line(pushed: Sequence[tuple[float, System]], load_case: str) -> Wit
                 raise NoAnswerError(
                     Message("sizing.no_rest", number=number, load_case=load_case, why=why)
                 )
-            found.append((off, each.missing + 1, each.solution, each.response.offset))
-    off, missing, hardest, _ = largest(found, lambda each: _line_force(each[2]))
-    return WithoutLine(
-        missing=missing,
-        direction=off,
-        line_force=_line_force(hardest),
-        tension=max(line.tension for line in hardest.lines),
-        offset=max(offset for *_, offset in found),
-        pull=max(_pull(solution) for _, _, solution, _ in found),
-    )
+            found.append(_Solved(off, each.solution, each.response.offset, each.missing + 1))
+    worst, figures = _worst(found)
+    return WithoutLine(**figures, missing=worst.missing)
 
 
 def _rule(force: float, lines: int) -> float | None:

@@ -19,8 +19,8 @@ from catopt.shown import Shown
 from catopt.sizing.alternatives import Alternative, Candidate, Limit, trade
 from catopt.sizing.document import sizing_document
 from catopt.sizing.kinds import usual
+from catopt.sizing.known import ReadInput, estimated_dimensions
 from catopt.sizing.pattern import Pattern
-from catopt.sizing.read_input import ReadInput, estimated_dimensions
 from catopt.sizing.settle import Settled, point_diameter
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension

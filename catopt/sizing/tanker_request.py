@@ -14,8 +14,8 @@ from catopt.sizing.anchorage import DragGround, SinkerGround
 from catopt.sizing.environment import Environment
 from catopt.sizing.headings import Weathervaning
 from catopt.sizing.kinds import usual
+from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import LineChoice, unpriced_components
-from catopt.sizing.read_input import ReadInput
 
 _LEAST_CARGO: Final = 0.4
 """Deadweight over displacement of a loaded ship at least; catopt's own. Merchant ships have 0.55 to

@@ -27,18 +27,9 @@ def as_keyword(name: str, index: int | None = None) -> str:
 class Telling:
     """Makes values out of inputs and keeps what is wrong with them until all have been tried.
 
-    Parameters
-    ----------
-    inputs : mapping of str to Input
-        By name.
-    spell : Spelling
-        How the caller writes a name.
-    source : str
-        Who is told, for the error.
-    told : collection of str
-        What is known to be wrong: of inputs that are among it no more is said.
-    called : mapping of str to str
-        Further names by what the model calls them: a key, or ``source.key``.
+    `spell` writes a name as the caller does, `source` is who is told, for the error; of inputs in
+    `told` a fault is known, and no more is said. `called` has further names by what the model calls
+    them: a key, or ``source.key``.
     """
 
     def __init__(

@@ -15,7 +15,7 @@ from catopt.errors import CatoptError, InputError, Problem
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
 from catopt.sizing.file import SizingFile, file_of, sized
-from catopt.sizing.schema import schema_of
+from catopt.sizing.kinds import schema_of
 from catopt.study.base import Base
 from catopt.ties import largest
 

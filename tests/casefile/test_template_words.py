@@ -14,7 +14,7 @@ from catopt.casefile.schema import CaseTable, Table, entries
 from catopt.casefile.sizing_file import Moored
 from catopt.model.kinds import OneOf
 from catopt.sizing.file import read_file
-from catopt.sizing.schema import schema_of
+from catopt.sizing.kinds import schema_of
 from catopt.study.schema import StudyTable
 
 SIZED: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}

@@ -22,12 +22,10 @@ from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest
 from catopt.sizing.file import read_file, read_sizing
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
-from catopt.sizing.kinds import from_text, kind_of, usual
-from catopt.sizing.known import Known, known
+from catopt.sizing.kinds import from_text, kind_of, schema_of, usual
+from catopt.sizing.known import Known, ReadInput, known
 from catopt.sizing.line_choice import PREFERENCES
-from catopt.sizing.read_input import ReadInput
 from catopt.sizing.requests import request_of, size
-from catopt.sizing.schema import schema_of
 from catopt.units import as_written
 from catopt.words.texts import group
 from tests.sizing_page import PAGE, up_to_date
