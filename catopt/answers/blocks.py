@@ -1,14 +1,16 @@
 """The blocks that every answer consists of; values in SI, words as messages, no face.
 
-A renderer (`catopt.render`) knows these blocks and nothing of what they are about.
+A renderer (`catopt.render`) knows these blocks and nothing of what they are about. The name of a
+block is that of its file or its key within a page, its caption a message above it, and `only` for
+whom it is.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal
 
 from catopt.figures.chart import Chart
 from catopt.quantities import QUANTITIES, Quantity
@@ -16,9 +18,6 @@ from catopt.words import Language, Message, Several, Told, heading, quantity_nam
 
 if TYPE_CHECKING:
     import pandas as pd
-
-_Thing = TypeVar("_Thing")
-_Known = TypeVar("_Known")
 
 Value = float | str | None
 """A number in SI, a count, a message, the user's own words, or None where it is not known."""
@@ -29,37 +28,22 @@ For = Literal["all", "people", "files", "workbook", "not csv"]
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table.
-
-    Attributes
-    ----------
-    name : str
-        Its heading, a message; symbol and unit come from the quantity.
-    values : tuple of Value
-        One a row.
-    quantity : Quantity or None
-        What its numbers are; None for words and counts.
-    units : tuple of Quantity
-        In place of one quantity, that of each row: people read a unit with each value, files have
-        a further column with it.
-    priority : int
-        Columns above 0 are left out, the highest first, where a terminal has no room for them.
-    only : For
-        For whom it is.
-    passes : tuple of bool or None
-        What each row comes to, where the column says so: good and bad look different.
-    formula : tuple of Column and str, optional
-        ``(demand, "/", capacity)``: what a spreadsheet computes it by, of columns beside it.
-    """
+    """A column of a table under its heading, a message; symbol and unit come from the quantity."""
 
     name: str
     values: tuple[Value, ...]
     quantity: Quantity | None = None
+    """What its numbers are; None for words and counts."""
     units: tuple[Quantity, ...] = ()
+    """In place of one quantity, that of each row: people read a unit with each value, files have
+    a further column with it."""
     priority: int = 0
+    """Where a terminal has no room for all, columns above 0 are left out, the highest first."""
     only: For = "all"
     passes: tuple[bool | None, ...] = ()
+    """What each row comes to, where the column says so: good and bad look different."""
     formula: tuple[Column, Literal["/", "-"], Column] | None = None
+    """``(demand, "/", capacity)``: what a spreadsheet computes it by, of columns beside it."""
 
     @property
     def is_number(self) -> bool:
@@ -67,6 +51,11 @@ class Column:
         return bool(self.quantity or self.units) or all(
             isinstance(value, int | float) for value in self.values
         )
+
+    @property
+    def is_known(self) -> bool:
+        """Whether it has a value in any row."""
+        return any(value is not None for value in self.values)
 
     def quantity_of(self, row: int) -> Quantity | None:
         """Return what the number in a row is."""
@@ -95,32 +84,17 @@ class Column:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows under headings.
-
-    Attributes
-    ----------
-    name : str
-        Of its file.
-    columns : tuple of Column
-        All of the same length.
-    caption : str
-        Above it, a message.
-    shown : tuple of int, optional
-        Rows that people see; all of them when None.
-    marked : int, optional
-        Row that is pointed out.
-    parts : tuple of (str, tuple of int)
-        Captions and rows of the tables into which it falls for people; one table when empty.
-    only : For
-        For whom it is.
-    """
+    """Rows under headings; its columns are all of the same length."""
 
     name: str
     columns: tuple[Column, ...]
     caption: str = ""
     shown: tuple[int, ...] | None = None
+    """Rows that people see; all of them when None."""
     marked: int | None = None
+    """Row that is pointed out."""
     parts: tuple[tuple[str, tuple[int, ...]], ...] = ()
+    """Captions and rows of the tables into which it falls for people; one table when empty."""
     only: For = "all"
 
     @property
@@ -141,32 +115,18 @@ class Table:
         """Return it as it stands in files, in the field's units, with English headings."""
         import pandas as pd
 
-        laid = {each.heading: _series(each) for each in self.for_files()}
-        return pd.DataFrame(laid)
+        return pd.DataFrame({each.heading: _series(each) for each in self.for_files()})
 
 
 @dataclass(frozen=True)
 class Fact:
-    """One named value.
-
-    Attributes
-    ----------
-    name : str
-        What it is, a message.
-    value : Value
-        In SI, or words.
-    quantity : Quantity or None
-        What a number is.
-    also : tuple of Quantity
-        The same in further units.
-    only : For
-        For whom it is.
-    """
+    """One named value, in SI or words; its name is a message."""
 
     name: str
     value: Value
     quantity: Quantity | None = None
     also: tuple[Quantity, ...] = ()
+    """The same in further units."""
     only: For = "all"
 
     def columns(self) -> Iterator[Column]:
@@ -177,19 +137,7 @@ class Fact:
 
 @dataclass(frozen=True)
 class Facts:
-    """A list of named values.
-
-    Attributes
-    ----------
-    name : str
-        Of its file.
-    facts : tuple of Fact
-        In their order.
-    caption : str
-        Above it, a message.
-    only : For
-        For whom it is.
-    """
+    """A list of named values."""
 
     name: str
     facts: tuple[Fact, ...]
@@ -208,19 +156,7 @@ class Facts:
 
 @dataclass(frozen=True)
 class Text:
-    """A paragraph.
-
-    Attributes
-    ----------
-    said : str
-        A message.
-    caption : str
-        Above it.
-    only : {"all", "people", "files", "workbook"}
-        For whom it is.
-    is_small : bool
-        Whether it only says how to read what is above it.
-    """
+    """A paragraph, a message; a small one only says how to read what is above it."""
 
     said: str
     caption: str = ""
@@ -230,21 +166,12 @@ class Text:
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an answer comes to: good, bad, neither where that is None, or good with a reserve.
-
-    Attributes
-    ----------
-    said : str
-        In words.
-    passes : bool or None
-        Whether it is good.
-    reserve : str
-        What is not good beside it, which is then said with it; empty where nothing is.
-    """
+    """What an answer comes to: good, bad, neither where that is None, or good with a reserve."""
 
     said: str
     passes: bool | None
     reserve: str = ""
+    """What is not good beside it, which is then said with it; empty where nothing is."""
 
     @property
     def words(self) -> str:
@@ -256,7 +183,9 @@ class Verdict:
         """How it looks."""
         if self.passes is None:
             return ""
-        return "fails" if not self.passes else "reserve" if self.reserve else "passes"
+        if not self.passes:
+            return "fails"
+        return "reserve" if self.reserve else "passes"
 
 
 @dataclass(frozen=True)
@@ -269,43 +198,24 @@ class Warnings:
 
 @dataclass(frozen=True)
 class Graph:
-    """Columns of a table of the same section, drawn by the spreadsheet program.
-
-    Attributes
-    ----------
-    title : str
-        Above it.
-    table : str
-        Name of the table.
-    x : int
-        Place of the column that is drawn along, among those of files.
-    y : tuple of int
-        Places of those that are drawn over it.
-    log : tuple of float, optional
-        Ends of a logarithmic axis of y.
-    points : bool
-        Whether they are points, not lines.
-    """
+    """Columns of a table of the same section, drawn by the spreadsheet program."""
 
     title: str
     table: str
+    """Name of the table."""
     x: int
+    """Place of the column that is drawn along, among those of files."""
     y: tuple[int, ...]
+    """Places of those that are drawn over it."""
     log: tuple[float, float] | None = None
+    """Ends of a logarithmic axis of y."""
     points: bool = False
+    """Whether they are points, not lines."""
 
 
 @dataclass(frozen=True)
 class Points:
-    """Sentences of equal weight, one below the other.
-
-    Attributes
-    ----------
-    said : tuple of str
-        Messages.
-    caption : str
-        Above them.
-    """
+    """Sentences of equal weight, one below the other."""
 
     said: tuple[str, ...]
     caption: str = ""
@@ -313,15 +223,7 @@ class Points:
 
 @dataclass(frozen=True)
 class Figure:
-    """A drawing.
-
-    Attributes
-    ----------
-    chart : Chart
-        What it shows.
-    caption : str
-        Above it, a message.
-    """
+    """A drawing of what a chart shows."""
 
     chart: Chart
     caption: str = ""
@@ -329,66 +231,38 @@ class Figure:
 
 @dataclass(frozen=True)
 class Step:
-    """A step of a calculation by hand.
-
-    Attributes
-    ----------
-    name : str
-        What comes out, a message.
-    value : float or None
-        The same in SI.
-    quantity : Quantity
-        What it is.
-    symbol : str
-        Its symbol.
-    formula : str, or tuple of str
-        What it is by others, in braces: ``"{H} / {w}"``; of several that are multiplied each by
-        itself. Behind a colon stands how a number is written: ``{t:()}`` in brackets where it is
-        negative, ``{b:°}`` with its sign, ``{V:2}`` with its power.
-    numbers : mapping of str to float
-        What goes into the braces, by symbol.
-    terms : tuple of tuple of float
-        In place of numbers, products that are added up.
-    stated : float or None
-        The same as somebody else has it.
-    equation, source : str
-        Number of its equation, and where a figure is from.
-    digits : int
-        With how many the numbers are written.
-    """
+    """A step of a calculation by hand: what comes out, a message, and the same in SI."""
 
     name: str
     value: float | None
     quantity: Quantity
     symbol: str = ""
     formula: str | tuple[str, ...] = ""
+    """What it is by others, in braces: ``"{H} / {w}"``; of several that are multiplied each by
+    itself. Behind a colon stands how a number is written: ``{t:()}`` in brackets where it is
+    negative, ``{b:°}`` with its sign, ``{V:2}`` with its power."""
     numbers: Mapping[str, float] = field(default_factory=dict)
+    """What goes into the braces, by symbol."""
     terms: tuple[tuple[float, ...], ...] = ()
+    """In place of numbers, products that are added up."""
     stated: float | None = None
+    """The same as somebody else has it."""
     equation: str = ""
+    """Number of its equation."""
     source: str = ""
+    """Where a figure is from."""
     digits: int = 9
+    """With how many the numbers are written."""
 
 
 @dataclass(frozen=True)
 class Trail:
-    """A calculation by hand, step by step.
-
-    Attributes
-    ----------
-    name : str
-        Its key within a page.
-    steps : tuple of Step
-        In their order.
-    stated : str
-        What stands beside each value, a message; empty where nothing does.
-    caption : str
-        Above it.
-    """
+    """A calculation by hand, step by step."""
 
     name: str
     steps: tuple[Step, ...]
     stated: str = ""
+    """What stands beside each value, a message; empty where nothing does."""
     caption: str = ""
 
 
@@ -406,43 +280,23 @@ Block = Table | Facts | Text | Verdict | Warnings | Graph | Points | Figure | Tr
 
 @dataclass(frozen=True)
 class Section:
-    """Blocks that belong together: a sheet of a workbook, a part of a page.
-
-    Attributes
-    ----------
-    title : str
-        A message.
-    blocks : tuple of Block
-        In their order.
-    name : str
-        Its key within a page; none where it is on no page.
-    """
+    """Blocks that belong together: a sheet of a workbook, a part of a page."""
 
     title: str
     blocks: tuple[Block, ...]
     name: str = ""
+    """Its key within a page; none where it is on no page."""
 
 
 @dataclass(frozen=True)
 class Answer:
-    """All of an answer.
-
-    Attributes
-    ----------
-    name : str
-        Of its document and its workbook.
-    title : str
-        The user's own, or a message.
-    sections : tuple of Section
-        In their order.
-    kind : str
-        What kind of note it is, a message; empty where it is none.
-    """
+    """All of an answer, under the user's own title or a message; it names document and workbook."""
 
     name: str
     title: str
     sections: tuple[Section, ...]
     kind: str = ""
+    """What kind of note it is, a message; empty where it is none."""
 
     @property
     def blocks(self) -> tuple[Block, ...]:
@@ -451,6 +305,21 @@ class Answer:
 
 
 # ------------------------------------------------------------------ making them
+
+
+def answered(name: str, title: str, *sections: Section) -> Answer:
+    """Make an answer of its sections."""
+    return Answer(name, title, sections)
+
+
+def section(title: str, *blocks: Block) -> Section:
+    """Make a section under a message, or under the key of one."""
+    return Section(title if isinstance(title, Message) else Message(title), blocks)
+
+
+def tabulate(name: str, *columns: Column, **how: Any) -> Table:
+    """Make a table of its columns; `how` are the other fields of `Table`."""
+    return Table(name, columns, **how)
 
 
 def named(key: str, symbol: str | None = None) -> Quantity:
@@ -474,23 +343,87 @@ def exact(unit: str) -> Quantity:
     return Quantity("exact", "", "", unit or "-", unit or "-", 1.0, 9, "significant")
 
 
+def column_name(name: str) -> Message:
+    """Take a heading: a message, the key of one, or its name in the group ``columns``."""
+    if isinstance(name, Message):
+        return name
+    return Message(name if "." in name else f"columns.{name}")
+
+
 def measured(
-    key: str,
+    quantity: str | Quantity,
     values: Iterable[float | None],
     name: str = "",
     *,
     symbol: str | None = None,
-    priority: int = 0,
-    only: For = "all",
+    **how: Any,
 ) -> Column:
-    """Make a column of a quantity.
+    """Make a column of a quantity, or of the key of one; values are in SI.
 
-    `key` is one of `catopt.quantities.QUANTITIES`, values are in SI, `name` is a key of the group
-    ``columns``; the quantity's own name and symbol where they are left out.
+    `name` as `column_name` takes it; the quantity's own name, and its symbol, where they are left
+    out. `how` are the other fields of `Column`.
     """
-    said = Message(f"columns.{name}") if name else quantity_name(key)
-    known = tuple(None if value is None else float(value) for value in values)
-    return Column(said, known, named(key, symbol), priority=priority, only=only)
+    known = named(quantity, symbol) if isinstance(quantity, str) else quantity
+    said = column_name(name) if name else quantity_name(known.key)
+    numbers = tuple(None if value is None else float(value) for value in values)
+    return Column(said, numbers, known, **how)
+
+
+def texts(name: str, values: Iterable[Value], **how: Any) -> Column:
+    """Make a column of words or counts; `name` as `column_name` takes it."""
+    return Column(column_name(name), tuple(values), **how)
+
+
+def of_row(name: str, values: Iterable[Value], **how: Any) -> Column:
+    """Make a column of values in the units of a column beside it, as they are."""
+    return Column(Message("columns.of_row", name=column_name(name)), tuple(values), **how)
+
+
+def if_known(*columns: Column) -> Iterator[Column]:
+    """Yield the columns that have a value in any row."""
+    return (column for column in columns if column.is_known)
+
+
+class Rows:
+    """The rows of a table; makes a column of what it reads of each.
+
+    That is a path of attributes, such as ``"fairlead.tension"``, or what a function makes of a row.
+    It is None where the row is None, or what the path goes through.
+    """
+
+    def __init__(self, rows: Iterable[Any]) -> None:
+        self.rows = tuple(rows)
+
+    def read(self, what: str | Callable[[Any], Any]) -> list[Any]:
+        """Read of each row."""
+        if not isinstance(what, str):
+            return [None if row is None else what(row) for row in self.rows]
+        found: Iterable[Any] = self.rows
+        for part in what.split("."):
+            found = [None if each is None else getattr(each, part) for each in found]
+        return list(found)
+
+    def measured(
+        self,
+        quantity: str | Quantity,
+        what: str | Callable[[Any], Any],
+        name: str = "",
+        **how: Any,
+    ) -> Column:
+        """Make a column of a quantity, as `measured` does."""
+        return measured(quantity, self.read(what), name, **how)
+
+    def own(self, *keys: str, **how: Any) -> Iterator[Column]:
+        """Yield columns of quantities that each row has under their keys."""
+        return (measured(key, self.read(key), **how) for key in keys)
+
+    def texts(self, name: str, what: str | Callable[[Any], Any] = "", **how: Any) -> Column:
+        """Make a column of words or counts, under the name of the attribute where none is given."""
+        return texts(name, self.read(what or name), **how)
+
+    def of_row(self, name: str, what: str | Callable[[Any], Any] = "", **how: Any) -> Column:
+        """Make a column of values in the units of a column beside it."""
+        return of_row(name, self.read(what or name), **how)
 
 
 def fact(
@@ -499,23 +432,20 @@ def fact(
     name: str = "",
     *,
     symbol: str | None = None,
-    said: str = "",
-    only: For = "all",
+    **how: Any,
 ) -> Fact:
-    """Make a fact of a quantity.
+    """Make a fact of the key of a quantity; the value is in SI.
 
-    `key` is one of `catopt.quantities.QUANTITIES`, the value is in SI, `name` a key of the group
-    ``columns``, or `said` says what it is; left out, they are the quantity's own name and symbol.
+    `name` as `column_name` takes it; the quantity's own name, and its symbol, where they are left
+    out.
     """
-    known = said or (Message(f"columns.{name}") if name else quantity_name(key))
-    return Fact(known, value, named(key, symbol), only=only)
+    said = column_name(name) if name else quantity_name(key)
+    return Fact(said, value, named(key, symbol), **how)
 
 
-def texts(
-    name: str, values: Sequence[Value] | Iterable[Value], *, priority: int = 0, only: For = "all"
-) -> Column:
-    """Make a column of words or counts, by the key of its heading in the group ``columns``."""
-    return Column(Message(f"columns.{name}"), tuple(values), priority=priority, only=only)
+def stated(name: str, value: Value, **how: Any) -> Fact:
+    """Make a fact of words or a count; `name` as `column_name` takes it."""
+    return Fact(column_name(name), value, **how)
 
 
 def keyed(key: str, name: str) -> Message:
@@ -523,22 +453,9 @@ def keyed(key: str, name: str) -> Message:
     return Told({"en": key, "vi": say(name, "vi")})
 
 
-def of_row(name: str, values: Iterable[Value], *, only: For = "all") -> Column:
-    """Make a column of values in the units of a column beside it, as they are."""
-    heading = Message("columns.of_row", name=Message(f"columns.{name}"))
-    return Column(heading, tuple(values), only=only)
-
-
 def yes_or_no(is_so: bool) -> Message:
     """Say whether something is so."""
     return Message("answers.yes" if is_so else "answers.no")
-
-
-def where_known(
-    things: Iterable[_Thing | None], value: Callable[[_Thing], _Known]
-) -> list[_Known | None]:
-    """Take a value of each thing; None where there is none."""
-    return [None if each is None else value(each) for each in things]
 
 
 def _series(column: Column) -> pd.Series:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -10,12 +10,16 @@ from catopt.answers.blocks import (
     Answer,
     Block,
     Column,
-    Section,
+    Rows,
     Table,
     Text,
     Value,
+    answered,
+    if_known,
     measured,
     named,
+    section,
+    tabulate,
     texts,
     yes_or_no,
 )
@@ -70,15 +74,13 @@ def catalogue_answer(found: Found, *, in_full: bool = False) -> Answer:
         seen = _family(family, found.components)
         how = (_how(_figures_of_grades(family, found.components)),)
     components = (_components(found.components),) if found.components else ()
-    return Answer(
+    return answered(
         "catalog",
         title,
-        (
-            Section(Message("terms.components"), (*components, *seen)),
-            Section(Message("terms.figures"), (_figures(found.families), *how)),
-            Section(Message("terms.families"), (_families(found.families),)),
-            Section(Message("columns.sources"), (_sources(found.sources), *_documents(found))),
-        ),
+        section("terms.components", *components, *seen),
+        section("terms.figures", _figures(found.families), *how),
+        section("terms.families", _families(found.families)),
+        section("columns.sources", _sources(found.sources), *_documents(found)),
     )
 
 
@@ -87,132 +89,101 @@ def catalogue_answer(found: Found, *, in_full: bool = False) -> Answer:
 
 def _components(components: Sequence[Component]) -> Table:
     """Tabulate components, a row each; added mass is on the volume-equivalent diameter."""
-
-    def of(key: str, read: Callable[[Component], float | None], name: str = "") -> Column:
-        return measured(key, map(read, components), name, symbol="")
-
-    return Table(
+    of = Rows(components)
+    return tabulate(
         "components",
-        (
-            texts("component", [each.name for each in components]),
-            texts("family", [each.family for each in components]),
-            texts("grade", [each.grade or "" for each in components]),
-            of("nominal_diameter", lambda c: c.nominal_diameter),
-            of("mass_per_length", lambda c: c.mass, "mass_in_air_per_length"),
-            of("submerged_weight", lambda c: c.submerged_weight),
-            of("volume_diameter", lambda c: c.volume_diameter),
-            of("MBL", lambda c: c.MBL),
-            of("MBL", lambda c: c.MBL_in_water, "minimum_breaking_load_in_water"),
-            of("proof_load", lambda c: c.proof_load),
-            of("EA", lambda c: c.EA),
-            *(of(key, _part_of(own, name), heading) for own, name, key, heading in _HYDRODYNAMIC),
-            of("price", lambda c: c.price),
-            texts("confidence_of_mbl", [_confidence(each, "") for each in components]),
-            texts("recalled", [", ".join(each.recalled) for each in components]),
-        ),
+        of.texts("component", "name"),
+        of.texts("family"),
+        of.texts("grade", lambda each: each.grade or ""),
+        *of.own("nominal_diameter", symbol=""),
+        of.measured("mass_per_length", "mass", "mass_in_air_per_length", symbol=""),
+        *of.own("submerged_weight", "volume_diameter", "MBL", symbol=""),
+        of.measured("MBL", "MBL_in_water", "minimum_breaking_load_in_water", symbol=""),
+        *of.own("proof_load", "EA", symbol=""),
+        *(of.measured(key, path, name, symbol="") for path, key, name in _HYDRODYNAMIC),
+        *of.own("price", symbol=""),
+        of.texts("confidence_of_mbl", lambda each: _confidence(each, "")),
+        of.texts("recalled", lambda each: ", ".join(each.recalled)),
         only="files",
     )
 
 
-def _part_of(own: str, name: str) -> Callable[[Component], float | None]:
-    def read(component: Component) -> float | None:
-        found = getattr(component, own)
-        return None if found is None else getattr(found, name)
-
-    return read
-
-
 _HYDRODYNAMIC = (
-    ("drag_normal", "coefficient", "coefficient", "drag_coefficient_across_the_line"),
-    ("drag_normal", "diameter", "drag_diameter", "drag_diameter_across_the_line"),
-    ("drag_axial", "coefficient", "coefficient", "drag_coefficient_along_the_line"),
-    ("drag_axial", "diameter", "drag_diameter", "drag_diameter_along_the_line"),
-    (
-        "added_mass_normal",
-        "coefficient",
-        "coefficient",
-        "added_mass_coefficient_across_the_line",
-    ),
-    ("added_mass_axial", "coefficient", "coefficient", "added_mass_coefficient_along_the_line"),
+    ("drag_normal.coefficient", "coefficient", "drag_coefficient_across_the_line"),
+    ("drag_normal.diameter", "drag_diameter", "drag_diameter_across_the_line"),
+    ("drag_axial.coefficient", "coefficient", "drag_coefficient_along_the_line"),
+    ("drag_axial.diameter", "drag_diameter", "drag_diameter_along_the_line"),
+    ("added_mass_normal.coefficient", "coefficient", "added_mass_coefficient_across_the_line"),
+    ("added_mass_axial.coefficient", "coefficient", "added_mass_coefficient_along_the_line"),
 )
-"""Attribute of a component, what of it, its quantity and its heading."""
+"""Attribute of a component, its quantity and its heading."""
 
 
 def _figures(families: Sequence[Family]) -> Table:
-    rows = [(family, figure) for family in families for figure in family.figures]
-    figures = [figure for _, figure in rows]
-    return Table(
+    of = Rows(figure for family in families for figure in family.figures)
+    return tabulate(
         "figures",
-        (
-            texts("family", [family.name for family, _ in rows]),
-            texts("quantity", [each.quantity for each in figures]),
-            texts("grades", [", ".join(each.grades) for each in figures]),
-            texts("variant", [each.variant for each in figures]),
-            texts("default", [yes_or_no(each.default) for each in figures]),
-            texts("formula", [each.text for each in figures]),
-            *_ranges([each.range for each in figures]),
-            texts("confidence", [each.confidence for each in figures]),
-            texts("sources", [_keys(each.sources) for each in figures]),
-            texts("place", [each.place for each in figures]),
-            texts("reason", [each.reason for each in figures]),
-            texts("note", [each.note for each in figures]),
-        ),
+        texts("family", [family.name for family in families for _ in family.figures]),
+        of.texts("quantity"),
+        of.texts("grades", lambda each: ", ".join(each.grades)),
+        of.texts("variant"),
+        of.texts("default", lambda each: yes_or_no(each.default)),
+        of.texts("formula", "text"),
+        *_ranges(of),
+        of.texts("confidence"),
+        of.texts("sources", lambda each: _keys(each.sources)),
+        of.texts("place"),
+        of.texts("reason"),
+        of.texts("note"),
         only="files",
     )
 
 
 def _families(families: Sequence[Family]) -> Table:
-    sizes = [each.sizes for each in families]
-    return Table(
+    of = Rows(families)
+    return tabulate(
         "families",
-        (
-            texts("family", [each.name for each in families]),
-            texts("title", [each.title for each in families]),
-            texts("also", [", ".join(each.also) for each in families]),
-            texts("grades", [", ".join(each.grades) for each in families]),
-            *_ranges([each.range for each in families]),
-            texts("sizes", [len(each.diameters) for each in sizes]),
-            texts("confidence_of_the_sizes", [each.confidence for each in sizes]),
-            texts("sources_of_the_sizes", [_keys(each.sources) for each in sizes]),
-            texts("note", [each.note for each in families]),
-        ),
+        of.texts("family", "name"),
+        of.texts("title"),
+        of.texts("also", lambda each: ", ".join(each.also)),
+        of.texts("grades", lambda each: ", ".join(each.grades)),
+        *_ranges(of),
+        of.texts("sizes", lambda each: len(each.sizes.diameters)),
+        of.texts("confidence_of_the_sizes", "sizes.confidence"),
+        of.texts("sources_of_the_sizes", lambda each: _keys(each.sizes.sources)),
+        of.texts("note"),
         only="files",
     )
 
 
-def _ranges(ranges: Sequence[tuple[float, float]]) -> Iterator[Column]:
+def _ranges(of: Rows) -> Iterator[Column]:
     for end, name in enumerate(("smallest_nominal_diameter", "largest_nominal_diameter")):
-        yield measured("nominal_diameter", [each[end] for each in ranges], name, symbol="")
+        yield measured(
+            "nominal_diameter", [each[end] for each in of.read("range")], name, symbol=""
+        )
 
 
 def _sources(sources: Sequence[Source]) -> Table:
-    return Table(
-        "sources",
-        (
-            texts("source", [each.key for each in sources]),
-            texts("title", [each.title for each in sources]),
-            texts("place", [each.place for each in sources]),
-        ),
-        only="files",
-    )
+    of = Rows(sources)
+    columns = (of.texts("source", "key"), of.texts("title"), of.texts("place"))
+    return tabulate("sources", *columns, only="files")
 
 
 # ------------------------------------------------------------------ what people see of a list
 
 
 def _list(families: Sequence[Family]) -> Table:
+    of = Rows(families)
     shortest = _shortest("nominal_diameter")
     ends = [map(shortest.format, each.range) for each in families]
-    ranges = [Message("catalogue.range", low=low, high=high) for low, high in ends]
-    return Table(
+    ranges = tuple(Message("catalogue.range", low=low, high=high) for low, high in ends)
+    return tabulate(
         "list",
-        (
-            texts("family", [each.name for each in families]),
-            texts("grades", [", ".join(each.grades) or "-" for each in families]),
-            Column(quantity_name("nominal_diameter"), tuple(ranges), shortest),
-            texts("sizes", [_count(each) for each in families]),
-            texts("conf", [_strength(each) for each in families]),
-        ),
+        of.texts("family", "name"),
+        of.texts("grades", lambda each: ", ".join(each.grades) or "-"),
+        Column(quantity_name("nominal_diameter"), ranges, shortest),
+        of.texts("sizes", _count),
+        of.texts("conf", _strength),
         only="people",
     )
 
@@ -239,19 +210,14 @@ def _strength(family: Family) -> str:
 
 def _search(found: Found) -> Iterator[Block]:
     components = found.components
-    yield Table(
+    of = Rows(components)
+    yield tabulate(
         "found",
-        (
-            texts("component", [each.name for each in components]),
-            *_weights(components),
-            measured(
-                "MBL",
-                [each.MBL_in_water for each in components],
-                "minimum_breaking_load_in_water",
-            ),
-            measured("price", [each.price for each in components]),
-            texts("conf", [_confidence(each, "-") for each in components]),
-        ),
+        of.texts("component", "name"),
+        *_weights(of),
+        of.measured("MBL", "MBL_in_water", "minimum_breaking_load_in_water"),
+        *of.own("price"),
+        of.texts("conf", lambda each: _confidence(each, "-")),
         only="people",
     )
     yield _said("catalogue.symbols_found")
@@ -302,19 +268,14 @@ def _one(family: Family, component: Component) -> Iterator[Block]:
 
 
 def _rows(name: str, heading: str, rows: Sequence[_Row]) -> Table:
-    origins = [each.origin for each in rows]
-    return Table(
+    of = Rows(rows)
+    units = tuple(each.quantity for each in rows)
+    return tabulate(
         name,
-        (
-            texts(heading, [each.name for each in rows]),
-            Column(
-                Message("columns.value"),
-                tuple(each.value for each in rows),
-                units=tuple(each.quantity for each in rows),
-            ),
-            texts("conf", [each.confidence if each else "" for each in origins]),
-            texts("sources", [_keys(each.sources) if each else "" for each in origins]),
-        ),
+        of.texts(heading, "name"),
+        of.texts("value", units=units),
+        of.texts("conf", lambda each: each.origin.confidence if each.origin else ""),
+        of.texts("sources", lambda each: _keys(each.origin.sources) if each.origin else ""),
         only="people",
     )
 
@@ -371,75 +332,58 @@ def _family(family: Family, components: Sequence[Component]) -> Iterator[Block]:
         yield _said("catalogue.no_sizes", **_ends(family.range))
         return
     grades = list(dict.fromkeys(each.grade for each in components))
+    said = [Message("catalogue.symbols")]
     if len(grades) == 1:
-        yield _one_grade(components)
+        of = Rows(components)
+        rest = (*of.own("MBL"), *if_known(*of.own("proof_load")), *of.own("EA", "price"))
+        yield tabulate("sizes", *_sizes(of), *rest, only="people")
+        factor = components[0].wet_strength_factor
+        if factor is not None:
+            said.append(Message("catalogue.wet", factor=factor))
     else:
         first = {each.nominal_diameter: each for each in reversed(components)}
-        diameters = sorted(first)
-        one_each = [first[diameter] for diameter in diameters]
-        yield Table("sizes", tuple(_sizes(one_each)), only="people")
-        yield _by_grade(components, diameters, [grade for grade in grades if grade])
-    said = [Message("catalogue.symbols")]
-    factor = components[0].wet_strength_factor
-    if factor is not None and len(grades) == 1:
-        said.append(Message("catalogue.wet", factor=factor))
+        one_each = Rows(first[diameter] for diameter in sorted(first))
+        yield tabulate("sizes", *_sizes(one_each), only="people")
+        yield _by_grade(components, one_each, [grade for grade in grades if grade])
     yield Text(Several(said, " "), only="people")
-    yield from _sizes_from(family)
+    yield _sizes_from(family)
     yield from _recalled(components)
 
 
-def _one_grade(components: Sequence[Component]) -> Table:
-    columns = [*_sizes(components), measured("MBL", [each.MBL for each in components])]
-    if any(each.proof_load is not None for each in components):
-        columns.append(measured("proof_load", [each.proof_load for each in components]))
-    columns += [
-        measured("EA", [each.EA for each in components]),
-        measured("price", [each.price for each in components]),
-    ]
-    return Table("sizes", tuple(columns), only="people")
-
-
-def _by_grade(
-    components: Sequence[Component], diameters: Sequence[float], grades: Sequence[str]
-) -> Table:
+def _by_grade(components: Sequence[Component], one_each: Rows, grades: Sequence[str]) -> Table:
     strengths = {(each.nominal_diameter, each.grade): each.MBL for each in components}
     quantity = replace(named("MBL", ""), digits=0)
+    diameters = one_each.read("nominal_diameter")
     columns = (
         Column(Several((grade,)), tuple(strengths.get((d, grade)) for d in diameters), quantity)
         for grade in grades
     )
     caption = Message("captions.mbl_by_grade")
-    return Table("by_grade", (_diameters(diameters), *columns), caption, only="people")
+    return tabulate("by_grade", _diameters(one_each), *columns, caption=caption, only="people")
 
 
-def _sizes(components: Sequence[Component]) -> Iterator[Column]:
-    yield _diameters([each.nominal_diameter for each in components])
-    yield from _weights(components)
-    yield measured("volume_diameter", [each.volume_diameter for each in components], symbol="D")
+def _sizes(of: Rows) -> Iterator[Column]:
+    yield _diameters(of)
+    yield from _weights(of)
+    yield from of.own("volume_diameter", symbol="D")
 
 
-def _diameters(diameters: Sequence[float]) -> Column:
-    return Column(
-        quantity_name("nominal_diameter"), tuple(diameters), _shortest("nominal_diameter")
-    )
+def _diameters(of: Rows) -> Column:
+    return of.measured(_shortest("nominal_diameter"), "nominal_diameter")
 
 
-def _weights(components: Sequence[Component]) -> Iterator[Column]:
-    yield measured("mass_per_length", [each.mass for each in components], "mass_in_air_per_length")
-    weights = tuple(each.submerged_weight for each in components)
-    quantity = replace(named("submerged_weight"), digits=1)
-    yield Column(quantity_name("submerged_weight"), weights, quantity)
+def _weights(of: Rows) -> Iterator[Column]:
+    yield of.measured("mass_per_length", "mass", "mass_in_air_per_length")
+    yield of.measured(replace(named("submerged_weight"), digits=1), "submerged_weight")
 
 
-def _sizes_from(family: Family) -> Iterator[Text]:
+def _sizes_from(family: Family) -> Text:
     sizes = family.sizes
-    sources = _keys(sources=sizes.sources)
-    said = [
-        Message("catalogue.sizes", sources=sources, place=sizes.place, confidence=sizes.confidence)
-    ]
+    values = {"sources": _keys(sizes.sources), "place": sizes.place, "confidence": sizes.confidence}
+    said = [Message("catalogue.sizes", **values)]
     if sizes.is_recalled:
         said.append(Message("catalogue.ask"))
-    yield Text(Several(said, " "), only="people")
+    return Text(Several(said, " "), only="people")
 
 
 # ------------------------------------------------------------------ how figures follow

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
     Answer,
     Block,
     Column,
-    Section,
+    Rows,
     Table,
     Text,
     Verdict,
     Warnings,
-    measured,
+    answered,
+    section,
+    tabulate,
     texts,
 )
 from catopt.checks.kinds import QUANTITY_OF
@@ -36,20 +39,20 @@ _LOAD_CASES = {
 def check_answer(report: CheckReport) -> Answer:
     """Lay out a report of checks."""
     tables = checked_body(report) if report.places else checked(report)
-    said: list[Block] = [Verdict(verdict_sentence(report), report.passes)]
-    if report.results:
-        said.append(Text(governing_sentence(report)))
-    return Answer(
+    said = (*_confidence(report), *verdict_blocks(report), Warnings(report.warnings))
+    return answered(
         "check",
         report.title or Message("captions.mooring_line"),
-        (
-            Section(
-                Message("captions.checks"),
-                (*tables, *_confidence(report), *said, Warnings(report.warnings)),
-            ),
-            Section(Message("captions.load_cases"), (load_case_table(report),)),
-        ),
+        section("captions.checks", *tables, *said),
+        section("captions.load_cases", load_case_table(report)),
     )
+
+
+def verdict_blocks(report: CheckReport, passes: bool | None = None) -> Iterator[Block]:
+    """Say whether all checks are passed, and which governs."""
+    yield Verdict(verdict_sentence(report), report.passes if passes is None else passes)
+    if report.results:
+        yield Text(governing_sentence(report))
 
 
 def failing_checks(report: CheckReport) -> tuple[Failing, ...]:
@@ -101,9 +104,7 @@ def checks_in_motion(report: CheckReport) -> Iterator[Block]:
         )
         yield _criteria([results[row] for row in shown])
         yield from _confidence(report)
-    yield Verdict(verdict_sentence(report), report.verdict is True)
-    if results:
-        yield Text(governing_sentence(report))
+    yield from verdict_blocks(report, report.verdict is True)
     yield Warnings(report.warnings)
 
 
@@ -112,45 +113,41 @@ def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) ->
 
     Of a body with several lines, state and line head each row.
     """
-    states = [each.load_case for each in results]
+    of = Rows(results)
     if of_a_body:
         first: tuple[Column, ...] = (
-            texts("where", [_where(each) for each in results], only="people"),
-            texts("check", [_short(each) for each in results], only="people"),
-            texts("state", states, only="files"),
-            texts("line", [each.place.line for each in results], only="files"),
-            texts("check", [each.name for each in results], only="files"),
+            of.texts("where", _where, only="people"),
+            of.texts("check", _short, only="people"),
+            of.texts("state", "load_case", only="files"),
+            of.texts("line", "place.line", only="files"),
+            of.texts("check", "name", only="files"),
         )
     else:
-        first = (
-            texts("load_case", states, only="files"),
-            texts("check", [each.name for each in results]),
-        )
+        first = (of.texts("load_case", only="files"), of.texts("check", "name"))
     return (
         *first,
         *_use(results),
-        texts("passes", [_yes(each.passes, "yes", "no") for each in results], only="files"),
-        Column(
-            Message("columns.verdict"),
-            tuple(_yes(each.passes, "passes", "fails") for each in results),
-            only="people",
-            passes=tuple(each.passes for each in results),
-        ),
-        texts("by", [_by(each.source) for each in results], only="people"),
-        texts("code", [term(each.source.code) for each in results], only="files"),
-        texts("source", [each.source.text for each in results], only="files"),
-        texts("note", [each.note for each in results], only="files"),
+        of.texts("passes", lambda each: _yes(each.passes, "yes", "no"), only="files"),
+        replace(verdict_column(each.passes for each in results), only="people"),
+        of.texts("by", lambda each: _by(each.source), only="people"),
+        of.texts("code", lambda each: term(each.source.code), only="files"),
+        of.texts("source", "source.text", only="files"),
+        of.texts("note", only="files"),
     )
 
 
+def verdict_column(passes: Iterable[bool]) -> Column:
+    """Say of each row whether it passes or fails."""
+    every = tuple(passes)
+    return texts("verdict", [_yes(each, "passes", "fails") for each in every], passes=every)
+
+
 def _use(results: Sequence[CheckResult]) -> tuple[Column, Column, Column]:
+    of = Rows(results)
     units = tuple(QUANTITY_OF[each.kind] for each in results)
-    demands = tuple(each.demand for each in results)
-    capacities = tuple(each.capacity for each in results)
-    demand = Column(Message("columns.demand"), demands, units=units)
-    capacity = Column(Message("columns.capacity"), capacities, units=units)
-    used = measured("utilisation", [each.utilisation for each in results])
-    return demand, capacity, replace(used, formula=(demand, "/", capacity))
+    demand, capacity = (of.texts(name, units=units) for name in ("demand", "capacity"))
+    used = of.measured("utilisation", "utilisation", formula=(demand, "/", capacity))
+    return demand, capacity, used
 
 
 def kind_name(kind: str) -> Message:
@@ -169,14 +166,12 @@ def tightest_table(report: CheckReport) -> Table:
     found = tightest_checks(report)
     checks = list(found.values())
     where = [Several((each.load_case, each.source.text)) for each in checks]
-    return Table(
+    return tabulate(
         "tightest",
-        (
-            texts("check", [kind_name(kind) for kind in found]),
-            *_use(checks),
-            texts("load_case_and_source", where),
-        ),
-        Message("captions.tightest"),
+        texts("check", map(kind_name, found)),
+        *_use(checks),
+        texts("load_case_and_source", where),
+        caption=Message("captions.tightest"),
         only="not csv",
     )
 
@@ -218,28 +213,21 @@ def _states(report: CheckReport) -> Table:
     for each in report.results:
         by_state.setdefault(each.load_case, []).append(each)
     codes = {each.source.code: each.source for each in report.results}
-    used = [[_most(of, code) for of in by_state.values()] for code in codes]
-    names = (each.text if each.confidence is None else each.code for each in codes.values())
-    passes = tuple(all(each.passes for each in of) for of in by_state.values())
-    return Table(
+    of = Rows(by_state.values())
+    names = [each.text if each.confidence is None else each.code for each in codes.values()]
+    return tabulate(
         "states",
-        (
-            texts("state", by_state),
-            *(
-                replace(measured("utilisation", values), name=Message("checks.by_code", code=name))
-                for name, values in zip(names, used, strict=True)
-            ),
-            Column(
-                Message("columns.verdict"),
-                tuple(_yes(each, "passes", "fails") for each in passes),
-                passes=passes,
-            ),
+        texts("state", by_state),
+        *(
+            of.measured("utilisation", partial(_most, code), Message("checks.by_code", code=name))
+            for code, name in zip(codes, names, strict=True)
         ),
-        Message("captions.states"),
+        verdict_column(all(each.passes for each in checks) for checks in by_state.values()),
+        caption=Message("captions.states"),
     )
 
 
-def _most(results: Sequence[CheckResult], code: str) -> float | None:
+def _most(code: str, results: Sequence[CheckResult]) -> float | None:
     """Largest utilisation of the checks by a code."""
     used = (each.utilisation for each in results if each.source.code == code)
     return max((each for each in used if each is not None), default=None)
@@ -262,23 +250,19 @@ def _by(source: CheckSource) -> str:
 
 def _criteria(results: Sequence[CheckResult]) -> Table:
     """Say once how each capacity comes about, and where the criterion stands."""
-    rows = tuple(
-        dict.fromkeys(
-            (each.name, _by(each.source), each.note, each.source.text) for each in results
-        )
+    rows = dict.fromkeys(
+        (each.name, _by(each.source), each.note, each.source.text) for each in results
     )
     sources = [
         Several(part for part in (note, text if text != by else "") if part)
         for _, by, note, text in rows
     ]
-    return Table(
+    return tabulate(
         "criteria",
-        (
-            texts("check", [row[0] for row in rows]),
-            texts("by", [row[1] for row in rows]),
-            texts("capacity_and_source", sources),
-        ),
-        Message("captions.criteria"),
+        texts("check", [row[0] for row in rows]),
+        texts("by", [row[1] for row in rows]),
+        texts("capacity_and_source", sources),
+        caption=Message("captions.criteria"),
         only="people",
     )
 
@@ -290,44 +274,23 @@ def _confidence(report: CheckReport) -> Iterator[Text]:
 
 def load_case_table(report: CheckReport) -> Table:
     """Tabulate how the line hangs in each load case."""
-    solved = [solution for _, solution in report.solutions]
-    kinds = [state.kind for state in report.load_cases] or ["extreme"] * len(solved)
-    return Table(
+    of, places = Rows(solution for _, solution in report.solutions), Rows(report.places)
+    kinds = [state.kind for state in report.load_cases] or ["extreme"] * len(of.rows)
+    at_place = (places.texts("line"), places.texts("line_out", "missing"))
+    return tabulate(
         "load_cases",
-        (
-            texts("load_case", [name for name, _ in report.solutions]),
-            *_places(report),
-            texts("kind", [Message(f"answers.{kind}") for kind in kinds]),
-            measured("fairlead_height", (each.fairlead_height for each in solved)),
-            measured("horizontal_force", (each.horizontal_force for each in solved)),
-            measured("span", (each.span for each in solved)),
-            measured("tension", (each.fairlead.tension for each in solved), "fairlead_tension"),
-            measured(
-                "vertical_force",
-                (each.fairlead.vertical_force for each in solved),
-                "fairlead_vertical_force",
-            ),
-            measured(
-                "horizontal_force",
-                (each.anchor.horizontal_force for each in solved),
-                "anchor_horizontal_force",
-            ),
-            measured(
-                "vertical_force",
-                (each.anchor.vertical_force for each in solved),
-                "anchor_vertical_force",
-            ),
-            measured("angle", (each.anchor.angle for each in solved), "inclination_at_the_anchor"),
-            measured("grounded_length", (each.grounded_length for each in solved)),
-        ),
+        texts("load_case", [name for name, _ in report.solutions]),
+        *(at_place if report.places else ()),
+        texts("kind", [Message(f"answers.{kind}") for kind in kinds]),
+        *of.own("fairlead_height", "horizontal_force", "span"),
+        of.measured("tension", "fairlead.tension", "fairlead_tension"),
+        of.measured("vertical_force", "fairlead.vertical_force", "fairlead_vertical_force"),
+        of.measured("horizontal_force", "anchor.horizontal_force", "anchor_horizontal_force"),
+        of.measured("vertical_force", "anchor.vertical_force", "anchor_vertical_force"),
+        of.measured("angle", "anchor.angle", "inclination_at_the_anchor"),
+        *of.own("grounded_length"),
         only="files",
     )
-
-
-def _places(report: CheckReport) -> Iterator[Column]:
-    if report.places:
-        yield texts("line", [each.line for each in report.places])
-        yield texts("line_out", [each.missing for each in report.places])
 
 
 # ------------------------------------------------------------------ sentences

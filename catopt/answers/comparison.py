@@ -7,13 +7,13 @@ from collections.abc import Iterator, Sequence
 from catopt.answers.blocks import (
     Answer,
     Block,
-    Column,
     Fact,
     Facts,
     Section,
     Table,
     Text,
     Verdict,
+    tabulate,
     texts,
 )
 from catopt.words import Message
@@ -22,14 +22,9 @@ Row = tuple[str, str, str]
 
 
 def comparison(kept: Answer, present: Answer, inputs: Sequence[Row]) -> Section:
-    """Lay out two answers; what only one of them has is left out.
+    """Lay out two answers of one kind; what only one of them has is left out.
 
-    Parameters
-    ----------
-    kept, present : Answer
-        Of one kind.
-    inputs : sequence of (str, str, str)
-        What was asked differently: its label, of the kept answer, and of the present one.
+    Of `inputs`, what was asked differently: its label, of the kept answer, and of the present one.
     """
     return Section(Message("desk.compared"), tuple(_blocks(kept, present, inputs)), "compared")
 
@@ -48,34 +43,26 @@ def _blocks(kept: Answer, present: Answer, inputs: Sequence[Row]) -> Iterator[Bl
     names = [name for name in one if name in other]
     if names:
         units = tuple(each for name in names if (each := one[name].quantity) is not None)
-        values = (("kept_one", one), ("present_one", other))
-        columns = (
-            Column(Message(f"desk.{key}"), tuple(of[name].value for name in names), units=units)
-            for key, of in values
+        yield tabulate(
+            "compared",
+            texts("what", names),
+            texts("desk.kept_one", [one[name].value for name in names], units=units),
+            texts("desk.present_one", [other[name].value for name in names], units=units),
         )
-        yield Table("compared", (texts("what", names), *columns))
 
 
 def _beside(name: str, caption: str, rows: Sequence[Row]) -> Table:
     """Tabulate words of both answers."""
-    what, kept, present = zip(*rows, strict=True)
-    columns = (
-        texts("what", what),
-        Column(Message("desk.kept_one"), kept),
-        Column(Message("desk.present_one"), present),
-    )
-    return Table(name, columns, Message(caption))
-
-
-def _blocks_of(answer: Answer) -> Iterator[Block]:
-    return (block for section in answer.sections for block in section.blocks)
+    headings = ("what", "desk.kept_one", "desk.present_one")
+    columns = map(texts, headings, zip(*rows, strict=True))
+    return tabulate(name, *columns, caption=Message(caption))
 
 
 def _facts(answer: Answer) -> dict[str, Fact]:
     """Find the numbers among the facts of an answer, by name; not those that repeat its inputs."""
     return {
         fact.name: fact
-        for block in _blocks_of(answer)
+        for block in answer.blocks
         if isinstance(block, Facts) and block.name != "inputs"
         for fact in block.facts
         if fact.quantity is not None and isinstance(fact.value, int | float)
@@ -85,7 +72,7 @@ def _facts(answer: Answer) -> dict[str, Fact]:
 def _words(answer: Answer) -> dict[str, str]:
     """Find the verdict, and what a sizing says of its recommended line, by name."""
     found: dict[str, str] = {}
-    for block in _blocks_of(answer):
+    for block in answer.blocks:
         if isinstance(block, Verdict):
             found.setdefault(Message("captions.checks"), block.words)
         elif isinstance(block, Table) and block.name == "sizing":

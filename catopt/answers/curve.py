@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
     Answer,
     Column,
     Facts,
-    For,
     Graph,
-    Section,
+    Rows,
     Table,
     Text,
+    answered,
     measured,
+    section,
+    tabulate,
     texts,
 )
 from catopt.answers.solution import (
@@ -32,7 +35,6 @@ if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
 
 _ROWS = 20
-_OVER = {"force": "curve.over_force", "span": "curve.over_span", "offset": "curve.over_offset"}
 
 
 def curve_answer(result: CaseCurve) -> Answer:
@@ -42,36 +44,32 @@ def curve_answer(result: CaseCurve) -> Answer:
     summary = Facts("summary", result_facts(reference), only="workbook")
     points, marks = points_table(result), marks_table(result)
     graph = Graph(case.title, points.name, x=0, y=(2, 3))
-    given = (_for_files(each) for each in given_tables(case.line))
-    carried = [_for_files(segments_table(reference))]
+    carried = [segments_table(reference)]
     if reference.point_loads:
-        carried.append(_for_files(point_loads_table(reference)))
+        carried.append(point_loads_table(reference))
     none = () if result.curve.marks else (Text(Message("curve.no_marks")),)
-    return Answer(
+    return answered(
         "curve",
         case.title or Message("captions.mooring_line"),
-        (
-            Section(Message("captions.curve"), (*_opening(result), points, graph)),
-            Section(Message("captions.marks"), (marks, *none)),
-            Section(Message("captions.inputs"), (inputs, *given)),
-            Section(Message("captions.results"), (summary, *carried)),
-        ),
+        section("captions.curve", *_opening(result), points, graph),
+        section("captions.marks", marks, *none),
+        section("captions.inputs", inputs, *map(_for_files, given_tables(case.line))),
+        section("captions.results", summary, *map(_for_files, carried)),
     )
 
 
 def _for_files(table: Table) -> Table:
-    return Table(f"{table.name}_of_case", table.columns, table.caption, only="workbook")
+    return replace(table, name=f"{table.name}_of_case", only="workbook")
 
 
 def _opening(result: CaseCurve) -> Iterator[Text]:
     curve, reference = result.curve, result.reference
-    yield Text(Message(_OVER[result.over], points=len(curve.span)))
+    yield Text(Message(f"curve.over_{result.over}", points=len(curve.span)))
     yield Text(Message("curve.range", range=result.range_words))
     for each in found_facts(reference):
         assert reference.found is not None
         assert each.quantity is not None
-        assert isinstance(each.value, float)
-        value = Measure(each.quantity.key, each.value)
+        value = Measure(each.quantity.key, reference.found.value)
         condition = reference.found.condition
         yield Text(Message("curve.found", name=each.name, value=value, condition=condition))
     if result.over == "offset":
@@ -85,50 +83,40 @@ def points_table(result: CaseCurve) -> Table:
     curve = result.curve
     count = len(curve.span)
     shown = tuple(sorted({round(k * (count - 1) / (_ROWS - 1)) for k in range(_ROWS)}))
-    some = len(shown) < count
     caption = Message("captions.some_points", shown=len(shown), points=count)
-    return Table(
+    return tabulate(
         "curve",
-        (
-            *_places(result, curve.span.tolist()),
-            measured("horizontal_force", curve.horizontal_force.tolist()),
-            measured("tension", curve.fairlead_tension.tolist(), "fairlead_tension"),
-            measured("tension", curve.anchor_tension.tolist(), "anchor_tension", symbol="TA"),
-            measured(
-                "angle", curve.anchor_angle.tolist(), "inclination_at_the_anchor", symbol="theta0"
-            ),
-            measured("grounded_length", curve.grounded_length.tolist()),
-            measured("stiffness", curve.stiffness.tolist()),
-            texts("regime", [regime_name(each) for each in curve.regime], only="files"),
-        ),
-        caption if some else Message("captions.curve_points"),
-        shown,
+        *_places(result, curve.span.tolist()),
+        measured("horizontal_force", curve.horizontal_force),
+        measured("tension", curve.fairlead_tension, "fairlead_tension"),
+        measured("tension", curve.anchor_tension, "anchor_tension", symbol="TA"),
+        measured("angle", curve.anchor_angle, "inclination_at_the_anchor", symbol="theta0"),
+        measured("grounded_length", curve.grounded_length),
+        measured("stiffness", curve.stiffness),
+        texts("regime", map(regime_name, curve.regime), only="files"),
+        caption=caption if len(shown) < count else Message("captions.curve_points"),
+        shown=shown,
     )
 
 
 def marks_table(result: CaseCurve) -> Table:
     """Tabulate where something changes along a load curve, by rising span."""
-    marks = result.curve.marks
-    return Table(
+    of = Rows(result.curve.marks)
+    return tabulate(
         "curve_marks",
-        (
-            texts("kind", [Message(f"curve.{mark.kind}") for mark in marks], only="files"),
-            texts("what_happens", [mark.event for mark in marks]),
-            *_places(result, [mark.span for mark in marks]),
-            measured("horizontal_force", [mark.horizontal_force for mark in marks]),
-            measured("tension", [mark.fairlead_tension for mark in marks], "fairlead_tension"),
-        ),
-        Message("captions.marks"),
+        of.texts("kind", lambda mark: Message(f"curve.{mark.kind}"), only="files"),
+        of.texts("what_happens", "event"),
+        *_places(result, of.read("span")),
+        *of.own("horizontal_force"),
+        of.measured("tension", "fairlead_tension", "fairlead_tension"),
+        caption=Message("captions.marks"),
     )
 
 
-def _places(result: CaseCurve, spans: list[float]) -> tuple[Column, Column]:
+def _places(result: CaseCurve, spans: Sequence[float]) -> tuple[Column, Column]:
     """List span and offset; people see the one that was not left out by what is stepped."""
-    zero = result.reference.span
-    of_offset = result.over == "offset"
-    span: For = "files" if of_offset else "all"
-    offset: For = "all" if of_offset else "files"
+    zero, of_offset = result.reference.span, result.over == "offset"
     return (
-        measured("span", spans, only=span),
-        measured("offset", [each - zero for each in spans], only=offset),
+        measured("span", spans, only="files" if of_offset else "all"),
+        measured("offset", [each - zero for each in spans], only="all" if of_offset else "files"),
     )

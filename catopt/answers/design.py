@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Sequence
+from operator import methodcaller
+from typing import TYPE_CHECKING, Any
 
 from catopt.answers.blocks import (
     Answer,
@@ -12,13 +13,17 @@ from catopt.answers.blocks import (
     Fact,
     Facts,
     Graph,
+    Rows,
     Section,
     Table,
     Text,
     Value,
     Verdict,
     Warnings,
-    measured,
+    answered,
+    section,
+    stated,
+    tabulate,
     texts,
     yes_or_no,
 )
@@ -35,7 +40,7 @@ from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
-    from catopt.model import Line
+    from catopt.model import Line, PointLoad
 
 _MOST = 25
 """Designs of a front that people see all of; of a longer one they see some."""
@@ -43,17 +48,15 @@ _MOST = 25
 
 def design_answer(result: DesignResult) -> Answer:
     """Lay out a front, its recommended design and how it was found."""
-    return Answer(
+    return answered(
         "design",
         result.case.title or Message("captions.mooring_line"),
-        (
-            Section(Message("captions.front"), tuple(_front(result))),
-            Section(Message("captions.recommended"), tuple(_recommended(result))),
-            Section(Message("captions.components"), (_components(result),)),
-            Section(Message("captions.checks"), (_checks(result),)),
-            *_loads(result),
-            Section(Message("captions.search"), (_search(result),)),
-        ),
+        section("captions.front", *_front(result)),
+        section("captions.recommended", *_recommended(result)),
+        section("captions.components", _components(result)),
+        section("captions.checks", _checks(result)),
+        *_loads(result),
+        section("captions.search", _search(result)),
     )
 
 
@@ -80,48 +83,43 @@ def shown_designs(count: int, *named: int) -> tuple[int, ...]:
 def _front(result: DesignResult) -> Iterator[Block]:
     """Tabulate the front, a row each design, with the tightest check of each kind in files."""
     points = result.front
-    shown = shown_designs(len(points), result.recommended)
+    of, count = Rows(points), len(points)
+    shown = shown_designs(count, result.recommended)
+    best = [Message("answers.yes") if k == result.recommended else "" for k in range(count)]
+    caption = Message("captions.front_recommended")
+    if len(shown) < count:
+        caption = Message("captions.front_of", shown=len(shown), count=count)
     yield Text(_how(result))
-    yield Table(
+    yield tabulate(
         "front",
-        (
-            _numbers(range(1, len(points) + 1)),
-            texts("recommended", _is_recommended(result), only="files"),
-            *_objectives(result, points),
-            texts("line_from_the_anchor", map(_composition, points), only="people"),
-            *_in_words(points),
-            *_utilisations(points),
-            texts("governing_check", map(_governing, points), only="files"),
-        ),
-        Message("captions.front_of", shown=len(shown), count=len(points))
-        if len(shown) < len(points)
-        else Message("captions.front_recommended"),
-        shown,
-        result.recommended,
+        texts("design", range(1, count + 1)),
+        texts("recommended", best, only="files"),
+        *_objectives(result, of),
+        of.texts("line_from_the_anchor", _composition, only="people"),
+        *_in_words(of),
+        *_utilisations(points),
+        of.texts("governing_check", _governing, only="files"),
+        caption=caption,
+        shown=shown,
+        marked=result.recommended,
     )
     yield Graph(Message("captions.front"), "front", x=2, y=(3,), points=True)
 
 
 def _how(result: DesignResult) -> Message:
+    values = {
+        "designs": result.designs,
+        "evaluations": result.evaluations,
+        "method": term(result.method),
+        "feasible": result.feasible,
+        "front": len(result.front),
+    }
     if result.excluded and result.is_exact:
+        excluded = sum(result.excluded.values())
         return Message(
-            "design.exact_by_bounds",
-            designs=result.designs,
-            evaluations=result.evaluations,
-            method=term(result.method),
-            excluded=sum(result.excluded.values()),
-            bounds=_bounds(result),
-            feasible=result.feasible,
-            front=len(result.front),
+            "design.exact_by_bounds", **values, excluded=excluded, bounds=_bounds(result)
         )
-    return Message(
-        "design.exact" if result.is_exact else "design.found",
-        designs=result.designs,
-        evaluations=result.evaluations,
-        method=term(result.method),
-        feasible=result.feasible,
-        front=len(result.front),
-    )
+    return Message("design.exact" if result.is_exact else "design.found", **values)
 
 
 def _bounds(result: DesignResult) -> Several:
@@ -130,56 +128,38 @@ def _bounds(result: DesignResult) -> Several:
     return Several(said)
 
 
-def _numbers(numbers: Iterable[int]) -> Column:
-    return texts("design", numbers)
-
-
-def _is_recommended(result: DesignResult) -> Iterator[str]:
-    for index in range(len(result.front)):
-        yield Message("answers.yes") if index == result.recommended else ""
-
-
-def _objectives(result: DesignResult, points: Sequence[DesignPoint | None]) -> Iterator[Column]:
+def _objectives(result: DesignResult, of: Rows) -> Iterator[Column]:
     """Yield a column for each objective: those wanted first, then what else is known."""
+    every = of.read("objectives")
     for key, quantity in _known_objectives(result):
-        values = tuple(None if each is None else each.objectives.get(key) for each in points)
-        yield Column(term(quantity.name), values, quantity)
+        values = (None if each is None else each.get(key) for each in every)
+        yield Column(term(quantity.name), tuple(values), quantity)
 
 
 def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
     known = result.front[0].objectives
-    keys = [*result.objectives, *(key for key in known if key not in result.objectives)]
+    keys = dict.fromkeys((*result.objectives, *known))
     of_body = result.case.system is not None
     return [(key, objective(key, of_body=of_body)) for key in keys]
 
 
-def _in_words(points: Sequence[DesignPoint]) -> tuple[Column, ...]:
-    """Say of what each design is made, in files."""
-    segments = [Several(segment_words(each.line)) for each in points]
-    weights = [Several(clump_weight_words(each.line)) for each in points]
-    return (
-        texts("segments_from_the_anchor", segments, only="files"),
-        texts("clump_weights", weights, only="files"),
-        texts("anchor", map(_anchor_words, points), only="files"),
-        *_layouts(points),
-    )
-
-
-def _layouts(points: Sequence[DesignPoint]) -> Iterator[Column]:
-    """Yield the layout of whole moorings and what takes them farthest, in files."""
-    far = [each.mooring for each in points]
-    if all(far):
-        layouts = (Several(_layout_words(each)) for each in points)
-        yield texts("layout", layouts, only="files")
-        yield texts("farthest_in", (each.state for each in far if each), only="files")
+def _in_words(of: Rows) -> Iterator[Column]:
+    """Say of what each design is made, and of whole moorings the layout, in files."""
+    only: dict[str, Any] = {"only": "files"}
+    yield of.texts("segments_from_the_anchor", lambda at: Several(segment_words(at.line)), **only)
+    yield of.texts("clump_weights", lambda at: Several(clump_weight_words(at.line)), **only)
+    yield of.texts("anchor", _anchor_words, **only)
+    if all(of.read("mooring")):
+        yield of.texts("layout", lambda point: Several(_layout_words(point)), **only)
+        yield of.texts("farthest_in", "mooring.state", **only)
 
 
 def _utilisations(points: Sequence[DesignPoint]) -> Iterator[Column]:
     """Yield a column for each kind of check that was made: the tightest of each design."""
-    found = [tightest_checks(each.checks) for each in points]
-    for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in found)):
-        used = (each[kind].utilisation if kind in each else None for each in found)
-        yield measured("utilisation", used, f"{kind}_utilisation", only="files")
+    of = Rows(tightest_checks(each.checks) for each in points)
+    for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in of.rows)):
+        checks = Rows(of.read(methodcaller("get", kind)))
+        yield checks.measured("utilisation", "utilisation", f"{kind}_utilisation", only="files")
 
 
 def _governing(point: DesignPoint) -> str:
@@ -200,16 +180,14 @@ def segment_words(line: Line) -> list[str]:
 
 def clump_weight_words(line: Line) -> list[str]:
     """Say what hangs on the line: ``"2 t at 7 m"``, with the mass in air."""
-    return [
-        Message(
-            "design.force_at",
-            force=Measure("point_weight", load.submerged_weight),
-            position=load.position,
-        )
-        if load.mass is None
-        else Message("design.weight_at", mass=load.mass / 1e3, position=load.position)
-        for load in line.point_loads
-    ]
+    return [_clump_weight(load) for load in line.point_loads]
+
+
+def _clump_weight(load: PointLoad) -> Message:
+    if load.mass is not None:
+        return Message("design.weight_at", mass=load.mass / 1e3, position=load.position)
+    force = Measure("point_weight", load.submerged_weight)
+    return Message("design.force_at", force=force, position=load.position)
 
 
 def _anchor_words(point: DesignPoint) -> str:
@@ -221,9 +199,8 @@ def _anchor_words(point: DesignPoint) -> str:
         return Message("design.drag_anchor")
     if anchor.mass is not None:
         return Message("design.sinker", mass=anchor.mass / 1e3)
-    return Message(
-        "design.sinker_force", force=Measure("point_weight", anchor.submerged_weight or 0.0)
-    )
+    force = Measure("point_weight", anchor.submerged_weight or 0.0)
+    return Message("design.sinker_force", force=force)
 
 
 def _layout_words(point: DesignPoint) -> Iterator[Message]:
@@ -267,13 +244,13 @@ def _recommended(result: DesignResult) -> Iterator[Block]:
 def _made_of(result: DesignResult, point: DesignPoint) -> Iterator[Fact]:
     """List the parts of a design and what its objectives come to."""
     for layout in _layout_words(point):
-        yield Fact(Message("columns.layout"), layout)
+        yield stated("layout", layout)
     for number, said in enumerate(segment_words(point.line), start=1):
-        yield Fact(Message("columns.segment_number", number=number), said)
+        yield stated(Message("columns.segment_number", number=number), said)
     for said in clump_weight_words(point.line):
-        yield Fact(Message("columns.clump_weight"), said)
+        yield stated("clump_weight", said)
     if point.anchor is not None:
-        yield Fact(Message("columns.anchor"), _anchor_words(point))
+        yield stated("anchor", _anchor_words(point))
     for key, quantity in _known_objectives(result):
         yield Fact(term(quantity.name), point.objectives[key], quantity)
 
@@ -283,15 +260,13 @@ def _neighbours(result: DesignResult) -> Table:
 
     The last row is the line in the case file.
     """
-    steps = (*result.neighbours, result.present)
-    return Table(
+    steps = Rows((*result.neighbours, result.present))
+    return tabulate(
         "neighbours",
-        (
-            texts("change_to_the_recommended_design", (step.change for step in steps)),
-            *_objectives(result, [step.point for step in steps]),
-            texts("verdict", map(_verdict, steps)),
-        ),
-        Message("captions.neighbours"),
+        steps.texts("change_to_the_recommended_design", "change"),
+        *_objectives(result, Rows(steps.read("point"))),
+        steps.texts("verdict", _verdict),
+        caption=Message("captions.neighbours"),
     )
 
 
@@ -313,60 +288,47 @@ def _verdict(step: Neighbour) -> str:
 
 def _components(result: DesignResult) -> Table:
     """Tabulate the segments of every design, a row each from the anchor to the fairlead."""
-    rows = [
-        (number, place, segment)
+    places = [
+        (number, place)
         for number, point in enumerate(result.front, start=1)
-        for place, segment in enumerate(point.line.segments, start=1)
+        for place, _ in enumerate(point.line.segments, start=1)
     ]
-    segments = [segment for _, _, segment in rows]
-    return Table(
+    of = Rows(segment for point in result.front for segment in point.line.segments)
+    return tabulate(
         "components",
-        (
-            _numbers(number for number, _, _ in rows),
-            texts("segment", (place for _, place, _ in rows)),
-            texts("component", (each.component or each.name for each in segments)),
-            measured("nominal_diameter", (each.nominal_diameter for each in segments)),
-            measured("length", (each.length for each in segments)),
-            measured("submerged_weight", (each.submerged_weight for each in segments)),
-            measured("mass_per_length", (each.mass for each in segments)),
-            measured("EA", (each.EA for each in segments)),
-            measured("MBL", (each.MBL for each in segments)),
-            measured("proof_load", (each.proof_load for each in segments)),
-            measured("price", (each.price for each in segments)),
-        ),
+        texts("design", [number for number, _ in places]),
+        texts("segment", [place for _, place in places]),
+        of.texts("component", lambda each: each.component or each.name),
+        *of.own("nominal_diameter", "length", "submerged_weight"),
+        of.measured("mass_per_length", "mass"),
+        *of.own("EA", "MBL", "proof_load", "price"),
         only="files",
     )
 
 
 def _checks(result: DesignResult) -> Table:
     """Tabulate every check of every design, a row each."""
-    rows = [
-        (number, check)
-        for number, point in enumerate(result.front, start=1)
-        for check in point.checks.results
-    ]
-    numbers = _numbers(number for number, _ in rows)
-    columns = (numbers, *check_columns([check for _, check in rows]))
-    return Table("checks", columns, only="files")
+    every = [point.checks.results for point in result.front]
+    numbers = [number for number, results in enumerate(every, start=1) for _ in results]
+    columns = check_columns([check for results in every for check in results])
+    return tabulate("checks", texts("design", numbers), *columns, only="files")
 
 
 def _loads(result: DesignResult) -> Iterator[Section]:
     """Tabulate what a body had to meet, where it is more than one force."""
     loads = () if result.case.design is None else result.case.design.loads
     if loads:
+        of, title = Rows(loads), Message("captions.load_cases")
         columns = (
-            texts("load_case", (load.name for load in loads)),
-            measured("horizontal_force", (load.force for load in loads), "force", symbol="F"),
-            measured("angle", (load.direction for load in loads), "direction", symbol=""),
-            texts("from_so_many_sides", (load.headings for load in loads)),
-            measured("height", (load.water_level for load in loads), "water_level", symbol=""),
-            measured("height", (load.fairlead_rise for load in loads), "fairlead_rise", symbol=""),
-            texts("each_line_out", (yes_or_no(load.line_out) for load in loads)),
+            of.texts("load_case", "name"),
+            of.measured("horizontal_force", "force", "force", symbol="F"),
+            of.measured("angle", "direction", "direction", symbol=""),
+            of.texts("from_so_many_sides", "headings"),
+            of.measured("height", "water_level", "water_level", symbol=""),
+            of.measured("height", "fairlead_rise", "fairlead_rise", symbol=""),
+            of.texts("each_line_out", lambda load: yes_or_no(load.line_out)),
         )
-        yield Section(
-            Message("captions.load_cases"),
-            (Table("loads", columns, Message("captions.load_cases")),),
-        )
+        yield section(title, Table("loads", columns, title))
 
 
 def _search(result: DesignResult) -> Facts:
@@ -390,5 +352,5 @@ def _search(result: DesignResult) -> Facts:
         "interrupted": yes_or_no(result.interrupted),
         "warnings": Several(result.warnings),
     }
-    facts = (Fact(Message(f"columns.{name}"), value) for name, value in listed.items())
-    return Facts("search", tuple(facts), only="files")
+    facts = tuple(stated(name, value) for name, value in listed.items())
+    return Facts("search", facts, only="files")

@@ -8,17 +8,20 @@ from typing import TYPE_CHECKING
 from catopt.answers.blocks import (
     Answer,
     Block,
-    Column,
-    Section,
+    Rows,
     Table,
     Text,
     Verdict,
     Warnings,
+    answered,
     measured,
+    section,
+    tabulate,
     texts,
 )
+from catopt.answers.check import verdict_column
 from catopt.constants import YEAR
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.quantities import Quantity
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -29,24 +32,28 @@ _YEARS = Quantity("years", "Life", "", "s", "years", YEAR, 4, "significant")
 _PERIOD = Quantity("period", "Period", "", "s", "s", 1.0, 2)
 _PART = Quantity("part", "Part", "", "-", "-", 1.0, 4)
 _AREA = Quantity("area", "Area", "", "m^2", "mm²", 1e-6, 0)
+_HEIGHT = Quantity("height", "Height", "", "m", "m", 1.0, 2)
+_PROVEN = {
+    "converged": "fatigue.converged",
+    "not converged": "fatigue.not_converged",
+    "not proven": "fatigue.run_once",
+}
 
 
 def fatigue_answer(report: FatigueReport) -> Answer:
     """Lay out fatigue by segment and by sea state."""
     said: tuple[Block, ...] = (
         Verdict(fatigue_sentence(report), report.passes and report.verdict == "converged"),
-        *(Text(each) for each in (*_sentences(report), *_convergence(report))),
+        *map(Text, _sentences(report)),
         Text(Message("fatigue.counting"), is_small=True),
         Text(Message("fatigue.spectrum"), is_small=True),
         Warnings(report.remarks),
     )
-    return Answer(
+    return answered(
         "fatigue",
         report.case.title or Message("captions.mooring_line"),
-        (
-            Section(Message("fatigue.by_segment"), (_segments(report), _strengths(report), *said)),
-            Section(Message("fatigue.by_state"), (_states(report), _damages(report))),
-        ),
+        section("fatigue.by_segment", _segments(report), _strengths(report), *said),
+        section("fatigue.by_state", _states(report), _damages(report)),
     )
 
 
@@ -62,25 +69,12 @@ def fatigue_sentence(report: FatigueReport) -> Message:
     return Message("fatigue.not_proven", said=said, verdict=_proven(report.verdict))
 
 
-def _convergence(report: FatigueReport) -> Iterator[Message]:
-    """Say how far the ranges behind the damage hang on the step, where they were run again."""
-    changes = [each.change for each in report.segments if each.change is not None]
-    if changes:
-        yield Message("fatigue.change", part=max(changes))
-
-
-_PROVEN = {
-    "converged": "fatigue.converged",
-    "not converged": "fatigue.not_converged",
-    "not proven": "fatigue.run_once",
-}
-
-
 def _proven(verdict: str) -> Message:
     return Message(_PROVEN[verdict])
 
 
 def _sentences(report: FatigueReport) -> Iterator[Message]:
+    """Say which sea state harms each segment most, and how far its ranges hang on the step."""
     for each in report.segments:
         if each.damage > 0.0:
             worst = report.states[each.worst]
@@ -92,6 +86,9 @@ def _sentences(report: FatigueReport) -> Iterator[Message]:
                 period=worst.period,
                 part=each.states[each.worst].damage / each.damage,
             )
+    changes = [each.change for each in report.segments if each.change is not None]
+    if changes:  # where they were run again
+        yield Message("fatigue.change", part=max(changes))
 
 
 def _name(each: SegmentFatigue) -> Message:
@@ -103,64 +100,42 @@ def _name(each: SegmentFatigue) -> Message:
     return Message("fatigue.of_line", line=each.line, segment=segment)
 
 
-def _column(name: str, values: list[float | None], quantity: Quantity) -> Column:
-    return Column(Message(f"fatigue.{name}"), tuple(values), quantity)
-
-
 def _segments(report: FatigueReport) -> Table:
-    found = report.segments
-    return Table(
+    of = Rows(report.segments)
+    years = [None if each is None else each * YEAR for each in of.read("years")]
+    return tabulate(
         "fatigue",
-        (
-            texts("segment", [_name(each) for each in found]),
-            _column("damage", [each.damage for each in found], _DAMAGE),
-            _column(
-                "life",
-                [None if each.years is None else each.years * YEAR for each in found],
-                _YEARS,
-            ),
-            _column("wanted", [each.life for each in found], _YEARS),
-            _column("design_factor", [each.factor for each in found], _DAMAGE),
-            measured("utilisation", [each.utilisation for each in found]),
-            Column(
-                Message("columns.verdict"),
-                tuple(
-                    Message("answers.passes" if each.utilisation <= 1.0 else "answers.fails")
-                    for each in found
-                ),
-                passes=tuple(each.utilisation <= 1.0 for each in found),
-            ),
-        ),
-        marked=found.index(report.governing),
+        of.texts("segment", _name),
+        of.measured(_DAMAGE, "damage", "fatigue.damage"),
+        measured(_YEARS, years, "fatigue.life"),
+        of.measured(_YEARS, "life", "fatigue.wanted"),
+        of.measured(_DAMAGE, "factor", "fatigue.design_factor"),
+        *of.own("utilisation"),
+        verdict_column(each.utilisation <= 1.0 for each in report.segments),
+        marked=report.segments.index(report.governing),
     )
 
 
 def _strengths(report: FatigueReport) -> Table:
     """Say by which curve and reference, and where in the segment."""
-    found = report.segments
-    areas = [
-        each.strength.reference if each.strength.curve.kind == "S-N" else None for each in found
-    ]
-    MBL = [each.strength.reference if each.strength.curve.kind == "T-N" else None for each in found]
-    return Table(
+    of = Rows(report.segments)
+
+    def reference(kind: str) -> list[float | None]:
+        strengths = of.read("strength")
+        return [each.reference if each.curve.kind == kind else None for each in strengths]
+
+    return tabulate(
         "fatigue_strength",
-        (
-            texts("segment", [_name(each) for each in found]),
-            Column(Message("fatigue.curve"), tuple(_curve(each) for each in found)),
-            Column(
-                Message("fatigue.changes"), tuple(_changes(each) for each in found), only="files"
-            ),
-            measured("nominal_diameter", [each.strength.diameter for each in found]),
-            _column("area", areas, _AREA),
-            _column("strength", MBL, QUANTITIES["MBL"]),
-            measured("s", [each.arc for each in found]),
-            _column("along", [each.along for each in found], _PART),
-            Column(
-                Message("fatigue.factor_by"),
-                tuple(each.factor_source.text for each in found),
-            ),
-        ),
-        Message("fatigue.half_loss"),
+        of.texts("segment", _name),
+        of.texts("fatigue.curve", _curve),
+        of.texts("fatigue.changes", _changes, only="files"),
+        of.measured("nominal_diameter", "strength.diameter"),
+        measured(_AREA, reference("S-N"), "fatigue.area"),
+        measured("MBL", reference("T-N"), "fatigue.strength"),
+        of.measured("s", "arc"),
+        of.measured(_PART, "along", "fatigue.along"),
+        of.texts("fatigue.factor_by", "factor_source.text"),
+        caption=Message("fatigue.half_loss"),
     )
 
 
@@ -178,39 +153,30 @@ def _changes(each: SegmentFatigue) -> Message:
 
 
 def _states(report: FatigueReport) -> Table:
-    states = report.states
-    return Table(
+    of, runs = Rows(report.states), Rows(report.runs)
+    return tabulate(
         "fatigue_sea_states",
-        (
-            texts("no", range(1, len(states) + 1)),
-            _column("height", [each.height for each in states], _HEIGHT),
-            _column("period", [each.period for each in states], _PERIOD),
-            _column("share", [each.share for each in states], _PART),
-            Column(Message("fatigue.runs"), tuple(len(run.parts[0].runs) for run in report.runs)),
-            Column(
-                Message("fatigue.convergence"), tuple(_proven(run.verdict) for run in report.runs)
-            ),
-        ),
+        texts("no", range(1, len(report.states) + 1)),
+        of.measured(_HEIGHT, "height", "fatigue.height"),
+        of.measured(_PERIOD, "period", "fatigue.period"),
+        of.measured(_PART, "share", "fatigue.share"),
+        runs.texts("fatigue.runs", lambda run: len(run.parts[0].runs)),
+        runs.texts("fatigue.convergence", lambda run: _proven(run.verdict)),
     )
-
-
-_HEIGHT = Quantity("height", "Height", "", "m", "m", 1.0, 2)
 
 
 def _damages(report: FatigueReport) -> Table:
     """Tabulate what each sea state does to each segment."""
     rows = [(each, k) for each in report.segments for k in range(len(report.states))]
-    at = [each.states[k] for each, k in rows]
-    return Table(
+    of = Rows(each.states[k] for each, k in rows)
+    return tabulate(
         "fatigue_damage",
-        (
-            texts("segment", [_name(each) for each, _ in rows]),
-            Column(Message("fatigue.sea_state"), tuple(k + 1 for _, k in rows)),
-            _column("damage", [each.damage for each in at], _DAMAGE),
-            _column("mean", [each.mean for each in at], QUANTITIES["tension"]),
-            _column("cycles", [each.cycles for each in at], _DAMAGE),
-            _column("at_half_step", [each.at_half_step for each in at], _DAMAGE),
-            _column("by_spectrum", [each.by_spectrum for each in at], _DAMAGE),
-        ),
-        Message("fatigue.mean_there"),
+        texts("segment", [_name(each) for each, _ in rows]),
+        texts("fatigue.sea_state", [k + 1 for _, k in rows]),
+        of.measured(_DAMAGE, "damage", "fatigue.damage"),
+        of.measured("tension", "mean", "fatigue.mean"),
+        of.measured(_DAMAGE, "cycles", "fatigue.cycles"),
+        of.measured(_DAMAGE, "at_half_step", "fatigue.at_half_step"),
+        of.measured(_DAMAGE, "by_spectrum", "fatigue.by_spectrum"),
+        caption=Message("fatigue.mean_there"),
     )

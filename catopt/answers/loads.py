@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import (
     Answer,
     Block,
     Column,
+    For,
+    Rows,
     Section,
     Table,
     Text,
     Warnings,
+    answered,
     measured,
-    of_row,
+    section,
+    tabulate,
     texts,
 )
 from catopt.words import Measure, Message, Several, term
@@ -31,17 +36,14 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> Ans
     `others` are by other methods and stand in the same tables; `lyings` are the cases of which the
     worst is laid out.
     """
-    forces = Message("terms.forces")
     every = (of, *others)
-    return Answer(
+    return answered(
         "loads",
         of.title,
-        (
-            *_headings(of, lyings),
-            Section(forces, (forces_table(*every), _how(every))),
-            Section(Message("columns.numbers"), (numbers_table(*every),)),
-            Section(Message("terms.notes"), (_notes_table(every), *_notes(every))),
-        ),
+        *_headings(of, lyings),
+        section("terms.forces", forces_table(*every), _how(every)),
+        section("columns.numbers", numbers_table(*every)),
+        section("terms.notes", _notes_table(every), *_notes(every)),
     )
 
 
@@ -49,87 +51,74 @@ def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[Section]:
     """Tabulate how the ship lies under each set of directions, and mark what is laid out."""
     if not lyings:
         return
-    forces = [each.loads.horizontal_force for each in lyings]
-    worst = next(k for k, each in enumerate(lyings) if each.loads.components == of.components)
-    directions = [each.directions for each in lyings]
-
-    def angles(name: str, values: Iterable[float]) -> Column:
-        return measured("angle", values, name, symbol="")
-
-    table = Table(
+    lying = Rows(lyings)
+    k = next(k for k, each in enumerate(lyings) if each.loads.components == of.components)
+    depths = lying.read("depth")
+    table = tabulate(
         "headings",
-        (
-            texts("condition", (term(each.afloat.condition) for each in lyings)),
-            *_depths(lyings),
-            angles("wind_from", (each.wind for each in directions)),
-            angles("current_from", (each.current for each in directions)),
-            angles("waves_from", (each.waves for each in directions)),
-            angles("heading", (each.heading for each in lyings)),
-            measured("horizontal_force", forces, "force", symbol="F"),
-            texts("method", (each.loads.method for each in lyings), priority=1),
-        ),
-        Message("loads.how_it_lies"),
-        marked=worst,
+        lying.texts("condition", lambda each: term(each.afloat.condition)),
+        *([measured("water_depth", depths, symbol="")] if len(set(depths)) > 1 else []),
+        lying.measured("angle", "directions.wind", "wind_from", symbol=""),
+        lying.measured("angle", "directions.current", "current_from", symbol=""),
+        lying.measured("angle", "directions.waves", "waves_from", symbol=""),
+        lying.measured("angle", "heading", "heading", symbol=""),
+        lying.measured("horizontal_force", "loads.horizontal_force", "force", symbol="F"),
+        lying.texts("method", "loads.method", priority=1),
+        caption=Message("loads.how_it_lies"),
+        marked=k,
     )
+    worst = lyings[k]
     said = Message(
         "loads.worst",
-        force=Measure("horizontal_force", forces[worst]),
-        condition=term(lyings[worst].afloat.condition),
-        current=math.degrees(directions[worst].current),
-        heading=math.degrees(lyings[worst].heading),
+        force=Measure("horizontal_force", worst.loads.horizontal_force),
+        condition=term(worst.afloat.condition),
+        current=math.degrees(worst.directions.current),
+        heading=math.degrees(worst.heading),
     )
-    yield Section(Message("terms.headings"), (table, Text(said, only="people")))
-
-
-def _depths(lyings: Sequence[Lying]) -> Iterator[Column]:
-    """Tabulate the depths of the water where there are several."""
-    depths = [each.depth for each in lyings]
-    if len(set(depths)) > 1:
-        yield measured("water_depth", depths, symbol="")
+    yield section("terms.headings", table, Text(said, only="people"))
 
 
 def forces_table(*by: Loads) -> Table:
     """Tabulate the forces by one method or several, a row each, and their sum."""
-    rows = [(of, each) for of in by for each in (*of.components, None)]
-    every = [each for _, each in rows]
-    methods = [of.method for of, _ in rows]
-
-    def of_each(value: Callable[[LoadComponent], str]) -> list[str]:
-        return ["" if each is None else value(each) for each in every]
-
-    forces = [of.horizontal_force if each is None else each.force for of, each in rows]
+    every: list[LoadComponent | None] = []
+    methods, forces = [], []
+    for of in by:
+        every += [*of.components, None]
+        methods += [of.method] * (len(of.components) + 1)
+        forces += [*(each.force for each in of.components), of.horizontal_force]
     total = term("horizontal force")
-    return Table(
+
+    def of_each(name: str, path: str, only: For = "files") -> Column:
+        values = ["" if each is None else attrgetter(path)(each) for each in every]
+        return texts(name, values, only=only)
+
+    return tabulate(
         "loads",
-        (
-            *((texts("method", methods, only="people"),) if len(by) > 1 else ()),
-            texts("force", [total if each is None else each.name for each in every]),
-            texts("axis", of_each(lambda each: term(each.axis))),
-            measured("horizontal_force", forces, "force", symbol="F"),
-            texts("conf", of_each(lambda each: each.source.confidence), only="people"),
-            texts("formula", of_each(lambda each: each.formula), only="files"),
-            texts("numbers", of_each(lambda each: each.numbers_text), only="files"),
-            texts("source", of_each(lambda each: each.source.text), only="files"),
-            texts("note", of_each(lambda each: each.note), only="files"),
-            texts("method", methods, only="files"),
-        ),
-        Message("terms.forces"),
+        *([texts("method", methods, only="people")] if len(by) > 1 else []),
+        texts("force", [total if each is None else each.name for each in every]),
+        texts("axis", ["" if each is None else term(each.axis) for each in every]),
+        measured("horizontal_force", forces, "force", symbol="F"),
+        of_each("conf", "source.confidence", "people"),
+        of_each("formula", "formula"),
+        of_each("numbers", "numbers_text"),
+        of_each("source", "source.text"),
+        of_each("note", "note"),
+        texts("method", methods, only="files"),
+        caption=Message("terms.forces"),
     )
 
 
 def numbers_table(*by: Loads) -> Table:
     """Tabulate every number that was put in, in SI and with all digits."""
-    rows = [(each.name, number) for each in _components(by) for number in each.numbers]
-    numbers = [number for _, number in rows]
-    return Table(
+    components = _components(by)
+    numbers = Rows(number for each in components for number in each.numbers)
+    return tabulate(
         "numbers",
-        (
-            texts("force", [name for name, _ in rows]),
-            texts("symbol", [each.symbol for each in numbers]),
-            texts("meaning", [each.meaning for each in numbers]),
-            of_row("value", [each.value for each in numbers]),
-            texts("unit", [each.unit or "-" for each in numbers]),
-        ),
+        texts("force", [each.name for each in components for _ in each.numbers]),
+        numbers.texts("symbol"),
+        numbers.texts("meaning"),
+        numbers.of_row("value"),
+        numbers.texts("unit", lambda each: each.unit or "-"),
         only="files",
     )
 
@@ -140,20 +129,22 @@ def _components(by: Iterable[Loads]) -> Iterable[LoadComponent]:
 
 
 def _notes_table(by: Sequence[Loads]) -> Table:
-    rows = dict.fromkeys(
-        (term(kind), said)
-        for kind, every in (
-            ("assumption", [said for of in by for said in of.assumptions]),
-            ("warning", [said for of in by for said in of.warnings]),
-            ("recalled (R)", [name for of in by for name in of.recalled]),
-        )
-        for said in every
+    kinds = {
+        "assumption": [said for of in by for said in of.assumptions],
+        "warning": [said for of in by for said in of.warnings],
+        "recalled (R)": [name for of in by for name in of.recalled],
+    }
+    return notes_table((term(kind), said) for kind, every in kinds.items() for said in every)
+
+
+def notes_table(rows: Iterable[tuple[str, str]]) -> Table:
+    """Tabulate what is said in words, each once, behind what kind of words it is."""
+    once = dict.fromkeys(rows)
+    kinds, said = (
+        texts("kind", [kind for kind, _ in once]),
+        texts("text", [said for _, said in once]),
     )
-    return Table(
-        "notes",
-        (texts("kind", [kind for kind, _ in rows]), texts("text", [said for _, said in rows])),
-        only="files",
-    )
+    return tabulate("notes", kinds, said, only="files")
 
 
 def _how(by: Sequence[Loads]) -> Text:

@@ -1,8 +1,8 @@
-"""What a line in motion consists of, or all lines of a body."""
+"""What a line in motion consists of, all lines of a body, or the designs of a front."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -10,24 +10,25 @@ from catopt.answers.blocks import (
     Answer,
     Block,
     Column,
+    Rows,
     Section,
     Table,
     Text,
-    Value,
     Verdict,
+    answered,
     bare,
     in_si,
     keyed,
     measured,
     named,
-    of_row,
+    section,
+    tabulate,
     texts,
-    where_known,
     yes_or_no,
 )
 from catopt.answers.check import checks_in_motion
 from catopt.answers.verification import label, remarks
-from catopt.quantities import Quantity
+from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
 from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF, motion_sentences, proof_sentences
 from catopt.words import Message, Several, term
@@ -37,44 +38,35 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from catopt.checks.result import CheckReport
-    from catopt.fem import Extreme, TailFit
-    from catopt.fem.energy_balance import EnergyBalance
-    from catopt.verify.dynamic_result import (
-        DynamicPart,
-        DynamicRun,
-        DynamicVerification,
-        OverRuns,
-    )
+    from catopt.notes.front_in_motion import DesignInMotion, FrontInMotion
+    from catopt.verify.dynamic_result import DynamicPart, DynamicRun, DynamicVerification, OverRuns
 
 _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 4)
 _SLACK = replace(_TIME, digits=1)
 _RATIO = Quantity("ratio", "Ratio", "", "-", "-", 1.0, 2)
+_CHANGE = replace(_RATIO, digits=3)
 _PART = Quantity("part", "Part", "", "-", "-", 1.0, 2, "scientific")
 _PERCENT = Quantity("change", "Change", "", "-", "%", 0.01, 2)
 _ENERGY = Quantity("energy", "Energy", "", "J", "J", 1.0, 1)
 
-_PROOF = {
-    "none": "motion.proof_none",
-    "step": "motion.proof_step",
-    "bars": "motion.how_both",
+_FORCE = replace(QUANTITIES["tension"], symbol="")
+
+_PROOF = {"none": "motion.proof_none", "step": "motion.proof_step", "bars": "motion.how_both"}
+
+ENERGIES = {
+    "Work put in": "put_in",
+    "Work of the ends": "ends",
+    "Work of the water's pressure": "water",
+    "Kinetic energy gained": "kinetic",
+    "Strain energy gained": "elastic",
+    "Potential energy gained": "potential",
+    "Taken by drag": "drag",
+    "Taken by the bed": "bed",
+    "Taken by friction": "friction",
+    "Taken by line damping": "damping",
+    "Numerical": "numerical",
 }
-
-ENERGIES: tuple[tuple[str, Callable[[EnergyBalance], float]], ...] = (
-    ("Work put in", lambda of: of.put_in),
-    ("Work of the ends", lambda of: of.ends),
-    ("Work of the water's pressure", lambda of: of.water),
-    ("Kinetic energy gained", lambda of: of.kinetic),
-    ("Strain energy gained", lambda of: of.elastic),
-    ("Potential energy gained", lambda of: of.potential),
-    ("Taken by drag", lambda of: of.drag),
-    ("Taken by the bed", lambda of: of.bed),
-    ("Taken by friction", lambda of: of.friction),
-    ("Taken by line damping", lambda of: of.damping),
-    ("Numerical", lambda of: of.numerical),
-)
-"""What the energy balance of a run consists of."""
-
-_Rows = Iterable[float | None]
+"""What the energy balance of a run consists of: names, and attributes of `EnergyBalance`."""
 
 
 def motion_answer(
@@ -87,14 +79,12 @@ def motion_answer(
     """
     said = _of_body(found) if found.case.system is not None else _of_load_cases(found)
     judged = () if checks is None else tuple(checks_in_motion(checks))
-    return Answer(
+    return answered(
         "dynamic",
         found.case.title or Message("captions.mooring_line"),
-        (
-            Section(Message("captions.motion"), tuple(said)),
-            *((Section(Message("captions.checks_in_motion"), judged),) if judged else ()),
-            *_files(found, with_series=with_series),
-        ),
+        section("captions.motion", *said),
+        *([section("captions.checks_in_motion", *judged)] if judged else []),
+        *_files(found, with_series=with_series),
     )
 
 
@@ -116,79 +106,59 @@ def _of_load_cases(found: DynamicVerification) -> Iterator[Block]:
 
 
 def _quantities(part: DynamicPart, caption: str) -> Table:
-    found = part.quantities
-    time = lasting(part.duration_of_interest)
-    probable = Message("columns.most_prob_in", time=time)
-    changes = tuple(part.change_of(each.quantity) for each in found)
-    columns = (
-        *_over_runs(found),
-        _bare(probable, found, (each.most_probable_maximum for each in found)),
-        Column(Message("columns.change"), changes, _PERCENT),
+    of = Rows(part.quantities)
+    units = tuple(bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in part.quantities)
+    probable = Message("columns.most_prob_in", time=lasting(part.duration_of_interest))
+    return tabulate(
+        "motion",
+        *_over_runs(part.quantities),
+        of.texts(probable, "most_probable_maximum", units=units),
+        of.measured(_PERCENT, lambda each: part.change_of(each.quantity), "change"),
+        caption=caption,
+        only="people",
     )
-    return Table("motion", columns, caption, only="people")
 
 
-def _over_runs(found: Sequence[OverRuns]) -> tuple[Column, ...]:
+def _over_runs(found: Sequence[OverRuns]) -> Iterator[Column]:
     """List mean, deviation and ends of quantities, a row each."""
-    values: dict[str, _Rows] = {
-        "mean": (each.mean for each in found),
-        "standard_deviation": (each.std for each in found),
-        "min": (each.minimum for each in found),
-        "max": (each.maximum for each in found),
-    }
-    return (
-        texts("quantity", [label(DYNAMIC_QUANTITY_OF[each.quantity]) for each in found]),
-        *(_bare(Message(f"columns.{key}"), found, rows) for key, rows in values.items()),
-    )
-
-
-def _bare(name: str, found: Sequence[OverRuns], values: _Rows) -> Column:
+    of = Rows(found)
     units = tuple(bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in found)
-    return Column(name, tuple(values), units=units)
+    yield of.texts("quantity", lambda each: label(DYNAMIC_QUANTITY_OF[each.quantity]))
+    yield of.texts("mean", units=units)
+    yield of.texts("standard_deviation", "std", units=units)
+    yield of.texts("min", "minimum", units=units)
+    yield of.texts("max", "maximum", units=units)
 
 
 def _of_body(found: DynamicVerification) -> Iterator[Block]:
     """Say what all lines of a body carry, where the body goes, and how it was proven."""
     governing, doubted = found.governing, found.least_proven
     yield _lines(found.parts)
-    yield Table("motion_body", _over_runs(found.body), Message("motion.the_body"), only="people")
+    caption = Message("motion.the_body")
+    yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
     yield Text(_runs(governing))
     yield Text(Message("motion.drag_area"))
     for said in motion_sentences(governing):
-        yield Text(_of_line(governing, said))
+        yield Text(Message("motion.said_of_line", number=governing.line, said=said))
     for said in proof_sentences(doubted):
-        yield Verdict(_of_line(doubted, said), doubted.verdict == "converged")
+        words = Message("motion.said_of_line", number=doubted.line, said=said)
+        yield Verdict(words, doubted.verdict == "converged")
     yield from remarks(dict.fromkeys(each for part in found.parts for each in part.remarks))
 
 
-def _of_line(part: DynamicPart, said: str) -> Message:
-    return Message("motion.said_of_line", number=part.line, said=said)
-
-
 def _lines(parts: Sequence[DynamicPart]) -> Table:
-    found = [part.of("fairlead_tension") for part in parts]
-    values: dict[str, _Rows] = {
-        "mean": (each.mean for each in found),
-        "standard_deviation": (each.std for each in found),
-        "max": (each.maximum for each in found),
-        "quasi_static": (part.quasi_static_max for part in parts),
-    }
-    others: dict[str, tuple[Quantity, _Rows]] = {
-        "amplification": (_RATIO, (part.amplification for part in parts)),
-        "slack": (_SLACK, (part.slack_time for part in parts)),
-        "change": (_PERCENT, (part.change_of("fairlead_tension") for part in parts)),
-    }
-    return Table(
+    of, fairlead = Rows(parts), Rows(part.of("fairlead_tension") for part in parts)
+    return tabulate(
         "motion_lines",
-        (
-            texts("line", [part.line for part in parts]),
-            *(measured("tension", rows, key, symbol="") for key, rows in values.items()),
-            *(
-                Column(Message(f"columns.{key}"), tuple(rows), quantity)
-                for key, (quantity, rows) in others.items()
-            ),
-        ),
-        Message("motion.lines_of_body"),
+        of.texts("line"),
+        fairlead.measured("tension", "mean", "mean", symbol=""),
+        fairlead.measured("tension", "std", "standard_deviation", symbol=""),
+        fairlead.measured("tension", "maximum", "max", symbol=""),
+        of.measured("tension", "quasi_static_max", "quasi_static", symbol=""),
+        of.measured(_RATIO, "amplification", "amplification"),
+        of.measured(_SLACK, "slack_time", "slack"),
+        of.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
+        caption=Message("motion.lines_of_body"),
         only="people",
     )
 
@@ -220,187 +190,212 @@ def _files(found: DynamicVerification, *, with_series: bool) -> Iterator[Section
         if found.body:
             tables["body"] = _track(found.parts[0])
     for key, columns in tables.items():
-        yield Section(Message(f"captions.{key}"), (Table(f"dynamic_{key}", columns, only="files"),))
+        yield section(f"captions.{key}", tabulate(f"dynamic_{key}", *columns, only="files"))
 
 
 def _of(parts: Iterable[DynamicPart]) -> Column:
     """Say what each row is of: a load case, or a line of a body."""
-    rows = list(parts)
-    if rows[0].line is None:
-        return texts("load_case", [part.name for part in rows])
-    return texts("line", [part.line for part in rows])
+    of = Rows(parts)
+    return of.texts("load_case", "name") if of.rows[0].line is None else of.texts("line")
 
 
-def _si(key: str, values: _Rows, name: str = "", *, symbol: str | None = None) -> Column:
-    """Make a column of a quantity in SI."""
-    made = measured(key, values, name, symbol=symbol)
-    return replace(made, quantity=in_si(named(key, symbol), 2 if key == "tension" else 3))
+def _in_si(key: str, symbol: str | None = None) -> Quantity:
+    return in_si(named(key, symbol), 2 if key == "tension" else 3)
 
 
-def _pure(name: str, values: _Rows, quantity: Quantity = _RATIO) -> Column:
-    return Column(Message(f"columns.{name}"), tuple(values), quantity)
+_NEWTON = _in_si("tension", "")
+_STILL = "largest_quasi_static_fairlead_tension"
 
 
-def _statistics(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
-    rows = [(part, each) for part in parts for each in part.quantities]
-    found = [each for _, each in rows]
-    names = [DYNAMIC_QUANTITY_OF[each.quantity].name for each in found]
-    changes = [part.change_of(each.quantity) for part, each in rows]
-    return (
-        _of(part for part, _ in rows),
-        texts("quantity", [keyed(each.quantity, term(name))
-                           for each, name in zip(found, names, strict=True)]),
-        texts("unit", [each.unit for each in found]),
-        of_row("mean", (each.mean for each in found)),
-        of_row("standard_deviation", (each.std for each in found)),
-        of_row("minimum", (each.minimum for each in found)),
-        of_row("maximum", (each.maximum for each in found)),
-        _pure("change_of_the_maximum", changes, replace(_RATIO, digits=3)),
-        *_extreme_columns(found),
-    )  # fmt: skip
+def _statistics(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+    found = [each for part in parts for each in part.quantities]
+    of = Rows(found)
+    yield _of(part for part in parts for _ in part.quantities)
+    yield of.texts("quantity", _keyed)
+    yield of.texts("unit")
+    yield of.of_row("mean")
+    yield of.of_row("standard_deviation", "std")
+    yield of.of_row("minimum")
+    yield of.of_row("maximum")
+    changes = (part.change_of(each.quantity) for part in parts for each in part.quantities)
+    yield measured(_CHANGE, changes, "change_of_the_maximum")
+    # what the extremes are, and what they rest on
+    yield of.measured(_TIME, "tail.extreme.duration", "duration_of_interest")
+    yield of.of_row("most_probable_maximum", "tail.extreme.most_probable")
+    yield of.of_row("interval_from", "tail.extreme.low")
+    yield of.of_row("interval_to", "tail.extreme.high")
+    yield of.measured(_RATIO, "tail.extreme.confidence", "confidence_of_the_interval")
+    yield of.of_row("expected_maximum", "tail.extreme.expected")
+    yield of.of_row("threshold_of_the_tail", "tail.threshold")
+    peaks = Rows(of.read("tail.clusters"))
+    yield peaks.texts("peaks_above_the_threshold", len)
+    yield of.of_row("weibull_scale", "tail.scale")
+    yield of.measured(_RATIO, "tail.shape", "weibull_shape")
+    yield of.of_row("gumbel_most_probable_maximum", "gumbel.extreme.most_probable")
+    yield of.of_row("gumbel_interval_from", "gumbel.extreme.low")
+    yield of.of_row("gumbel_interval_to", "gumbel.extreme.high")
 
 
-def _extreme_columns(found: Sequence[OverRuns]) -> tuple[Column, ...]:
-    """List what the extremes are, and what they rest on."""
-    tails = [each.tail for each in found]
-    of_tails = where_known(tails, lambda tail: tail.extreme)
-    of_runs = where_known([each.gumbel for each in found], lambda fit: fit.extreme)
-
-    def at(of: Iterable[Extreme | None], value: Callable[[Extreme], float]) -> list[float | None]:
-        return where_known(of, value)
-
-    def by(value: Callable[[TailFit], float]) -> list[float | None]:
-        return where_known(tails, value)
-
-    return (
-        _pure("duration_of_interest", at(of_tails, lambda each: each.duration), _TIME),
-        of_row("most_probable_maximum", at(of_tails, lambda each: each.most_probable)),
-        of_row("interval_from", at(of_tails, lambda each: each.low)),
-        of_row("interval_to", at(of_tails, lambda each: each.high)),
-        _pure("confidence_of_the_interval", at(of_tails, lambda each: each.confidence)),
-        of_row("expected_maximum", at(of_tails, lambda each: each.expected)),
-        of_row("threshold_of_the_tail", by(lambda tail: tail.threshold)),
-        texts("peaks_above_the_threshold", by(lambda tail: len(tail.clusters))),
-        of_row("weibull_scale", by(lambda tail: tail.scale)),
-        _pure("weibull_shape", by(lambda tail: tail.shape)),
-        of_row("gumbel_most_probable_maximum", at(of_runs, lambda each: each.most_probable)),
-        of_row("gumbel_interval_from", at(of_runs, lambda each: each.low)),
-        of_row("gumbel_interval_to", at(of_runs, lambda each: each.high)),
-    )
+def _keyed(each: OverRuns) -> Message:
+    return keyed(each.quantity, term(DYNAMIC_QUANTITY_OF[each.quantity].name))
 
 
-def _summary(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
-    still = "largest_quasi_static_fairlead_tension"
-    return (
-        _of(parts),
-        texts("runs", [len(part.runs) for part in parts]),
-        texts("bars", [part.elements for part in parts]),
-        texts("complete", [yes_or_no(part.is_complete) for part in parts]),
-        _si("tension", (part.max_tension for part in parts), "largest_tension_anywhere", symbol=""),
-        _si("tension", (part.quasi_static_max for part in parts), still, symbol=""),
-        _pure("dynamic_amplification", (part.amplification for part in parts)),
-        _pure("slack_in_all", (part.slack_time for part in parts), _TIME),
-        _pure("longest_slack", (part.longest_slack for part in parts), _TIME),
-        texts("verdict", [term(part.verdict) for part in parts]),
-        texts("proof", [Message(_PROOF[part.proof]) for part in parts]),
-        _pure(
-            "change_of_the_largest_tension",
-            (part.change_of("largest_tension") for part in parts),
-            replace(_RATIO, digits=3),
-        ),
-        *(
-            _si("tension", (part.anchor_at_rest.get(state) for part in parts),
-                f"anchor_at_rest_{state}", symbol="")
-            for state in ("pulled", "none", "laid")
-        ),
-        _pure("numerical_part_of_the_work", (part.numerical_part for part in parts), _PART),
-        texts("remarks", [Several(part.remarks) for part in parts]),
-    )  # fmt: skip
+def _summary(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+    of = Rows(parts)
+    yield _of(parts)
+    yield of.texts("runs", lambda part: len(part.runs))
+    yield of.texts("bars", "elements")
+    yield of.texts("complete", lambda part: yes_or_no(part.is_complete))
+    yield of.measured(_NEWTON, "max_tension", "largest_tension_anywhere")
+    yield of.measured(_NEWTON, "quasi_static_max", _STILL)
+    yield of.measured(_RATIO, "amplification", "dynamic_amplification")
+    yield of.measured(_TIME, "slack_time", "slack_in_all")
+    yield of.measured(_TIME, "longest_slack", "longest_slack")
+    yield of.texts("verdict", lambda part: term(part.verdict))
+    yield of.texts("proof", lambda part: Message(_PROOF[part.proof]))
+    changes = (part.change_of("largest_tension") for part in parts)
+    yield measured(_CHANGE, changes, "change_of_the_largest_tension")
+    for state in ("pulled", "none", "laid"):
+        forces = (part.anchor_at_rest.get(state) for part in parts)
+        yield measured(_NEWTON, forces, f"anchor_at_rest_{state}")
+    yield of.measured(_PART, "numerical_part", "numerical_part_of_the_work")
+    yield of.texts("remarks", lambda part: Several(part.remarks))
 
 
-def _runs_in_files(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
-    rows = [(part, run) for part in parts for run in part.runs]
-    runs = [run for _, run in rows]
+def _runs_in_files(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+    runs = Rows(run for part in parts for run in part.runs)
+    largest = Rows(run.statistics("fairlead_tension") for run in runs.rows)
+    of = Rows(runs.read("history"))
+    yield _of(part for part in parts for _ in part.runs)
+    yield runs.texts("run", lambda run: run.number + 1)
+    yield of.measured(_TIME, lambda each: each.time[-1], "reached")
+    yield of.measured(_TIME, "since", "statistics_since")
+    yield of.measured(_TIME, "step", "time_step")
+    yield of.measured(_TIME, "shortest_step", "shortest_step")
+    yield of.texts("steps")
+    yield of.texts("newton_iterations", "iterations")
+    yield of.texts("halvings")
+    yield largest.measured(_NEWTON, "maximum", "largest_fairlead_tension")
+    yield largest.measured(_TIME, "time_of_maximum", "at")
+    yield runs.measured(_NEWTON, "quasi_static_max", _STILL)
+    yield of.measured(_TIME, lambda each: each.line_slack_time(), "slack_in_all")
+    yield of.measured(_TIME, lambda each: each.line_longest_slack(), "longest_slack")
+    for name, energy in ENERGIES.items():
+        yield of.measured(_ENERGY, f"balance.{energy}", term(name))
+    yield of.measured(_PART, "balance.numerical_part", "numerical_part_of_the_work")
+
+
+def _envelope(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+    of = Rows(part.envelope for part in parts)
+    yield _of(part for part in parts for _ in part.envelope.arc)
+    yield _joined(_in_si("s"), of.read("arc"))
+    yield _joined(_NEWTON, of.read("largest"), "largest_tension")
+    yield _joined(_NEWTON, of.read("smallest"), "smallest_tension")
+    yield _joined(_TIME, of.read("slack"), "slack_in_all")
+    yield _joined(_TIME, of.read("longest_slack"), "longest_slack")
+
+
+def _joined(
+    quantity: Quantity, arrays: Iterable[npt.NDArray[np.float64]], name: str = ""
+) -> Column:
+    """Make a column of arrays, one below the other."""
+    return measured(quantity, (value for each in arrays for value in each.tolist()), name)
+
+
+def _series(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+    runs = [run for part in parts for run in part.runs]
     of = [run.history for run in runs]
-    largest = [run.statistics("fairlead_tension") for run in runs]
-    still = "largest_quasi_static_fairlead_tension"
-    return (
-        _of(part for part, _ in rows),
-        texts("run", [run.number + 1 for run in runs]),
-        _pure("reached", (float(each.time[-1]) for each in of), _TIME),
-        _pure("statistics_since", (each.since for each in of), _TIME),
-        _pure("time_step", (each.step for each in of), _TIME),
-        _pure("shortest_step", (each.shortest_step for each in of), _TIME),
-        texts("steps", [each.steps for each in of]),
-        texts("newton_iterations", [each.iterations for each in of]),
-        texts("halvings", [each.halvings for each in of]),
-        _si("tension", (each.maximum for each in largest), "largest_fairlead_tension", symbol=""),
-        _pure("at", (each.time_of_maximum for each in largest), _TIME),
-        _si("tension", (run.quasi_static_max for run in runs), still, symbol=""),
-        _pure("slack_in_all", (each.line_slack_time() for each in of), _TIME),
-        _pure("longest_slack", (each.line_longest_slack() for each in of), _TIME),
-        *(
-            Column(term(name), tuple(energy(each.balance) for each in of), _ENERGY)
-            for name, energy in ENERGIES
-        ),
-        _pure(
-            "numerical_part_of_the_work", (each.balance.numerical_part for each in of), _PART
-        ),
-    )  # fmt: skip
+    yield _of(part for part in parts for run in part.runs for _ in run.history.time)
+    yield from _times(runs)
+    tension, at_anchor = _in_si("tension"), _in_si("tension", "TA")
+    lying, offset = _in_si("grounded_length"), _in_si("offset")
+    yield _joined(tension, (each.fairlead_tension[:, 0] for each in of), "fairlead_tension")
+    yield _joined(_NEWTON, (run.quasi_static for run in runs), "quasi_static_fairlead_tension")
+    yield _joined(at_anchor, (each.anchor_tension[:, 0] for each in of), "anchor_tension")
+    yield _joined(lying, (each.grounded_length[:, 0] for each in of))
+    for axis, name in enumerate("xyz"):
+        yield _joined(offset, (each.fairlead[:, 0, axis] for each in of), f"fairlead_{name}")
+    yield _joined(offset, (each.offset[:, 0] for each in of), "fairlead_offset")
 
 
-def _envelope(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
-    found = [part.envelope for part in parts]
-    rows = (part for part, of in zip(parts, found, strict=True) for _ in of.arc)
-    return (
-        _of(rows),
-        _si("s", _joined(of.arc for of in found)),
-        _si("tension", _joined(of.largest for of in found), "largest_tension", symbol=""),
-        _si("tension", _joined(of.smallest for of in found), "smallest_tension", symbol=""),
-        _pure("slack_in_all", _joined(of.slack for of in found), _TIME),
-        _pure("longest_slack", _joined(of.longest_slack for of in found), _TIME),
-    )
+def _times(runs: Sequence[DynamicRun]) -> Iterator[Column]:
+    """Yield number of the run and time of each step."""
+    yield texts("run", [run.number + 1 for run in runs for _ in run.history.time])
+    yield _joined(_TIME, (run.history.time for run in runs), "time")
 
 
-def _joined(arrays: Iterable[npt.NDArray[np.float64]]) -> Iterator[float]:
-    for each in arrays:
-        yield from each.tolist()
-
-
-def _series(parts: Sequence[DynamicPart]) -> tuple[Column, ...]:
-    pairs = [(part, run) for part in parts for run in part.runs]
-    of = [run.history for _, run in pairs]
-    still = (run.quasi_static for _, run in pairs)
-    return (
-        _of(part for part, run in pairs for _ in run.history.time),
-        _numbers([run for _, run in pairs]),
-        _pure("time", _joined(each.time for each in of), _TIME),
-        _si("tension", _joined(each.fairlead_tension[:, 0] for each in of), "fairlead_tension"),
-        _si("tension", _joined(still), "quasi_static_fairlead_tension", symbol=""),
-        _si("tension", _joined(each.anchor_tension[:, 0] for each in of), "anchor_tension",
-            symbol="TA"),
-        _si("grounded_length", _joined(each.grounded_length[:, 0] for each in of)),
-        *(
-            _si("offset", _joined(each.fairlead[:, 0, axis] for each in of), f"fairlead_{name}")
-            for axis, name in enumerate("xyz")
-        ),
-        _si("offset", _joined(each.offset[:, 0] for each in of), "fairlead_offset"),
-    )  # fmt: skip
-
-
-def _numbers(runs: Iterable[DynamicRun]) -> Column:
-    numbers: list[Value] = [run.number + 1 for run in runs for _ in run.history.time]
-    return texts("run", numbers)
-
-
-def _track(part: DynamicPart) -> tuple[Column, ...]:
+def _track(part: DynamicPart) -> Iterator[Column]:
     """Tabulate where the origin of a moored body was."""
     found = [(run, run.track) for run in part.runs if run.track is not None]
-    return (
-        _numbers([run for run, _ in found]),
-        _pure("time", _joined(run.history.time for run, _ in found), _TIME),
-        *(
-            _si("offset", _joined(track[:, axis] for _, track in found), f"body_{name}")
-            for axis, name in enumerate("xyz")
+    yield from _times([run for run, _ in found])
+    for axis, name in enumerate("xyz"):
+        yield _joined(_in_si("offset"), (track[:, axis] for _, track in found), f"body_{name}")
+
+
+# ------------------------------------------------------------------ the designs of a front
+
+
+def front_in_motion_answer(found: FrontInMotion) -> Answer:
+    """Lay out a front in motion: a row a design, and what is recommended then."""
+    title = Message("captions.front")
+    return answered("front_in_motion", title, section("motion.front", *_front(found)))
+
+
+def _front(found: FrontInMotion) -> Iterator[Block]:
+    yield _designs(found)
+    for each in found.designs:
+        if each.failure:
+            yield Text(Message("truss.design_failed", number=each.number, why=each.failure))
+    if not found.is_complete:
+        yield Verdict(Message("motion.front_stopped", count=len(found.designs)), passes=False)
+    if any(each.found is not None and each.found.verdict == "not proven" for each in found.designs):
+        yield Verdict(Message("motion.not_proven"), passes=False)
+    only_in_motion = [each.number for each in found.designs if not each.passes]
+    if only_in_motion:
+        numbers = _in_ranges(only_in_motion)
+        yield Verdict(Message("motion.front_fails", designs=numbers), passes=False)
+    if found.recommended is None:
+        yield Verdict(Message("motion.front_none"), passes=False)
+    else:
+        key = "front_same" if found.recommended == found.of_search else "front_other"
+        values = {"number": found.recommended, "search": found.of_search}
+        yield Verdict(Message(f"motion.{key}", **values), passes=True)
+
+
+def _in_ranges(numbers: list[int]) -> str:
+    """Write rising numbers as 1-3, 5."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
+
+
+def _designs(found: FrontInMotion) -> Table:
+    designs = found.designs
+    of, parts = Rows(designs), Rows(each.governing for each in designs)
+    verdict = of.texts("verdict", _verdict, passes=tuple(each.passes for each in designs))
+    return tabulate(
+        "front_in_motion",
+        of.texts("design", "number"),
+        of.measured(_FORCE, "at_rest", "motion.front_at_rest"),
+        parts.measured(
+            _FORCE, lambda part: part.of("fairlead_tension").maximum, "motion.front_largest"
         ),
+        parts.measured(_FORCE, "quasi_static_max", "motion.front_still"),
+        parts.measured(_RATIO, "amplification", "motion.front_allowance"),
+        parts.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
+        of.measured("utilisation", "tightest.utilisation"),
+        verdict,
+        marked=next((k for k, e in enumerate(designs) if e.number == found.recommended), None),
     )
+
+
+def _verdict(each: DesignInMotion) -> Message:
+    if each.found is None:
+        return term("NO ANSWER")
+    if each.found.verdict == "not converged":
+        return Message("motion.front_not_converged")
+    return Message("answers.passes" if each.passes else "answers.fails")

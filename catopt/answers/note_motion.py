@@ -250,8 +250,8 @@ def _outcome(part: DynamicPart) -> Facts:
     facts = (
         *(Fact(Message(f"note_motion.{key}"), value, of) for key, value, of in listed),
         *(
-            Fact(Message("note_motion.energy", what=term(name)), energy(balance), _ENERGY)
-            for name, energy in ENERGIES
+            Fact(Message("note_motion.energy", what=term(name)), getattr(balance, energy), _ENERGY)
+            for name, energy in ENERGIES.items()
         ),
         Fact(Message("note_motion.energy_part"), balance.numerical_part, replace(_PART, symbol="")),
     )

@@ -11,18 +11,25 @@ from catopt.answers.blocks import (
     Answer,
     Block,
     Column,
+    Rows,
     Section,
     Table,
     Text,
     Verdict,
+    answered,
     named,
-    of_row,
+    section,
+    tabulate,
     texts,
 )
 from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.reproduce import Item, Reproduction, Study
+    from catopt.reproduce.items import Input
+
+_NUMBER = named("coefficient")
+"""What makes numbers that are written with the digits of a print stand flush right."""
 
 _BY = {
     "pso": "reproduction.by_swarm",
@@ -34,16 +41,14 @@ _BY = {
 
 def reproduction_answer(result: Reproduction) -> Answer:
     """Lay out studies: what went in, each printed number beside ours, and what was found."""
-    return Answer(
+    return answered(
         "reproduction",
         term("Published figures beside catopt's"),
-        (
-            Section(Message("terms.comparison"), (_comparison(result.items),)),
-            Section(Message("captions.inputs"), (_inputs(result.studies),)),
-            Section(Message("terms.findings"), (_findings(result.studies),)),
-            *(Section(study.name, tuple(_study(study))) for study in result.studies),
-            Section(Message("terms.findings"), (_tally(result.items),)),
-        ),
+        section("terms.comparison", _comparison(result.items)),
+        section("captions.inputs", _inputs(result.studies)),
+        section("terms.findings", _findings(result.studies)),
+        *(Section(study.name, tuple(_study(study))) for study in result.studies),
+        section("terms.findings", _tally(result.items)),
     )
 
 
@@ -51,52 +56,41 @@ def reproduction_answer(result: Reproduction) -> Answer:
 
 
 def _comparison(items: Sequence[Item]) -> Table:
-    rounded = [each.judgement.computed_text for each in items]
-    return Table(
+    of = Rows(items)
+    return tabulate(
         "reproduction",
-        (
-            texts("source", [each.source for each in items]),
-            texts("name", [each.name for each in items]),
-            texts("quantity", [each.quantity for each in items]),
-            texts("method", [term(each.method) for each in items]),
-            texts("unit", [each.unit for each in items]),
-            of_row("printed", [each.printed.text for each in items]),
-            of_row("computed_rounded_as_printed", rounded),
-            of_row("computed", [each.computed for each in items]),
-            texts("computed_by", [term(each.computed_by) for each in items]),
-            texts("verdict", [term(each.verdict) for each in items]),
-            texts("note", [each.note for each in items]),
-        ),
+        of.texts("source"),
+        of.texts("name"),
+        of.texts("quantity"),
+        of.texts("method", lambda each: term(each.method)),
+        of.texts("unit"),
+        of.of_row("printed", "printed.text"),
+        of.of_row("computed_rounded_as_printed", "judgement.computed_text"),
+        of.of_row("computed"),
+        of.texts("computed_by", lambda each: term(each.computed_by)),
+        of.texts("verdict", lambda each: term(each.verdict)),
+        of.texts("note"),
         only="files",
     )
 
 
 def _inputs(studies: Sequence[Study]) -> Table:
-    rows = [(study, given) for study in studies for given in study.inputs]
-    inputs = [given for _, given in rows]
-    return Table(
+    of = Rows(given for study in studies for given in study.inputs)
+    return tabulate(
         "inputs",
-        (
-            texts("study", [study.name for study, _ in rows]),
-            texts("quantity", [each.quantity for each in inputs]),
-            of_row("value", [each.value for each in inputs]),
-            texts("unit", [each.unit for each in inputs]),
-            texts("origin", [each.origin for each in inputs]),
-        ),
+        texts("study", [study.name for study in studies for _ in study.inputs]),
+        of.texts("quantity"),
+        of.of_row("value"),
+        of.texts("unit"),
+        of.texts("origin"),
         only="workbook",
     )
 
 
 def _findings(studies: Sequence[Study]) -> Table:
-    rows = [(study.name, finding) for study in studies for finding in study.findings]
-    return Table(
-        "findings",
-        (
-            texts("study", [name for name, _ in rows]),
-            texts("finding", [finding for _, finding in rows]),
-        ),
-        only="workbook",
-    )
+    names = texts("study", [study.name for study in studies for _ in study.findings])
+    findings = texts("finding", [each for study in studies for each in study.findings])
+    return tabulate("findings", names, findings, only="workbook")
 
 
 # ------------------------------------------------------------------ what people see of a study
@@ -111,15 +105,12 @@ def _study(study: Study) -> Iterator[Block]:
         publication=study.source_where,
     )
     yield Text(source, Several((study.name, study.title), ": "), "people")
-    inputs = study.inputs
-    values = tuple(Several(filter(None, (each.value, each.unit)), " ") for each in inputs)
-    yield Table(
+    of = Rows(study.inputs)
+    yield tabulate(
         f"{study.name}_inputs",
-        (
-            texts("input", [each.quantity for each in inputs]),
-            _flush_right(Message("columns.value"), values),
-            texts("origin", [each.origin for each in inputs]),
-        ),
+        of.texts("input", "quantity"),
+        of.texts("value", _value_with_unit, quantity=_NUMBER),
+        of.texts("origin"),
         only="people",
     )
     for method in dict.fromkeys(item.method for item in study.items):
@@ -133,20 +124,25 @@ def _study(study: Study) -> Iterator[Block]:
     yield from _side_by_side(study)
 
 
+def _value_with_unit(given: Input) -> Several:
+    return Several(filter(None, (given.value, given.unit)), " ")
+
+
 def _printed_for(method: str, items: Sequence[Item]) -> Iterator[Block]:
-    computed = tuple(item.judgement.computed_text or "-" for item in items)
-    by = [_short(item.computed_by) for item in items]
-    yield Table(
+    of = Rows(items)
+    yield tabulate(
         f"{items[0].name}_{method}",
-        (
-            texts("quantity", [item.quantity for item in items]),
-            _flush_right(Message("columns.printed"), tuple(item.printed.text for item in items)),
-            _flush_right(Several(("catopt",)), computed),
-            texts("unit", [item.unit for item in items]),
-            texts("catopt_by", by),
-            texts("verdict", [term(item.verdict) for item in items]),
+        of.texts("quantity"),
+        of.texts("printed", "printed.text", quantity=_NUMBER),
+        of.texts(
+            Several(("catopt",)),
+            lambda item: item.judgement.computed_text or "-",
+            quantity=_NUMBER,
         ),
-        Message("reproduction.printed_for", method=term(method)),
+        of.texts("unit"),
+        of.texts("catopt_by", lambda item: _short(item.computed_by)),
+        of.texts("verdict", lambda item: term(item.verdict)),
+        caption=Message("reproduction.printed_for", method=term(method)),
         only="people",
     )
     notes = [
@@ -158,11 +154,6 @@ def _printed_for(method: str, items: Sequence[Item]) -> Iterator[Block]:
 
 def _short(computed_by: str) -> str:
     return Message(_BY[computed_by]) if computed_by in _BY else term(computed_by or "-")
-
-
-def _flush_right(name: Message, values: tuple[str, ...]) -> Column:
-    """Make a column of numbers that are written with the digits of a print."""
-    return Column(name, values, named("coefficient"))
 
 
 def notes_of(items: Sequence[Item]) -> Iterator[tuple[str, str]]:
@@ -191,7 +182,7 @@ def _side_by_side(study: Study) -> Iterator[Table]:
         words, *cells = zip(*each.rows, strict=True)
         columns = (
             Column(first, words),
-            *(_flush_right(name, below) for name, below in zip(others, cells, strict=True)),
+            *(Column(name, below, _NUMBER) for name, below in zip(others, cells, strict=True)),
         )
         table = Table(f"{study.name}_{number}", columns, Several((each.title,)), only="people")
         plain = tuple(replace(column, quantity=None) for column in columns)

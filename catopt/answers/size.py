@@ -9,19 +9,21 @@ from typing import TYPE_CHECKING, NamedTuple
 from catopt.answers.blocks import (
     Answer,
     Block,
-    Column,
+    Rows,
     Section,
     Table,
     Text,
     Value,
     Warnings,
-    measured,
+    answered,
+    named,
     of_row,
+    section,
+    tabulate,
     texts,
-    where_known,
 )
 from catopt.answers.check import check_columns, tightest_table
-from catopt.answers.loads import forces_table, numbers_table
+from catopt.answers.loads import forces_table, notes_table, numbers_table
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import UNITS, Dimension
@@ -45,42 +47,38 @@ class _Row(NamedTuple):
 
 def size_answer(of: Sizing) -> Answer:
     """Lay out a sizing."""
-    return Answer(
+    said = Text(steady_sentence(of))
+    checks = Table("checks", check_columns(of.point.checks.results), only="files")
+    return answered(
         "size",
         of.case.title,
-        (
-            *_inputs(of),
-            Section(
-                term("Sizing"),
-                (Text(steady_sentence(of)), _summary(of), *_why(of), alternatives_table(of)),
-            ),
-            Section(term("Candidates"), (candidates_table(of),)),
-            Section(Message("captions.checks"), (tightest_table(of.point.checks), _checks(of))),
-            *_pattern(of),
-            Section(term("Forces"), tuple(_forces(of))),
-            Section(Message("columns.numbers"), (_numbers(of),)),
-            Section(term("Notes"), (_notes_table(of), *_notes(of))),
-        ),
+        *_inputs(of),
+        section(term("Sizing"), said, _summary(of), _why(of), alternatives_table(of)),
+        section(term("Candidates"), candidates_table(of)),
+        section("captions.checks", tightest_table(of.point.checks), checks),
+        *_pattern(of),
+        section(term("Forces"), *_forces(of)),
+        section("columns.numbers", _numbers(of)),
+        section(term("Notes"), _notes_table(of), *_notes(of)),
     )
 
 
 def _inputs(of: Sizing) -> Iterator[Section]:
     """Begin with what was given and what was estimated from it; none where a request was made."""
     if of.inputs:
-        own = [k for k, each in enumerate(of.inputs) if each.origin != "taken"]
-        yield Section(Message("sizing.inputs"), (replace(read_table(of), shown=tuple(own)),))
+        own = tuple(k for k, each in enumerate(of.inputs) if each.origin != "taken")
+        yield section("sizing.inputs", replace(read_table(of), shown=own))
 
 
 def read_table(of: Sizing) -> Table:
     """Tabulate every input as it was read."""
-    return Table(
+    read = Rows(of.inputs)
+    return tabulate(
         "inputs",
-        (
-            texts("input", (each.name for each in of.inputs)),
-            texts("value", (each.said for each in of.inputs)),
-            texts("origin", (each.from_where for each in of.inputs)),
-        ),
-        Message("sizing.inputs"),
+        read.texts("input", "name"),
+        read.texts("value", "said"),
+        read.texts("origin", "from_where"),
+        caption=Message("sizing.inputs"),
     )
 
 
@@ -116,17 +114,15 @@ def steady_sentence(of: Sizing) -> Message:
 def _summary(of: Sizing) -> Table:
     """Tabulate what was found; people see what is said in words."""
     rows = [*_line(of), *_holding(of), *_positions(of), *_forces_found(of), *_pattern_found(of)]
+    found = Rows(rows)
     units = tuple(row.quantity for row in rows)
-    values = tuple(row.value for row in rows)
-    return Table(
+    return tabulate(
         "sizing",
-        (
-            texts("what", (row.name for row in rows)),
-            Column(Message("columns.value"), values, units=units, only="files"),
-            texts("in_words", (row.words for row in rows)),
-        ),
-        Message("captions.recommended"),
-        tuple(index for index, row in enumerate(rows) if row.words),
+        found.texts("what", "name"),
+        found.texts("value", units=units, only="files"),
+        found.texts("in_words", "words"),
+        caption=Message("captions.recommended"),
+        shown=tuple(index for index, row in enumerate(rows) if row.words),
     )
 
 
@@ -168,24 +164,21 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         name, words = term("Drag anchor"), Message("sizing.drag_anchor", **values)
     else:
         assert of.sinker is not None
-        name, words = term("Sinker"), Message(_SINKERS[of.sinker.material], **values)
+        words = Message(f"sizing.{of.sinker.material}_sinker", **values)
+        name = term("Sinker")
     yield _Row(name, mass, QUANTITIES["mass"], words)
-    yield from _other_rule(of)
+    other = of.other_sinker
+    if other is not None:  # by the other rule: they differ by a factor of two and more
+        said = Message(
+            "sizing.other_sinker",
+            rule=Cited(of.other_rule),
+            mass=other.mass / 1e3,
+            friction=other.friction,
+        )
+        yield _Row(Message("sizing.by_other_rule"), other.mass, QUANTITIES["mass"], said)
     if size.factor is not None:
         wanted = Message("sizing.factor", factor=size.factor, wanted=size.safety_factor)
         yield _Row(term("Factor on holding"), size.factor, QUANTITIES["safety_factor"], wanted)
-
-
-def _other_rule(of: Sizing) -> Iterator[_Row]:
-    """Put the sinker by the other rule beside it; they differ by a factor of two and more."""
-    other = of.other_sinker
-    if other is not None:
-        values = {"mass": other.mass / 1e3, "friction": other.friction}
-        said = Message("sizing.other_sinker", rule=Cited(of.other_rule), **values)
-        yield _Row(Message("sizing.by_other_rule"), other.mass, QUANTITIES["mass"], said)
-
-
-_SINKERS = {"concrete": "sizing.concrete_sinker", "steel": "sizing.steel_sinker"}
 
 
 def _positions(of: Sizing) -> Iterator[_Row]:
@@ -236,9 +229,8 @@ def _pattern_found(of: Sizing) -> Iterator[_Row]:
     yield _measured("Pull of all lines on the body", "vertical_force", found.largest_pull)
 
 
-def _why(of: Sizing) -> Iterator[Text]:
-    said = Several((*_governing(of), of.why), "\n")
-    yield Text(said, term("What governs"))
+def _why(of: Sizing) -> Text:
+    return Text(Several((*_governing(of), of.why), "\n"), term("What governs"))
 
 
 def _governing(of: Sizing) -> Iterator[Message]:
@@ -253,47 +245,36 @@ def _governing(of: Sizing) -> Iterator[Message]:
 
 def alternatives_table(of: Sizing) -> Table:
     """Tabulate what another preference would recommend, and what it gives for what."""
-    every = of.alternatives
-    lines = [None if each.settled is None else each.settled.point.line for each in every]
-    return Table(
+    every, points = Rows(of.alternatives), Rows(Rows(of.alternatives).read("settled.point"))
+    return tabulate(
         "alternatives",
-        (
-            texts("which", (term(each.prefer) for each in every)),
-            texts("chain", where_known(lines, lambda line: line.segments[0].name)),
-            measured("length", where_known(lines, lambda line: line.length)),
-            measured("mass", where_known(lines, lambda line: line.mass), "mass_in_air", symbol=""),
-            *(() if of.cost is None else (measured("cost", [each.cost for each in every]),)),
-            texts(
-                "verdict",
-                (each.reason if each.settled is None else of.trade(each) for each in every),
-            ),
+        every.texts("which", lambda each: term(each.prefer)),
+        points.texts("chain", lambda point: point.line.segments[0].name),
+        points.measured("length", "line.length"),
+        points.measured("mass", "line.mass", "mass_in_air", symbol=""),
+        *(every.own("cost") if of.cost is not None else ()),
+        every.texts(
+            "verdict", lambda each: each.reason if each.settled is None else of.trade(each)
         ),
-        Message("sizing.alternatives"),
+        caption=Message("sizing.alternatives"),
     )
 
 
 def candidates_table(of: Sizing) -> Table:
     """Tabulate the recommended size between its neighbours."""
-    every = of.candidates
-    points = [None if each.settled is None else each.settled.point for each in every]
-    lengths = [None if point is None else point.line.length for point in points]
-    masses = [None if point is None else point.line.mass for point in points]
-    spans = [None if point is None else point.objectives["offset_m"] for point in points]
-    anchors = [
-        None if point is None or point.anchor is None else point.anchor.mass for point in points
-    ]
-    return Table(
+    every, points = Rows(of.candidates), Rows(Rows(of.candidates).read("settled.point"))
+    return tabulate(
         "candidates",
-        (
-            texts("which", (term(each.role) for each in every)),
-            texts("chain", (f"{each.component} {each.diameter * 1e3:g} mm" for each in every)),
-            measured("length", lengths),
-            measured("mass", masses, "mass_in_air", symbol=""),
-            measured("offset", spans, "largest_span", symbol="S"),
-            measured("mass", anchors, "anchor_mass_in_air", symbol=""),
-            texts("verdict", map(_verdict, every)),
+        every.texts("which", lambda each: term(each.role)),
+        every.texts("chain", lambda each: f"{each.component} {each.diameter * 1e3:g} mm"),
+        points.measured("length", "line.length"),
+        points.measured("mass", "line.mass", "mass_in_air", symbol=""),
+        points.measured(
+            "offset", lambda point: point.objectives["offset_m"], "largest_span", symbol="S"
         ),
-        Message("captions.candidates"),
+        points.measured("mass", "anchor.mass", "anchor_mass_in_air", symbol=""),
+        every.texts("verdict", _verdict),
+        caption=Message("captions.candidates"),
     )
 
 
@@ -304,62 +285,45 @@ def _verdict(of: Candidate) -> str:
     return Message("sizing.passes", check="" if governing is None else governing.in_case)
 
 
-def _checks(of: Sizing) -> Table:
-    return Table("checks", check_columns(of.point.checks.results), only="files")
-
-
 def _pattern(of: Sizing) -> Iterator[Section]:
     if of.pattern is not None:
-        tables = (pattern_table(of.pattern), without_line_table(of))
-        yield Section(term("Pattern"), tables)
+        yield section(term("Pattern"), pattern_table(of.pattern), without_line_table(of))
 
 
 def pattern_table(of: Pattern) -> Table:
     """Tabulate the body on its lines in each load case."""
-    states = of.states
-
-    def force(name: str, values: Iterator[float | None], priority: int = 0) -> Column:
-        return measured("horizontal_force", values, name, symbol="", priority=priority)
-
-    columns = (
-        texts("load_case", (each.load_case for each in states)),
-        force("force_on_the_body", (each.force for each in states)),
-        force("most_loaded_line_by_rule", (each.rule_force for each in states)),
-        force("most_loaded_line", (each.line_force for each in states)),
-        force("its_tension", (each.tension for each in states)),
-        measured(
-            "angle", (each.direction for each in states), "force_off_that_line", symbol="",
-            priority=2,
-        ),
-        measured(
-            "offset", (each.offset for each in states), "largest_offset_of_the_body", symbol=""
-        ),
-        force("pull_of_all_lines", (each.pull for each in states), 1),
-    )  # fmt: skip
-    return Table("pattern", columns, Message("captions.pattern"))
+    states, force = Rows(of.states), named("horizontal_force", "")
+    return tabulate(
+        "pattern",
+        states.texts("load_case"),
+        states.measured(force, "force", "force_on_the_body"),
+        states.measured(force, "rule_force", "most_loaded_line_by_rule"),
+        states.measured(force, "line_force", "most_loaded_line"),
+        states.measured(force, "tension", "its_tension"),
+        states.measured("angle", "direction", "force_off_that_line", symbol="", priority=2),
+        states.measured("offset", "offset", "largest_offset_of_the_body", symbol=""),
+        states.measured(force, "pull", "pull_of_all_lines", priority=1),
+        caption=Message("captions.pattern"),
+    )
 
 
 def without_line_table(of: Sizing) -> Table:
     """Tabulate the body of several lines with the worst of them gone, in each load case."""
     assert of.pattern is not None
-    states = of.pattern.states
-    gone = [each.line_out for each in states]
-    used = [_tension_used(of, each.load_case) for each in states]
-    columns = (
-        texts("load_case", (each.load_case for each in states)),
-        texts("line_out", (each.missing for each in gone)),
-        measured("horizontal_force", (each.line_force for each in gone), "most_loaded_line",
-                 symbol=""),
-        measured("horizontal_force", (each.tension for each in gone), "its_tension", symbol=""),
-        measured("utilisation", used, symbol=""),
-        measured("angle", (each.direction for each in gone), "force_off_line_1", symbol="",
-                 priority=2),
-        measured("offset", (each.offset for each in gone), "largest_offset_of_the_body",
-                 symbol=""),
-        measured("horizontal_force", (each.pull for each in gone), "pull_of_all_lines", symbol="",
-                 priority=1),
-    )  # fmt: skip
-    return Table("pattern_line_out", columns, Message("captions.pattern_line_out"))
+    states, force = Rows(of.pattern.states), named("horizontal_force", "")
+    gone = Rows(states.read("line_out"))
+    return tabulate(
+        "pattern_line_out",
+        states.texts("load_case"),
+        gone.texts("line_out", "missing"),
+        gone.measured(force, "line_force", "most_loaded_line"),
+        gone.measured(force, "tension", "its_tension"),
+        states.measured("utilisation", lambda each: _tension_used(of, each.load_case), symbol=""),
+        gone.measured("angle", "direction", "force_off_line_1", symbol="", priority=2),
+        gone.measured("offset", "offset", "largest_offset_of_the_body", symbol=""),
+        gone.measured(force, "pull", "pull_of_all_lines", priority=1),
+        caption=Message("captions.pattern_line_out"),
+    )
 
 
 def _tension_used(of: Sizing, load_case: str) -> float | None:
@@ -379,26 +343,24 @@ def _forces(of: Sizing) -> Iterator[Block]:
     """Tabulate the forces of every load case, by load case for people."""
     every = of.settled.posed.loads
     if not every[0].parts:
-        names = texts("load_case", (each.load_case for each in every))
-        forces = (each.given for each in every)
-        given = measured("horizontal_force", forces, "force_f_given", symbol="")
-        yield Table("forces", (names, given), term("Loads"))
+        cases = Rows(every)
+        given = cases.measured("horizontal_force", "given", "force_f_given", symbol="")
+        yield tabulate("forces", cases.texts("load_case"), given, caption=term("Loads"))
         return
     table = _stacked(of, "forces", forces_table)
     of_rows = table.columns[0].values
-    parts = tuple(
-        (
-            Message(
-                "captions.loads_in",
-                load_case=each.load_case,
-                force=Measure("horizontal_force", each.horizontal_force),
-                methods=" + ".join(part.method for part in each.parts),
-            ),
-            tuple(row for row, name in enumerate(of_rows) if name == each.load_case),
+    parts = []
+    for each in every:
+        caption = Message(
+            "captions.loads_in",
+            load_case=each.load_case,
+            force=Measure("horizontal_force", each.horizontal_force),
+            methods=" + ".join(part.method for part in each.parts),
         )
-        for each in every
-    )
-    yield replace(table, parts=parts)
+        parts.append(
+            (caption, tuple(k for k, name in enumerate(of_rows) if name == each.load_case))
+        )
+    yield replace(table, parts=tuple(parts))
     yield Text(Message("answers.confidence"), only="people")
 
 
@@ -411,28 +373,26 @@ def _numbers(of: Sizing) -> Table:
     return Table("numbers", columns, only="files")
 
 
-def _stacked(of: Sizing, name: str, tabulate: Callable[[Loads], Table]) -> Table:
+def _stacked(of: Sizing, name: str, table_of: Callable[[Loads], Table]) -> Table:
     """Stack a table of every part of every load case, with load case and part in front."""
     parts = [(each.load_case, part) for each in of.settled.posed.loads for part in each.parts]
-    tables = [tabulate(part) for _, part in parts]
+    tables = [table_of(part) for _, part in parts]
     rows = [place for place, table in zip(parts, tables, strict=True) for _ in range(table.length)]
     columns = (
         replace(same[0], values=tuple(value for each in same for value in each.values))
         for same in zip(*(table.columns for table in tables), strict=True)
     )
-    return Table(
+    return tabulate(
         name,
-        (
-            texts("load_case", (load_case for load_case, _ in rows), only="files"),
-            texts("on", (part.title for _, part in rows), only="files"),
-            *columns,
-        ),
+        texts("load_case", (load_case for load_case, _ in rows), only="files"),
+        texts("on", (part.title for _, part in rows), only="files"),
+        *columns,
         only=tables[0].only,
     )
 
 
 def _notes_table(of: Sizing) -> Table:
-    """Tabulate what is said in words, each once."""
+    """Tabulate what is said in words."""
     kinds = {
         "governs": _governing(of),
         "recommendation": (of.why,),
@@ -445,12 +405,7 @@ def _notes_table(of: Sizing) -> Table:
     for each in of.settled.posed.loads:
         kind = Message("sizing.note_in", load_case=each.load_case, kind=term("assumption"))
         rows += [(kind, said) for part in each.parts for said in part.assumptions]
-    rows = list(dict.fromkeys(rows))
-    return Table(
-        "notes",
-        (texts("kind", (kind for kind, _ in rows)), texts("text", (said for _, said in rows))),
-        only="files",
-    )
+    return notes_table(rows)
 
 
 def _notes(of: Sizing) -> Iterator[Block]:

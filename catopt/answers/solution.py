@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 from catopt.answers.blocks import (
     Answer,
@@ -14,16 +15,21 @@ from catopt.answers.blocks import (
     Facts,
     For,
     Graph,
+    Rows,
     Section,
     Table,
     Text,
     Warnings,
+    answered,
     fact,
+    if_known,
     measured,
     named,
+    section,
+    stated,
+    tabulate,
     texts,
 )
-from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -48,16 +54,14 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
         results.append(point_loads_table(solution))
     method = method_name(solution.method)
     solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
-    return Answer(
+    return answered(
         "solution",
         case.title or Message("captions.mooring_line"),
-        (
-            Section(Message("captions.inputs"), (Text(solved), inputs, *given_tables(case.line))),
-            Section(Message("captions.results"), (*_found(solution), *results)),
-            _shape(solution, with_profile=with_profile),
-            *_swarm(case, solution),
-            Section(Message("captions.residuals"), tuple(_closing(solution))),
-        ),
+        section("captions.inputs", Text(solved), inputs, *given_tables(case.line)),
+        section("captions.results", *_found(solution), *results),
+        _shape(solution, with_profile=with_profile),
+        *_swarm(case, solution),
+        section("captions.residuals", *_closing(solution)),
     )
 
 
@@ -66,8 +70,8 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
 
 def given_facts(case: Case) -> Iterator[Fact]:
     """List what a case gives beside its line: site, heights, load and limits."""
-    yield Fact(Message("columns.title"), case.title, only="files")
-    yield Fact(Message("columns.source"), case.source, only="files")
+    yield stated("title", case.title, only="files")
+    yield stated("source", case.source, only="files")
     site = case.site
     yield fact("water_depth", site.depth_to_seabed)
     yield fact("fairlead_height", site.height_above_seabed(case.fairlead_height))
@@ -77,14 +81,12 @@ def given_facts(case: Case) -> Iterator[Fact]:
     yield fact("friction", case.site.seabed_friction)
     yield fact("density", case.site.water_density, "water_density")
     yield from _load(case.load)
-    yield _unless_none("safety_factor", case.checks.safety_factor)
     limit = case.checks.max_anchor_uplift_angle
-    yield _unless_none("angle", limit, "allowed_inclination_at_the_anchor", symbol="")
-
-
-def _unless_none(key: str, value: float | None, name: str = "", symbol: str | None = None) -> Fact:
-    only: For = "files" if value is None else "all"
-    return fact(key, value, name, symbol=symbol, only=only)
+    for each in (
+        fact("safety_factor", case.checks.safety_factor),
+        fact("angle", limit, "allowed_inclination_at_the_anchor", symbol=""),
+    ):
+        yield _for_files(each) if each.value is None else each
 
 
 def _load(load: Load | None) -> Iterator[Fact]:
@@ -99,41 +101,34 @@ def _load(load: Load | None) -> Iterator[Fact]:
         yield _force("tension", load.fairlead_tension, "given_fairlead_tension")
 
 
-def given_tables(line: Line) -> tuple[Table, ...]:
+def given_tables(line: Line) -> Iterator[Table]:
     """Tabulate segments, and clump weights and buoys, as given."""
-    segments, loads = line.segments, line.point_loads
-    tables = [
-        Table(
-            "segments_given",
-            (
-                texts("segment", range(1, len(segments) + 1)),
-                _names([each.name for each in segments]),
-                measured("length", (each.length for each in segments)),
-                measured("submerged_weight", (each.submerged_weight for each in segments)),
-                measured("EA", (each.EA for each in segments)),
-                measured("mass_per_length", (each.mass for each in segments)),
-                measured("MBL", (each.MBL for each in segments)),
-            ),
-            Message("captions.segments_from_the_anchor_to_the_fairlead"),
+    segments = Rows(line.segments)
+    yield tabulate(
+        "segments_given",
+        texts("segment", range(1, len(line.segments) + 1)),
+        _names(segments),
+        *segments.own("length", "submerged_weight", "EA"),
+        segments.measured("mass_per_length", "mass"),
+        *segments.own("MBL"),
+        caption=Message("captions.segments_from_the_anchor_to_the_fairlead"),
+    )
+    if line.point_loads:
+        loads = Rows(line.point_loads)
+        yield tabulate(
+            "point_loads_given",
+            texts("point_load", range(1, len(line.point_loads) + 1)),
+            _names(loads),
+            *loads.own("position"),
+            loads.measured("point_weight", "submerged_weight"),
+            *loads.own("mass"),
+            *if_known(*loads.own("friction")),
+            caption=Message("captions.point_loads"),
         )
-    ]
-    if loads:
-        own = [each.friction for each in loads]
-        columns = [
-            texts("point_load", range(1, len(loads) + 1)),
-            _names([each.name for each in loads]),
-            measured("position", (each.position for each in loads)),
-            measured("point_weight", (each.submerged_weight for each in loads)),
-            measured("mass", (each.mass for each in loads)),
-        ]
-        if any(each is not None for each in own):
-            columns.append(measured("friction", own))
-        tables.append(Table("point_loads_given", tuple(columns), Message("captions.point_loads")))
-    return tuple(tables)
 
 
-def _names(names: Sequence[str]) -> Column:
-    return texts("name", names, only="all" if any(names) else "files")
+def _names(of: Rows) -> Column:
+    return of.texts("name", only="all" if any(of.read("name")) else "files")
 
 
 # ------------------------------------------------------------------ what came out
@@ -152,10 +147,9 @@ def found_facts(solution: Solution) -> tuple[Fact, ...]:
         return ()
     value, number = solution.found.value, solution.found.number
     if solution.found.quantity == "length":
-        return (fact("length", value, said=Message("columns.found_length", number=number)),)
+        return (fact("length", value, Message("columns.found_length", number=number)),)
     if solution.found.quantity == "clump_weight":
-        said = Message("columns.found_weight", number=number)
-        return (_force("point_weight", value, said=said),)
+        return (_force("point_weight", value, Message("columns.found_weight", number=number)),)
     return (_force("horizontal_force", value, "found_horizontal_force"),)
 
 
@@ -163,23 +157,21 @@ def summary(solution: Solution) -> Facts:
     """List forces, tensions and lengths of a line."""
     found = solution.found
     opening = [
-        Fact(Message("columns.title"), solution.title, only="files"),
-        Fact(Message("columns.method"), solution.method, only="files"),
-        Fact(Message("columns.regime"), regime_name(solution.regime), only="files"),
+        stated("title", solution.title),
+        stated("method", solution.method),
+        stated("regime", regime_name(solution.regime)),
     ]
-    closing = [_for_files(each) for each in residual_facts(solution)]
+    closing = list(residual_facts(solution))
     if found is not None:
-        opening.append(Fact(Message("columns.condition"), found.condition, only="files"))
-        opening += [_for_files(each) for each in found_facts(solution)]
-        name, quantity = "residual_of_the_condition_relative", QUANTITIES["coefficient"]
-        closing.append(Fact(Message(f"columns.{name}"), found.residual, quantity, only="files"))
-    warnings = Fact(Message("columns.warnings"), Several(solution.warnings), only="files")
-    facts = (*opening, *result_facts(solution), *closing, warnings)
+        opening += [stated("condition", found.condition), *found_facts(solution)]
+        closing.append(fact("coefficient", found.residual, "residual_of_the_condition_relative"))
+    closing.append(stated("warnings", Several(solution.warnings)))
+    facts = (*map(_for_files, opening), *result_facts(solution), *map(_for_files, closing))
     return Facts("summary", facts, Message("captions.result"))
 
 
 def _for_files(given: Fact) -> Fact:
-    return Fact(given.name, given.value, given.quantity, given.also, "files")
+    return replace(given, only="files")
 
 
 def result_facts(solution: Solution) -> tuple[Fact, ...]:
@@ -215,41 +207,36 @@ def residual_facts(solution: Solution) -> tuple[Fact, ...]:
 def segments_table(solution: Solution) -> Table:
     """Tabulate the segments under load, from the anchor to the fairlead."""
     parts, factor = solution.segments, solution.safety_factor
-    tensions = [each.max_tension for each in parts]
-    largest = measured("tension", tensions, "largest_tension", only="people")
-    files = measured("tension", tensions, "largest_tension", only="files")
-    return Table(
+    of = Rows(parts)
+    files, largest = (
+        of.measured("tension", "max_tension", "largest_tension", only=only)
+        for only in ("files", "people")
+    )
+    return tabulate(
         "segments",
-        (
-            texts("segment", range(1, len(parts) + 1)),
-            _names([each.name for each in parts]),
-            measured("length", (each.length for each in parts)),
-            files,
-            _in_tf(files),
-            largest,
-            _in_tf(largest),
-            measured("MBL", (each.MBL for each in parts)),
-            measured("safety_factor", [factor] * len(parts), only="files"),
-            measured("utilisation", (each.utilisation(factor) for each in parts)),
-        ),
-        Message("captions.segments_under_load"),
+        texts("segment", range(1, len(parts) + 1)),
+        _names(of),
+        *of.own("length"),
+        files,
+        _in_tf(files),
+        largest,
+        _in_tf(largest),
+        *of.own("MBL"),
+        measured("safety_factor", [factor] * len(parts), only="files"),
+        of.measured("utilisation", lambda each: each.utilisation(factor)),
+        caption=Message("captions.segments_under_load"),
     )
 
 
 def point_loads_table(solution: Solution) -> Table:
     """Tabulate clump weights and buoys under load."""
-    parts = solution.point_loads
-    return Table(
+    of = Rows(solution.point_loads)
+    return tabulate(
         "point_loads",
-        (
-            texts("point_load", range(1, len(parts) + 1)),
-            _names([each.name for each in parts]),
-            measured("position", (each.position for each in parts)),
-            measured("x", (each.x for each in parts)),
-            measured("z", (each.z for each in parts)),
-            measured("seabed_reaction", (each.seabed_reaction for each in parts)),
-        ),
-        Message("captions.point_loads_under_load"),
+        texts("point_load", range(1, len(of.rows) + 1)),
+        _names(of),
+        *of.own("position", "x", "z", "seabed_reaction"),
+        caption=Message("captions.point_loads_under_load"),
     )
 
 
@@ -258,17 +245,15 @@ def profile_table(solution: Solution, *, only: For = "all") -> Table:
     shape = solution.profile(_PROFILE_POINTS)
     tension = measured("tension", shape.tension)
     rows = len(tension.values)
-    return Table(
+    return tabulate(
         "profile",
-        (
-            measured("s", shape.s),
-            measured("x", shape.x),
-            measured("z", shape.z),
-            tension,
-            Column(tension.name, tension.values, named("tension").in_units("tf"), only="people"),
-        ),
-        Message("captions.along_the_line"),
-        tuple(sorted({*range(0, rows, _SHOWN_EVERY), rows - 1})),
+        measured("s", shape.s),
+        measured("x", shape.x),
+        measured("z", shape.z),
+        tension,
+        replace(_in_tf(tension), only="people"),
+        caption=Message("captions.along_the_line"),
+        shown=tuple(sorted({*range(0, rows, _SHOWN_EVERY), rows - 1})),
         only=only,
     )
 
@@ -302,12 +287,9 @@ def regime_name(regime: str) -> str:
 def _closing(solution: Solution) -> Iterator[Block]:
     if solution.found is not None:
         yield Text(Message("solution.residual_of_condition", value=solution.found.residual))
-    residual = solution.residual
-    for key, value in (
-        ("solution.residual_of_height", residual.height),
-        ("solution.residual_of_span", residual.span),
-    ):
-        yield Text(Message(key, value=Measure("residual", value)))
+    for key in ("height", "span"):
+        value = Measure("residual", getattr(solution.residual, key))
+        yield Text(Message(f"solution.residual_of_{key}", value=value))
     yield Warnings(tuple(solution.warnings))
 
 
@@ -324,62 +306,48 @@ def _swarm(case: Case, solution: Solution) -> Iterator[Section]:
         Graph(history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)),
         Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
     )
-    facts = Facts(
-        "swarm", tuple(flown_facts(swarm)), Message("captions.particle_swarm"), only="people"
-    )
-    yield Section(
-        Message("captions.swarm"), (history, runs, swarm_settings(case.swarm), facts, *graphs)
-    )
+    caption = Message("captions.particle_swarm")
+    facts = Facts("swarm", tuple(flown_facts(swarm)), caption, only="people")
+    yield section("captions.swarm", history, runs, swarm_settings(case.swarm), facts, *graphs)
 
 
 def swarm_settings(settings: SwarmSettings) -> Facts:
     """List the settings of a swarm, in workbooks."""
-    return Facts(
-        "swarm_settings",
-        (
-            Fact(Message("columns.particles"), settings.particles),
-            Fact(Message("columns.iterations"), settings.iterations),
-            Fact(Message("columns.runs"), settings.runs),
-            Fact(Message("columns.seed"), settings.seed),
-            fact("coefficient", settings.cognitive, "cognitive_coefficient_c1"),
-            fact("coefficient", settings.social, "social_coefficient_c2"),
-            fact("coefficient", settings.inertia, "inertia_w"),
-            Fact(Message("columns.boundary_handling"), settings.boundary),
-        ),
-        Message("captions.swarm"),
-        only="workbook",
+    facts = (
+        stated("particles", settings.particles),
+        stated("iterations", settings.iterations),
+        stated("runs", settings.runs),
+        stated("seed", settings.seed),
+        fact("coefficient", settings.cognitive, "cognitive_coefficient_c1"),
+        fact("coefficient", settings.social, "social_coefficient_c2"),
+        fact("coefficient", settings.inertia, "inertia_w"),
+        stated("boundary_handling", settings.boundary),
     )
+    return Facts("swarm_settings", facts, Message("captions.swarm"), only="workbook")
 
 
 def swarm_tables(swarm: SwarmReport) -> tuple[Table, Table]:
     """Tabulate the best run by iteration, and where each run ended."""
     tension = measured("tension", swarm.tension_history, "fairlead_tension")
-    history = Table(
+    history = tabulate(
         "swarm_history",
-        (
-            texts("iteration", range(1, len(tension.values) + 1)),
-            measured("objective", swarm.best_objective_history, "best_objective"),
-            tension,
-            _in_tf(tension),
-        ),
+        texts("iteration", range(1, len(tension.values) + 1)),
+        measured("objective", swarm.best_objective_history, "best_objective"),
+        tension,
+        _in_tf(tension),
         only="files",
     )
     count = len(swarm.objectives)
-    runs = Table(
+    best = [Message("answers.yes") if k + 1 == swarm.best_run else "" for k in range(count)]
+    runs = tabulate(
         "swarm_runs",
-        (
-            texts("run", range(1, count + 1)),
-            measured("objective", swarm.objectives),
-            texts("iterations_flown", swarm.iterations_flown or [swarm.iterations] * count),
-            texts("best_run", [_best(number == swarm.best_run) for number in range(1, count + 1)]),
-        ),
+        texts("run", range(1, count + 1)),
+        measured("objective", swarm.objectives),
+        texts("iterations_flown", swarm.iterations_flown or [swarm.iterations] * count),
+        texts("best_run", best),
         only="files",
     )
     return history, runs
-
-
-def _best(is_best: bool) -> str:
-    return Message("answers.yes") if is_best else ""
 
 
 def flown_facts(swarm: SwarmReport) -> Iterator[Fact]:
@@ -387,10 +355,10 @@ def flown_facts(swarm: SwarmReport) -> Iterator[Fact]:
     of_runs = Message("solution.of_runs", run=swarm.best_run, runs=swarm.runs, seed=swarm.seed)
     converged = Message("solution.part_of", part=swarm.converged_runs, whole=swarm.runs)
     yield fact("objective", swarm.objective, "best_objective")
-    yield Fact(Message("columns.best_run"), of_runs)
-    yield Fact(Message("columns.runs_converged"), converged)
-    yield Fact(Message("columns.evaluations_of_f"), swarm.evaluations)
-    yield Fact(Message("columns.iterations_a_run_at_most"), swarm.iterations)
+    yield stated("best_run", of_runs)
+    yield stated("runs_converged", converged)
+    yield stated("evaluations_of_f", swarm.evaluations)
+    yield stated("iterations_a_run_at_most", swarm.iterations)
     yield fact("residual", swarm.span_consistency, "span_by_equation_5")
     names = {
         "angle_rad": ("solution.less_angle", "angle_difference"),
@@ -401,7 +369,7 @@ def flown_facts(swarm: SwarmReport) -> Iterator[Fact]:
     for key, difference in swarm.closed_form_difference.items():
         name, quantity = names[key]
         said = Message("solution.swarm_less_closed_form", what=Message(name))
-        yield fact(quantity, difference, said=said)
+        yield fact(quantity, difference, said)
 
 
 def _decades(values: Sequence[float]) -> tuple[float, float] | None:
@@ -416,20 +384,14 @@ def _decades(values: Sequence[float]) -> tuple[float, float] | None:
 # ------------------------------------------------------------------ quantities in two units
 
 
-def _force(
-    key: str, value: float | None, name: str = "", *, symbol: str | None = None, said: str = ""
-) -> Fact:
-    made = fact(key, value, name, symbol=symbol, said=said)
-    assert made.quantity is not None
-    return Fact(made.name, value, made.quantity, (made.quantity.in_units("tf"),))
+def _force(key: str, value: float | None, name: str = "", **how: Any) -> Fact:
+    return fact(key, value, name, also=(named(key, how.get("symbol")).in_units("tf"),), **how)
 
 
 def _angle(value: float, name: str, symbol: str) -> Fact:
-    made = fact("angle", value, name, symbol=symbol)
-    return Fact(made.name, value, made.quantity, (named("angle_rad", symbol),))
+    return fact("angle", value, name, symbol=symbol, also=(named("angle_rad", symbol),))
 
 
 def _in_tf(column: Column) -> Column:
     assert column.quantity is not None
-    tonnes = column.quantity.in_units("tf")
-    return Column(column.name, column.values, tonnes, only=column.only)
+    return replace(column, quantity=column.quantity.in_units("tf"))

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from catopt.answers.blocks import (
     Answer,
     Block,
     Column,
-    Fact,
     Facts,
-    Section,
+    Rows,
     Table,
     Text,
     Verdict,
     Warnings,
+    answered,
+    if_known,
+    measured,
+    section,
+    stated,
+    tabulate,
     texts,
+    yes_or_no,
 )
 from catopt.constants import YEAR
 from catopt.quantities import Quantity
@@ -39,11 +46,8 @@ _DISK = Quantity("disk", "Disk", "", "byte", "MB", 1e6, 3, "significant")
 
 def study_answer(result: StudyResult) -> Answer:
     """Lay out what came of a study."""
-    return Answer(
-        "study",
-        result.study.title or Message("study.title"),
-        (Section(Message("study.results"), tuple(_blocks(result))),),
-    )
+    title = result.study.title or Message("study.title")
+    return answered("study", title, section("study.results", *_blocks(result)))
 
 
 def _blocks(result: StudyResult) -> Iterator[Block]:
@@ -88,9 +92,7 @@ def _reach(result: StudyResult) -> Iterator[Block]:
 _FEW = 40
 """Members that are shown one by one."""
 
-_TOLD = (
-    "title", "line", "holding_mass", "fairlead_tension", "fairlead_probable", "utilisation"
-)  # fmt: skip
+_TOLD = {"title", "line", "holding_mass", "fairlead_tension", "fairlead_probable", "utilisation"}
 """What is shown of each of few members where there is little room, the first before the others."""
 
 
@@ -105,7 +107,7 @@ def _few(result: StudyResult) -> Table:
     names = ["no", *result.study.keys, *(each.name for each in _in_table(result.study))]
     order = {id(column): name for column, name in zip(columns, names, strict=False)}
     shown = tuple(
-        replace(each, priority=0 if order.get(id(each), "") in ("no", *_TOLD) else at + 1)
+        replace(each, priority=0 if order.get(id(each), "") in _TOLD | {"no"} else at + 1)
         for at, each in enumerate(told)
     )
     return Table("few_members", shown, only="people")
@@ -127,50 +129,51 @@ def _state(result: StudyResult) -> Verdict:
     return Verdict(Message("study.not_done", done=result.done, **values), passes=False)
 
 
-def _of_rows(name: str, values: Iterator[Any], found: tuple[Statistic, ...], **said: Any) -> Column:
-    units = tuple(replace(each.kept.measure, symbol="") for each in found)
-    return Column(Message(f"study.{name}", **said), tuple(values), units=units)
+_QUANTITY = ("study.quantity", "kept.words")
+"""Heading of what a row is of, and where a row has it."""
 
 
 def _statistics(result: StudyResult) -> Table:
-    found = result.statistics
-    shares = result.levels
-    return Table(
+    of, units = Rows(result.statistics), _units(result.statistics)
+    levels = (
+        texts(
+            Message("study.level", share=share),
+            [each.levels[k] for each in result.statistics],
+            units=units,
+            priority=2 if share < 0.9 else 0,
+        )
+        for k, share in enumerate(result.levels)
+    )
+    return tabulate(
         "study",
-        (
-            Column(Message("study.quantity"), tuple(each.kept.words for each in found)),
-            Column(Message("study.members"), tuple(each.count for each in found), priority=3),
-            _of_rows("mean", (each.mean for each in found), found),
-            replace(_of_rows("deviation", (e.deviation for e in found), found), priority=1),
-            _of_rows("least", (each.least for each in found), found),
-            *(
-                replace(
-                    _of_rows("level", (each.levels[k] for each in found), found, share=share),
-                    priority=2 if share < 0.9 else 0,
-                )
-                for k, share in enumerate(shares)
-            ),
-            _of_rows("largest", (each.largest for each in found), found),
-        ),
-        Message("study.statistics"),
+        of.texts(*_QUANTITY),
+        of.texts("study.members", "count", priority=3),
+        of.texts("study.mean", "mean", units=units),
+        of.texts("study.deviation", "deviation", units=units, priority=1),
+        of.texts("study.least", "least", units=units),
+        *levels,
+        of.texts("study.largest", "largest", units=units),
+        caption=Message("study.statistics"),
     )
 
 
+def _units(found: Sequence[Statistic]) -> tuple[Quantity, ...]:
+    return tuple(replace(each.kept.measure, symbol="") for each in found)
+
+
 def _limits(result: StudyResult) -> Table:
-    found = tuple(each for each in result.statistics if each.limit is not None)
-    shares = tuple(each.beyond for each in found)
-    hours = tuple(None if each is None else each * YEAR for each in shares)
-    return Table(
+    found = [each for each in result.statistics if each.limit is not None]
+    of = Rows(found)
+    hours = (None if each is None else each * YEAR for each in of.read("beyond"))
+    return tabulate(
         "study_limits",
-        (
-            Column(Message("study.quantity"), tuple(each.kept.words for each in found)),
-            _of_rows("limit", (each.limit for each in found), found),
-            Column(Message("study.share_beyond"), shares, _SHARE),
-            Column(Message("study.hours_beyond"), hours, _HOURS),
-            *_intervals(found),
-            *_first_beyond(result, found),
-        ),
-        Message("study.limits"),
+        of.texts(*_QUANTITY),
+        of.texts("study.limit", "limit", units=_units(found)),
+        of.measured(_SHARE, "beyond", "study.share_beyond"),
+        measured(_HOURS, hours, "study.hours_beyond"),
+        *_intervals(found),
+        *_first_beyond(result, found),
+        caption=Message("study.limits"),
     )
 
 
@@ -181,39 +184,37 @@ def _first_beyond(result: StudyResult, found: Sequence[Statistic]) -> Iterator[C
     if study.distributions or all(each is None for each in members):
         return
     said = (
-        "" if each is None else ", ".join(
-            study.written(key, value) for key, value in study.told_of(each).items()
-        )
+        ", ".join(study.written(key, value) for key, value in study.told_of(each).items())
+        if each is not None
+        else ""
         for each in members
-    )  # fmt: skip
-    yield Column(Message("study.first_beyond"), _cells(said))
+    )
+    yield texts("study.first_beyond", _cells(said))
 
 
 def _intervals(found: Sequence[Statistic | ByChoice]) -> Iterator[Column]:
     """Yield both ends of the intervals of the shares, where they are probabilities."""
+    intervals = Rows(each.interval for each in found)
     for end, name in enumerate(("probable_from", "probable_to")):
-        cells = tuple(None if each.interval is None else each.interval[end] for each in found)
-        if any(each is not None for each in cells):
-            yield Column(Message(f"study.{name}"), cells, _SHARE)
+        yield from if_known(intervals.measured(_SHARE, itemgetter(end), f"study.{name}"))
 
 
 def _by_choice(result: StudyResult) -> Table:
     """Tabulate how often the limits are passed by each choice of what is not drawn."""
     found, study = result.by_choice, result.study
+    of = Rows(found)
     keys = [key for axis in study.axes if not axis.is_drawn for key in axis.columns]
     values = [study.values_of(each.member) for each in found]
-    return Table(
+    return tabulate(
         "study_by_choice",
-        (
-            Column(Message("study.quantity"), tuple(each.kept.words for each in found)),
-            *(
-                Column(Cited(key), _cells(study.written(key, each[key]) for each in values))
-                for key in keys
-            ),
-            Column(Message("study.share_beyond"), tuple(each.share for each in found), _SHARE),
-            *_intervals(found),
+        of.texts(*_QUANTITY),
+        *(
+            Column(Cited(key), _cells(study.written(key, each[key]) for each in values))
+            for key in keys
         ),
-        Message("study.by_choice"),
+        of.measured(_SHARE, "share", "study.share_beyond"),
+        *_intervals(found),
+        caption=Message("study.by_choice"),
         only="all" if len(found) <= _FEW else "files",
     )
 
@@ -223,34 +224,23 @@ def _first_orders(result: StudyResult) -> Iterator[Block]:
     kept = {each.kept.name: each.kept for each in result.statistics}
     found = [(kept[name], each) for name, each in result.first_orders.items() if each is not None]
     if found:
-        yield Table(
+        every = Rows(each for _, each in found)
+        yield tabulate(
             "study_first_order",
-            (
-                Column(Message("study.quantity"), tuple(of.words for of, _ in found)),
-                Column(Message("study.index"), tuple(each.index for _, each in found), _INDEX),
-                Column(
-                    Message("study.probability"), tuple(e.probability for _, e in found), _SHARE
-                ),
-            ),
-            Message("study.first_order"),
+            texts("study.quantity", [of.words for of, _ in found]),
+            every.measured(_INDEX, "index", "study.index"),
+            every.measured(_SHARE, "probability", "study.probability"),
+            caption=Message("study.first_order"),
         )
         rows = [(of, each, key) for of, each in found for key in each.point]
-        yield Table(
+        written = _cells(result.study.written(key, each.point[key]) for _, each, key in rows)
+        yield tabulate(
             "study_failure_point",
-            (
-                Column(Message("study.quantity"), tuple(of.words for of, _, _ in rows)),
-                texts_of_keys([(key,) for _, _, key in rows]),
-                Column(
-                    Message("study.value"),
-                    _cells(result.study.written(key, each.point[key]) for _, each, key in rows),
-                ),
-                Column(
-                    Message("study.importance"),
-                    tuple(each.importance[key] for _, each, key in rows),
-                    _SHARE,
-                ),
-            ),
-            Message("study.failure_point"),
+            texts("study.quantity", [of.words for of, _, _ in rows]),
+            _keys([(key,) for _, _, key in rows]),
+            texts("study.value", written),
+            measured(_SHARE, [each.importance[key] for _, each, key in rows], "study.importance"),
+            caption=Message("study.failure_point"),
         )
     missing = [str(kept[name].name) for name, each in result.first_orders.items() if each is None]
     if missing:
@@ -264,62 +254,50 @@ def _worst(result: StudyResult) -> Table:
         if each.least < each.largest
         for key, value in result.study.told_of(each.worst).items()
     ]
-    return Table(
+    of = Rows(each for each, _, _ in rows)
+    written = _cells(result.study.written(key, value) for _, key, value in rows)
+    return tabulate(
         "study_worst",
-        (
-            Column(Message("study.at"), tuple(each.kept.words for each, _, _ in rows)),
-            Column(Message("study.member"), tuple(each.worst + 1 for each, _, _ in rows)),
-            Column(Message("study.key"), tuple(Cited(key) for _, key, _ in rows)),
-            Column(
-                Message("study.value"),
-                _cells(result.study.written(key, value) for _, key, value in rows),
-            ),
-        ),
-        Message("study.worst_members"),
+        of.texts("study.at", "kept.words"),
+        of.texts("study.member", lambda each: each.worst + 1),
+        _keys([(key,) for _, key, _ in rows]),
+        texts("study.value", written),
+        caption=Message("study.worst_members"),
     )
 
 
 def _influences(result: StudyResult) -> Table:
-    found = result.influences
-    of = replace(result.statistics[0].kept.measure, symbol="")
-    return Table(
+    of = Rows(result.influences)
+    measure = replace(result.statistics[0].kept.measure, symbol="")
+    return tabulate(
         "study_influences",
-        (
-            texts_of_keys([each.keys for each in found]),
-            Column(Message("study.share"), tuple(each.share for each in found), _SHARE),
-            Column(Message("study.least_mean"), tuple(each.low for each in found), of),
-            Column(Message("study.largest_mean"), tuple(each.high for each in found), of),
-        ),
-        Message("study.influences"),
+        _keys(of.read("keys")),
+        of.measured(_SHARE, "share", "study.share"),
+        of.measured(measure, "low", "study.least_mean"),
+        of.measured(measure, "high", "study.largest_mean"),
+        caption=Message("study.influences"),
     )
 
 
-def texts_of_keys(rows: list[tuple[str, ...]]) -> Column:
+def _keys(rows: Iterable[Iterable[str]]) -> Column:
     """Make a column of key paths that vary together."""
-    return Column(Message("study.key"), tuple(Cited(", ".join(keys)) for keys in rows))
+    return texts("study.key", [Cited(", ".join(keys)) for keys in rows])
 
 
 def _counts(name: str, counted: list[tuple[str, int]]) -> Table:
-    return Table(
-        f"study_{name}",
-        (
-            Column(Message(f"study.{name}"), _cells(text for text, _ in counted)),
-            Column(Message("study.members"), tuple(n for _, n in counted)),
-        ),
-        Message("study.counts"),
-    )
+    words, counts = zip(*counted, strict=True)
+    columns = (texts(f"study.{name}", _cells(words)), texts("study.members", counts))
+    return tabulate(f"study_{name}", *columns, caption=Message("study.counts"))
 
 
 def _failures(result: StudyResult) -> Table:
     found = result.failures()
-    return Table(
+    return tabulate(
         "study_failures",
-        (
-            Column(Message("study.reason"), _cells(why.split("\n", 1)[0] for why, _, _ in found)),
-            Column(Message("study.members"), tuple(n for _, n, _ in found)),
-            Column(Message("study.first"), tuple(first + 1 for _, _, first in found)),
-        ),
-        Message("study.failures"),
+        texts("study.reason", _cells(why.split("\n", 1)[0] for why, _, _ in found)),
+        texts("study.members", [count for _, count, _ in found]),
+        texts("study.first", [first + 1 for _, _, first in found]),
+        caption=Message("study.failures"),
     )
 
 
@@ -329,24 +307,18 @@ def members_table(study: Study, found: Computed) -> Table:
     count = len(found.numbers)
     values = study.values(first, first + count)
     kept = _in_table(study)
-    measured = [each for each in kept if each.quantity]
-    named = [each for each in kept if not each.quantity]
     columns = [texts("no", range(first + 1, first + count + 1))]
     for key, column in values.items():
         plain = column if isinstance(column, list) else getattr(column, "tolist", list)()
-        columns.append(
-            Column(Message("study.of_key", key=key), _cells(plain), study.quantity_of(key))
-        )
-    for at, each in enumerate(measured):
-        numbers = found.numbers[:, at].tolist()
-        quantity = replace(each.measure, symbol="")
-        columns.append(Column(each.words, tuple(numbers), quantity))
-    for at, each in enumerate(named):
-        words = _cells(row[at] for row in found.words)
-        columns.append(Column(each.words, words))
+        quantity = study.quantity_of(key)
+        columns.append(texts(Message("study.of_key", key=key), _cells(plain), quantity=quantity))
+    numbers = found.numbers.T.tolist()
+    for each, own in zip((each for each in kept if each.quantity), numbers, strict=True):
+        columns.append(Column(each.words, tuple(own), replace(each.measure, symbol="")))
+    for at, each in enumerate(each for each in kept if not each.quantity):
+        columns.append(Column(each.words, _cells(row[at] for row in found.words)))
     reasons = _cells(found.reasons.get(member, "") for member in range(count))
-    columns.append(Column(Message("study.reason"), reasons))
-    return Table("members", tuple(columns))
+    return tabulate("members", *columns, texts("study.reason", reasons))
 
 
 def _cells(values: Iterable[Any]) -> tuple[Any, ...]:
@@ -358,23 +330,18 @@ def plan_answer(plan: Plan) -> Answer:
     """Lay out how much a study asks for."""
     study = plan.study
     axes = study.axes
-    varied = Table(
+    varied = tabulate(
         "study_axes",
-        (
-            texts_of_keys([tuple(axis.columns) for axis in axes]),
-            Column(Message("study.values"), tuple(len(axis) for axis in axes)),
-            Column(
-                Message("study.drawn"),
-                tuple(Message("answers.yes" if a.is_drawn else "answers.no") for a in axes),
-            ),
-        ),
+        _keys(axis.columns for axis in axes),
+        texts("study.values", map(len, axes)),
+        texts("study.drawn", [yes_or_no(axis.is_drawn) for axis in axes]),
     )
     facts = (
-        Fact(Message("study.members"), len(study)),
-        Fact(Message("study.sample"), plan.timed),
-        Fact(Message("study.time"), plan.seconds, _TIME),
-        Fact(Message("study.disk"), plan.size, _DISK),
+        stated("study.members", len(study)),
+        stated("study.sample", plan.timed),
+        stated("study.time", plan.seconds, quantity=_TIME),
+        stated("study.disk", plan.size, quantity=_DISK),
     )
-    blocks = (varied, Facts("study_plan", facts))
     title = study.title or Message("study.title")
-    return Answer("study_plan", title, (Section(Message("study.plan"), blocks),))
+    blocks = (varied, Facts("study_plan", facts))
+    return answered("study_plan", title, section("study.plan", *blocks))

@@ -1,8 +1,8 @@
-"""What the equilibrium of a body on several lines consists of."""
+"""What the equilibrium of a body on several lines consists of, and of lines that meet in joints."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from catopt.answers.blocks import (
@@ -12,23 +12,29 @@ from catopt.answers.blocks import (
     Fact,
     Facts,
     Graph,
+    Rows,
     Section,
     Table,
     Text,
-    Verdict,
     Warnings,
+    answered,
     fact,
+    if_known,
     measured,
+    section,
+    stated,
+    tabulate,
     texts,
 )
-from catopt.answers.check import governing_sentence, verdict_sentence
+from catopt.answers.check import verdict_blocks
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
+    from catopt.catenary.solution import Solution
     from catopt.checks.result import CheckReport
     from catopt.mooring.case import SystemReport
-    from catopt.mooring.held import HeldBody
+    from catopt.mooring.held import HeldBody, NetworkAtRest
     from catopt.mooring.response import Response
     from catopt.mooring.restoring import RestoringCurve
     from catopt.mooring.watch_circle import WatchCircle
@@ -51,28 +57,23 @@ _LOADS = {
 
 def system_answer(report: SystemReport, checks: CheckReport) -> Answer:
     """Lay out a moored body."""
-    opening = (Text(_solved(report)), _body(report))
-    return Answer(
-        "system",
-        report.case.title or Message("captions.moored_body"),
-        (
-            Section(Message("captions.body"), opening),
-            Section(Message("captions.lines"), _lines(report, checks)),
-            Section(Message("captions.checks"), tuple(_verdict(checks))),
-            *_line_out(report),
-            *_circle(report),
-            *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
-            *_levels(report),
-            *(held_section(number, each) for number, each in enumerate(report.held, start=1)),
-            Section(Message("captions.residuals"), tuple(_closing(report, checks))),
-        ),
-    )
-
-
-def _solved(report: SystemReport) -> Message:
     freedom = "mooring.x_y_and_yaw" if report.solution.system.turns else "mooring.x_and_y"
     count = len(report.solution.lines)
-    return Message("mooring.solved", count=count, freedom=Message(freedom))
+    solved = Message("mooring.solved", count=count, freedom=Message(freedom))
+    judged = Text(Message("mooring.all_checks"), only="people", is_small=True)
+    return answered(
+        "system",
+        report.case.title or Message("captions.moored_body"),
+        section("captions.body", Text(solved), _body(report)),
+        section("captions.lines", *_lines(report, checks)),
+        section("captions.checks", *verdict_blocks(checks), *([judged] if checks.results else [])),
+        *_line_out(report),
+        *_circle(report),
+        *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
+        *_levels(report),
+        *(held_section(number, each) for number, each in enumerate(report.held, start=1)),
+        section("captions.residuals", *_closing(report, checks)),
+    )
 
 
 def body_facts(report: SystemReport) -> list[Fact]:
@@ -80,7 +81,7 @@ def body_facts(report: SystemReport) -> list[Fact]:
     solution = report.solution
     system, stiffness = solution.system, solution.stiffness
     facts = [
-        Fact(Message("columns.title"), report.case.title, only="files"),
+        stated("title", report.case.title, only="files"),
         fact("horizontal_force", system.force[0], "force_on_the_body_along_x", symbol=""),
         fact("horizontal_force", system.force[1], "force_on_the_body_along_y", symbol=""),
         fact("offset", solution.neutral.x, "zero_load_position_x"),
@@ -105,30 +106,30 @@ def _body(report: SystemReport) -> Facts:
         own = solution.lines[rule.line].horizontal_force
         for key, force in (("force_of_line", own), ("force_by_rule", rule.horizontal_force)):
             said = Message(f"columns.{key}", number=rule.line + 1)
-            facts += [fact("horizontal_force", force, symbol="", said=said)]
+            facts.append(fact("horizontal_force", force, said, symbol=""))
     return Facts("body", tuple(facts), Message("captions.body"))
 
 
 def lines_table(report: SystemReport, checks: CheckReport) -> Table:
     """Tabulate what each line carries, and how far it is used by the strictest check."""
-    solution = report.solution
-    lines = solution.lines
-    own = [line.solution for line in lines]
-    used = [checks.used(line=number) for number in range(1, len(lines) + 1)]
+    lines = report.solution.lines
+    of = Rows(lines)
+    numbers = range(1, len(lines) + 1)
+    used = [checks.used(line=number) for number in numbers]
     if all(value is None for value in used):
         used = [line.utilisation() for line in lines]
-    columns = [
-        texts("line", range(1, len(lines) + 1)),
-        measured("angle", (line.leg.azimuth for line in lines), "azimuth", symbol=""),
-        measured("span", (each.span for each in own)),
-        measured("horizontal_force", (line.horizontal_force for line in lines)),
-        measured("tension", (line.tension for line in lines), "fairlead_tension"),
-        measured("tension", (each.anchor.tension for each in own), "anchor_tension", symbol="TA"),
-        measured("grounded_length", (each.grounded_length for each in own)),
-    ]
-    if any(value is not None for value in used):
-        columns.append(measured("utilisation", used))
-    return Table("lines", tuple(columns), Message("captions.lines"))
+    return tabulate(
+        "lines",
+        texts("line", numbers),
+        of.measured("angle", "leg.azimuth", "azimuth", symbol=""),
+        of.measured("span", "solution.span"),
+        *of.own("horizontal_force"),
+        of.measured("tension", "tension", "fairlead_tension"),
+        of.measured("tension", "solution.anchor.tension", "anchor_tension", symbol="TA"),
+        of.measured("grounded_length", "solution.grounded_length"),
+        *if_known(measured("utilisation", used)),
+        caption=Message("captions.lines"),
+    )
 
 
 def lines_used(checks: CheckReport) -> Message:
@@ -137,131 +138,103 @@ def lines_used(checks: CheckReport) -> Message:
     return Message("mooring.used_by_checks" if judged else "mooring.used_of_MBL")
 
 
-def _lines(report: SystemReport, checks: CheckReport) -> tuple[Block, ...]:
+def _lines(report: SystemReport, checks: CheckReport) -> Iterator[Block]:
     table = lines_table(report, checks)
-    if table.columns[-1].quantity is not QUANTITIES["utilisation"]:
-        return (table,)
-    return table, Text(lines_used(checks), only="people", is_small=True)
-
-
-def _verdict(checks: CheckReport) -> Iterator[Block]:
-    yield Verdict(verdict_sentence(checks), checks.passes)
-    if checks.results:
-        yield Text(governing_sentence(checks))
-        yield Text(Message("mooring.all_checks"), only="people", is_small=True)
+    yield table
+    if table.columns[-1].quantity is QUANTITIES["utilisation"]:
+        yield Text(lines_used(checks), only="people", is_small=True)
 
 
 def line_out_table(report: SystemReport) -> Table:
     """Tabulate what happens when each line is gone."""
-    gone = report.line_out
-    return Table(
+    of = Rows(report.line_out)
+    return tabulate(
         "line_out",
-        (
-            texts("line_out", [each.missing + 1 for each in gone]),
-            *_responses([each.response for each in gone]),
-            texts("refusal", [each.refusal for each in gone], only="files"),
-        ),
-        Message("captions.one_line_out"),
+        of.texts("line_out", lambda each: each.missing + 1),
+        *_responses(of.read("response")),
+        of.texts("refusal", only="files"),
+        caption=Message("captions.one_line_out"),
     )
 
 
 def _line_out(report: SystemReport) -> Iterator[Section]:
-    if not report.line_out:
-        return
-    lost = tuple(
-        Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
-        for each in report.line_out
-        if each.response is None
-    )
-    title = Message("captions.one_line_out")
-    yield Section(title, (line_out_table(report), *lost))
+    if report.line_out:
+        lost = (
+            Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
+            for each in report.line_out
+            if each.response is None
+        )
+        yield section("captions.one_line_out", line_out_table(report), *lost)
 
 
 def circle_table(circle: WatchCircle) -> Table:
     """Tabulate where the force takes the body as it goes round."""
-    return Table(
+    return tabulate(
         "watch_circle",
-        (
-            measured("angle", circle.directions, "direction", symbol=""),
-            *_responses(circle.responses),
-        ),
-        Message("captions.circle", force=Measure("horizontal_force", circle.force)),
-        tuple(range(0, len(circle.directions), _EVERY)),
+        measured("angle", circle.directions, "direction", symbol=""),
+        *_responses(circle.responses),
+        caption=Message("captions.circle", force=Measure("horizontal_force", circle.force)),
+        shown=tuple(range(0, len(circle.directions), _EVERY)),
     )
 
 
 def _circle(report: SystemReport) -> Iterator[Section]:
     if report.circle is not None:
-        yield Section(Message("captions.watch_circle"), (circle_table(report.circle),))
+        yield section("captions.watch_circle", circle_table(report.circle))
 
 
 def curve_table(number: int, curve: RestoringCurve) -> Table:
     """Tabulate force and offset along one direction."""
     rows = len(curve.offset)
-    return Table(
+    of = Rows(curve.responses)
+    return tabulate(
         f"restoring_{number}",
-        (
-            measured("angle", [curve.direction] * rows, "direction", symbol="", only="files"),
-            measured("offset", curve.offset),
-            measured("horizontal_force", curve.force, "force_along_the_direction", symbol=""),
-            measured("horizontal_force", curve.force_across, "force_across_it", symbol=""),
-            measured(
-                "tension",
-                [each.largest_tension for each in curve.responses],
-                "largest_tension",
-                symbol="",
-            ),
-            texts("in_line", [each.most_loaded + 1 for each in curve.responses]),
-        ),
-        Message("captions.held", angle=Measure("angle", curve.direction)),
-        tuple(range(0, rows, _CURVE_EVERY)),
+        measured("angle", [curve.direction] * rows, "direction", symbol="", only="files"),
+        measured("offset", curve.offset),
+        measured("horizontal_force", curve.force, "force_along_the_direction", symbol=""),
+        measured("horizontal_force", curve.force_across, "force_across_it", symbol=""),
+        of.measured("tension", "largest_tension", "largest_tension", symbol=""),
+        of.texts("in_line", lambda each: each.most_loaded + 1),
+        caption=Message("captions.held", angle=Measure("angle", curve.direction)),
+        shown=tuple(range(0, rows, _CURVE_EVERY)),
     )
 
 
 def _curve(number: int, curve: RestoringCurve) -> Section:
     table, title = curve_table(number, curve), Message("captions.restoring", number=number)
-    return Section(title, (table, Graph(title, table.name, x=1, y=(2,))))
+    return section(title, table, Graph(title, table.name, x=1, y=(2,)))
 
 
 def _levels(report: SystemReport) -> Iterator[Section]:
     """Tabulate what the water level changes."""
-    levels = report.levels
-    if not levels:
-        return
-    columns = (
-        measured("height", [each.level for each in levels], "water_level", symbol=""),
-        *_responses([each.response for each in levels]),
-        measured("stiffness", [each.stiffness[0][0] for each in levels], symbol="kxx"),
-    )
-    title = Message("captions.water_levels")
-    yield Section(title, (Table("water_levels", columns, title),))
+    if report.levels:
+        of, title = Rows(report.levels), Message("captions.water_levels")
+        columns = (
+            of.measured("height", "level", "water_level", symbol=""),
+            *_responses(of.read("response")),
+            of.measured("stiffness", lambda each: each.stiffness[0][0], symbol="kxx"),
+        )
+        yield section(title, Table("water_levels", columns, title))
 
 
 def held_section(number: int, body: HeldBody) -> Section:
     """Lay out what the lines do to a body that is held: load and stiffness in six freedoms."""
-    title = Message("captions.held_body", number=number)
     at = {
         name: Measure("offset" if k < 3 else "angle", value)
         for k, (name, value) in enumerate(body.by_freedom.items())
     }
     height = Measure("height", body.origin_height)
-    load = Facts(
-        f"held_{number}_load",
-        tuple(
-            fact("horizontal_force" if k < 3 else "moment", body.load[k], name, symbol=symbol)
-            for k, (name, symbol) in enumerate(_LOADS.items())
-        ),
-        Message("captions.held_load"),
+    load = (
+        fact("horizontal_force" if k < 3 else "moment", body.load[k], name, symbol=symbol)
+        for k, (name, symbol) in enumerate(_LOADS.items())
     )
-    return Section(
-        title,
-        (
-            Text(Message("mooring.held_at", **at)),
-            Text(Message("mooring.held_about", height=height)),
-            load,
-            _stiffness(f"held_{number}_forces", body, 0),
-            _stiffness(f"held_{number}_moments", body, 3),
-        ),
+    return section(
+        Message("captions.held_body", number=number),
+        Text(Message("mooring.held_at", **at)),
+        Text(Message("mooring.held_about", height=height)),
+        Facts(f"held_{number}_load", tuple(load), Message("captions.held_load")),
+        _stiffness(f"held_{number}_forces", body, 0),
+        _stiffness(f"held_{number}_moments", body, 3),
     )
 
 
@@ -281,18 +254,14 @@ def _stiffness(name: str, body: HeldBody, first: Literal[0, 3]) -> Table:
 
 
 def _responses(responses: Iterable[Response | None]) -> tuple[Column, ...]:
-    rows = list(responses)
-
-    def of(name: str) -> list[float | None]:
-        return [None if row is None else getattr(row, name) for row in rows]
-
+    of = Rows(responses)
     return (
-        measured("offset", of("x"), "position", symbol="x"),
-        measured("offset", of("y"), "position", symbol="y"),
-        measured("offset", of("offset")),
-        measured("tension", of("largest_tension"), "largest_tension", symbol=""),
-        texts("in_line", [None if row is None else row.most_loaded + 1 for row in rows]),
-        measured("grounded_length", of("least_grounded"), "shortest_grounded_length"),
+        of.measured("offset", "x", "position", symbol="x"),
+        of.measured("offset", "y", "position", symbol="y"),
+        *of.own("offset"),
+        of.measured("tension", "largest_tension", "largest_tension", symbol=""),
+        of.texts("in_line", lambda each: each.most_loaded + 1),
+        of.measured("grounded_length", "least_grounded", "shortest_grounded_length"),
     )
 
 
@@ -305,3 +274,68 @@ def _closing(report: SystemReport, checks: CheckReport) -> Iterator[Block]:
     if solution.system.turns:
         yield Text(Message("mooring.residual_of_moments", value=solution.residual.moment))
     yield Warnings(tuple(dict.fromkeys((*solution.warnings, *checks.warnings))))
+
+
+# ------------------------------------------------------------------ lines that meet in joints
+
+
+def network_answer(
+    rest: NetworkAtRest, held: Sequence[NetworkAtRest], *, with_stiffness: bool
+) -> Answer:
+    """Lay out the joints and the lines with the body in place, and where it is held."""
+    network = rest.network
+    joints = sum(point.kind == "joint" for point in network.points)
+    solved = Message("mooring.joints_solved", lines=len(network.lines), joints=joints)
+    bodies = [*([rest.body] if with_stiffness else []), *(each.body for each in held)]
+    tables = (
+        (number, _joints(each, f"held_joints_{number}"), _meeting(each, f"held_lines_{number}"))
+        for number, each in enumerate(held, start=1 + with_stiffness)
+    )
+    residual = max(each.joints.residual for each in (rest, *held))
+    return answered(
+        "network",
+        network.title or Message("captions.moored_body"),
+        section("captions.joints", Text(solved), _joints(rest, "joints")),
+        section("captions.lines", _meeting(rest, "lines")),
+        *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
+        *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
+        section("captions.residuals", Text(Message("mooring.residual_of_joints", value=residual))),
+    )
+
+
+def _joints(rest: NetworkAtRest, name: str) -> Table:
+    found = zip(rest.network.points, rest.joints.places, rest.joints.reactions, strict=True)
+    of = Rows(each for each in found if each[0].kind == "joint")
+    return tabulate(
+        name,
+        of.texts("point", lambda each: each[0].name),
+        of.measured("offset", lambda each: each[1][0], "position", symbol="x"),
+        of.measured("offset", lambda each: each[1][1], "position", symbol="y"),
+        of.measured("height", lambda each: each[1][2], symbol="z"),
+        of.measured(
+            "vertical_force", lambda each: each[0].submerged_weight, "weight_in_water", symbol=""
+        ),
+        of.measured("vertical_force", lambda each: each[2], "reaction_of_the_bed", symbol=""),
+        caption=Message("captions.joints"),
+    )
+
+
+def _meeting(rest: NetworkAtRest, name: str) -> Table:
+    points, runs, of = rest.network.points, Rows(rest.runs), Rows(rest.lines)
+    return tabulate(
+        name,
+        runs.texts("line", "name"),
+        runs.texts("from_point", lambda run: points[run.first].name),
+        runs.texts("to_point", lambda run: points[run.second].name),
+        *of.own("span", "horizontal_force"),
+        of.measured("tension", "anchor.tension", "tension_there", symbol="T1"),
+        of.measured("tension", "fairlead.tension", "tension_here", symbol="T2"),
+        *of.own("grounded_length"),
+        *if_known(of.measured("utilisation", _most_used)),
+        caption=Message("captions.lines"),
+    )
+
+
+def _most_used(line: Solution) -> float | None:
+    used = (each.utilisation() for each in line.segments)
+    return max((each for each in used if each is not None), default=None)

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from catopt.answers.blocks import (
     Answer,
     Block,
     Column,
+    Rows,
     Section,
     Table,
     Text,
     Verdict,
     Warnings,
+    answered,
     bare,
     keyed,
     measured,
     of_row,
+    section,
+    tabulate,
     texts,
-    where_known,
     yes_or_no,
 )
 from catopt.quantities import Quantity
@@ -45,20 +48,16 @@ def verification_answer(found: Verification) -> Answer:
     """Lay out a case by both models."""
     several = len(found.parts) > 1
     is_named = several or bool(found.case.load_cases)
-    said: list[Block] = []
-    for part in found.parts:
-        said += _part(part, is_named=is_named)
+    said = [block for part in found.parts for block in _part(part, is_named=is_named)]
     if several:
         said.append(Verdict(verdict_sentence(found), found.is_settled))
     parts = [(part.name, part) for part in found.parts]
-    return Answer(
+    return answered(
         "verify",
         found.case.title or Message("captions.mooring_line"),
-        (
-            Section(Message("captions.verification"), tuple(said)),
-            *_files(parts),
-            Section(Message("captions.shapes"), (_shapes(parts),)),
-        ),
+        section("captions.verification", *said),
+        *_files(parts),
+        section("captions.shapes", _shapes(parts)),
     )
 
 
@@ -70,17 +69,18 @@ def front_answer(front: FrontVerification) -> Answer:
         if each.verification is not None
         for part in each.verification.parts
     ]
-    failures = [
+    failures = (
         Text(Message("truss.design_failed", number=each.design.number, why=each.failure))
         for each in front.designs
         if each.failure
-    ]
+    )
     verdict = Verdict(front_sentence(front), front.is_settled)
-    said: list[Block] = [_designs(front), _designs_in_files(front), *failures, verdict]
-    return Answer(
+    tables = _designs(front), _designs_in_files(front)
+    return answered(
         "verify",
         front.title or Message("captions.front"),
-        (Section(Message("captions.designs"), tuple(said)), *_files(parts)),
+        section("captions.designs", *tables, *failures, verdict),
+        *_files(parts),
     )
 
 
@@ -89,30 +89,29 @@ def front_answer(front: FrontVerification) -> Answer:
 
 def _part(part: StaticComparison, *, is_named: bool) -> Iterator[Block]:
     found = [each for each in part.quantities if each.line is None]
-    yield _compared(found, _caption(part, is_named=is_named))
     if part.kind == "system":
+        yield _compared(found, Message("truss.body_by_both"))
         yield _lines(part)
+    else:
+        caption = Message("captions.load_case", name=part.name)
+        yield _compared(found, caption if is_named else Message("truss.by_both"))
     yield _meshes_of(part)
     yield Text(Message("truss.scales"), only="people")
     yield Verdict(part_sentence(part), part.is_settled)
+    yield from _rough(part)
+    yield from remarks(part.remarks)
+
+
+def _rough(part: StaticComparison) -> Iterator[Text]:
+    """Say what was not extrapolated."""
     rough = rough_sentence(part)
     if rough:
         yield Text(rough)
-    yield from remarks(part.remarks)
 
 
 def remarks(said: Iterable[str]) -> Iterator[Text]:
     """Say what is to be known before an answer is used."""
-    for each in said:
-        yield Text(Message("answers.note", remark=each))
-
-
-def _caption(part: StaticComparison, *, is_named: bool) -> Message:
-    if part.kind == "system":
-        return Message("truss.body_by_both")
-    if not is_named:
-        return Message("truss.by_both")
-    return Message("captions.load_case", name=part.name)
+    return (Text(Message("answers.note", remark=each)) for each in said)
 
 
 def compared_in_note(found: Sequence[Compared], caption: str = "") -> Table:
@@ -135,15 +134,13 @@ def lines_in_note(part: StaticComparison, caption: str) -> Table:
     worst = [term(QUANTITY_OF[part.worst_of(k).quantity].name) for k in numbers]
     agree = [all(e.agrees for e in part.quantities if e.line == k) for k in numbers]
     table = _lines(part)
-    further = (texts("worst_quantity", worst), _verdict_column(agree))
-    return replace(table, columns=(*table.columns, *further), caption=caption, only="not csv")
+    columns = (*table.columns, texts("worst_quantity", worst), _verdict_column(agree))
+    return replace(table, columns=columns, caption=caption, only="not csv")
 
 
 def closing_in_note(part: StaticComparison) -> Iterator[Block]:
     """Say what was not extrapolated and what was remarked on, and tabulate the meshes."""
-    rough = rough_sentence(part)
-    if rough:
-        yield Text(rough)
+    yield from _rough(part)
     yield Warnings(tuple(part.remarks))
     meshes = _meshes_of(part)
     bars, _, *others = meshes.columns  # how often is iterated is another count on each machine
@@ -152,26 +149,23 @@ def closing_in_note(part: StaticComparison) -> Iterator[Block]:
 
 def _verdict_column(agree: Iterable[bool]) -> Column:
     passes = tuple(agree)
-    words = tuple(term("agrees" if each else "DIFFERS") for each in passes)
-    return Column(Message("columns.verdict"), words, passes=passes)
+    words = (term("agrees" if each else "DIFFERS") for each in passes)
+    return texts("verdict", words, passes=passes)
 
 
 def _compared(found: Sequence[Compared], caption: str) -> Table:
     """Tabulate what is of the line, or of the body, by both models."""
+    of = Rows(found)
     units = tuple(bare(QUANTITY_OF[each.quantity]) for each in found)
-    closed = tuple(each.closed_form for each in found)
-    truss = tuple(each.extrapolated for each in found)
-    return Table(
+    return tabulate(
         "compared",
-        (
-            texts("quantity", [_label(each) for each in found]),
-            Column(Message("columns.closed_form"), closed, units=units),
-            Column(Message("columns.truss_extrapol"), truss, units=units),
-            _gaps("diff_finest", (each.gap_before for each in found)),
-            _gaps("diff_extrapol", (each.gap for each in found)),
-            _orders("order", found),
-        ),
-        caption,
+        of.texts("quantity", _label),
+        of.texts("closed_form", units=units),
+        of.texts("truss_extrapol", "extrapolated", units=units),
+        of.measured(GAP, "gap_before", "diff_finest"),
+        of.measured(GAP, "gap", "diff_extrapol"),
+        of.measured(_ORDER, "order", "order"),
+        caption=caption,
         only="people",
     )
 
@@ -193,51 +187,36 @@ def _label(each: Compared) -> Message:
     return label(QUANTITY_OF[each.quantity], with_symbol=each.quantity.startswith("position"))
 
 
-def _gaps(name: str, values: Iterable[float | None]) -> Column:
-    return Column(Message(f"columns.{name}"), tuple(values), GAP)
-
-
-def _orders(name: str, found: Iterable[Compared]) -> Column:
-    return Column(Message(f"columns.{name}"), tuple(each.order for each in found), _ORDER)
-
-
 def _lines(part: StaticComparison) -> Table:
     """Tabulate each line's tensions, and the largest difference of all its quantities."""
     numbers = range(len(part.lines))
-    fairlead = [part.of("fairlead_tension", k) for k in numbers]
-    anchor = [part.of("anchor_tension", k) for k in numbers]
-
-    def tensions(name: str, values: Iterable[float]) -> Column:
-        return measured("tension", values, name, symbol="")
-
-    return Table(
+    fairlead, anchor = (
+        Rows(part.of(f"{end}_tension", k) for k in numbers) for end in ("fairlead", "anchor")
+    )
+    worst = Rows(part.worst_of(k) for k in numbers)
+    return tabulate(
         "compared_lines",
-        (
-            texts("line", [k + 1 for k in numbers]),
-            tensions("fairlead_by_closed_form", (each.closed_form for each in fairlead)),
-            tensions("fairlead_by_truss", (each.extrapolated for each in fairlead)),
-            tensions("anchor_by_closed_form", (each.closed_form for each in anchor)),
-            tensions("anchor_by_truss", (each.extrapolated for each in anchor)),
-            _gaps("largest_difference", (part.worst_of(k).gap for k in numbers)),
-            _orders("order", fairlead),
-        ),
-        Message("captions.lines"),
+        texts("line", [k + 1 for k in numbers]),
+        fairlead.measured("tension", "closed_form", "fairlead_by_closed_form", symbol=""),
+        fairlead.measured("tension", "extrapolated", "fairlead_by_truss", symbol=""),
+        anchor.measured("tension", "closed_form", "anchor_by_closed_form", symbol=""),
+        anchor.measured("tension", "extrapolated", "anchor_by_truss", symbol=""),
+        worst.measured(GAP, "gap", "largest_difference"),
+        fairlead.measured(_ORDER, "order", "order"),
+        caption=Message("captions.lines"),
         only="people",
     )
 
 
 def _meshes_of(part: StaticComparison) -> Table:
-    numbers = range(len(part.meshes))
-    residuals = tuple(mesh.residual for mesh in part.meshes)
-    return Table(
+    of, gaps = Rows(part.meshes), map(part.mesh_gap, range(len(part.meshes)))
+    return tabulate(
         "meshes_of_load_case",
-        (
-            texts("bars", [mesh.elements for mesh in part.meshes]),
-            texts("iterations", [mesh.iterations for mesh in part.meshes]),
-            Column(Message("columns.residual_over_tension"), residuals, _RESIDUAL),
-            _gaps("largest_difference_over_scale", (part.mesh_gap(k) for k in numbers)),
-        ),
-        Message("captions.meshes_of_truss"),
+        of.texts("bars", "elements"),
+        of.texts("iterations"),
+        of.measured(_RESIDUAL, "residual", "residual_over_tension"),
+        measured(GAP, gaps, "largest_difference_over_scale"),
+        caption=Message("captions.meshes_of_truss"),
         only="people",
     )
 
@@ -247,56 +226,54 @@ def _meshes_of(part: StaticComparison) -> Table:
 
 def _designs(front: FrontVerification) -> Table:
     """Tabulate the designs in the load case that governs each."""
-    found = where_known((each.verification for each in front.designs), lambda of: of.static)
-    tension = where_known(found, lambda part: part.of("fairlead_tension"))
-    names = [
-        each.design.load_case or "" if part is None else part.name
-        for each, part in zip(front.designs, found, strict=True)
-    ]
-    closed = where_known(tension, lambda each: each.closed_form)
-    truss = where_known(tension, lambda each: each.extrapolated)
-    order = where_known(tension, lambda each: each.order)
-    return Table(
+    designs, found = Rows(front.designs), _governing(front)
+    tension = Rows(found.read(lambda part: part.of("fairlead_tension")))
+    return tabulate(
         "compared_designs",
-        (
-            texts("design", [each.design.number for each in front.designs]),
-            texts("load_case", names),
-            measured("tension", closed, "fairlead_tension"),
-            measured("tension", truss, "truss", symbol=""),
-            _gaps("difference_over_scale", where_known(found, lambda part: part.worst.gap)),
-            Column(Message("columns.order"), tuple(order), _ORDER),
-            texts("verdict", [_verdict(part) for part in found]),
-        ),
-        Message("captions.designs"),
+        designs.texts("design", "design.number"),
+        designs.texts("load_case", _load_case),
+        tension.measured("tension", "closed_form", "fairlead_tension"),
+        tension.measured("tension", "extrapolated", "truss", symbol=""),
+        found.measured(GAP, "worst.gap", "difference_over_scale"),
+        tension.measured(_ORDER, "order", "order"),
+        designs.texts("verdict", _verdict),
+        caption=Message("captions.designs"),
         only="people",
     )
 
 
-def _verdict(part: StaticComparison | None) -> Message:
-    if part is None:
+def _governing(front: FrontVerification) -> Rows:
+    """Take each design in the load case that governs it; None where there is no answer."""
+    return Rows(Rows(front.designs).read("verification.static"))
+
+
+def _load_case(each: DesignVerification) -> str:
+    if each.verification is None:
+        return each.design.load_case or ""
+    return each.verification.static.name
+
+
+def _verdict(each: DesignVerification) -> Message:
+    if each.verification is None:
         return term("NO ANSWER")
-    return term(part.verdict if part.verdict == "agrees" else part.verdict.upper())
+    verdict = each.verification.static.verdict
+    return term(verdict if verdict == "agrees" else verdict.upper())
 
 
 def _designs_in_files(front: FrontVerification) -> Table:
-    worst = where_known((each.verification for each in front.designs), lambda of: of.static.worst)
-    gaps = where_known(worst, lambda each: each.gap)
-    return Table(
+    of, found = Rows(front.designs), _governing(front)
+    verdicts = (term(each or "no answer") for each in of.read("verification.verdict"))
+    worst = (name_of(each) if each else "" for each in found.read("worst"))
+    return tabulate(
         "designs",
-        (
-            texts("design", [each.design.number for each in front.designs]),
-            texts("governing_load_case", [each.design.load_case or "" for each in front.designs]),
-            texts("verdict", [_verdict_in_files(each) for each in front.designs]),
-            texts("worst_quantity", [name_of(each) if each else "" for each in worst]),
-            _gaps("largest_difference_over_its_scale", gaps),
-            texts("failure", [each.failure for each in front.designs]),
-        ),
+        of.texts("design", "design.number"),
+        of.texts("governing_load_case", lambda each: each.design.load_case or ""),
+        texts("verdict", verdicts),
+        texts("worst_quantity", worst),
+        found.measured(GAP, "worst.gap", "largest_difference_over_its_scale"),
+        of.texts("failure"),
         only="files",
     )
-
-
-def _verdict_in_files(each: DesignVerification) -> Message:
-    return term("no answer" if each.verification is None else each.verification.verdict)
 
 
 # ------------------------------------------------------------------ files
@@ -305,62 +282,50 @@ def _verdict_in_files(each: DesignVerification) -> Message:
 def _files(parts: Sequence[_Named]) -> Iterator[Section]:
     """Lay out every number on every mesh."""
     for key, made in (("verdicts", _verdicts), ("quantities", _quantities), ("meshes", _meshes)):
-        yield Section(Message(f"captions.{key}"), (made(parts),))
+        yield section(f"captions.{key}", made(parts))
 
 
 def _verdicts(parts: Sequence[_Named]) -> Table:
-    found = [part for _, part in parts]
-    tolerance, residual = (
-        Column(Message(f"columns.{key}"), tuple(values), _RESIDUAL)
-        for key, values in (
-            ("tolerance", [part.tolerance for part in found]),
-            ("residual_of_the_truss_over_its_tension", [part.residual for part in found]),
-        )
-    )
-    return Table(
+    of = Rows(part for _, part in parts)
+    return tabulate(
         "verdicts",
-        (
-            texts("load_case", [name for name, _ in parts]),
-            texts("verdict", [term(part.verdict) for part in found]),
-            texts("worst_quantity", [name_of(part.worst) for part in found]),
-            _gaps("largest_difference_over_its_scale", (part.worst.gap for part in found)),
-            tolerance,
-            residual,
-            texts("remarks", [Several(part.remarks) for part in found]),
-        ),
+        texts("load_case", [name for name, _ in parts]),
+        of.texts("verdict", lambda part: term(part.verdict)),
+        of.texts("worst_quantity", lambda part: name_of(part.worst)),
+        of.measured(GAP, "worst.gap", "largest_difference_over_its_scale"),
+        of.measured(_RESIDUAL, "tolerance", "tolerance"),
+        of.measured(_RESIDUAL, "residual", "residual_of_the_truss_over_its_tension"),
+        of.texts("remarks", lambda part: Several(part.remarks)),
         only="files",
     )
 
 
 def _quantities(parts: Sequence[_Named]) -> Table:
-    rows = [(name, each) for name, part in parts for each in part.quantities]
-    found = [each for _, each in rows]
+    found = [each for _, part in parts for each in part.quantities]
+    of = Rows(found)
     meshes = range(max((len(each.fem) for each in found), default=0))
-    return Table(
+    return tabulate(
         "quantities",
-        (
-            texts("load_case", [name for name, _ in rows]),
-            texts("line", [None if each.line is None else each.line + 1 for each in found]),
-            texts("quantity", [keyed(each.quantity, _said_name(each.quantity)) for each in found]),
-            texts("unit", [each.unit for each in found]),
-            of_row("closed_form", (each.closed_form for each in found)),
-            *(_on_mesh(number, [each.fem[number] for each in found]) for number in meshes),
-            of_row("truss_extrapolated", (each.extrapolated for each in found)),
-            _orders("observed_order", found),
-            texts("smooth", [yes_or_no(each.is_smooth) for each in found]),
-            of_row("difference_of_the_finest_mesh", (each.difference_before for each in found)),
-            of_row("difference_after_extrapolation", (each.difference for each in found)),
-            of_row("scale", (each.scale for each in found)),
-            _gaps("difference_over_the_scale", (each.gap for each in found)),
-            texts("agrees", [yes_or_no(each.agrees) for each in found]),
-        ),
+        texts("load_case", [name for name, part in parts for _ in part.quantities]),
+        texts("line", [None if each.line is None else each.line + 1 for each in found]),
+        of.texts("quantity", lambda each: keyed(each.quantity, _said_name(each.quantity))),
+        of.texts("unit"),
+        of.of_row("closed_form"),
+        *(_on_mesh(number, [each.fem[number] for each in found]) for number in meshes),
+        of.of_row("truss_extrapolated", "extrapolated"),
+        of.measured(_ORDER, "order", "observed_order"),
+        of.texts("smooth", lambda each: yes_or_no(each.is_smooth)),
+        of.of_row("difference_of_the_finest_mesh", "difference_before"),
+        of.of_row("difference_after_extrapolation", "difference"),
+        of.of_row("scale"),
+        of.measured(GAP, "gap", "difference_over_the_scale"),
+        of.texts("agrees", lambda each: yes_or_no(each.agrees)),
         only="files",
     )
 
 
 def _on_mesh(number: int, values: Sequence[float]) -> Column:
-    name = Message("columns.truss_on_mesh", number=number + 1)
-    return Column(Message("columns.of_row", name=name), tuple(values), only="files")
+    return of_row(Message("columns.truss_on_mesh", number=number + 1), values, only="files")
 
 
 def _said_name(quantity: str) -> Message:
@@ -371,22 +336,16 @@ def _said_name(quantity: str) -> Message:
 
 
 def _meshes(parts: Sequence[_Named]) -> Table:
-    rows = [
-        (name, number, mesh)
-        for name, part in parts
-        for number, mesh in enumerate(part.meshes, start=1)
-    ]
-    residual = tuple(mesh.residual for *_, mesh in rows)
-    return Table(
+    of = Rows(mesh for _, part in parts for mesh in part.meshes)
+    numbers = [number for _, part in parts for number, _ in enumerate(part.meshes, start=1)]
+    return tabulate(
         "meshes",
-        (
-            texts("load_case", [name for name, *_ in rows]),
-            texts("mesh", [number for _, number, _ in rows]),
-            texts("bars", [mesh.elements for *_, mesh in rows]),
-            texts("newton_iterations", [mesh.iterations for *_, mesh in rows]),
-            Column(Message("columns.residual_over_the_largest_tension"), residual, _RESIDUAL),
-            measured("residual", (mesh.penetration for *_, mesh in rows), "penetration"),
-        ),
+        texts("load_case", [name for name, part in parts for _ in part.meshes]),
+        texts("mesh", numbers),
+        of.texts("bars", "elements"),
+        of.texts("newton_iterations", "iterations"),
+        of.measured(_RESIDUAL, "residual", "residual_over_the_largest_tension"),
+        of.measured("residual", "penetration", "penetration"),
         only="files",
     )
 
@@ -400,18 +359,20 @@ def _shapes(parts: Sequence[_Named]) -> Table:
     nodes = [(name, number) for name, number, pair in pairs for _ in pair.finest.arc]
     truss = [place for *_, pair in pairs for place in pair.finest_shape().tolist()]
     exact = [place for *_, pair in pairs for place in pair.closed_form_there().tolist()]
-    return Table(
+
+    def along(key: str, places: list[Any], axis: int, name: str) -> Column:
+        return measured(key, [place[axis] for place in places], name)
+
+    return tabulate(
         "shapes",
-        (
-            texts("load_case", [name for name, _ in nodes]),
-            texts("line", [number for _, number in nodes]),
-            measured("s", (s for *_, pair in pairs for s in pair.finest.arc.tolist())),
-            measured("x", (place[0] for place in truss), "truss"),
-            measured("z", (place[1] for place in truss), "truss"),
-            measured("x", (place[0] for place in exact), "closed_form"),
-            measured("z", (place[1] for place in exact), "closed_form"),
-            measured("tension", (place[2] for place in exact), "closed_form"),
-        ),
+        texts("load_case", [name for name, _ in nodes]),
+        texts("line", [number for _, number in nodes]),
+        measured("s", (s for *_, pair in pairs for s in pair.finest.arc)),
+        along("x", truss, 0, "truss"),
+        along("z", truss, 1, "truss"),
+        along("x", exact, 0, "closed_form"),
+        along("z", exact, 1, "closed_form"),
+        along("tension", exact, 2, "closed_form"),
         only="files",
     )
 
@@ -438,9 +399,9 @@ def front_sentence(front: FrontVerification) -> Message:
     if settled == count:
         return Message("truss.all_designs_agree", count=count)
     differing = count - settled - failed
-    if not failed:
-        return Message("truss.designs_differ", count=count, differing=differing)
-    if not differing:
-        return Message("truss.designs_fail", count=count, failed=failed)
     values = {"count": count, "differing": differing, "failed": failed}
+    if not failed:
+        return Message("truss.designs_differ", **values)
+    if not differing:
+        return Message("truss.designs_fail", **values)
     return Message("truss.designs_differ_and_fail", **values)

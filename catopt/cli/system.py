@@ -83,7 +83,7 @@ def _network(
     with_stiffness: bool,
 ) -> None:
     """Answer for lines that meet in joints, the body in place and where it is to be held."""
-    from catopt.answers.network import network_answer
+    from catopt.answers.system import network_answer
     from catopt.mooring.held import hold, network_document
 
     rest, *held = [hold(network, each) for each in ((0.0,) * 6, *displacements)]

@@ -217,7 +217,7 @@ def _answers(
         from catopt.answers.motion import motion_answer
 
         return at_rest, motion_answer(dynamic.found, dynamic.checks, with_series=with_series)
-    from catopt.answers.front_in_motion import front_in_motion_answer
+    from catopt.answers.motion import front_in_motion_answer
 
     return at_rest, front_in_motion_answer(dynamic)
 

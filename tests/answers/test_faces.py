@@ -35,9 +35,8 @@ from catopt.answers.check import check_answer
 from catopt.answers.curve import curve_answer
 from catopt.answers.design import design_answer
 from catopt.answers.fatigue import fatigue_answer
-from catopt.answers.front_in_motion import front_in_motion_answer
 from catopt.answers.loads import loads_answer
-from catopt.answers.motion import motion_answer
+from catopt.answers.motion import front_in_motion_answer, motion_answer
 from catopt.answers.reproduction import reproduction_answer
 from catopt.answers.size import size_answer
 from catopt.answers.solution import solution_answer

@@ -43,7 +43,7 @@ def test_summary_of_the_buoy_as_s1_prints_it(buoy: Solution) -> None:
 
 def test_what_is_not_known_is_empty_and_not_zero(case: Case) -> None:
     unknown = Line([Segment(20.0, 93.0)])
-    frame = given_tables(unknown)[0].to_dataframe()
+    frame = next(given_tables(unknown)).to_dataframe()
     for heading in ("Mass per length m (kg/m)", "Minimum breaking load MBL (kN)"):
         assert frame[heading].isna().all()
     assert frame["Axial stiffness EA (MN)"].iloc[0] == float("inf")
