@@ -18,6 +18,7 @@ from catopt.answers.blocks import (
     Text,
     Verdict,
     Warnings,
+    section,
 )
 from catopt.casefile.reading import parse_case
 from catopt.desk.fields import DOORS, Door, fields_of
@@ -28,7 +29,9 @@ from catopt.render.units import UNITS
 from catopt.words import LANGUAGES, Language, Message, say
 
 if TYPE_CHECKING:
+    from catopt.checks.result import CheckReport
     from catopt.model import Case
+    from catopt.notes.origin import SourceFile
     from catopt.quantities import Units
     from catopt.sizing import Sizing
 
@@ -40,10 +43,6 @@ Asked = TypeVar("Asked", bound=Callable[..., Any])
 
 _FILE: Final = re.compile(r"""\w*file\s*=|buoys\s*=|["'][^"'\n]*\.[A-Za-z]""")
 """A key of files, or a value that may be the name of one."""
-
-NAMES: Final[dict[Door, str]] = {
-    "line": "case.toml", "body": "case.toml", "buoy": "sizing.toml", "tanker": "sizing.toml",
-}  # fmt: skip
 
 
 def ask(call: str, question: Question) -> Reply:
@@ -75,10 +74,15 @@ def ask(call: str, question: Question) -> Reply:
     language = cast("Language", question.get("lang", "en"))
     before = UNITS.set(cast("Units", question.get("units", "")))
     try:
-        text = question["text"] if "text" in question else _made(question)
+        made = (question.get("door", "line"), question.get("values", {}), question.get("base", ""))
+        text = question["text"] if "text" in question else text_of(*made)
+        if call in _DOCUMENTS:
+            return _DOCUMENTS[call](text)
         if call == "compare":
             return _compare(question.get("kept", ""), text, language)
-        return _ANSWERS[call](text, language)
+        if call == "note":
+            return _note(text, language)
+        return _page(text, language, is_whole=call == "whole")
     except CatoptError as error:
         return _failed(error, language)
     finally:
@@ -97,12 +101,6 @@ def _wrong(call: str, question: Question) -> str:
     values = question.get("values", {})
     is_form = isinstance(values, Mapping) and all(isinstance(each, str) for each in values.values())
     return "" if is_text and is_form else "text, base, kept and values are texts"
-
-
-def _made(question: Question) -> str:
-    return text_of(
-        question.get("door", "line"), question.get("values", {}), question.get("base", "")
-    )
 
 
 def _failed(error: CatoptError, language: Language) -> Reply:
@@ -148,28 +146,32 @@ def _sizing(text: str, door: Door) -> Sizing:
         return size(file.known())
 
 
+def _door(text: str) -> Door:
+    return door_of(parse_toml(text, ""))
+
+
 # ------------------------------------------------------------------ the commands' documents
 
 
-def _solve(text: str, language: Language) -> Reply:  # noqa: ARG001 - as all calls are
+def _solve(text: str) -> Reply:
     from catopt.catenary.case import solve_case
 
     return solve_case(_case(text)).to_dict()
 
 
-def _check(text: str, language: Language) -> Reply:  # noqa: ARG001
+def _check(text: str) -> Reply:
     from catopt.checks.case import check_case
 
     return check_case(_case(text)).to_dict()
 
 
-def _curve(text: str, language: Language) -> Reply:  # noqa: ARG001
+def _curve(text: str) -> Reply:
     from catopt.catenary.case_curve import curve_case
 
     return curve_case(_case(text)).to_dict()
 
 
-def _system(text: str, language: Language) -> Reply:  # noqa: ARG001
+def _system(text: str) -> Reply:
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
 
@@ -178,40 +180,37 @@ def _system(text: str, language: Language) -> Reply:  # noqa: ARG001
     return report.to_dict() | {"checks": check_system(case, report).verdict_document()}
 
 
-def _size(text: str, language: Language) -> Reply:  # noqa: ARG001
-    return _sizing(text, door_of(parse_toml(text, ""))).to_dict()
+def _size(text: str) -> Reply:
+    return _sizing(text, _door(text)).to_dict()
+
+
+def _open(text: str) -> Reply:
+    door = _door(text)
+    return {"door": door, "values": values_of(door, text), "text": text}
+
+
+def _file(text: str) -> Reply:
+    return {"name": _name(_door(text)), "text": text}
+
+
+def _name(door: Door) -> str:
+    return "case.toml" if door in ("line", "body") else "sizing.toml"
 
 
 # ------------------------------------------------------------------ what the page shows
 
 
-def _live(text: str, language: Language) -> Reply:
-    """Draw the answer: verdict, figures and results, for every step of a slider."""
-    return _page(text, language, is_whole=False)
-
-
-def _whole(text: str, language: Language) -> Reply:
-    """Lay the answer out with every table of the command."""
-    return _page(text, language, is_whole=True)
-
-
 def _page(text: str, language: Language, *, is_whole: bool) -> Reply:
+    """Draw the answer at every step of a slider; the whole has every table of the command."""
     from catopt.render.page import fragment
 
-    answer = _answer(text, is_whole=is_whole)
-    door = door_of(parse_toml(text, ""))
-    return {
-        "html": fragment(answer, language),
-        "text": text,
-        "door": door,
-        "values": values_of(door, text),
-    }
+    return {"html": fragment(_answer(text, is_whole=is_whole), language)} | _open(text)
 
 
 @_kept
 def _answer(text: str, *, is_whole: bool) -> Answer:
     """Answer once what is asked again in other words or units, or compared."""
-    door = door_of(parse_toml(text, ""))
+    door = _door(text)
     if door == "line":
         first, others = _line(text)
     elif door == "body":
@@ -220,10 +219,15 @@ def _answer(text: str, *, is_whole: bool) -> Answer:
         first, others = _sized(text, door)
     sections = (first, *(each for other in others for each in other.sections if is_whole))
     named = tuple(
-        Section(each.title, _once(each.blocks), f"part-{number}")
+        Section(each.title, tuple(filter(_is_news, each.blocks)), f"part-{number}")
         for number, each in enumerate(sections)
     )
     return Answer("desk", others[0].title, named, Message("desk.kind"))
+
+
+def _is_news(block: Block) -> bool:
+    """Whether a block is not that of the results of a line, which stand beside its drawing."""
+    return not isinstance(block, Facts) or block.name != "summary"
 
 
 def _compare(kept: str, text: str, language: Language) -> Reply:
@@ -231,8 +235,8 @@ def _compare(kept: str, text: str, language: Language) -> Reply:
     from catopt.answers.comparison import comparison
     from catopt.render.page import fragment
 
-    door = door_of(parse_toml(text, ""))
-    before = values_of(door, kept) if door_of(parse_toml(kept, "")) == door else {}
+    door = _door(text)
+    before = values_of(door, kept) if _door(kept) == door else {}
     now = values_of(door, text)
     inputs = [
         (each.label, before.get(each.key, ""), now.get(each.key, ""))
@@ -240,22 +244,12 @@ def _compare(kept: str, text: str, language: Language) -> Reply:
         if before.get(each.key, "") != now.get(each.key, "")
     ]
     of_kept, present = _answer(kept, is_whole=True), _answer(text, is_whole=True)
-    section = comparison(of_kept, present, inputs)
-    return {"html": fragment(replace(present, sections=(section,)), language)}
-
-
-def _once(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
-    """Leave out the results of a line that stand beside its drawing already."""
-    return tuple(each for each in blocks if not isinstance(each, Facts) or each.name != "summary")
+    beside = comparison(of_kept, present, inputs)
+    return {"html": fragment(replace(present, sections=(beside,)), language)}
 
 
 def _line(text: str) -> tuple[Section, list[Answer]]:
-    from catopt.answers.check import (
-        check_answer,
-        failing_checks,
-        governing_sentence,
-        verdict_sentence,
-    )
+    from catopt.answers.check import check_answer, failing_checks, governing_sentence
     from catopt.answers.solution import result_facts, solution_answer
     from catopt.catenary.case import solve_case, under_a_load
     from catopt.checks.case import check_case
@@ -264,26 +258,29 @@ def _line(text: str) -> tuple[Section, list[Answer]]:
     case = _case(text)
     solution = solve_case(case)
     report = check_case(case)
-    under = under_a_load(case)[0]
+    depth = under_a_load(case)[0].site.water_depth
     factor = solution.safety_factor
     allowed = [each.MBL and each.MBL / factor for each in solution.segments]
     basis = Message("figures.MBL_over", factor=factor)
-    first = Section(
-        Message("desk.answer"),
-        (
-            Verdict(verdict_sentence(report), report.passes if report.results else None),
-            *((Text(governing_sentence(report)),) if report.results else ()),
-            Warnings((*solution.warnings, *report.warnings)),
-            Figure(line_in_water(solution, under.site.water_depth, failing_checks(report))),
-            Facts("results", result_facts(solution), Message("captions.result")),
-            Figure(tension_along(solution, allowed, basis)),
-        ),
+    first = section(
+        "desk.answer",
+        _verdict(report),
+        *([Text(governing_sentence(report))] if report.results else []),
+        Warnings((*solution.warnings, *report.warnings)),
+        Figure(line_in_water(solution, depth, failing_checks(report))),
+        Facts("results", result_facts(solution), Message("captions.result")),
+        Figure(tension_along(solution, allowed, basis)),
     )
     return first, [solution_answer(case, solution), check_answer(report)]
 
 
-def _body(text: str) -> tuple[Section, list[Answer]]:
+def _verdict(report: CheckReport) -> Verdict:
     from catopt.answers.check import verdict_sentence
+
+    return Verdict(verdict_sentence(report), report.passes if report.results else None)
+
+
+def _body(text: str) -> tuple[Section, list[Answer]]:
     from catopt.answers.system import system_answer
     from catopt.checks.system import check_system
     from catopt.figures.mooring import near, plan
@@ -292,15 +289,9 @@ def _body(text: str) -> tuple[Section, list[Answer]]:
     case = _case(text)
     report = report_system(case)
     checks = check_system(case, report)
-    around = near(report.solution)
-    first = Section(
-        Message("desk.answer"),
-        (
-            Verdict(verdict_sentence(checks), checks.passes if checks.results else None),
-            Figure(plan(report.solution)),
-            *(() if around is None else (Figure(around),)),
-        ),
-    )
+    drawn = (plan(report.solution), near(report.solution))
+    figures = (Figure(chart) for chart in drawn if chart is not None)
+    first = section("desk.answer", _verdict(checks), *figures)
     return first, [system_answer(report, checks)]
 
 
@@ -312,7 +303,7 @@ def _sized(text: str, door: Door) -> tuple[Section, list[Answer]]:
     name, solution = of.hardest
     state = next(each for each in of.case.load_cases if each.name == name)
     depth = of.case.site.water_depth + state.water_level
-    first = Section(Message("desk.answer"), (Figure(line_in_water(solution, depth)),))
+    first = section("desk.answer", Figure(line_in_water(solution, depth)))
     answer = size_answer(of)
     found = sorted(answer.sections, key=lambda each: not _recommends(each))
     return first, [replace(answer, sections=tuple(found))]
@@ -323,15 +314,6 @@ def _recommends(section: Section) -> bool:
     return any(isinstance(each, Table) and each.name == "sizing" for each in section.blocks)
 
 
-def _open(text: str, language: Language) -> Reply:  # noqa: ARG001
-    door = door_of(parse_toml(text, ""))
-    return {"door": door, "values": values_of(door, text), "text": text}
-
-
-def _file(text: str, language: Language) -> Reply:  # noqa: ARG001
-    return {"name": NAMES[door_of(parse_toml(text, ""))], "text": text}
-
-
 def _note(text: str, language: Language) -> Reply:
     """Make the calculation note, without the truss model, which catopt report puts beside it."""
     import hashlib
@@ -339,42 +321,36 @@ def _note(text: str, language: Language) -> Reply:
     from catopt.notes.origin import SourceFile
     from catopt.render.page import page
 
-    door = door_of(parse_toml(text, ""))
-    file = SourceFile(NAMES[door], text, hashlib.sha256(text.encode()).hexdigest())
-    made = page(_of_body(text, file) if door == "body" else _noted(text, door, file), language)
-    return {"name": f"{door}.html", "html": made.decode()}
+    door = _door(text)
+    file = SourceFile(_name(door), text, hashlib.sha256(text.encode()).hexdigest())
+    return {"name": f"{door}.html", "html": page(_noted(text, door, file), language).decode()}
 
 
-def _noted(text: str, door: Door, file: Any) -> Answer:
+def _noted(text: str, door: Door, file: SourceFile) -> Answer:
     if door == "line":
         from catopt.answers.note_line import line_note_answer
         from catopt.notes.line import note_of
 
         return line_note_answer(note_of(_case(text), (file,), verify=False))
+    if door == "body":
+        from catopt.answers.note_system import system_note_answer
+        from catopt.notes.system import system_note
+
+        return system_note_answer(system_note(_case(text), (file,), verify=False))
     from catopt.answers.note_size import size_note_answer
     from catopt.notes.size import Given, size_note
 
     return size_note_answer(size_note(_sizing(text, door), Given(file), verify=False))
 
 
-def _of_body(text: str, file: Any) -> Answer:
-    from catopt.answers.note_system import system_note_answer
-    from catopt.notes.system import system_note
-
-    return system_note_answer(system_note(_case(text), (file,), verify=False))
-
-
-_ANSWERS: Final[Mapping[str, Callable[[str, Language], Reply]]] = {
+_DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {
     "solve": _solve,
     "check": _check,
     "curve": _curve,
     "system": _system,
     "size": _size,
-    "live": _live,
-    "whole": _whole,
     "open": _open,
     "file": _file,
-    "note": _note,
 }
-CALLS: Final = (*_ANSWERS, "compare")
+CALLS: Final = (*_DOCUMENTS, "live", "whole", "note", "compare")
 """What can be asked."""

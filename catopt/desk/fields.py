@@ -20,35 +20,21 @@ DOORS: Final[tuple[Door, ...]] = ("line", "body", "buoy", "tanker")
 
 @dataclass(frozen=True)
 class Field:
-    """One field of a form.
-
-    Attributes
-    ----------
-    key : str
-        In the file, as errors name it.
-    label : str
-        A message.
-    hint : str
-        What is taken when it is left empty, or an example.
-    choices : tuple of str
-        That are offered; a text of one's own may stand there, too.
-    is_first : bool
-        Whether it is shown at once, or among the further ones.
-    slides : bool
-        Whether a slider changes it.
-    several : bool
-        Whether it has several values, with ``;`` between them.
-    is_text : bool
-        Whether it is free text.
-    """
+    """One field of a form."""
 
     key: str
+    """In the file, as errors name it."""
     label: str
     hint: str = ""
+    """What is taken when it is left empty, or an example."""
     choices: tuple[str, ...] = ()
+    """That are offered; a text of one's own may stand there, too."""
     is_first: bool = False
+    """Whether it is shown at once, or among the further ones."""
     slides: bool = False
+    """Whether a slider changes it."""
     several: bool = False
+    """Whether it has several values, with ``;`` between them."""
     is_text: bool = False
 
 
@@ -85,40 +71,29 @@ START: Final[dict[Door, dict[str, str]]] = {
 }
 """What the form of each door begins with."""
 
-_LINE: Final = (
-    ("title", "text"),
-    ("site.water_depth", "first slides"),
-    ("line.segments[0].component", "first"),
-    ("line.segments[0].diameter", "first slides"),
-    ("line.segments[0].length", "first slides"),
-)
-_LOAD: Final = (
-    ("load.horizontal_force", "first slides"),
-    ("load.span", ""),
-    ("load.fairlead_tension", ""),
-)
-_AROUND: Final = (
-    ("system.anchor_radius", "first slides"),
-    ("system.fairlead_radius", "first"),
-    ("system.azimuths", "first several"),
-    ("system.force", "first several"),
-)
-_REST: Final = (
-    ("checks.safety_factor", "first"),
-    ("checks.max_anchor_uplift_angle", ""),
-    ("checks.code", ""),
-    ("site.seabed_friction", ""),
-    ("line.fairlead_height", ""),
-    ("line.segments[0].submerged_weight", ""),
-    ("line.segments[0].mass", ""),
-    ("line.segments[0].EA", ""),
-    ("line.segments[0].MBL", ""),
-)
+_LINE: Final = {
+    "title": "text",
+    "site.water_depth": "first slides",
+    "line.segments[0].component": "first",
+    "line.segments[0].diameter": "first slides",
+    "line.segments[0].length": "first slides",
+}
+_LOAD: Final = {
+    "load.horizontal_force": "first slides",
+    "load.span": "",
+    "load.fairlead_tension": "",
+}
+_AROUND: Final = {
+    "system.anchor_radius": "first slides",
+    "system.fairlead_radius": "first",
+    "system.azimuths": "first several",
+    "system.force": "first several",
+}
 _EXAMPLES: Final = {
     "load.span": "110 m",
     "load.fairlead_tension": "180 kN",
-    "checks.code": "IALA-CALMAR",
     "checks.max_anchor_uplift_angle": "0 deg",
+    "checks.code": "IALA-CALMAR",
     "site.seabed_friction": "0",
     "line.fairlead_height": "18 m",
     "line.segments[0].submerged_weight": "400 N/m",
@@ -126,28 +101,25 @@ _EXAMPLES: Final = {
     "line.segments[0].EA": "190 MN",
     "line.segments[0].MBL": "2000 kN",
 }
+_REST: Final = {
+    "checks.safety_factor": "first",
+    **{key: "" for key in _EXAMPLES if not key.startswith("load.")},
+}
 
 
 @cache
 def fields_of(door: Door) -> tuple[Field, ...]:
-    """List the fields of a door's form, in their order.
-
-    Parameters
-    ----------
-    door : {"line", "body", "buoy", "tanker"}
-        Which.
-    """
+    """List the fields of a door's form, in their order."""
     if door in ("buoy", "tanker"):
         return tuple(_of_input(each) for each in rows_of(door) if each.takes != "FILE")
     own = _LOAD if door == "line" else _AROUND
-    return tuple(_of_case(key, how) for key, how in (*_LINE, *own, *_REST))
+    return tuple(_of_case(key, how) for key, how in (_LINE | own | _REST).items())
 
 
 def _of_case(key: str, how: str) -> Field:
-    label = "inputs.title" if key == "title" else f"desk.{key}"
     return Field(
         key,
-        Message(label),
+        Message("inputs.title" if key == "title" else f"desk.{key}"),
         _EXAMPLES.get(key, ""),
         _components() if key.endswith("component") else (),
         "first" in how,
@@ -166,7 +138,6 @@ def _components() -> tuple[str, ...]:
 
 
 def _of_input(each: Input) -> Field:
-    """Make the field of a row of the table."""
     shown = each.example if isinstance(each.example, tuple) else (each.example,)
     return Field(
         each.key,

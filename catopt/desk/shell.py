@@ -16,24 +16,13 @@ __all__ = ["shell"]
 
 
 def shell(language: Language = "en") -> str:
-    """Render the body of the page.
-
-    Parameters
-    ----------
-    language : {"en", "vi"}
-        Of every word.
-
-    Returns
-    -------
-    str
-        HTML.
+    """Render the body of the page as HTML, every word in a language.
 
     Examples
     --------
     >>> 'data-key="site.water_depth"' in shell("vi")
     True
     """
-    words = partial(say, language=language)
     return (
         _environment()
         .get_template("shell.html")
@@ -43,7 +32,7 @@ def shell(language: Language = "en") -> str:
             fields={door: fields_of(door) for door in DOORS},
             start=START,
             say=lambda key: say(Message(f"desk.{key}"), language),
-            words=words,
+            words=partial(say, language=language),
             slider=lambda label: Message("desk.slider", label=label),
             footer=say(Message("page.footer", version=__version__), language),
         )

@@ -23,21 +23,10 @@ def door_of(document: Mapping[str, Any]) -> Door:
 
 
 def text_of(door: Door, values: Mapping[str, str], base: str = "") -> str:
-    """Write the file that the fields of a form come to.
+    """Write the TOML file that the fields of a form come to.
 
-    Parameters
-    ----------
-    door : {"line", "body", "buoy", "tanker"}
-        Whose form it is.
-    values : mapping of str to str
-        By key, as they stand in the fields; empty: left out.
-    base : str
-        File that was opened; what no field has is kept of it, but for comments.
-
-    Returns
-    -------
-    str
-        TOML.
+    `values` are by key, as they stand in the fields; what is empty is left out. `base` is the file
+    that was opened: what no field has is kept of it, but for comments.
 
     Examples
     --------
@@ -89,17 +78,14 @@ def _put(document: dict[str, Any], path: tuple[str | int, ...], value: object) -
     """Put a value into its table, which is made where there is none; None takes it out."""
     place: Any = document
     for part, below in pairwise(path):
-        if isinstance(part, int):
-            if part >= len(place):
-                if value is None:
-                    return
-                place.append({})
-            place = place[part]
-            continue
-        if part not in place:
+        is_there = part < len(place) if isinstance(part, int) else part in place
+        if not is_there:
             if value is None:
                 return
-            place[part] = [] if isinstance(below, int) else {}
+            if isinstance(part, int):
+                place.append({})
+            else:
+                place[part] = [] if isinstance(below, int) else {}
         place = place[part]
         if not isinstance(place, dict | list):
             return

@@ -19,18 +19,12 @@ class Term(Message):
 
     def __new__(cls, english: str) -> Term:
         """Take the word."""
-        message = str.__new__(cls, english)
-        message.key, message.values = "", {}
-        return message
+        return cls.made_of(english)
 
     def said(self, language: Language) -> str:
         """Say it in a language."""
         key = _terms().get(self)
         return str(self) if key is None else Message(key).said(language)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        """Keep it when it is copied, or sent to another process."""
-        return Term, (str(self),)
 
 
 def term(english: str) -> Message:
@@ -73,18 +67,9 @@ def quantity_label(key: str, language: Language = "en") -> str:
 
 
 def heading(name: str, quantity: Quantity, language: Language = "en", *, si: bool = False) -> str:
-    """Say the heading of a column of numbers: name, symbol and unit.
+    """Say the heading of a column of numbers: name, symbol and unit, or the SI unit.
 
-    Parameters
-    ----------
-    name : str
-        Message of the group ``columns`` or of a quantity, or a user's own words.
-    quantity : Quantity
-        Gives symbol and unit; an empty symbol is left out.
-    language : {"en", "vi"}
-        Wanted.
-    si : bool
-        The SI unit instead of the field's.
+    The name is a message or a user's own words; an empty symbol is left out.
 
     Examples
     --------

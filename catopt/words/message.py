@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import partial
-from typing import Literal
+from types import MappingProxyType
+from typing import Any, Literal, Self
 
 from catopt.words.texts import LANGUAGES, Language, text
 
@@ -44,13 +44,19 @@ class Message(str):
     True
     """
 
-    key: str
-    values: Mapping[str, object]
+    key: str = ""
+    values: Mapping[str, object] = MappingProxyType({})
 
     def __new__(cls, key: str, /, **values: object) -> Message:
         """Fill the English text."""
-        message = super().__new__(cls, text(key, "en", values).format(**values))
-        message.key, message.values = key, values
+        english = text(key, "en", values).format(**values)
+        return cls.made_of(english, key=key, values=values)
+
+    @classmethod
+    def made_of(cls, english: str, **parts: Any) -> Self:
+        """Keep what a message is made of as attributes; documents have it by the same names."""
+        message = str.__new__(cls, english)
+        vars(message).update(parts)
         return message
 
     def said(self, language: Language) -> str:
@@ -59,8 +65,8 @@ class Message(str):
         return text(self.key, language, values).format(**values)
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Keep key and values when it is copied, or sent to another process."""
-        return _remade, (self.key, dict(self.values))
+        """Keep what it is made of when it is copied, or sent to another process."""
+        return str.__new__, (type(self), str(self)), vars(self)
 
 
 class Several(Message):
@@ -72,18 +78,11 @@ class Several(Message):
     def __new__(cls, parts: Iterable[str], separator: str = "; ") -> Several:
         """Join the English texts."""
         kept = tuple(parts)
-        message = str.__new__(cls, separator.join(kept))
-        message.key, message.values = "", {}
-        message.parts, message.separator = kept, separator
-        return message
+        return cls.made_of(separator.join(kept), separator=separator, parts=kept)
 
     def said(self, language: Language) -> str:
         """Say each in a language."""
         return self.separator.join(say(part, language) for part in self.parts)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        """Keep the parts when it is copied, or sent to another process."""
-        return Several, (self.parts, self.separator)
 
 
 class Listed(Message):
@@ -98,23 +97,13 @@ class Listed(Message):
     def __new__(cls, parts: Iterable[str], last: Literal["and", "or"]) -> Listed:
         """List the English texts."""
         kept = tuple(parts)
-        message = str.__new__(cls, f" {last} ".join(kept))
-        message.key, message.values = _WORDS[last], {}
-        message.parts, message.last = kept, last
-        return message
+        return cls.made_of(f" {last} ".join(kept), last=last, parts=kept)
 
     def said(self, language: Language) -> str:
         """Say each in a language."""
         *first, last = (say(part, language) for part in self.parts)
-        word = text(self.key, language, {})
+        word = text(f"words.{self.last}", language, {})
         return f"{', '.join(first)} {word} {last}" if first else last
-
-    def __reduce__(self) -> tuple[object, ...]:
-        """Keep the parts when it is copied, or sent to another process."""
-        return Listed, (self.parts, self.last)
-
-
-_WORDS = {"and": "words.and", "or": "words.or"}
 
 
 class Sentence(Message):
@@ -125,18 +114,11 @@ class Sentence(Message):
 
     def __new__(cls, words: str, *, capital: bool = False) -> Sentence:
         """End the English text."""
-        message = str.__new__(cls, _ended(words, capital))
-        message.key, message.values = "", {}
-        message.words, message.capital = words, capital
-        return message
+        return cls.made_of(_ended(words, capital), words=words, capital=capital)
 
     def said(self, language: Language) -> str:
         """Say the words in a language."""
         return _ended(say(self.words, language), self.capital)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        """Keep the words when it is copied, or sent to another process."""
-        return partial(Sentence, capital=self.capital), (self.words,)
 
 
 def _ended(words: str, capital: bool) -> str:
@@ -154,18 +136,12 @@ class Told(Message):
 
     def __new__(cls, texts: Mapping[Language, str]) -> Told:
         """Take the English text."""
-        kept: dict[Language, str] = {language: texts[language] for language in LANGUAGES}
-        message = str.__new__(cls, kept["en"])
-        message.key, message.values, message.texts = "", {}, kept
-        return message
+        kept = {language: texts[language] for language in LANGUAGES}
+        return cls.made_of(kept["en"], texts=kept)
 
     def said(self, language: Language) -> str:
         """Say it in a language."""
         return self.texts[language]
-
-    def __reduce__(self) -> tuple[object, ...]:
-        """Keep the texts when it is copied, or sent to another process."""
-        return Told, (self.texts,)
 
 
 class Cited(str):
@@ -188,7 +164,3 @@ def is_said(said: str, key: str) -> bool:
 
 def _said(value: object, language: Language) -> object:
     return say(value, language) if isinstance(value, str) else value
-
-
-def _remade(key: str, values: Mapping[str, object]) -> Message:
-    return Message(key, **values)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from catopt.words.labels import Term
@@ -44,47 +44,43 @@ def _said_so(english: str, saved: object) -> str:
 def _walk(document: object) -> Iterator[Message]:
     if isinstance(document, Message):
         yield document
-    elif isinstance(document, Mapping):
-        for value in document.values():
-            yield from _walk(value)
-    elif isinstance(document, list):
-        for value in document:
+    elif isinstance(document, Mapping | list):
+        for value in document.values() if isinstance(document, Mapping) else document:
             yield from _walk(value)
 
 
 def _saved(value: object) -> object:
     if isinstance(value, Measure):
         return {"quantity": value.quantity, "value": value.value}
-    if isinstance(value, Listed):
-        return {"last": value.last, "parts": [_saved(part) for part in value.parts]}
-    if isinstance(value, Several):
-        return {"separator": value.separator, "parts": [_saved(part) for part in value.parts]}
-    if isinstance(value, Sentence):
-        return {"words": _saved(value.words), "capital": value.capital}
-    if isinstance(value, Told):
-        return {"texts": dict(value.texts)}
     if isinstance(value, Term):
         return {"term": str(value)}
     if isinstance(value, Message):
-        return {"key": value.key, "values": {name: _saved(v) for name, v in value.values.items()}}
-    return value
+        return {name: _saved(part) for name, part in vars(value).items()}
+    if isinstance(value, dict):
+        return {name: _saved(part) for name, part in value.items()}
+    return [_saved(part) for part in value] if isinstance(value, tuple) else value
 
 
 def _restored(saved: Any) -> Any:
+    if isinstance(saved, list):
+        return [_restored(part) for part in saved]
     if not isinstance(saved, dict):
         return saved
-    if "quantity" in saved:
-        return Measure(**saved)
     if "key" in saved:
         values = {name: _restored(value) for name, value in saved["values"].items()}
         return Message(saved["key"], **values)
     if "term" in saved:
         return Term(saved["term"])
-    if "words" in saved:
-        return Sentence(_restored(saved["words"]), capital=saved["capital"])
     if "texts" in saved:
         return Told(saved["texts"])
-    parts = [_restored(part) for part in saved["parts"]]
-    if "last" in saved:
-        return Listed(parts, saved["last"])
-    return Several(parts, saved["separator"])
+    kind = _KINDS[(_KINDS.keys() & saved.keys()).pop()]
+    return kind(**{name: _restored(part) for name, part in saved.items()})
+
+
+_KINDS: dict[str, Callable[..., object]] = {
+    "quantity": Measure,
+    "words": Sentence,
+    "last": Listed,
+    "separator": Several,
+}
+"""What else a message is, by a name that only its kind has."""
