@@ -1,40 +1,61 @@
-"""The sections that notes of several kinds share."""
+"""What notes of every kind share: the first page, inputs, parts of a line, the file in full."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from catopt.answers import blocks
 from catopt.answers.blocks import (
+    Answer,
     Block,
     Column,
-    Fact,
-    Facts,
-    FileText,
+    Points,
     Section,
     Table,
     Text,
     Value,
-    Warnings,
-    exact,
-    measured,
+    Verdict,
 )
+from catopt.answers.check import governing_sentence, verdict_sentence
 from catopt.answers.solution import given_tables
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.words import Cited, Message, quantity_name
+from catopt.words import Cited, Measure, Message, Several, quantity_name
 
 if TYPE_CHECKING:
-    from catopt.catalogue import Component, Source
+    from catopt.catalogue import Component
     from catopt.model import Case, Line, Segment
-    from catopt.notes.inputs import Input
     from catopt.notes.origin import Origin
+    from catopt.notes.sheet import AnyNote, Sheet
+
+_DIGITS = 4
+"""Of a number on the first page: more than what it rests on is known to."""
+_PREFIX = {"note_size": "size_", "note_system": "system_"}
+"""Of the keys of sections that only one kind of note has."""
 
 
-def note_section(name: str, blocks: Iterable[Block], heading: str) -> Section:
-    """Make a section of a note by the key of its heading."""
-    return Section(Message(heading), tuple(blocks), name)
+# ------------------------------------------------------------------ making blocks
+
+
+def section(name: str, parts: Iterable[Block], group: str = "note") -> Section:
+    """Make a section of a note, whose heading is in a group of texts."""
+    heading = Message(f"{group}.{name}_heading")
+    return Section(heading, tuple(parts), _PREFIX.get(group, "") + name)
+
+
+def note_answer(
+    note: AnyNote, kind: str, sections: Iterable[Section], *, untitled: str = "", file: str = ""
+) -> Answer:
+    """Lay out a note of those sections in which there is something, and of its first file.
+
+    Where all was given by options there is none. `kind` and `untitled` are keys of texts.
+    """
+    first = (blocks.FileText(each.name, each.sha256, each.text) for each in note.origin.files[:1])
+    every = (*sections, section(file or "case_file", first))
+    shown = tuple(each for each in every if each.blocks)
+    return Answer("note", note.title or Message(untitled or "note.untitled"), shown, Message(kind))
 
 
 def column(key: str, values: Iterable[Value], quantity: Quantity | None = None) -> Column:
@@ -42,11 +63,115 @@ def column(key: str, values: Iterable[Value], quantity: Quantity | None = None) 
     return Column(Message(key), tuple(values), quantity)
 
 
-def title_block(facts: Sequence[tuple[str, str]], origin: Origin) -> Facts:
-    """Lay out what is calculated, when, from which files and by which version.
+Cell = Value | tuple[Value, Quantity]
+"""What stands in a row: a value, or one with its quantity where the rows have several."""
 
-    A fact is the key of what it is called, and what is said; one that says nothing is left out.
+
+def from_rows(
+    name: str, keys: Sequence[str], rows: Iterable[Sequence[Cell]], caption: str = ""
+) -> Table:
+    """Make a table from its rows, by the keys of its headings."""
+    columns = []
+    laid = list(rows)
+    for place, key in enumerate(keys):
+        cells = [row[place] for row in laid]
+        values = tuple(each[0] if isinstance(each, tuple) else each for each in cells)
+        units = tuple(each[1] for each in cells if isinstance(each, tuple))
+        columns.append(Column(Message(key), values, units=units))
+    return Table(name, tuple(columns), caption)
+
+
+def small(key: str, **values: Value) -> Text:
+    """Say how to read what is above."""
+    return Text(Message(key, **values), is_small=True)
+
+
+# ------------------------------------------------------------------ the first page
+
+
+Number = tuple[str, str, float]
+"""One of the numbers that matter: its name, the key of its quantity, its value in SI."""
+
+
+def opening(
+    note: AnyNote,
+    facts: Sequence[tuple[str, str]],
+    *said: str,
+    drawing: Iterable[Block],
+    force: Number,
+    reach: Number,
+    tension: float,
+    in_motion: bool = False,
+    reserve: str = "",
+) -> Iterator[Section]:
+    """Begin a note: the first page, who answers for it, and what is to be known.
+
+    A fact is the key of what it is called, and what is said; one that says nothing is left out. The
+    answer is `said` in sentences, `force` pulls, `reach` is how far the mooring lets go, `tension`
+    the largest at a fairlead (N). `in_motion` says whether the lines were run in time, too, and
+    `reserve` what fails beside checks that pass; empty where nothing does.
     """
+    sheet, report = note.sheet, note.sheet.report
+    verdict = [each for each in (verdict_sentence(report), governing_sentence(report)) if each]
+    largest = (Message("columns.largest_tension"), "tension", tension)
+    four = (force, largest, reach, _reserve(sheet))
+    rows = [(name, (value, _rounded(key, value))) for name, key, value in four]
+    answer = (
+        *(Text(each) for each in said),
+        Verdict(Several(verdict, " "), report.passes if report.results else None, reserve),
+        from_rows("four", ("page.what", "columns.value"), rows),
+        *drawing,
+        Points(tuple(_not_covered(sheet, in_motion)), Message("note_first.not_covered")),
+    )
+    yield section("summary", answer, "note_first")
+    yield section("identity", [_signed(), _title_block(facts, note.origin)])
+    yield section("warnings", [blocks.Warnings(note.warnings)] if note.warnings else [])
+
+
+def about(key: str, value: float) -> Measure:
+    """Say a value in SI with the digits that it is known to."""
+    return Measure(key, value, digits=_rounded(key, value).digits)
+
+
+def _rounded(key: str, value: float) -> Quantity:
+    quantity = blocks.named(key, "")
+    if not value or not math.isfinite(value):
+        return quantity
+    before = 1 + math.floor(math.log10(abs(quantity.to_field(value))))
+    return replace(quantity, digits=min(quantity.digits, max(0, _DIGITS - before)))
+
+
+def _reserve(sheet: Sheet) -> Number:
+    factor = sheet.break_factor
+    if factor is None or not math.isfinite(factor):
+        least = min(each.grounded_length for each in sheet.intact)
+        return Message("note_first.least_grounded"), "grounded_length", least
+    return Message("note_first.break_factor"), "safety_factor", factor
+
+
+def _not_covered(sheet: Sheet, in_motion: bool) -> Iterator[str]:
+    """Yield what the answer leaves out."""
+    for key, is_left_out in (
+        ("no_motion", not in_motion),
+        ("no_criterion", not sheet.report.results),
+        ("no_anchor", sheet.anchor is None),
+        ("no_line_out", sheet.lines > 1 and not sheet.judges_line_out),
+        ("no_wear", sheet.case.service is None),
+        ("never", True),
+    ):
+        if is_left_out:
+            yield Message(f"note_first.{key}")
+
+
+def _signed() -> Table:
+    """Leave room for who answers for it."""
+    names = ("revision", "date", "prepared", "checked", "approved")
+    keys = [f"note_first.{name}" for name in names]
+    return from_rows("signed", keys, [[Cited("\N{NO-BREAK SPACE}")] * len(keys)])
+
+
+def _title_block(facts: Sequence[tuple[str, str]], origin: Origin) -> blocks.Facts:
+    """Lay out what is calculated, when, from which files and by which version."""
     files = [Cited(f"{each.name}, SHA-256 {each.sha256}") for each in origin.files]
     every = (
         *facts,
@@ -54,86 +179,59 @@ def title_block(facts: Sequence[tuple[str, str]], origin: Origin) -> Facts:
         ("note.identity_version", Cited(f"catopt {origin.version}")),
         *(("note.identity_file", said) for said in files),
     )
-    return Facts(
-        "identity", tuple(Fact(Message(key), said) for key, said in every if said), only="not csv"
+    return blocks.Facts(
+        "identity", tuple(blocks.Fact(Message(key), said) for key, said in every if said)
     )
 
 
-def warnings_section(warnings: tuple[str, ...]) -> Iterator[Section]:
-    """Say what is to be known before the note is used; no section where that is nothing."""
-    if warnings:
-        yield note_section("warnings", [Warnings(warnings)], "note.warnings_heading")
+# ------------------------------------------------------------------ the case file
 
 
-def file_section(origin: Origin, name: str, heading: str) -> Iterator[Section]:
-    """Show the first file in full; no section where all was given by options."""
-    if origin.files:
-        first = origin.files[0]
-        text = FileText(first.name, first.sha256, first.text)
-        yield note_section(name, [text], heading)
-
-
-def inputs_section(origin: Origin, design: int | None = None) -> Section:
-    """Tabulate every value of the case file; say so where a design takes the line's place."""
-    blocks: list[Block] = [Text(Message("note.inputs_about"))]
+def case_sections(
+    note: AnyNote, case: Case, line: Line, design: int | None = None
+) -> Iterator[Section]:
+    """Tabulate the parts of a line, and the values of its case file, in whose place is a design."""
+    yield section("components", components(case, line))
+    said = [Text(Message("note.inputs_about"))]
     if design is not None:
-        blocks.append(Text(Message("note.inputs_design", number=design)))
-    return note_section("inputs", [*blocks, inputs_table(origin)], "note.inputs_heading")
-
-
-def _of_input(each: Input) -> Quantity:
-    """Show a value with the digits of a hand calculation; wear in mm a year, not 1e-11 m/s."""
-    is_wear = each.key.rpartition(".")[2] == "wear_rate"
-    return QUANTITIES["wear_rate"] if is_wear else exact(each.unit)
+        said.append(Text(Message("note.inputs_design", number=design)))
+    yield section("inputs", [*said, inputs_table(note.origin)])
 
 
 def inputs_table(origin: Origin) -> Table:
-    """Tabulate every value of a file, as it stands there and in SI."""
-    every = origin.inputs
-    in_si = Column(
-        Message("page.si"),
-        tuple(each.si if isinstance(each.si, float) else Cited(each.si or "") for each in every),
-        units=tuple(_of_input(each) for each in every),
-    )
-    return Table(
-        "inputs",
-        (
-            column("note.inputs_key", (Cited(each.key) for each in every)),
-            column("note.inputs_given", (Cited(each.given) for each in every)),
-            in_si,
-        ),
-        only="not csv",
-    )
+    """Tabulate every value of a file, as it stands there and in SI.
+
+    With the digits of a hand calculation; wear in mm a year, not 1e-11 m/s.
+    """
+    rows = []
+    for each in origin.inputs:
+        is_wear = each.key.rpartition(".")[2] == "wear_rate"
+        si = each.si if isinstance(each.si, float) else Cited(each.si or "")
+        quantity = QUANTITIES["wear_rate"] if is_wear else blocks.exact(each.unit)
+        rows.append((Cited(each.key), Cited(each.given), (si, quantity)))
+    return from_rows("inputs", ("note.inputs_key", "note.inputs_given", "page.si"), rows)
 
 
 # ------------------------------------------------------------------ parts of a line
 
 
-def components_section(case: Case, line: Line) -> Section:
+def components(case: Case, line: Line) -> Iterator[Block]:
     """Tabulate the parts of a line, and what the catalogue says of those of its case."""
-    return note_section("components", _components(case, line), "note.components_heading")
-
-
-def _components(case: Case, line: Line) -> Iterator[Block]:
     segments, *loads = given_tables(line)
-    further = [
-        measured(key, values)
-        for key, values in (
-            ("nominal_diameter", [each.nominal_diameter for each in line.segments]),
-            ("proof_load", [each.proof_load for each in line.segments]),
-        )
-        if any(value is not None for value in values)
-    ]
-    known = (each for each in segments.columns if any(each.values))
-    yield replace(segments, columns=(*known, *further), only="not csv")
-    yield from (replace(each, only="not csv") for each in loads)
+    known = [each for each in segments.columns if any(each.values)]
+    for key in ("nominal_diameter", "proof_load"):
+        values = [getattr(each, key) for each in line.segments]
+        if any(value is not None for value in values):
+            known.append(blocks.measured(key, values))
+    yield replace(segments, columns=tuple(known))
+    yield from loads
     if any(not each.component for each in line.segments):
-        yield Text(Message("note.components_own"), is_small=True)
+        yield small("note.components_own")
     parts = list(_looked_up(case))
     if parts:
-        yield from map(_provenance, parts)
-        yield Text(Message("note.components_legend"), is_small=True)
-        yield _sources(parts)
+        yield from (_provenance(*part) for part in parts)
+        yield small("note.components_legend")
+        yield _sources(component for _, component in parts)
 
 
 _WET = "wet_strength_factor"
@@ -147,97 +245,56 @@ _SHOWN = {
     "price": "price",
 }
 """Quantities of the catalogue that a note rests on, and what each is printed as."""
-_OWN = {"mass": "mass", "MBL": "MBL", "proof_load": "proof_load", "EA": "EA", "price": "price"}
+_OWN = ("mass", "MBL", "proof_load", "EA", "price")
 """Of these, what a segment of a case file may have of its own."""
 
 
-@dataclass(frozen=True)
-class _Part:
-    """A segment with its component in the catalogue."""
-
-    segment: Segment
-    component: Component
-
-
-@dataclass(frozen=True)
-class _Found:
-    """A figure of a component; without a source it is the case file's own."""
-
-    name: str
-    quantity: Quantity
-    value: float
-    formula: str = ""
-    confidence: str = ""
-    source: str = ""
-
-
-def _looked_up(case: Case) -> Iterator[_Part]:
+def _looked_up(case: Case) -> Iterator[tuple[Segment, Component]]:
     """Look every segment's component up; segments with the same figures once."""
     from catopt.catalogue.choice import chosen
 
     seen = set()
-    catalogue = None
     for segment in case.line.segments:
-        own = (getattr(segment, each) for each in _OWN.values())
+        own = (getattr(segment, each) for each in _OWN)
         key = (segment.component, segment.nominal_diameter, *own)
         if segment.component and segment.nominal_diameter is not None and key not in seen:
             seen.add(key)
-            catalogue = catalogue or chosen(case.catalogue, case.site.water_density)
-            component = catalogue.component(segment.component, segment.nominal_diameter)
-            yield _Part(segment, component)
+            catalogue = chosen(case.catalogue, case.site.water_density)
+            yield segment, catalogue.component(segment.component, segment.nominal_diameter)
 
 
-def _provenance(part: _Part) -> Table:
+def _provenance(segment: Segment, component: Component) -> Table:
     """Tabulate where each figure of a component comes from."""
-    every = [_figure(key, part) for key in _SHOWN if key in part.component.provenance]
-    return Table(
-        "component",
-        (
-            column("columns.quantity", (each.name for each in every)),
-            Column(
-                Message("columns.value"),
-                tuple(each.value for each in every),
-                units=tuple(each.quantity for each in every),
-            ),
-            column("columns.formula", (each.formula for each in every)),
-            column("columns.confidence", (each.confidence for each in every)),
-            column("columns.source", (each.source for each in every)),
-        ),
-        Cited(part.component.name),
-        only="not csv",
+    shown = (key for key in _SHOWN if key in component.provenance)
+    names = ("quantity", "value", "formula", "confidence", "source")
+    rows = (_figure(key, segment, component) for key in shown)
+    return from_rows(
+        "component", [f"columns.{name}" for name in names], rows, Cited(component.name)
     )
 
 
-def _figure(key: str, part: _Part) -> _Found:
-    """Take a figure of the catalogue, or the case file's in its place."""
-    quantity, value = QUANTITIES[_SHOWN[key]], getattr(part.component, key)
+def _figure(key: str, segment: Segment, component: Component) -> Sequence[Cell]:
+    """Take a figure of the catalogue, or the case file's in its place, which has no source."""
+    quantity, value = QUANTITIES[_SHOWN[key]], getattr(component, key)
     wet = Message("columns.strength_in_water_over_dry")
     name = wet if key == _WET else quantity_name(quantity.key)
-    own = getattr(part.segment, _OWN[key]) if key in _OWN else None
-    expected = part.component.MBL_in_water if key == "MBL" else value
+    own = getattr(segment, key) if key in _OWN else None
+    expected = component.MBL_in_water if key == "MBL" else value
     if own is not None and expected is not None and not math.isclose(own, expected, rel_tol=1e-12):
-        return _Found(name, quantity, own, source=Message("note.components_case_file"))
-    origin = part.component.provenance[key]
-    source = f"{', '.join(source.key for source in origin.sources)}: {origin.place}"
-    return _Found(name, quantity, value, origin.formula, origin.confidence, Cited(source))
+        return name, (own, quantity), "", "", Message("note.components_case_file")
+    origin = component.provenance[key]
+    source = Cited(f"{', '.join(source.key for source in origin.sources)}: {origin.place}")
+    return name, (value, quantity), origin.formula, origin.confidence, source
 
 
-def _sources(parts: Iterable[_Part]) -> Table:
+def _sources(components: Iterable[Component]) -> Table:
     """List the documents that the shown figures of components rest on, by their keys."""
-    found: dict[str, Source] = {
-        source.key: source
-        for part in parts
-        for key in _SHOWN
-        if key in part.component.provenance
-        for source in part.component.provenance[key].sources
+    found = {
+        source.key: f"{source.title}{f'. {source.place}' if source.place else ''}"
+        for component in components
+        for key, origin in component.provenance.items()
+        if key in _SHOWN
+        for source in origin.sources
     }
-    every = [found[key] for key in sorted(found)]
-    titles = (Cited(f"{each.title}{f'. {each.place}' if each.place else ''}") for each in every)
-    return Table(
-        "sources",
-        (
-            column("columns.source", (Cited(each.key) for each in every)),
-            column("columns.title", titles),
-        ),
-        only="not csv",
-    )
+    rows = ((Cited(key), Cited(title)) for key, title in sorted(found.items()))
+    return from_rows("sources", ("columns.source", "columns.title"), rows)

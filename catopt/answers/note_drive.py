@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import Block, Column, Fact, Facts, Table, Text, Value, measured, texts
-from catopt.answers.note import column
+from catopt.answers.blocks import Block, Column, Fact, Facts, Table, Value, measured, texts
+from catopt.answers.note import column, small
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Cited, Message, Several
 
@@ -33,58 +33,29 @@ COUNT = Quantity("count", "", "", "-", "-", 1.0, 0)
 SECONDS = fixed("s", 1)
 _DEGREES = Quantity("", "", "", "rad", "deg", math.pi / 180.0, 4, "significant")
 _S, _M, _NUMBER, _SPEED = (significant(unit) for unit in ("s", "m", "-", "m/s"))
+_S4, _M4 = significant("s", 4), significant("m", 4)
 _PERCENT = Quantity("", "", "", "-", "%", 0.01, 2)
 _MOST_RAOS, _MOST_SEEDS = 40, 4
 _SEVENTH = 1.0 / 7.0
-
-
-class _Axis(NamedTuple):
-    """Keys of what is said of a motion along an axis."""
-
-    name: str
-    recorded: str
-
-
-_AXES = {
-    "surge": _Axis("note_motion.surge_of", "note_motion.record_surge"),
-    "sway": _Axis("note_motion.sway_of", "note_motion.record_sway"),
-    "heave": _Axis("note_motion.heave_of", "note_motion.record_heave"),
-}
-_SPECTRA = {
-    "jonswap": "note_motion.jonswap",
-    "pierson-moskowitz": "note_motion.pierson_moskowitz",
-    "regular": "note_motion.regular",
-}
-_STRETCHINGS = {
-    "none": "note_motion.stretching_none",
-    "wheeler": "note_motion.stretching_wheeler",
-}
-_FRICTION = {
-    "pulled": "note_motion.friction_pulled",
-    "none": "note_motion.friction_none",
-    "laid": "note_motion.friction_laid",
-}
-_PROFILES = {
-    "power": "note_motion.current_power",
-    "wind": "note_motion.current_wind",
-    "table": "note_motion.current_table",
-}
+_AXES = ("surge", "sway", "heave")
 
 
 def drive_blocks(moved: InMotion) -> Iterator[Block]:
     """Lay out what drives the line, the model, and inertia and drag of its segments."""
-    drive = tuple(drive_facts(moved))
-    yield Facts("motion_drive", drive, Message("note_motion.drive"), only="not csv")
+    yield Facts("motion_drive", tuple(drive_facts(moved)), _said("drive"))
     if moved.drive.raos is not None:
         yield _raos(moved.drive.raos)
-    model = tuple(_model(moved))
-    yield Facts("motion_model", model, Message("note_motion.model"), only="not csv")
+    yield Facts("motion_model", tuple(_model(moved)), _said("model"))
     yield _segments(moved)
-    yield Text(Message("note_motion.coefficients"), is_small=True)
+    yield small("note_motion.coefficients")
 
 
 def _fact(key: str, value: Value, quantity: Quantity | None = None) -> Fact:
-    return Fact(Message(f"note_motion.{key}"), value, quantity)
+    return Fact(_said(key), value, quantity)
+
+
+def _said(key: str, **values: object) -> Message:
+    return Message(f"note_motion.{key}", **values)
 
 
 def drive_facts(moved: InMotion) -> Iterator[Fact]:
@@ -109,29 +80,27 @@ def _waves(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
         if runs > _MOST_SEEDS:
             seeds.append(f"… ({waves.seed}, {runs - 1})")
         yield _fact("seeds", ", ".join(seeds))
-    yield _fact("stretching", Message(_STRETCHINGS[waves.stretching]))
+    yield _fact("stretching", _said(f"stretching_{waves.stretching}"))
 
 
 def _recorded(waves: WaveState, moved: InMotion) -> Iterator[Fact]:
     record, kept = moved.drive.elevation, moved.drive.recorded_waves
     assert record is not None
-    four = significant("m", 4)
     name = Cited(Path(waves.elevation_file).name)
-    yield _fact("waves", Message("note_motion.recorded_surface", file=name))
+    yield _fact("waves", _said("recorded_surface", file=name))
     yield _fact("surface_length", record.duration, _S)
     yield _fact("recorded_at", waves.elevation_x, _M)
-    yield _fact("significant_height", kept.significant_height, four)
+    yield _fact("significant_height", kept.significant_height, _M4)
     yield _fact("wave_direction", waves.direction, _DEGREES)
     yield _fact("components", kept.count)
-    shortest = 2.0 * math.pi / float(kept.omega[-1])
-    yield _fact("shortest_kept", shortest, significant("s", 4))
+    yield _fact("shortest_kept", 2.0 * math.pi / float(kept.omega[-1]), _S4)
     yield _fact("variance_left_out", record.left_out(kept), _PERCENT)
-    yield _fact("mean_taken_off", record.mean, four)
+    yield _fact("mean_taken_off", record.mean, _M4)
 
 
 def _train(train: WaveTrain, gamma: float | None) -> Iterator[Fact]:
     is_regular = train.spectrum == "regular"
-    yield _fact("waves", Message(_SPECTRA[train.spectrum]))
+    yield _fact("waves", _said(train.spectrum.replace("-", "_")))
     yield _fact("wave_height" if is_regular else "significant_height", train.height, _M)
     yield _fact("wave_period" if is_regular else "peak_period", train.period, _S)
     if gamma is not None:
@@ -140,13 +109,13 @@ def _train(train: WaveTrain, gamma: float | None) -> Iterator[Fact]:
     yield _fact("wave_direction", train.direction, _DEGREES)
     if train.spreading_exponent is not None:
         n, count = f"{train.spreading_exponent:g}", train.directions
-        yield _fact("spreading", Message("note_motion.cosine_power", n=n, count=count))
+        yield _fact("spreading", _said("cosine_power", n=n, count=count))
     if not is_regular:
         yield _fact("components", train.components)
 
 
 def _current(current: CurrentProfile, moved: InMotion) -> Iterator[Fact]:
-    yield _fact("current", Message(_PROFILES[current.profile]))
+    yield _fact("current", _said(f"current_{current.profile}"))
     if current.series_file:
         yield from _current_series(current, moved)
     if current.speed is not None:
@@ -158,17 +127,12 @@ def _current(current: CurrentProfile, moved: InMotion) -> Iterator[Fact]:
         yield _fact("current_depth", current.depth, _M)
     if current.depths:
         pairs = zip(current.speeds, current.depths, strict=True)
-        at = (Message("note_motion.speed_at", v=f"{v:g}", d=f"{d:g}") for v, d in pairs)
+        at = (_said("speed_at", v=f"{v:g}", d=f"{d:g}") for v, d in pairs)
         yield _fact("speeds", Several(at))
     if current.directions:
         turned = zip(current.directions, current.depths, strict=True)
-        yield _fact(
-            "directions",
-            Several(
-                Message("note_motion.direction_at", b=f"{math.degrees(b):.4g}", d=f"{d:g}")
-                for b, d in turned
-            ),
-        )
+        at = (_said("direction_at", b=f"{math.degrees(b):.4g}", d=f"{d:g}") for b, d in turned)
+        yield _fact("directions", Several(at))
     elif moved.drive.current is None or moved.drive.current.directions is None:
         yield _fact("current_direction", current.direction, _DEGREES)
 
@@ -179,7 +143,7 @@ def _current_series(current: CurrentProfile, moved: InMotion) -> Iterator[Fact]:
     series = moved.drive.current
     assert series is not None
     name = Cited(Path(current.series_file).name)
-    yield _fact("current_series", Message("note_motion.series_in", file=name))
+    yield _fact("current_series", _said("series_in", file=name))
     low, high = np.min(series.speeds), np.max(series.speeds)
     yield _fact("series_speed", f"{low:.4g} … {high:.4g} m/s")
     if series.directions is not None:
@@ -189,18 +153,17 @@ def _current_series(current: CurrentProfile, moved: InMotion) -> Iterator[Fact]:
 
 def _motion(motion: Motion, moved: InMotion) -> Iterator[Fact]:
     if motion.period is not None:
-        yield _fact("motion", Message("note_motion.harmonic"))
+        yield _fact("motion", _said("harmonic"))
         yield _fact("motion_period", motion.period, _S)
         for axis in _AXES:
             size, phase = getattr(motion, axis), getattr(motion, f"{axis}_phase")
             if size:
-                along = Message(_AXES[axis].name)
-                yield Fact(Message("note_motion.amplitude_of", axis=along), size, _M)
-                yield Fact(Message("note_motion.phase", axis=along), phase, _DEGREES)
+                along = _said(f"{axis}_of")
+                yield Fact(_said("amplitude_of", axis=along), size, _M)
+                yield Fact(_said("phase", axis=along), phase, _DEGREES)
         return
     name = Cited(Path(motion.file or motion.rao_file).name)
-    how = "note_motion.record" if motion.file else "note_motion.raos"
-    yield _fact("motion", Message(how, file=name))
+    yield _fact("motion", _said("record" if motion.file else "raos", file=name))
     record = moved.drive.record
     if record is not None:
         times, values = record.times, record.values
@@ -208,7 +171,7 @@ def _motion(motion: Motion, moved: InMotion) -> Iterator[Fact]:
         for axis, moves in zip(_AXES, values.T, strict=True):
             if moves.any():
                 ends = {"a": f"{moves.min():.4g}", "b": f"{moves.max():.4g}"}
-                yield Fact(Message(_AXES[axis].recorded), Message("note_motion.from_to", **ends))
+                yield _fact(f"record_{axis}", _said("from_to", **ends))
 
 
 def _raos(raos: Raos) -> Table:
@@ -217,8 +180,8 @@ def _raos(raos: Raos) -> Table:
     rows = range(count - 1, -1, -1)[:: max(1, math.ceil(count / _MOST_RAOS))]
     sizes = abs(raos.response)
     periods = [2.0 * math.pi / float(raos.omega[row]) for row in rows]
-    columns = [column("note_motion.rao_period", periods, significant("s", 4))]
-    for k, axis in enumerate(_AXES.values()):
+    columns = [column("note_motion.rao_period", periods, _S4)]
+    for k, axis in enumerate(_AXES):
         if not sizes[:, k].any():
             continue
         size = [float(sizes[row, k]) for row in rows]
@@ -227,13 +190,10 @@ def _raos(raos: Raos) -> Table:
             _lag(complex(raos.response[row, k])) if of > 0.0 else None
             for row, of in zip(rows, size, strict=True)
         ]
-        phase = Message("note_motion.phase", axis=Message(axis.name))
-        columns += [
-            column(axis.name, size, significant("m/m", 4)),
-            Column(phase, tuple(lags), _DEGREES),
-        ]
-    caption = Message("note_motion.rao_table")
-    return Table("motion_raos", tuple(columns), caption, only="not csv")
+        along = _said(f"{axis}_of")
+        columns.append(Column(along, tuple(size), significant("m/m", 4)))
+        columns.append(Column(_said("phase", axis=along), tuple(lags), _DEGREES))
+    return Table("motion_raos", tuple(columns), _said("rao_table"))
 
 
 def _lag(response: complex) -> float:
@@ -246,8 +206,8 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     part = moved.found.parts[moved.governing]
     run = part.runs[0].history
     average = dynamics.scheme == "newmark"
-    scheme = "note_motion.average" if average else "note_motion.generalised"
-    radius = {} if average else {"radius": f"{dynamics.spectral_radius:g}"}
+    radius = f"{dynamics.spectral_radius:g}"
+    scheme = _said("average") if average else _said("generalised", radius=radius)
     stiffness, damping = dynamics.seabed_stiffness, dynamics.seabed_damping
     yield _fact("bars", part.elements)
     yield _fact("runs", dynamics.runs)
@@ -255,20 +215,20 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     yield _fact("of_interest", dynamics.duration_of_interest, _S)
     yield _fact("ramp", moved.drive.ramp, _S)
     yield _fact("since", run.since, _S)
-    yield _fact("step", run.step, significant("s", 4))
-    yield _fact("scheme", Message(scheme, **radius))
+    yield _fact("step", run.step, _S4)
+    yield _fact("scheme", scheme)
     yield _fact("line_damping", dynamics.critical_ratio, _NUMBER)
     yield _fact("damping_time", dynamics.damping_time, _S)
     if stiffness is None:
-        yield _fact("bed_stiffness", Message("note_motion.one_centimetre"))
+        yield _fact("bed_stiffness", _said("one_centimetre"))
     else:
         yield _fact("bed_stiffness", stiffness, significant("N/m²"))
     if damping is None:
-        yield _fact("bed_damping", Message("note_motion.critical"))
+        yield _fact("bed_damping", _said("critical"))
     else:
         yield _fact("bed_damping", damping, significant("N s/m²"))
     yield _fact("bed_friction", case.site.seabed_friction, _NUMBER)
-    yield _fact("initial_friction", Message(_FRICTION[dynamics.initial_friction]))
+    yield _fact("initial_friction", _said(f"friction_{dynamics.initial_friction}"))
     yield _fact("density", case.site.water_density, significant("kg/m³"))
 
 
@@ -285,14 +245,12 @@ def segment_rows(moved: InMotion) -> list[tuple[Segment, Sequence[float | None]]
     for segment, section in zip(moved.found.case.line.segments, sections, strict=True):
         assert segment.mass is not None
         displaced = (segment.mass - segment.submerged_weight / gravity) / density
-        numbers = (
-            segment.mass, segment.EA, segment.drag_diameter, section.drag_normal,
-            # That of an oblique flow is no single number: a remark has it.
-            None if any(section.oblique) else section.drag_tangential,
-            math.sqrt(4.0 * max(displaced, 0.0) / math.pi),
-            section.added_mass_normal, section.added_mass_tangential,
-        )  # fmt: skip
-        rows.append((segment, numbers))
+        diameter = math.sqrt(4.0 * max(displaced, 0.0) / math.pi)
+        # That of an oblique flow is no single number: a remark has it.
+        along = None if any(section.oblique) else section.drag_tangential
+        drag = (segment.drag_diameter, section.drag_normal, along)
+        added = (diameter, section.added_mass_normal, section.added_mass_tangential)
+        rows.append((segment, (segment.mass, segment.EA, *drag, *added)))
     return rows
 
 
@@ -302,20 +260,16 @@ def _segments(moved: InMotion) -> Table:
     of = list(zip(*(numbers for _, numbers in rows), strict=True))
     coefficient = QUANTITIES["coefficient"]
     drag, added = (replace(coefficient, symbol=symbol) for symbol in ("C_D", "C_A"))
-    return Table(
-        "motion_segments",
-        (
-            texts("segment", range(1, len(rows) + 1)),
-            texts("name", (segment.name or segment.component for segment, _ in rows)),
-            measured("mass_per_length", of[0]),
-            measured("EA", of[1]),
-            measured("drag_diameter", of[2]),
-            column("note_motion.across", of[3], drag),
-            column("note_motion.along", of[4], drag),
-            measured("volume_diameter", of[5]),
-            column("note_motion.across", of[6], added),
-            column("note_motion.along", of[7], added),
-        ),
-        Message("note_motion.segments"),
-        only="not csv",
+    columns = (
+        texts("segment", range(1, len(rows) + 1)),
+        texts("name", (segment.name or segment.component for segment, _ in rows)),
+        measured("mass_per_length", of[0]),
+        measured("EA", of[1]),
+        measured("drag_diameter", of[2]),
+        column("note_motion.across", of[3], drag),
+        column("note_motion.along", of[4], drag),
+        measured("volume_diameter", of[5]),
+        column("note_motion.across", of[6], added),
+        column("note_motion.along", of[7], added),
     )
+    return Table("motion_segments", columns, _said("segments"))

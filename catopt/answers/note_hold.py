@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import Block, Step, Text, Trail
+from catopt.answers.note import small
+from catopt.answers.trail import step_of
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.anchor import sinker_needed
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.quantities import QUANTITIES
 from catopt.words import Cited, Measure, Message, term
 
 if TYPE_CHECKING:
@@ -25,20 +28,23 @@ _FORCE, _LIFT, _MASS, _NUMBER, _DENSITY = (
 
 def hold_blocks(note: SizeNote) -> Iterator[Block]:
     """Follow how what holds the line was sized; nothing where that was not."""
-    of = note.sizing
-    size = of.drag_anchor or of.sinker
-    if size is None:
+    sinker, drag = note.sizing.sinker, note.sizing.drag_anchor
+    size: SinkerSize | DragAnchorSize
+    if drag is not None:
+        size, key, steps = drag, "note_size.hold_about_drag", _drag_anchor(drag, note)
+    elif sinker is not None:
+        size, key, steps = sinker, "note_size.hold_about_sinker", _sinker(sinker, note)
+    else:
         return
-    key = "note_size.hold_about_sinker" if of.drag_anchor is None else "note_size.hold_about_drag"
     yield Text(Message(key, held=what_holds(note)))
-    yield Trail("size_hold", tuple(_steps(note)))
+    yield Trail("size_hold", tuple(steps))
     smaller, larger = (
         "-" if mass is None else Message("sizing.measure", value=Measure("mass", mass))
         for mass in (size.smaller, size.larger)
     )
-    yield Text(Message("note_size.hold_series", smaller=smaller, larger=larger), is_small=True)
-    if of.drag_anchor is not None and of.drag_anchor.capacity.others:
-        yield Text(Cited(of.drag_anchor.capacity.note), is_small=True)
+    yield small("note_size.hold_series", smaller=smaller, larger=larger)
+    if drag is not None and drag.capacity.others:
+        yield Text(Cited(drag.capacity.note), is_small=True)
 
 
 def what_holds(note: SizeNote) -> str:
@@ -55,85 +61,47 @@ def what_holds(note: SizeNote) -> str:
     return Message(key, mass=f"{mass / 1e3:g}")
 
 
-def _steps(note: SizeNote) -> Iterator[Step]:
-    of = note.sizing
-    if of.drag_anchor is not None:
-        yield from _drag_anchor(of.drag_anchor, note)
-    elif of.sinker is not None:
-        yield from _sinker(of.sinker, note)
-
-
-def _step(
-    key: str,
-    symbol: str,
-    quantity: Quantity,
-    value: float | None,
-    formula: str = "",
-    numbers: Mapping[str, float] | None = None,
-    *,
-    source: str = "",
-) -> Step:
-    name = Message(f"note_size.hold_{key}")
-    return Step(name, value, quantity, symbol, formula, numbers or {}, source=source)
-
-
 def _sinker(of: SinkerSize, note: SizeNote) -> Iterator[Step]:
     H, V, mu, SF = of.horizontal_force, of.vertical_force, of.friction, of.safety_factor
     water, rho, g = note.sizing.case.site.water_density, of.density, STANDARD_GRAVITY
-    sources = note.sources
-    yield _step("pull", "H", _FORCE, H)
-    yield _step("lift", "V", _LIFT, V)
-    yield _step("friction", "μ", _NUMBER, mu, source=sources["friction"])
-    yield _step("factor", "SF", _NUMBER, SF, source=sources["factor"])
-    yield _step("density", "ρ", _DENSITY, rho, source=sources["density"])
-    yield _step("water", "ρw", _DENSITY, water)
-    weight = sinker_needed(H, V, mu, SF)
-    floating = {"g": g, "ρw": water, "ρ": rho}
-    yield _step(
-        "needed_weight", "W₁", _LIFT, weight, "{V} + {SF} · {H}/{μ}",
-        {"V": V, "SF": SF, "H": H, "μ": mu},
-    )  # fmt: skip
-    yield _step(
-        "needed_mass", "m₁", _MASS, of.needed_mass, "{W₁}/({g} · (1 − {ρw}/{ρ}))",
-        {"W₁": weight, **floating},
-    )  # fmt: skip
-    yield _step("next", "m", _MASS, of.mass)
-    yield _step(
-        "weight", "W", _LIFT, of.submerged_weight, "{g} · {m} · (1 − {ρw}/{ρ})",
-        {"m": of.mass, **floating},
-    )  # fmt: skip
+    sources, needed = note.sources, sinker_needed(H, V, mu, SF)
+    numbers = {"H": H, "V": V, "μ": mu, "SF": SF, "ρ": rho, "ρw": water, "g": g, "W₁": needed}
+    step = partial(step_of, numbers | {"m": of.mass, "W": of.submerged_weight})
+    yield step("note_size.hold_pull", "H", _FORCE, H)
+    yield step("note_size.hold_lift", "V", _LIFT, V)
+    yield step("note_size.hold_friction", "μ", _NUMBER, mu, source=sources["friction"])
+    yield step("note_size.hold_factor", "SF", _NUMBER, SF, source=sources["factor"])
+    yield step("note_size.hold_density", "ρ", _DENSITY, rho, source=sources["density"])
+    yield step("note_size.hold_water", "ρw", _DENSITY, water)
+    yield step("note_size.hold_needed_weight", "W₁", _LIFT, needed, "{V} + {SF} · {H}/{μ}")
+    formula = "{W₁}/({g} · (1 − {ρw}/{ρ}))"
+    yield step("note_size.hold_needed_mass", "m₁", _MASS, of.needed_mass, formula)
+    yield step("note_size.hold_next", "m", _MASS, of.mass)
+    formula = "{g} · {m} · (1 − {ρw}/{ρ})"
+    yield step("note_size.hold_weight", "W", _LIFT, of.submerged_weight, formula)
     if of.factor is not None:
-        yield _step(
-            "reached", "", _NUMBER, of.factor, "{μ} · ({W} − {V})/{H}",
-            {"μ": mu, "W": of.submerged_weight, "V": V, "H": H},
-        )  # fmt: skip
+        yield step("note_size.hold_reached", "", _NUMBER, of.factor, "{μ} · ({W} − {V})/{H}")
     own = None if note.sizing.point.anchor is None else note.sizing.point.anchor.mass
     if own is not None and not math.isclose(own, of.mass):
-        yield _step("own", "m", _MASS, own)
+        yield step("note_size.hold_own", "m", _MASS, own)
 
 
 def _drag_anchor(of: DragAnchorSize, note: SizeNote) -> Iterator[Step]:
     H, SF, curve = of.horizontal_force, of.safety_factor, of.capacity.curve
     HR, mR, b = curve.reference_capacity, curve.reference_mass, curve.exponent
-    cited = Cited(curve.source.text)
-    yield _step("pull", "H", _FORCE, H)
-    yield _step("factor", "SF", _NUMBER, SF, source=note.sources["factor"])
-    yield _step("wanted", "Q₁", _FORCE, SF * H, "{SF} · {H}", {"SF": SF, "H": H})
-    yield _step("reference", "HR", _FORCE, HR, source=cited)
-    yield _step("reference_mass", "mR", _MASS, mR, source=cited)
-    yield _step("exponent", "b", _NUMBER, b, source=cited)
-    if H > 0.0 and math.isclose(curve.mass(SF * H), of.needed_mass):
-        yield _step(
-            "needed_mass", "m₁", _MASS, of.needed_mass, "{mR} · ({Q₁}/{HR})^(1/{b})",
-            {"mR": mR, "Q₁": SF * H, "HR": HR, "b": b},
-        )  # fmt: skip
-    else:
-        yield _step("needed_mass", "m₁", _MASS, of.needed_mass)
-    yield _step("next", "m", _MASS, of.mass)
-    capacity = of.capacity.capacity
-    yield _step(
-        "capacity", "Q", _FORCE, capacity, "{HR} · ({m}/{mR})^{b}",
-        {"HR": HR, "m": of.mass, "mR": mR, "b": b},
-    )  # fmt: skip
+    Q, wanted, cited = of.capacity.capacity, SF * H, Cited(curve.source.text)
+    numbers = {"H": H, "SF": SF, "HR": HR, "mR": mR, "b": b, "Q₁": wanted, "m": of.mass, "Q": Q}
+    step = partial(step_of, numbers)
+    yield step("note_size.hold_pull", "H", _FORCE, H)
+    yield step("note_size.hold_factor", "SF", _NUMBER, SF, source=note.sources["factor"])
+    yield step("note_size.hold_wanted", "Q₁", _FORCE, wanted, "{SF} · {H}")
+    yield step("note_size.hold_reference", "HR", _FORCE, HR, source=cited)
+    yield step("note_size.hold_reference_mass", "mR", _MASS, mR, source=cited)
+    yield step("note_size.hold_exponent", "b", _NUMBER, b, source=cited)
+    is_by_curve = H > 0.0 and math.isclose(curve.mass(wanted), of.needed_mass)
+    formula = "{mR} · ({Q₁}/{HR})^(1/{b})" if is_by_curve else ""
+    yield step("note_size.hold_needed_mass", "m₁", _MASS, of.needed_mass, formula)
+    yield step("note_size.hold_next", "m", _MASS, of.mass)
+    yield step("note_size.hold_capacity", "Q", _FORCE, Q, "{HR} · ({m}/{mR})^{b}")
     if of.factor is not None:
-        yield _step("reached", "", _NUMBER, of.factor, "{Q}/{H}", {"Q": capacity, "H": H})
+        yield step("note_size.hold_reached", "", _NUMBER, of.factor, "{Q}/{H}")

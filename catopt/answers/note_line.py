@@ -1,130 +1,101 @@
-"""What the note of one line consists of."""
+"""What the note of one line consists of, that of the line which a sizing recommends included."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Facts,
-    Figure,
-    Points,
-    Section,
-    Table,
-    Text,
-    Verdict,
-)
-from catopt.answers.check import (
-    checked,
-    failing_checks,
-    load_case_table,
-)
+from catopt.answers import solution as solved
+from catopt.answers.blocks import Answer, Block, Column, Facts, Figure, Points, Table, Text, Verdict
+from catopt.answers.check import checked, failing_checks, load_case_table
 from catopt.answers.curve import marks_table, points_table
 from catopt.answers.design import shown_designs
-from catopt.answers.note import (
-    column,
-    components_section,
-    file_section,
-    inputs_section,
-    note_section,
-)
-from catopt.answers.note_first import FirstPage, Number, about, opening
-from catopt.answers.note_motion import motion_section
+from catopt.answers.note import about, case_sections, column, note_answer, opening, section, small
+from catopt.answers.note_motion import motion_blocks
 from catopt.answers.note_sheet import basis_section, sheet_sections
-from catopt.answers.note_swarm import swarm_section
-from catopt.answers.solution import (
-    found_facts,
-    how_it_hangs,
-    method_name,
-    point_loads_table,
-    profile_table,
-    residual_facts,
-    result_facts,
-    segments_table,
-)
 from catopt.answers.trail import equation_trail
 from catopt.answers.verification import closing_in_note, compared_in_note
 from catopt.figures.curve import load_curve
 from catopt.figures.front import OBJECTIVES, composition, front
 from catopt.figures.line import line_in_water, tension_along
+from catopt.figures.swarm import fitness, swarm_tension
 from catopt.verify.truss_words import part_sentence
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
-    from catopt.catenary.case_curve import CaseCurve
+    from catopt.answers.blocks import Section
     from catopt.notes.line import Chosen, Note
 
 _ROWS = 15
 """Points of the curve that people see, about."""
+_CONVERGED = 1e-9
+"""m: a run of the swarm that ends with f below it counts as converged."""
+_MOST_RUNS = 30
+"""Of the swarm that people see; the workbook has all."""
 
 
 def line_note_answer(note: Note) -> Answer:
     """Lay out the note of one line."""
-    return Answer(
-        "note",
-        note.title or Message("note.untitled"),
-        (
-            *opening(_first(note), note.sheet, _facts(note), note.origin, note.warnings),
-            basis_section(note.sheet),
-            *of_the_line(note, "results", "checks", "load_cases"),
-            *sheet_sections(note.sheet),
-            *of_the_line(note, "tension", "curve"),
-            *_front(note.chosen),
-            components_section(note.case, note.solution.line),
-            inputs_section(note.origin, None if note.chosen is None else note.chosen.number),
-            *of_the_line(note, "equations", "verification", "swarm"),
-            *motion_section(note),
-            *file_section(note.origin, "case_file", "note.case_file_heading"),
-        ),
-        Message("note.kind"),
+    line, chosen = note.solution.line, note.chosen
+    sections = (
+        *_opening(note),
+        basis_section(note.sheet),
+        *of_the_line(note, "results", "checks", "load_cases"),
+        *sheet_sections(note.sheet),
+        *of_the_line(note, "tension", "curve"),
+        section("front", () if chosen is None else of_the_front(chosen)),
+        *case_sections(note, note.case, line, None if chosen is None else chosen.number),
+        *of_the_line(note, "equations", "verification", "swarm"),
+        section("in_motion", motion_blocks(note), "note_motion"),
     )
+    return note_answer(note, "note.kind", sections)
 
 
 def of_the_line(note: Note, *names: str) -> Iterator[Section]:
-    """Lay sections out that the note of a sizing has, too, but those with nothing to show."""
+    """Lay sections out that the note of a sizing has, too; without blocks where there is nothing.
+
+    Names are those of the functions below.
+    """
+    build = {
+        "results": _results,
+        "checks": _checks,
+        "load_cases": _load_cases,
+        "tension": _tension,
+        "curve": _curve,
+        "equations": _equations,
+        "verification": _verification,
+        "swarm": _swarm,
+    }
     for name in names:
-        if name == "swarm":
-            yield from swarm_section(note)
-        else:
-            blocks = tuple(_BUILD[name](note))
-            if blocks:
-                yield note_section(name, blocks, f"note.{name}_heading")
+        yield section(name, build[name](note))
 
 
-def _first(note: Note) -> FirstPage:
-    solution = note.solution
+def _opening(note: Note) -> Iterator[Section]:
+    solution, intact = note.solution, note.sheet.intact
+    force = max(each.horizontal_force for each in intact)
     said = Message(
         "note_first.line",
         length=about("length", solution.line.length),
         span=about("span", solution.span),
         tension=about("tension", solution.fairlead.tension),
     )
-    return FirstPage(
-        said,
-        drawn(note),
-        Number(
-            Message("quantities.horizontal_force"),
-            "horizontal_force",
-            max(each.horizontal_force for each in note.sheet.intact),
-        ),
-        Number(Message("quantities.span"), "span", max(each.span for each in note.sheet.intact)),
-        max(part.max_tension for each in note.sheet.intact for part in each.segments),
-        in_motion=note.motion is not None,
-    )
-
-
-def _facts(note: Note) -> tuple[tuple[str, str], ...]:
-    load_case = note.load_case if note.case.load is not None else ""
-    return (
+    facts = (
         ("note.identity_source", note.case.source),
-        ("note.identity_load_case", load_case),
+        ("note.identity_load_case", note.load_case if note.case.load is not None else ""),
         ("note.identity_design", "" if note.chosen is None else str(note.chosen.number)),
-        ("note.identity_regime", how_it_hangs(note.solution)),
-        ("note.identity_method", method_name(note.solution.method)),
+        ("note.identity_regime", solved.how_it_hangs(solution)),
+        ("note.identity_method", solved.method_name(solution.method)),
+    )
+    return opening(
+        note,
+        facts,
+        said,
+        drawing=drawn(note),
+        force=(Message("quantities.horizontal_force"), "horizontal_force", force),
+        reach=(Message("quantities.span"), "span", max(each.span for each in intact)),
+        tension=max(part.max_tension for each in intact for part in each.segments),
+        in_motion=note.motion is not None,
     )
 
 
@@ -140,11 +111,12 @@ def _results(note: Note) -> Iterator[Block]:
     if solution.found is not None:
         said = (Message("note.results_sought"), solution.found.condition)
         yield Text(Several(said, " "))
-    every = (*found_facts(solution), *result_facts(solution), *residual_facts(solution))
-    yield Facts("results", tuple(each for each in every if each.value is not None))
-    yield replace(segments_table(solution), only="workbook")
+    kinds = (solved.found_facts, solved.result_facts, solved.residual_facts)
+    every = (each for facts in kinds for each in facts(solution) if each.value is not None)
+    yield Facts("results", tuple(every))
+    yield replace(solved.segments_table(solution), only="workbook")
     if solution.point_loads:
-        yield point_loads_table(solution)
+        yield solved.point_loads_table(solution)
 
 
 def _checks(note: Note) -> Iterator[Block]:
@@ -156,48 +128,46 @@ def _checks(note: Note) -> Iterator[Block]:
     checks, criteria = checked(report)
     yield replace(checks, marked=marked)
     yield criteria
-    yield Text(Message("note.checks_legend"), is_small=True)
+    yield small("note.checks_legend")
 
 
 def _load_cases(note: Note) -> Iterator[Block]:
-    states = note.checks.solutions
-    if len(states) < 2:
+    names = [name for name, _ in note.checks.solutions]
+    if len(names) < 2:
         return
-    names = [name for name, _ in states]
     marked = names.index(note.load_case) if note.load_case in names else None
     yield replace(load_case_table(note.checks), only="all", marked=marked)
-    yield Text(Message("note.load_cases_marked"), is_small=True)
+    yield small("note.load_cases_marked")
 
 
 def _tension(note: Note) -> Iterator[Block]:
     yield Figure(tension_along(note.solution, note.allowed))
-    yield profile_table(note.solution, only="workbook")
+    yield solved.profile_table(note.solution, only="workbook")
 
 
 def _curve(note: Note) -> Iterator[Block]:
+    """Draw the curve, and tabulate its marks and some of its points, both ends among them."""
     curve = note.curve
     if curve is None:
         return
     # The table of marks says what their numbers are.
     yield Figure(replace(load_curve(curve), notes=()))
-    marks = _for_all(marks_table(curve))
+    marks, points = _for_all(marks_table(curve)), _for_all(points_table(curve))
     numbers = column("columns.no", range(1, marks.length + 1))
     yield replace(marks, columns=(numbers, *marks.columns[1:]))
-    yield _points(curve)
-
-
-def _points(curve: CaseCurve) -> Table:
-    """Tabulate some points of the curve, both ends among them."""
-    table = _for_all(points_table(curve))
-    count = table.length
+    count = points.length
     shown = sorted({*range(0, count, max(1, round(count / _ROWS))), count - 1})
-    return replace(table, shown=tuple(shown), caption=Message("note.curve_points"))
+    yield replace(points, shown=tuple(shown), caption=Message("note.curve_points"))
 
 
 def _for_all(table: Table) -> Table:
     """Show people spans and offsets, whichever was stepped."""
     columns = (replace(each, only="all") if each.quantity else each for each in table.columns)
     return replace(table, columns=tuple(columns))
+
+
+def _equations(note: Note) -> Iterator[Block]:
+    return equation_trail(note.solution)
 
 
 def _verification(note: Note) -> Iterator[Block]:
@@ -211,26 +181,77 @@ def _verification(note: Note) -> Iterator[Block]:
         yield Verdict(part_sentence(part), part.is_settled)
         yield compared_in_note(part.quantities)
         yield from closing_in_note(part)
-        yield Text(Message("note.verification_legend"), is_small=True)
+        yield small("note.verification_legend")
 
 
-_BUILD: Mapping[str, Callable[[Note], Iterator[Block]]] = {
-    "results": _results,
-    "checks": _checks,
-    "load_cases": _load_cases,
-    "tension": _tension,
-    "curve": _curve,
-    "equations": lambda note: equation_trail(note.solution),
-    "verification": _verification,
-}
+# ------------------------------------------------------------------ the particle swarm
+
+
+def _swarm(note: Note) -> Iterator[Block]:
+    """Lay the same line out by the swarm; nothing where nobody asked for it."""
+    report = None if note.swarm is None else note.swarm.swarm
+    if report is None:
+        return
+    said = [Message("note.swarm_about")]
+    if note.load_case:
+        said.append(Message("note.swarm_load_case", name=note.load_case))
+    yield Text(Several(said, " "))
+    verdict = Message(
+        "note.swarm_verdict",
+        converged=report.converged_runs,
+        runs=report.runs,
+        best=report.best_run,
+        f=Measure("objective", report.objective),
+    )
+    yield Verdict(verdict, report.converged_runs > 0)
+    yield _both(note)
+    yield Figure(fitness(report))
+    flown = tuple(solved.flown_facts(report))
+    yield Facts("swarm_outcome", flown, Message("note.swarm_outcome"))
+    history, runs = solved.swarm_tables(report)
+    met = ("answers.yes" if f < _CONVERGED else "answers.no" for f in report.objectives)
+    yield replace(
+        runs,
+        columns=(*runs.columns[:3], column("note.swarm_converged", map(Message, met))),
+        caption=Message("note.swarm_runs"),
+        shown=tuple(range(min(runs.length, _MOST_RUNS))),
+        marked=report.best_run - 1,
+        only="all",
+    )
+    if runs.length > _MOST_RUNS:
+        yield small("note.swarm_left_out", count=runs.length - _MOST_RUNS)
+    settings = solved.swarm_settings(note.case.swarm)
+    yield replace(settings, caption=Message("note.swarm_settings"), only="all")
+    yield small("note.swarm_legend")
+    yield replace(history, only="workbook")
+    yield Figure(swarm_tension(report, note.solution.fairlead.tension))
+
+
+def _both(note: Note) -> Table:
+    """Put the results of the swarm beside those in closed form."""
+    assert note.swarm is not None
+    pairs = [
+        (one, one.value, other.value)
+        for one, other in zip(
+            solved.result_facts(note.swarm), solved.result_facts(note.solution), strict=True
+        )
+        if isinstance(one.value, float) and isinstance(other.value, float)
+    ]
+    units = tuple(one.quantity for one, _, _ in pairs if one.quantity is not None)
+    found = Column(Message("note.swarm_by_swarm"), tuple(a for _, a, _ in pairs), units=units)
+    exact = Column(Message("columns.closed_form"), tuple(b for _, _, b in pairs), units=units)
+    differences = Column(
+        Message("note.swarm_difference"),
+        tuple(a - b for _, a, b in pairs),
+        units=tuple(replace(each, notation="scientific", digits=1) for each in units),
+        formula=(found, "-", exact),
+    )
+    names = column("columns.quantity", (one.name for one, _, _ in pairs))
+    columns = (names, found, exact, differences)
+    return Table("swarm_results", columns, Message("note.swarm_results"))
 
 
 # ------------------------------------------------------------------ the front
-
-
-def _front(chosen: Chosen | None) -> Iterator[Section]:
-    if chosen is not None:
-        yield note_section("front", of_the_front(chosen), "note.front_heading")
 
 
 def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Iterator[Block]:
@@ -239,9 +260,8 @@ def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Itera
     `left_out` is the key of what is said of designs that the table leaves out.
     """
     document, designs = chosen.document, chosen.document["front"]
-    first = designs[0]
-    further = (key for key in OBJECTIVES if key in first and key not in document["objectives"])
-    keys = [*document["objectives"], *further]
+    keys = [*document["objectives"]]
+    keys += [key for key in OBJECTIVES if key in designs[0] and key not in keys]
     found = Message(
         "note.front_found",
         count=len(designs),
@@ -256,15 +276,18 @@ def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Itera
         why = Message("note.front_why", number=best + 1)
         yield Text(Several((why, document["recommendation"]), " "))
     yield Points(tuple(document.get("ends", ())))
-    yield from _present(document.get("present"), keys)
-    yield from _designs(chosen, keys, left_out)
+    present = document.get("present")
+    if present is not None:
+        yield Text(_present(present, keys))
+    shown = shown_designs(len(designs), chosen.number - 1, best)
+    yield replace(_designs(designs, keys), shown=shown, marked=chosen.number - 1)
+    if len(shown) < len(designs):
+        yield small(left_out, count=len(designs) - len(shown))
     yield from _neighbours(document, keys)
 
 
-def _present(present: Mapping[str, Any] | None, keys: Sequence[str]) -> Iterator[Text]:
-    """Say how the line of the case file does beside the front, where that is known."""
-    if present is None:
-        return
+def _present(present: Mapping[str, Any], keys: Sequence[str]) -> Message:
+    """Say how the line of the case file does beside the front."""
     values = Several(
         (
             Message("note.front_value", name=term(quantity.name), value=Measure(quantity.key, si))
@@ -273,30 +296,19 @@ def _present(present: Mapping[str, Any] | None, keys: Sequence[str]) -> Iterator
         ),
         ", ",
     )
-    said = Message("note.front_present", values=values or "-", verdict=_said(present))
-    yield Text(said)
+    return Message("note.front_present", values=values or "-", verdict=_said(present))
 
 
-def _designs(chosen: Chosen, keys: Sequence[str], left_out: str) -> Iterator[Block]:
-    designs, best = chosen.document["front"], chosen.document["recommended"]
-    shown = shown_designs(len(designs), chosen.number - 1, best)
+def _designs(designs: Sequence[Mapping[str, Any]], keys: Sequence[str]) -> Table:
     sinkers = [_sinker(each) for each in designs]
-    yield Table(
-        "front",
-        (
-            column("note.identity_design", range(1, len(designs) + 1)),
-            *_objectives(keys, designs),
-            column("note.front_made", map(composition, designs)),
-            *([column("note.front_sinker", sinkers)] if any(sinkers) else []),
-            column("note.checks_governing", (each["governing"] for each in designs)),
-        ),
-        Message("note.front_table"),
-        shown,
-        chosen.number - 1,
-        only="not csv",
+    columns = (
+        column("note.identity_design", range(1, len(designs) + 1)),
+        *_objectives(keys, designs),
+        column("note.front_made", map(composition, designs)),
+        *([column("note.front_sinker", sinkers)] if any(sinkers) else []),
+        column("note.checks_governing", (each["governing"] for each in designs)),
     )
-    if len(shown) < len(designs):
-        yield Text(Message(left_out, count=len(designs) - len(shown)), is_small=True)
+    return Table("front", columns, Message("note.front_table"))
 
 
 def _objectives(keys: Sequence[str], points: Sequence[Mapping[str, Any]]) -> Iterator[Column]:
@@ -315,26 +327,18 @@ def _neighbours(document: Mapping[str, Any], keys: Sequence[str]) -> Iterator[Ta
     steps = document.get("neighbours", [])
     if not steps:
         return
-    verdicts = Column(
-        Message("columns.verdict"),
-        tuple(map(_said, steps)),
-        passes=tuple(each["feasible"] for each in steps),
+    passes = tuple(each["feasible"] for each in steps)
+    columns = (
+        column("note.front_change", (each["change"] for each in steps)),
+        *_objectives(keys, steps),
+        Column(Message("columns.verdict"), tuple(map(_said, steps)), passes=passes),
     )
-    yield Table(
-        "neighbours",
-        (
-            column("note.front_change", (each["change"] for each in steps)),
-            *_objectives(keys, steps),
-            verdicts,
-        ),
-        Message("note.front_neighbours", number=document["recommended"] + 1),
-        only="not csv",
-    )
+    caption = Message("note.front_neighbours", number=document["recommended"] + 1)
+    yield Table("neighbours", columns, caption)
 
 
 def _said(step: Mapping[str, Any]) -> str:
     """Say whether a changed design passes, or why not."""
     if step["feasible"]:
         return Message("answers.passes")
-    why = step["reason"] or step["governing"]
-    return Message("note.front_fails", why=why)
+    return Message("note.front_fails", why=step["reason"] or step["governing"])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -13,51 +13,45 @@ from catopt.answers.blocks import (
     Facts,
     Figure,
     Points,
-    Section,
     Table,
     Text,
-    Value,
     Verdict,
     measured,
+    named,
     texts,
 )
 from catopt.answers.motion import ENERGIES
-from catopt.answers.note import column, note_section
+from catopt.answers.note import column, small
 from catopt.answers.note_drive import COUNT, SECONDS, drive_blocks, fixed, significant
 from catopt.figures.motion import envelope_chart, exceedance, history, track
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
-from catopt.verify.motion_words import (
-    DYNAMIC_QUANTITY_OF,
-    dynamic_sentences,
-    motion_sentences,
-    proof_sentences,
-    stopped_sentence,
-)
+from catopt.verify import motion_words as words
+from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF
 from catopt.words import Listed, Measure, Message, Several, Unit, term
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
     from catopt.notes.line import Note
-    from catopt.notes.motion import InMotion, SegmentUse
+    from catopt.notes.motion import InMotion
     from catopt.notes.system import SystemNote
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, OverRuns
 
 _TENSION = QUANTITIES["tension"]
+_BARE = named("tension", "")
 _FACTOR = fixed("-", 3)
+_SLACK = fixed("s", 2)
 _PERCENT = replace(fixed("%", 2), si_unit="-", factor=0.01)
 _ENERGY = replace(significant("kJ", 4), si_unit="J", factor=1e3)
-_PART = replace(QUANTITIES["residual"], si_unit="-", field_unit="-", digits=1)
+_PART = replace(named("residual", ""), si_unit="-", field_unit="-", digits=1)
 _MOST_RUNS = 30
 
 
-def motion_section(note: Note) -> Iterator[Section]:
+def motion_blocks(note: Note) -> Iterator[Block]:
     """Lay out the line in motion; nothing where nobody asked for it."""
-    if note.motion is not None:
-        yield note_section("in_motion", _motion(note, note.motion), "note_motion.heading")
-
-
-def _motion(note: Note, moved: InMotion) -> Iterator[Block]:
+    moved = note.motion
+    if moved is None:
+        return
     index = moved.governing
     part, uses, solution = moved.found.parts[index], moved.uses[index], moved.solutions[index]
     yield from _stopped(moved.found)
@@ -66,7 +60,7 @@ def _motion(note: Note, moved: InMotion) -> Iterator[Block]:
         about.append(Message("note_motion.shown", name=part.name))
     yield Text(Several(about, " "))
     yield _verdict(note, moved.used(index), part)
-    yield Text(Several(dynamic_sentences(part), " "))
+    yield Text(Several(words.dynamic_sentences(part), " "))
     if len(moved.found.parts) > 1:
         yield _cases(moved)
     yield _statistics(part, solution)
@@ -80,15 +74,14 @@ def _motion(note: Note, moved: InMotion) -> Iterator[Block]:
     yield Figure(drawn, Message("note_motion.history"))
     allowed = [use.capacity for use in uses]
     yield Figure(envelope_chart(part, solution, allowed), Message("note_motion.envelope"))
-    known = (*_known(note, moved, part), *part.remarks)
-    yield Points(known, Message("note_motion.to_know"))
+    yield Points((*_known(note, moved, part), *part.remarks), Message("note_motion.to_know"))
     yield from drive_blocks(moved)
     yield from _runs(moved, part)
 
 
 def _stopped(found: DynamicVerification) -> Iterator[Block]:
     if not found.is_complete:
-        yield Verdict(stopped_sentence(found), passes=False)
+        yield Verdict(words.stopped_sentence(found), passes=False)
 
 
 def _verdict(note: Note, used: float | None, part: DynamicPart) -> Verdict:
@@ -110,31 +103,22 @@ def _is_checked(note: Note) -> bool:
 # ------------------------------------------------------------------ statistics
 
 
-def _rest(solution: Solution) -> dict[str, float]:
-    """Give each quantity of the statistics its value at rest, in closed form."""
-    return {
+def _statistics(part: DynamicPart, solution: Solution) -> Table:
+    """Tabulate each quantity beside its value at rest, in closed form."""
+    rest = {
         "fairlead_tension": solution.fairlead.tension,
         "anchor_tension": solution.anchor.tension,
         "grounded_length": solution.grounded_length,
         "offset": 0.0,
     }
-
-
-def _statistics(part: DynamicPart, solution: Solution) -> Table:
-    rest, every = _rest(solution), part.quantities
-    units = tuple(DYNAMIC_QUANTITY_OF[each.quantity] for each in every)
-    changes = [part.change_of(each.quantity) for each in every]
-    still = [rest[each.quantity] for each in every]
-    return Table(
-        "motion_statistics",
-        (
-            column("columns.quantity", map(_label, units)),
-            *_numbers(part, every, still, units),
-            column("note_motion.change", changes, _PERCENT),
-        ),
-        Message("note_motion.statistics"),
-        only="not csv",
+    names = [each.quantity for each in part.quantities]
+    units = tuple(DYNAMIC_QUANTITY_OF[name] for name in names)
+    columns = (
+        column("columns.quantity", map(_label, units)),
+        *_numbers(part, part.quantities, [rest[name] for name in names], units),
+        column("note_motion.change", map(part.change_of, names), _PERCENT),
     )
+    return Table("motion_statistics", columns, Message("note_motion.statistics"))
 
 
 def _numbers(
@@ -144,16 +128,16 @@ def _numbers(
     units: tuple[Quantity, ...],
 ) -> Iterator[Column]:
     """Yield the columns of statistics; all of one quantity where one is given."""
-    listed: list[tuple[Message, list[float | None]]] = [
-        (Message("note_motion.mean"), [each.mean for each in every]),
-        (Message("note_motion.std"), [each.std for each in every]),
-        (Message("note_motion.min"), [each.minimum for each in every]),
-        (Message("note_motion.max"), [each.maximum for each in every]),
+    listed: list[tuple[Message, Iterable[float | None]]] = [
+        (Message("note_motion.mean"), (each.mean for each in every)),
+        (Message("note_motion.std"), (each.std for each in every)),
+        (Message("note_motion.min"), (each.minimum for each in every)),
+        (Message("note_motion.max"), (each.maximum for each in every)),
     ]
     if rest is not None:
-        listed.insert(0, (Message("note_motion.rest"), list(rest)))
         probable = Message("note_motion.most_probable", time=lasting(part.duration_of_interest))
-        listed.append((probable, [each.most_probable_maximum for each in every]))
+        listed.insert(0, (Message("note_motion.rest"), rest))
+        listed.append((probable, (each.most_probable_maximum for each in every)))
     for name, values in listed:
         if len(units) == 1:
             yield Column(name, tuple(values), replace(units[0], symbol=""))
@@ -168,28 +152,28 @@ def _label(quantity: Quantity) -> str:
     return Message("words.label", name=name, symbol=quantity.symbol)
 
 
+def _fairleads(parts: Sequence[DynamicPart], rest: Sequence[float]) -> Iterator[Column]:
+    """Yield what is known of each part's tension at the fairlead, beside that at rest."""
+    every = [part.of("fairlead_tension") for part in parts]
+    yield from _numbers(parts[0], every, rest, (_TENSION,))
+    changes = (part.change_of("fairlead_tension") for part in parts)
+    yield column("note_motion.change", changes, _PERCENT)
+
+
+def _amplification(parts: Sequence[DynamicPart]) -> Column:
+    return column("note_motion.amplification", (part.amplification for part in parts), _FACTOR)
+
+
 def _cases(moved: InMotion) -> Table:
     parts = moved.found.parts
-    every = [part.of("fairlead_tension") for part in parts]
-    rest = [solution.fairlead.tension for solution in moved.solutions]
-    return Table(
-        "motion_cases",
-        (
-            texts("load_case", (part.name for part in parts)),
-            *_numbers(parts[0], every, rest, (_TENSION,)),
-            _changes(parts),
-            column("note_motion.amplification", (part.amplification for part in parts), _FACTOR),
-            measured("utilisation", (moved.used(index) for index in range(len(parts)))),
-        ),
-        Message("note_motion.cases", unit=Unit(_TENSION)),
-        marked=moved.governing,
-        only="not csv",
+    columns = (
+        texts("load_case", (part.name for part in parts)),
+        *_fairleads(parts, [solution.fairlead.tension for solution in moved.solutions]),
+        _amplification(parts),
+        measured("utilisation", map(moved.used, range(len(parts)))),
     )
-
-
-def _changes(parts: Sequence[DynamicPart]) -> Column:
-    changes = (part.change_of("fairlead_tension") for part in parts)
-    return column("note_motion.change", changes, _PERCENT)
+    caption = Message("note_motion.cases", unit=Unit(_TENSION))
+    return Table("motion_cases", columns, caption, marked=moved.governing)
 
 
 def _uses(moved: InMotion, shown: int) -> Table:
@@ -201,61 +185,50 @@ def _uses(moved: InMotion, shown: int) -> Table:
     ]
     uses = [use for _, _, use in rows]
     largest = measured("tension", (use.largest for use in uses), "largest_tension", symbol="")
-    allowed = replace(
-        measured("tension", (use.capacity for use in uses), symbol=""),
-        name=Message("note.workbook_allowed"),
-    )
-    rest = measured("tension", (use.at_rest for use in uses), symbol="")
+    rest = column("note_motion.rest", (use.at_rest for use in uses), _BARE)
+    allowed = column("note.workbook_allowed", (use.capacity for use in uses), _BARE)
     used = measured("utilisation", (use.utilisation for use in uses))
-    return Table(
-        "motion_use",
-        (
-            texts("load_case", (name for _, name, _ in rows), only="files"),
-            texts("segment", (use.number for use in uses)),
-            texts("name", (use.name for use in uses)),
-            largest,
-            replace(rest, name=Message("note_motion.rest")),
-            allowed,
-            replace(used, formula=(largest, "/", allowed)),
-            _passes(uses),
-        ),
-        Message("note_motion.uses"),
-        tuple(row for row, (index, _, _) in enumerate(rows) if index == shown),
-        only="not csv",
+    columns = (
+        texts("load_case", (name for _, name, _ in rows), only="files"),
+        texts("segment", (use.number for use in uses)),
+        texts("name", (use.name for use in uses)),
+        largest,
+        rest,
+        allowed,
+        replace(used, formula=(largest, "/", allowed)),
+        _passes([use.utilisation for use in uses]),
     )
+    rows_shown = tuple(row for row, (index, _, _) in enumerate(rows) if index == shown)
+    return Table("motion_use", columns, Message("note_motion.uses"), rows_shown)
 
 
-def _passes(uses: Sequence[SegmentUse]) -> Column:
-    passes = tuple(None if use.utilisation is None else use.utilisation <= 1.0 for use in uses)
-    words = (
-        None if each is None else Message("answers.passes" if each else "answers.fails")
-        for each in passes
+def _passes(used: Sequence[float | None]) -> Column:
+    passes = tuple(None if each is None else each <= 1.0 for each in used)
+    verdict = {None: None, True: Message("answers.passes"), False: Message("answers.fails")}
+    return Column(
+        Message("columns.verdict"), tuple(verdict[each] for each in passes), passes=passes
     )
-    return Column(Message("columns.verdict"), tuple(words), passes=passes)
 
 
 # ------------------------------------------------------------------ what it comes to
 
 
 def _outcome(part: DynamicPart) -> Facts:
-    slack, balance = fixed("s", 2), part.governing.history.balance
-    tension = replace(_TENSION, symbol="")
-    listed: list[tuple[str, Value, Quantity]] = [
-        ("anywhere", part.max_tension, tension),
-        ("still_max", part.quasi_static_max, tension),
-        ("amplification", part.amplification, _FACTOR),
-        ("slack_time", part.slack_time, slack),
-        ("longest_slack", part.longest_slack, slack),
+    balance = part.governing.history.balance
+    listed: list[tuple[str, float | None, Quantity]] = [
+        (Message("note_motion.anywhere"), part.max_tension, _BARE),
+        (Message("note_motion.still_max"), part.quasi_static_max, _BARE),
+        (Message("note_motion.amplification"), part.amplification, _FACTOR),
+        (Message("note_motion.slack_time"), part.slack_time, _SLACK),
+        (Message("note_motion.longest_slack"), part.longest_slack, _SLACK),
     ]
-    facts = (
-        *(Fact(Message(f"note_motion.{key}"), value, of) for key, value, of in listed),
-        *(
-            Fact(Message("note_motion.energy", what=term(name)), getattr(balance, energy), _ENERGY)
-            for name, energy in ENERGIES.items()
-        ),
-        Fact(Message("note_motion.energy_part"), balance.numerical_part, replace(_PART, symbol="")),
-    )
-    return Facts("motion_outcome", facts, Message("note_motion.outcome"), only="not csv")
+    for name, energy in ENERGIES.items():
+        listed.append(
+            (Message("note_motion.energy", what=term(name)), getattr(balance, energy), _ENERGY)
+        )
+    listed.append((Message("note_motion.energy_part"), balance.numerical_part, _PART))
+    facts = tuple(Fact(*each) for each in listed)
+    return Facts("motion_outcome", facts, Message("note_motion.outcome"))
 
 
 def _extremes(part: DynamicPart) -> Iterator[Table]:
@@ -274,12 +247,7 @@ def _extremes(part: DynamicPart) -> Iterator[Table]:
     ]
     names = (Message(f"note_motion.{key}") for key in found[0])
     caption = Message("note_motion.extremes", time=lasting(part.duration_of_interest))
-    yield Table(
-        "motion_extremes",
-        (texts("what", names), *columns),
-        caption,
-        only="not csv",
-    )
+    yield Table("motion_extremes", (texts("what", names), *columns), caption)
 
 
 def _extreme(each: OverRuns) -> dict[str, tuple[float, Quantity]]:
@@ -295,48 +263,36 @@ def _extreme(each: OverRuns) -> dict[str, tuple[float, Quantity]]:
         "weibull_scale": (tail.scale, quantity),
         "weibull_shape": (tail.shape, _FACTOR),
     }
-    if runs is None:
-        return found
-    return found | {
-        "by_gumbel": (runs.extreme.most_probable, quantity),
-        "gumbel_from": (runs.extreme.low, quantity),
-        "gumbel_to": (runs.extreme.high, quantity),
-    }
+    if runs is not None:
+        found["by_gumbel"] = (runs.extreme.most_probable, quantity)
+        found["gumbel_from"] = (runs.extreme.low, quantity)
+        found["gumbel_to"] = (runs.extreme.high, quantity)
+    return found
 
 
 def _runs(moved: InMotion, part: DynamicPart) -> Iterator[Block]:
     waves, every = moved.found.case.waves, part.runs
     found = [run.statistics("fairlead_tension") for run in every]
-    seeds = [
-        f"({waves.seed}, {run.number})" if part.is_random and waves is not None else "-"
-        for run in every
-    ]
-    tension = replace(_TENSION, symbol="")
     histories = [run.history for run in every]
+    is_random = part.is_random and waves is not None
+    seeds = (f"({waves.seed}, {run.number})" if is_random else "-" for run in every)
+    still = (run.quasi_static_max for run in every)
     slack = (each.line_slack_time() for each in histories)
-    yield Table(
-        "motion_runs",
-        (
-            texts("run", (run.number + 1 for run in every)),
-            texts("seed", seeds),
-            column("columns.largest_fairlead_tension", (each.maximum for each in found), tension),
-            column("columns.at", (each.time_of_maximum for each in found), fixed("s", 2)),
-            column(
-                "columns.largest_quasi_static_fairlead_tension",
-                (run.quasi_static_max for run in every),
-                tension,
-            ),
-            column("columns.slack_in_all", slack, fixed("s", 2)),
-            texts("steps", (each.steps for each in histories)),
-            texts("halvings", (each.halvings for each in histories)),
-        ),
-        Message("note_motion.run_table"),
-        tuple(range(min(len(every), _MOST_RUNS))),
-        every.index(part.governing),
-        only="not csv",
+    columns = (
+        texts("run", (run.number + 1 for run in every)),
+        texts("seed", seeds),
+        column("columns.largest_fairlead_tension", (each.maximum for each in found), _BARE),
+        column("columns.at", (each.time_of_maximum for each in found), _SLACK),
+        column("columns.largest_quasi_static_fairlead_tension", still, _BARE),
+        column("columns.slack_in_all", slack, _SLACK),
+        texts("steps", (each.steps for each in histories)),
+        texts("halvings", (each.halvings for each in histories)),
     )
+    shown = tuple(range(min(len(every), _MOST_RUNS)))
+    caption, marked = Message("note_motion.run_table"), every.index(part.governing)
+    yield Table("motion_runs", columns, caption, shown, marked)
     if len(every) > _MOST_RUNS:
-        yield Text(Message("note_motion.left_out", count=len(every) - _MOST_RUNS), is_small=True)
+        yield small("note_motion.left_out", count=len(every) - _MOST_RUNS)
 
 
 # ------------------------------------------------------------------ what is to be known
@@ -374,14 +330,11 @@ def _known(note: Note, moved: InMotion, part: DynamicPart) -> Iterator[Message]:
 # ------------------------------------------------------------------ a body's lines
 
 
-def body_motion_section(note: SystemNote) -> Iterator[Section]:
+def body_motion_blocks(note: SystemNote) -> Iterator[Block]:
     """Lay out all lines of a body in motion; nothing where nobody asked for it."""
-    if note.motion is not None:
-        blocks = _body_motion(note, note.motion)
-        yield note_section("system_motion", blocks, "note_system.motion_heading")
-
-
-def _body_motion(note: SystemNote, found: DynamicVerification) -> Iterator[Block]:
+    found = note.motion
+    if found is None:
+        return
     governing = found.governing
     assert governing.line is not None
     yield from _stopped(found)
@@ -389,15 +342,9 @@ def _body_motion(note: SystemNote, found: DynamicVerification) -> Iterator[Block
     yield Verdict(Several(_said(found), " "), found.verdict == "converged")
     yield _lines(note, found)
     units = tuple(DYNAMIC_QUANTITY_OF[each.quantity] for each in found.body)
-    yield Table(
-        "system_motion_body",
-        (
-            column("columns.quantity", map(_label, units)),
-            *_numbers(governing, found.body, None, units),
-        ),
-        Message("note_motion.body"),
-        only="not csv",
-    )
+    names = column("columns.quantity", map(_label, units))
+    columns = (names, *_numbers(governing, found.body, None, units))
+    yield Table("system_motion_body", columns, Message("note_motion.body"))
     yield Figure(track(found), Message("note_system.motion_track"))
     at_rest = note.solution.lines[governing.line - 1].tension
     caption = Message("note_system.motion_history", line=governing.line)
@@ -409,30 +356,26 @@ def _body_motion(note: SystemNote, found: DynamicVerification) -> Iterator[Block
 def _said(found: DynamicVerification) -> Iterator[Message]:
     """Yield what is said of the governing line, and of the one that is proven least."""
     for part, sentences in (
-        (found.governing, motion_sentences(found.governing)),
-        (found.least_proven, proof_sentences(found.least_proven)),
+        (found.governing, words.motion_sentences),
+        (found.least_proven, words.proof_sentences),
     ):
-        for sentence in sentences:
+        for sentence in sentences(part):
             yield Message("note_motion.of_line", number=part.line, said=sentence)
 
 
 def _lines(note: SystemNote, found: DynamicVerification) -> Table:
     """Tabulate the fairlead tension of every line, the governing one marked."""
     parts = found.parts
-    every = [part.of("fairlead_tension") for part in parts]
-    rest = [line.tension for line in note.solution.lines]
     still = (part.quasi_static_max for part in parts)
-    return Table(
-        "system_motion_lines",
-        (
-            texts("line", (part.line for part in parts)),
-            *_numbers(parts[0], every, rest, (_TENSION,)),
-            _changes(parts),
-            column("columns.quasi_static_fairlead_tension", still, replace(_TENSION, symbol="")),
-            column("note_motion.amplification", (part.amplification for part in parts), _FACTOR),
-            column("columns.slack_in_all", (part.slack_time for part in parts), SECONDS),
-        ),
-        Message("note_motion.lines", unit=Unit(_TENSION)),
-        marked=parts.index(found.governing),
-        only="not csv",
+    columns = (
+        texts("line", (part.line for part in parts)),
+        *_fairleads(parts, [line.tension for line in note.solution.lines]),
+        column("columns.quasi_static_fairlead_tension", still, _BARE),
+        _amplification(parts),
+        column("columns.slack_in_all", (part.slack_time for part in parts), SECONDS),
     )
+    caption, marked = (
+        Message("note_motion.lines", unit=Unit(_TENSION)),
+        parts.index(found.governing),
+    )
+    return Table("system_motion_lines", columns, caption, marked=marked)

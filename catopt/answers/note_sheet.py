@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from catopt.answers.blocks import Block, Column, Fact, Facts, Section, Table, Text, measured
+from catopt.answers.blocks import Block, Fact, Facts, Section, Table, Text, measured
 from catopt.answers.check import kind_name
-from catopt.answers.note import column, note_section
+from catopt.answers.note import Cell, column, from_rows, section
 from catopt.checks.kinds import limit_quantity
 from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES
@@ -34,32 +34,24 @@ def basis_section(
     case, site = sheet.case, sheet.case.site
     if levels is None:
         levels = [each.water_level for each in sheet.report.load_cases]
-    rows = (
-        ("analysis", Message("note_sheet.quasi_static")),
-        ("return_period", return_period or Message("note_sheet.not_stated")),
-        ("combination", combined or Message("note_sheet.combined_by_user")),
-        (
-            "datum",
-            Message("note_sheet.datum_is", depth=Measure("water_depth", site.depth_to_seabed)),
-        ),
-        ("tide", _tide(levels)),
-        (
-            "fairlead",
-            Message(
-                "sizing.measure",
-                value=Measure("height", site.height_above_seabed(case.fairlead_height)),
-            ),
-        ),
-        ("friction", Message("sizing.about", value=site.seabed_friction)),
-        ("density", Message("sizing.measure", value=Measure("density", site.water_density))),
-        ("life", _life(case)),
-        ("pretension", _pretension(sheet)),
-    )
-    facts = tuple(Fact(Message(f"note_sheet.{key}"), said) for key, said in rows)
-    blocks: list[Block] = [Facts("basis", facts, only="not csv")]
-    if sheet.criteria.all:
-        blocks.append(_limit_states(sheet))
-    return note_section("basis", blocks, "note_sheet.basis_heading")
+    depth = Measure("water_depth", site.depth_to_seabed)
+    fairlead = Measure("height", site.height_above_seabed(case.fairlead_height))
+    density = Measure("density", site.water_density)
+    rows = {
+        "analysis": Message("note_sheet.quasi_static"),
+        "return_period": return_period or Message("note_sheet.not_stated"),
+        "combination": combined or Message("note_sheet.combined_by_user"),
+        "datum": Message("note_sheet.datum_is", depth=depth),
+        "tide": _tide(levels),
+        "fairlead": Message("sizing.measure", value=fairlead),
+        "friction": Message("sizing.about", value=site.seabed_friction),
+        "density": Message("sizing.measure", value=density),
+        "life": _life(case),
+        "pretension": _pretension(sheet),
+    }
+    facts = (Fact(Message(f"note_sheet.{key}"), said) for key, said in rows.items())
+    limits = [_limit_states(sheet)] if sheet.criteria.all else []
+    return section("basis", [Facts("basis", tuple(facts)), *limits], "note_sheet")
 
 
 def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
@@ -67,14 +59,11 @@ def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
 
     `held`, a message, says what holds a line where more is known of it than the case has.
     """
-    for name, blocks in (
-        ("bill", _bill(sheet, held)),
-        ("anchor_place", _anchor_place(sheet)),
-        ("wear", _wear(sheet)),
-        ("damaged", _damaged(sheet)),
-        ("fatigue", [Text(Message("note_sheet.fatigue_not_asked"))]),
-    ):
-        yield note_section(name, blocks, f"note_sheet.{name}_heading")
+    yield section("bill", _bill(sheet, held), "note_sheet")
+    yield section("anchor_place", _anchor_place(sheet), "note_sheet")
+    yield section("wear", _wear(sheet), "note_sheet")
+    yield section("damaged", [Text(_damaged(sheet))], "note_sheet")
+    yield section("fatigue", [Text(Message("note_sheet.fatigue_not_asked"))], "note_sheet")
 
 
 # ------------------------------------------------------------------ design basis
@@ -108,50 +97,21 @@ def _pretension(sheet: Sheet) -> Message:
 def _limit_states(sheet: Sheet) -> Table:
     """Tabulate criteria by limit state: state of the mooring and kind of load case."""
     kinds = {each.kind for each in sheet.report.load_cases} or {"extreme"}
-    states = (
-        *(kind for kind in ("extreme", "reference") if kind in kinds),
-        *_damaged_state(sheet),
-    )
-    rows = {
-        each: [name for name in states if _is_in(name, each)]
-        for each in sheet.criteria.all
-        if any(_is_in(name, each) for name in states)
-    }
-    return Table(
-        "limit_states",
-        (
-            column(
-                "note_sheet.limit_state",
-                (
-                    Several((Message(f"note_sheet.{name}") for name in names), "; ")
-                    for names in rows.values()
-                ),
-            ),
-            column("columns.check", (kind_name(each.check) for each in rows)),
-            Column(
-                Message("note_sheet.factor_or_limit"),
-                tuple(each.value for each in rows),
-                units=tuple(limit_quantity(each.check) for each in rows),
-            ),
-            column(
-                "note_sheet.on",
-                (Message(f"note_sheet.on_{each.of}") if each.of else "" for each in rows),
-            ),
-            column(
-                "columns.source",
-                (
-                    each.source.text if each.source.document else Message("note_sheet.by_user")
-                    for each in rows
-                ),
-            ),
-        ),
-        Message("note_sheet.limit_states"),
-        only="not csv",
-    )
-
-
-def _damaged_state(sheet: Sheet) -> tuple[str, ...]:
-    return ("one_line_out",) if sheet.judges_line_out else ()
+    states = [kind for kind in ("extreme", "reference") if kind in kinds]
+    if sheet.judges_line_out:
+        states.append("one_line_out")
+    rows: list[Sequence[Cell]] = []
+    for each in dict.fromkeys(sheet.criteria.all):
+        found = [Message(f"note_sheet.{name}") for name in states if _is_in(name, each)]
+        if found:
+            of, source = each.of, each.source
+            limit = (each.value, limit_quantity(each.check))
+            on = Message(f"note_sheet.on_{of}") if of else ""
+            by = source.text if source.document else Message("note_sheet.by_user")
+            rows.append((Several(found, "; "), kind_name(each.check), limit, on, by))
+    own = [f"note_sheet.{name}" for name in ("limit_state", "factor_or_limit", "on")]
+    keys = (own[0], "columns.check", *own[1:], "columns.source")
+    return from_rows("limit_states", keys, rows, Message("note_sheet.limit_states"))
 
 
 def _is_in(name: str, criterion: Criterion) -> bool:
@@ -165,7 +125,6 @@ def _is_in(name: str, criterion: Criterion) -> bool:
 
 
 class _Item(NamedTuple):
-    number: int
     code: str
     what: str
     diameter: float | None = None
@@ -174,47 +133,35 @@ class _Item(NamedTuple):
 
 
 def _bill(sheet: Sheet, held: str) -> Iterator[Block]:
-    items = list(_items(sheet, held))
-    masses = [each.mass for each in items]
-    together = [None if each.mass is None else each.number * each.mass for each in items]
-    yield Table(
-        "bill",
-        (
-            column("columns.no", range(1, len(items) + 1)),
-            column("note_sheet.item", (each.what for each in items)),
-            column("note_sheet.code", (each.code for each in items)),
-            measured("nominal_diameter", (each.diameter for each in items)),
-            measured("length", (each.length for each in items)),
-            column("note_sheet.count", (each.number for each in items)),
-            measured("mass", masses, "mass_in_air", symbol=""),
-            column("note_sheet.mass_together", together, QUANTITIES["mass"]),
-        ),
-        only="not csv",
+    items, count = list(_items(sheet, held)), sheet.lines
+    together = (None if each.mass is None else count * each.mass for each in items)
+    columns = (
+        column("columns.no", range(1, len(items) + 1)),
+        column("note_sheet.item", (each.what for each in items)),
+        column("note_sheet.code", (each.code for each in items)),
+        measured("nominal_diameter", (each.diameter for each in items)),
+        measured("length", (each.length for each in items)),
+        column("note_sheet.count", [count] * len(items)),
+        measured("mass", (each.mass for each in items), "mass_in_air", symbol=""),
+        column("note_sheet.mass_together", together, QUANTITIES["mass"]),
     )
+    yield Table("bill", columns)
     joints = len(sheet.line.segments) + 1
-    yield Text(Message("note_sheet.fittings", each=joints, every=joints * sheet.lines))
+    yield Text(Message("note_sheet.fittings", each=joints, every=joints * count))
 
 
 def _items(sheet: Sheet, held: str) -> Iterator[_Item]:
+    """Yield what one line is made of; mass in kg."""
     for segment in sheet.line.segments:
         mass = None if segment.mass is None else segment.mass * segment.length
-        code = segment.name or segment.component
-        yield _Item(
-            sheet.lines,
-            Cited(code),
-            described(sheet.case, segment),
-            segment.nominal_diameter,
-            segment.length,
-            mass,
-        )
+        code, what = Cited(segment.name or segment.component), described(sheet.case, segment)
+        yield _Item(code, what, segment.nominal_diameter, segment.length, mass)
     for load in sheet.line.point_loads:
         key = "clump" if load.submerged_weight > 0.0 else "float"
-        where = Message(f"note_sheet.{key}_at", place=load.position)
-        yield _Item(sheet.lines, "", where, mass=load.mass)
-    anchor = sheet.anchor
-    if anchor is not None:
-        what = term({"drag": "Drag anchor", "sinker": "Sinker"}[anchor.kind])
-        yield _Item(sheet.lines, held, what, mass=anchor.mass)
+        yield _Item("", Message(f"note_sheet.{key}_at", place=load.position), mass=load.mass)
+    if sheet.anchor is not None:
+        name = {"drag": "Drag anchor", "sinker": "Sinker"}[sheet.anchor.kind]
+        yield _Item(held, term(name), mass=sheet.anchor.mass)
 
 
 def described(case: Case, segment: Segment) -> str:
@@ -232,57 +179,52 @@ def described(case: Case, segment: Segment) -> str:
 
 
 def _anchor_place(sheet: Sheet) -> Iterator[Block]:
-    if not sheet.moved:
+    moved = sheet.moved
+    if not moved:
         yield Text(Message("note_sheet.anchor_free"))
         return
     about = "of_body" if sheet.system is not None else "of_line"
     yield Text(Message(f"note_sheet.anchor_{about}"))
     planned = max(each.fairlead.tension for each in sheet.intact)
-    change = [None if each.tension is None else each.tension - planned for each in sheet.moved]
+    change = (None if each.tension is None else each.tension - planned for each in moved)
     columns = [
-        column("note_sheet.farther", (each.way for each in sheet.moved), QUANTITIES["span"]),
-        measured("tension", (each.tension for each in sheet.moved), "largest_tension"),
+        column("note_sheet.farther", (each.way for each in moved), QUANTITIES["span"]),
+        measured("tension", (each.tension for each in moved), "largest_tension"),
         column("note_sheet.change", change, QUANTITIES["tension"]),
     ]
     if sheet.system is not None:
-        columns.append(measured("offset", (each.offset for each in sheet.moved)))
-    yield Table("anchor_place", tuple(columns), only="not csv")
-    for each in sheet.moved:
-        if each.refusal:
-            yield Text(each.refusal)
+        columns.append(measured("offset", (each.offset for each in moved)))
+    yield Table("anchor_place", tuple(columns))
+    yield from (Text(each.refusal) for each in moved if each.refusal)
 
 
 # ------------------------------------------------------------------ wear, damage
 
 
 def _wear(sheet: Sheet) -> Iterator[Block]:
-    if not sheet.least:
+    found, d = sheet.least, QUANTITIES["nominal_diameter"]
+    if not found:
         yield Text(Message("note_sheet.wear_unknown"))
         return
     yield Text(Message("note_sheet.wear_about"))
-    found, d = sheet.least, QUANTITIES["nominal_diameter"]
-    room = [None if each.least is None else each.diameter - each.least for each in found]
-    yield Table(
-        "wear",
-        (
-            column("columns.segment", (each.segment for each in found)),
-            column("note_sheet.wear_new", (each.diameter for each in found), d),
-            column("note_sheet.wear_end", (each.end_diameter for each in found), d),
-            column("note_sheet.wear_least", (each.least for each in found), d),
-            column("note_sheet.wear_room", room, d),
-        ),
-        only="not csv",
+    room = (None if each.least is None else each.diameter - each.least for each in found)
+    columns = (
+        column("columns.segment", (each.segment for each in found)),
+        column("note_sheet.wear_new", (each.diameter for each in found), d),
+        column("note_sheet.wear_end", (each.end_diameter for each in found), d),
+        column("note_sheet.wear_least", (each.least for each in found), d),
+        column("note_sheet.wear_room", room, d),
     )
+    yield Table("wear", columns)
 
 
-def _damaged(sheet: Sheet) -> Iterator[Block]:
+def _damaged(sheet: Sheet) -> Message:
     if sheet.lines == 1:
-        yield Text(Message("note_sheet.damaged_one"))
-    elif not sheet.judges_line_out:
-        yield Text(Message("note_sheet.damaged_not_judged"))
-    else:
-        states = [each for each in sheet.report.results if each.place.state != "intact"]
-        worst = max(states, key=lambda each: each.excess)
-        key = "damaged_passes" if all(each.passes for each in states) else "damaged_fails"
-        values = {"check": worst.name, "state": worst.where, "source": worst.source.text}
-        yield Text(Message(f"note_sheet.{key}", **values))
+        return Message("note_sheet.damaged_one")
+    if not sheet.judges_line_out:
+        return Message("note_sheet.damaged_not_judged")
+    states = [each for each in sheet.report.results if each.place.state != "intact"]
+    worst = max(states, key=lambda each: each.excess)
+    key = "damaged_passes" if all(each.passes for each in states) else "damaged_fails"
+    values = {"check": worst.name, "state": worst.where, "source": worst.source.text}
+    return Message(f"note_sheet.{key}", **values)

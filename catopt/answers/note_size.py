@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
+from catopt.answers import size as sized
 from catopt.answers.blocks import (
     Answer,
     Block,
-    Column,
     Points,
-    Section,
     Step,
     Table,
     Text,
@@ -20,34 +20,31 @@ from catopt.answers.blocks import (
     Value,
     exact,
     measured,
+    named,
     texts,
 )
 from catopt.answers.note import (
+    Cell,
     column,
-    components_section,
-    file_section,
+    components,
+    from_rows,
     inputs_table,
-    note_section,
+    note_answer,
+    opening,
+    section,
+    small,
 )
-from catopt.answers.note_first import FirstPage, Number, opening
 from catopt.answers.note_hold import hold_blocks, what_holds
 from catopt.answers.note_line import drawn, of_the_front, of_the_line
 from catopt.answers.note_sheet import basis_section, described, sheet_sections
 from catopt.answers.note_system import near_blocks, plan_blocks
-from catopt.answers.size import (
-    alternatives_table,
-    candidates_table,
-    pattern_table,
-    read_table,
-    steady_sentence,
-    without_line_table,
-)
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
-from catopt.quantities import GREEK, QUANTITIES, Quantity
+from catopt.quantities import GREEK, QUANTITIES
 from catopt.words import Cited, Measure, Message, Several, Told, say, term
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Section
     from catopt.loads.component import LoadComponent, Loads
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.size import SizeNote
@@ -57,60 +54,51 @@ if TYPE_CHECKING:
 _DIGITS = 5
 """Of the numbers of loads: more than any of them is known to."""
 
-_FORCE = replace(QUANTITIES["horizontal_force"], symbol="")
+_FORCE = named("horizontal_force", "")
 
 
 def size_note_answer(note: SizeNote) -> Answer:
     """Lay out the note of a sizing."""
     line = note.line
-    return Answer(
-        "note",
-        note.title or Message("note.untitled"),
-        (
-            *opening(_first(note), note.sheet, _facts(note), note.origin, note.warnings),
-            basis_section(note.sheet, *_combined(note), _levels(note)),
-            _section("identity", _identity(note)),
-            _section("loads", _loads(note)),
-            _section("candidates", _candidates(note)),
-            *_if_any("front", _front(note)),
-            *of_the_line(line, "checks", "load_cases"),
-            *sheet_sections(note.sheet, what_holds(note)),
-            *_if_any("hold", hold_blocks(note)),
-            _section("swing", _swing(note)),
-            *_if_any("pattern", _pattern(note)),
-            _section("assumptions", _assumptions(note)),
-            _section("inputs", _inputs(note)),
-            *of_the_line(line, "results", "tension", "curve"),
-            components_section(line.case, line.solution.line),
-            *of_the_line(line, "equations", "verification", "swarm"),
-            *file_section(note.origin, "size_file", "note_size.file_heading"),
-        ),
-        Message("note_size.kind_size"),
+    sections = (
+        *_opening(note),
+        basis_section(note.sheet, *_combined(note), _levels(note)),
+        _section("identity", _identity(note)),
+        _section("loads", _loads(note)),
+        _section("candidates", _candidates(note)),
+        _section("front", _front(note)),
+        *of_the_line(line, "checks", "load_cases"),
+        *sheet_sections(note.sheet, what_holds(note)),
+        _section("hold", hold_blocks(note)),
+        _section("swing", _swing(note)),
+        _section("pattern", _pattern(note)),
+        _section("assumptions", _assumptions(note)),
+        _section("inputs", _inputs(note)),
+        *of_the_line(line, "results", "tension", "curve"),
+        section("components", components(line.case, line.solution.line)),
+        *of_the_line(line, "equations", "verification", "swarm"),
     )
+    return note_answer(note, "note_size.kind_size", sections, file="size_file")
 
 
 def _section(name: str, blocks: Iterable[Block]) -> Section:
-    return note_section(f"size_{name}", blocks, f"note_size.{name}_heading")
-
-
-def _if_any(name: str, blocks: Iterable[Block]) -> Iterator[Section]:
-    section = _section(name, blocks)
-    if section.blocks:
-        yield section
+    return section(name, blocks, "note_size")
 
 
 # ------------------------------------------------------------------ what is recommended
 
 
-def _first(note: SizeNote) -> FirstPage:
+def _opening(note: SizeNote) -> Iterator[Section]:
     of = note.sizing
-    return FirstPage(
+    return opening(
+        note,
+        (("note.identity_source", note.line.case.source),),
         _recommendation(note),
-        drawn(note.line),
-        Number(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
-        Number(Message("note_size.identity_radius"), "length", of.swing.total),
-        of.largest_tension,
-        also=(steady_sentence(of),),
+        sized.steady_sentence(of),
+        drawing=drawn(note.line),
+        force=(Message("note_size.identity_force"), "horizontal_force", _hardest(note)[0]),
+        reach=(Message("note_size.identity_radius"), "length", of.swing.total),
+        tension=of.largest_tension,
         reserve=_fails_in_motion(note),
     )
 
@@ -126,10 +114,6 @@ def _fails_in_motion(note: SizeNote) -> str:
     if not names:
         return ""
     return Message("sizing.fails_beyond", factor=of.dynamic_factor, names=Several(names))
-
-
-def _facts(note: SizeNote) -> tuple[tuple[str, str], ...]:
-    return (("note.identity_source", note.line.case.source),)
 
 
 def _combined(note: SizeNote) -> tuple[str, str]:
@@ -150,20 +134,22 @@ def _levels(note: SizeNote) -> tuple[float, ...]:
 
 def _hardest(note: SizeNote) -> tuple[float, str]:
     """Return the largest horizontal force on a line, N, and its load case."""
-    return max(
-        ((each.horizontal_force, at) for at, each in note.sizing.intact),
-        key=lambda found: found[0],
-    )
+    at, solution = max(note.sizing.intact, key=lambda found: found[1].horizontal_force)
+    return solution.horizontal_force, at
 
 
 def _identity(note: SizeNote) -> Iterator[Block]:
-    governs = []
-    for each in note.sizing.limits:
-        values = {"change": each.change, "check": each.words}
-        governs.append(Message("note_size.identity_step", **values))
-    caption = Message("note_size.identity_governs")
-    yield Points(tuple(governs), caption)
-    yield _found(note)
+    """List what governs, and tabulate what came out, each with the load case that it is of."""
+    governs = [
+        Message("note_size.identity_step", change=each.change, check=each.words)
+        for each in note.sizing.limits
+    ]
+    yield Points(tuple(governs), Message("note_size.identity_governs"))
+    rows = (
+        (name, (value, QUANTITIES[key]), term(at)) for name, key, value, at in _found_rows(note)
+    )
+    keys = [f"columns.{name}" for name in ("what", "value", "load_case")]
+    yield from_rows("size_found", keys, rows)
 
 
 def _recommendation(note: SizeNote) -> Message:
@@ -193,51 +179,29 @@ def _recommendation(note: SizeNote) -> Message:
     return Message("note_size.identity_several", lines=pattern.lines, **values)
 
 
-def _found(note: SizeNote) -> Table:
-    """Tabulate what came out, each with the load case that it is of."""
-    rows = list(_found_rows(note))
-    return Table(
-        "size_found",
-        (
-            texts("what", (name for name, *_ in rows)),
-            Column(
-                Message("columns.value"),
-                tuple(value for _, _, value, _ in rows),
-                units=tuple(quantity for _, quantity, _, _ in rows),
-            ),
-            texts("load_case", (term(at) for *_, at in rows)),
-        ),
-    )
-
-
-def _found_rows(note: SizeNote) -> Iterator[tuple[str, Quantity, float | None, str]]:
+def _found_rows(note: SizeNote) -> Iterator[tuple[str, str, float | None, str]]:
+    """Yield name, key of the quantity, value and load case."""
     of = note.sizing
     line, (name, solution) = of.point.line, of.hardest
-    length, force, mass, factor = (
-        QUANTITIES[key] for key in ("length", "tension", "mass", "safety_factor")
-    )
-    diameter = QUANTITIES["nominal_diameter"]
-    yield Message("quantities.nominal_diameter"), diameter, line.segments[0].nominal_diameter, ""
-    yield Message("quantities.length"), length, line.length, ""
-    yield Message("columns.line_mass_in_air"), mass, line.mass, ""
-    radius = Message("note_size.identity_radius")
-    yield radius, length, of.swing.total, of.swing.load_case
+    diameter = line.segments[0].nominal_diameter
+    yield Message("quantities.nominal_diameter"), "nominal_diameter", diameter, ""
+    yield Message("quantities.length"), "length", line.length, ""
+    yield Message("columns.line_mass_in_air"), "mass", line.mass, ""
+    yield Message("note_size.identity_radius"), "length", of.swing.total, of.swing.load_case
     if of.excursion is not None:
-        yield Message("quantities.excursion"), length, of.excursion, ""
+        yield Message("quantities.excursion"), "length", of.excursion, ""
     H, at = _hardest(note)
-    yield Message("note_size.identity_force"), force, H, at
-    yield Message("columns.fairlead_tension"), force, solution.fairlead.tension, name
-    yield Message("columns.largest_tension"), force, of.largest_tension, ""
-    pull, at = max(
-        ((each.fairlead.vertical_force, at) for at, each in of.point.checks.solutions),
-        key=lambda found: found[0],
-    )
-    yield Message("columns.fairlead_vertical_force"), force, pull, at
+    yield Message("note_size.identity_force"), "tension", H, at
+    yield Message("columns.fairlead_tension"), "tension", solution.fairlead.tension, name
+    yield Message("columns.largest_tension"), "tension", of.largest_tension, ""
+    lifts = ((each.fairlead.vertical_force, at) for at, each in of.point.checks.solutions)
+    lift, at = max(lifts, key=itemgetter(0))
+    yield Message("columns.fairlead_vertical_force"), "tension", lift, at
     if of.reserve_buoyancy is not None:
-        yield Message("columns.reserve_buoyancy"), force, of.reserve_buoyancy, ""
+        yield Message("columns.reserve_buoyancy"), "tension", of.reserve_buoyancy, ""
     for key, over in (("mbl", of.break_factor), ("proof", of.proof_factor)):
         if over is not None:
-            yield Message(f"note_size.identity_{key}"), factor, over, ""
+            yield Message(f"note_size.identity_{key}"), "safety_factor", over, ""
 
 
 # ------------------------------------------------------------------ loads
@@ -261,7 +225,7 @@ def _loads(note: SizeNote) -> Iterator[Block]:
             yield from _part(at, part, common)
     yield Points(tuple(common), Message("note_size.loads_common"))
     if has_parts:
-        yield Text(Message("note_size.loads_legend"), is_small=True)
+        yield small("note_size.loads_legend")
 
 
 def _common(cases: Sequence[LoadsAt]) -> list[str]:
@@ -280,7 +244,7 @@ def _sums(note: SizeNote) -> Table:
         pushed.insert(0, "note_size.loads_on_ship")
     columns = [
         texts("load_case", (term(each.load_case) for each in cases)),
-        column("note_size.loads_depth", (each.depth for each in cases), _depth()),
+        column("note_size.loads_depth", (each.depth for each in cases), named("water_depth", "")),
         *(
             column(key, (each.parts[index].horizontal_force for each in cases), _FORCE)
             for index, key in enumerate(pushed[: len(cases[0].parts)])
@@ -298,54 +262,35 @@ def _sums(note: SizeNote) -> Table:
     return Table("size_sums", tuple(columns), caption, marked=total.index(max(total)))
 
 
-def _depth() -> Quantity:
-    return replace(QUANTITIES["water_depth"], symbol="")
-
-
 def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     """Follow each force on the ship or on the buoy in a load case, and their sum."""
     forces = _forces(of)
-    steps = (*(_step(component, force) for component, force in forces), *_total(of, forces))
+    steps = (*(_step(*each) for each in forces), *_total(of, forces))
     under = Message("note_size.loads_under", load_case=term(at.load_case), title=of.title)
     yield Trail("size_load", steps, caption=under)
-    rows = [(each.name, number) for each in of.components for number in each.numbers]
-    yield Table(
-        "size_numbers",
-        (
-            texts("force", (name for name, _ in rows)),
-            texts("symbol", (Cited(GREEK.get(number.symbol, number.symbol)) for _, number in rows)),
-            Column(
-                Message("columns.value"),
-                tuple(number.value for _, number in rows),
-                units=tuple(replace(exact(number.unit), digits=_DIGITS) for _, number in rows),
-            ),
-            texts("meaning", (number.meaning for _, number in rows)),
-        ),
-        Message("columns.numbers"),
-    )
+    rows: list[Sequence[Cell]] = []
+    for force in of.components:
+        for each in force.numbers:
+            symbol = Cited(GREEK.get(each.symbol, each.symbol))
+            value = (each.value, replace(exact(each.unit), digits=_DIGITS))
+            rows.append((force.name, symbol, value, each.meaning))
+    keys = [f"columns.{name}" for name in ("force", "symbol", "value", "meaning")]
+    yield from_rows("size_numbers", keys, rows, Message("columns.numbers"))
     yield Points(tuple(each for each in of.assumptions if each not in common))
 
 
 def _total(of: Loads, forces: Sequence[tuple[LoadComponent, float]]) -> Iterator[Step]:
     """Add the forces up: along the ship, and where there are any across it, both."""
-    sums = [
-        tuple((force,) for each, force in forces if (each.axis == "sway") == across)
-        for across in (False, True)
-    ]
-    along, across = (math.fsum(force for (force,) in terms) for terms in sums)
-    if not sums[1]:
-        yield Step(Message("note_size.loads_total"), along, _FORCE, terms=sums[0])
-        return
-    yield Step(Message("note_size.loads_along"), along, _FORCE, terms=sums[0])
-    yield Step(Message("note_size.loads_across"), across, _FORCE, terms=sums[1])
-    yield Step(
-        Message("note_size.loads_total"),
-        of.horizontal_force,
-        _FORCE,
-        formula="√({X:()}² + {Y:()}²)",
-        numbers={"X": along, "Y": across},
-        digits=_DIGITS,
-    )
+    along = [force for each, force in forces if each.axis != "sway"]
+    across = [force for each, force in forces if each.axis == "sway"]
+    X, Y, total = math.fsum(along), math.fsum(across), Message("note_size.loads_total")
+    named_along = Message("note_size.loads_along") if across else total
+    yield Step(named_along, X, _FORCE, terms=tuple((force,) for force in along))
+    if across:
+        terms = tuple((force,) for force in across)
+        yield Step(Message("note_size.loads_across"), Y, _FORCE, terms=terms)
+        root, numbers, both = "√({X:()}² + {Y:()}²)", {"X": X, "Y": Y}, of.horizontal_force
+        yield Step(total, both, _FORCE, formula=root, numbers=numbers, digits=_DIGITS)
 
 
 def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
@@ -376,50 +321,37 @@ def _candidates(note: SizeNote) -> Iterator[Block]:
     """Tabulate the recommended size between its neighbours, and the steps to less that fail."""
     of = note.sizing
     yield Text(Message("note_size.candidates_about"))
-    table = candidates_table(of)
+    table = sized.candidates_table(of)
     points = [None if each.settled is None else each.settled.point for each in of.candidates]
     hardest = [
         None if point is None else max(each.horizontal_force for _, each in point.checks.solutions)
         for point in points
     ]
-    which, chain, *others = table.columns
+    which, chain, *others, verdict = table.columns
     diameters = measured("nominal_diameter", [each.diameter for each in of.candidates])
-    verdict = replace(others[-1], passes=tuple(point is not None for point in points))
-    columns = (
-        which,
-        chain,
-        diameters,
-        *others[:-1],
-        measured("horizontal_force", hardest),
-        verdict,
-    )
+    forces = measured("horizontal_force", hardest)
+    verdict = replace(verdict, passes=tuple(point is not None for point in points))
+    columns = (which, chain, diameters, *others, forces, verdict)
     marked = [each.role for each in of.candidates].index("recommended")
     yield replace(table, columns=columns, marked=marked)
     if of.limits:
         yield _limits(note)
-    yield alternatives_table(of)
+    yield sized.alternatives_table(of)
     if len(of.settled.result.front) < 2 and of.why:
         yield Text(of.why)
 
 
 def _limits(note: SizeNote) -> Table:
-    every = note.sizing.limits
-    checks = [each.check for each in every]
-    units = tuple(_FORCE if each is None else QUANTITY_OF[each.kind] for each in checks)
-
-    def of(name: str, values: Iterable[float | None]) -> Column:
-        return Column(Message(f"columns.{name}"), tuple(values), units=units)
-
-    return Table(
-        "size_limits",
-        (
-            column("note.front_change", (each.change for each in every)),
-            column("note_size.candidates_fails_by", (each.words for each in every)),
-            of("demand", (None if each is None else each.demand for each in checks)),
-            of("capacity", (None if each is None else each.capacity for each in checks)),
-        ),
-        Message("note_size.candidates_limits"),
-    )
+    """Tabulate the steps to less that fail, each with what it asks for and what there is."""
+    rows: list[Sequence[Cell]] = []
+    for each in note.sizing.limits:
+        check = each.check
+        demand, capacity = (None, None) if check is None else (check.demand, check.capacity)
+        of = _FORCE if check is None else QUANTITY_OF[check.kind]
+        rows.append((each.change, each.words, (demand, of), (capacity, of)))
+    own = ("note.front_change", "note_size.candidates_fails_by")
+    keys = (*own, "columns.demand", "columns.capacity")
+    return from_rows("size_limits", keys, rows, Message("note_size.candidates_limits"))
 
 
 def _front(note: SizeNote) -> Iterator[Block]:
@@ -430,20 +362,16 @@ def _front(note: SizeNote) -> Iterator[Block]:
 
 
 def _swing(note: SizeNote) -> Iterator[Block]:
-    found, length = note.sizing.swing, replace(QUANTITIES["length"], symbol="")
+    found = note.sizing.swing
     names = [*(term(name) for name, _ in found.parts), Message("note_size.swing_total")]
     values = [*(value for _, value in found.parts), found.total]
+    columns = (
+        column("note_size.swing_part", names),
+        column("note_size.swing_length", values, named("length", "")),
+    )
     under = Message("note.checks_under", name=term(found.load_case))
     yield Text(Message("note_size.swing_about"))
-    yield Table(
-        "size_swing",
-        (
-            column("note_size.swing_part", names),
-            column("note_size.swing_length", values, length),
-        ),
-        under,
-        marked=len(found.parts),
-    )
+    yield Table("size_swing", columns, under, marked=len(found.parts))
     if note.sizing.excursion is not None:
         key = "excursion" if note.sizing.pattern is None else "offset"
         way = Measure("length", note.sizing.excursion)
@@ -458,15 +386,11 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
     of, around = note.sizing.pattern, note.around
     if of is None or around is None:
         return
-    yield Text(
-        Message(
-            "note_size.pattern_about",
-            lines=of.lines,
-            radius=Measure("length", of.anchor_radius),
-            pretension=Measure("horizontal_force", of.pretension),
-        )
-    )
-    table = pattern_table(of)
+    radius = Measure("length", of.anchor_radius)
+    pretension = Measure("horizontal_force", of.pretension)
+    values = {"lines": of.lines, "radius": radius, "pretension": pretension}
+    yield Text(Message("note_size.pattern_about", **values))
+    table = sized.pattern_table(of)
     pull = replace(table.columns[-1], name=Message("note_size.pattern_pull"))
     yield replace(
         table,
@@ -475,11 +399,11 @@ def _pattern(note: SizeNote) -> Iterator[Block]:
         marked=of.states.index(of.hardest),
     )
     yield from _rule(of)
-    yield without_line_table(note.sizing)
+    yield sized.without_line_table(note.sizing)
     yield from (*plan_blocks(around), *near_blocks(around))
     yield _lines(around, of.hardest.load_case)
     force = f"{around.residual.force:.1e} N"
-    yield Text(Message("note_size.pattern_residual", force=force), is_small=True)
+    yield small("note_size.pattern_residual", force=force)
 
 
 def _rule(of: Pattern) -> Iterator[Text]:
@@ -498,39 +422,29 @@ def _rule(of: Pattern) -> Iterator[Text]:
 
 def _lines(of: SystemSolution, load_case: str) -> Table:
     """Tabulate what each line pulls with, their sum, and the load."""
-    lines, force = of.lines, of.system.force
-    pulls = [
-        (line.horizontal_force * math.cos(line.direction),
-         line.horizontal_force * math.sin(line.direction))
-        for line in lines
-    ]  # fmt: skip
-    total = tuple(math.fsum(pull[axis] for pull in pulls) for axis in (0, 1))
-    ends = (Message("note_size.pattern_total"), Message("note_size.pattern_load"))
-    numbers: list[Value] = [*map(str, range(1, len(lines) + 1)), *ends]
-    angle = replace(QUANTITIES["angle"], symbol="")
-    H, tension = QUANTITIES["horizontal_force"], QUANTITIES["tension"]
-    rest, directions = (None, None), [line.direction for line in lines]
+    rows: list[tuple[Value, ...]] = []
+    for number, line in enumerate(of.lines, start=1):
+        H, towards = line.horizontal_force, line.direction
+        parts = (H * math.cos(towards), H * math.sin(towards))
+        rows.append((str(number), towards, H, line.tension, *parts))
+    sums = [math.fsum(row[axis] for row in rows) for axis in (4, 5)]
+    rows.append((Message("note_size.pattern_total"), None, None, None, *sums))
+    rows.append((Message("note_size.pattern_load"), None, None, None, *of.system.force))
+    H, name = QUANTITIES["horizontal_force"], "quantities.horizontal_force"
+    headings = (
+        ("columns.line", None),
+        ("note_size.pattern_towards", named("angle", "")),
+        (name, H),
+        ("quantities.tension", QUANTITIES["tension"]),
+        (name, replace(H, symbol="Hx")),
+        (name, replace(H, symbol="Hy")),
+    )
+    columns = tuple(
+        column(key, (row[place] for row in rows), quantity)
+        for place, (key, quantity) in enumerate(headings)
+    )
     return Table(
-        "size_lines",
-        (
-            column("columns.line", numbers),
-            column("note_size.pattern_towards", (*directions, *rest), angle),
-            column(
-                "quantities.horizontal_force",
-                (*(each.horizontal_force for each in lines), *rest),
-                H,
-            ),
-            column("quantities.tension", (*(each.tension for each in lines), *rest), tension),
-            *(
-                column(
-                    "quantities.horizontal_force",
-                    (*(pull[axis] for pull in pulls), total[axis], force[axis]),
-                    replace(H, symbol=symbol),
-                )
-                for axis, symbol in ((0, "Hx"), (1, "Hy"))
-            ),
-        ),
-        Message("note_size.pattern_lines", load_case=term(load_case)),
+        "size_lines", columns, Message("note_size.pattern_lines", load_case=term(load_case))
     )
 
 
@@ -547,18 +461,13 @@ def _assumptions(note: SizeNote) -> Iterator[Block]:
 def _inputs(note: SizeNote) -> Iterator[Block]:
     """Tabulate all inputs as read, the keys of the file, and the options that were typed."""
     if note.sizing.inputs:
-        yield replace(read_table(note.sizing), name="size_inputs")
+        yield replace(sized.read_table(note.sizing), name="size_inputs")
     if note.origin.files:
         yield Text(Message("note_size.inputs_about"))
         yield inputs_table(note.origin)
     if note.options:
         if note.origin.files:
             yield Text(Message("note_size.inputs_before"))
-        yield Table(
-            "size_options",
-            (
-                column("note_size.inputs_option", (Cited(name) for name, _ in note.options)),
-                column("note.inputs_given", (Cited(value) for _, value in note.options)),
-            ),
-            Message("note_size.inputs_typed"),
-        )
+        rows = ((Cited(name), Cited(value)) for name, value in note.options)
+        keys, typed = ("note_size.inputs_option", "note.inputs_given"), "note_size.inputs_typed"
+        yield from_rows("size_options", keys, rows, Message(typed))

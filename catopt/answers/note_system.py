@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
+from catopt.answers import system as body
 from catopt.answers.blocks import (
     Answer,
     Block,
@@ -14,7 +16,6 @@ from catopt.answers.blocks import (
     Fact,
     Facts,
     Figure,
-    Section,
     Step,
     Table,
     Text,
@@ -22,41 +23,26 @@ from catopt.answers.blocks import (
     Verdict,
     exact,
     measured,
+    named,
 )
 from catopt.answers.check import checked_body
-from catopt.answers.note import (
-    column,
-    components_section,
-    file_section,
-    inputs_section,
-    note_section,
-)
-from catopt.answers.note_first import FirstPage, Number, about, opening
-from catopt.answers.note_motion import body_motion_section
+from catopt.answers.note import about, case_sections, column, note_answer, opening, section, small
+from catopt.answers.note_motion import body_motion_blocks
 from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.solution import method_name, profile_table
-from catopt.answers.system import (
-    body_facts,
-    circle_table,
-    curve_table,
-    line_out_table,
-    lines_table,
-    lines_used,
-)
-from catopt.answers.trail import DEGREES, equation_trail
+from catopt.answers.trail import DEGREES, equation_trail, step_of
 from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
+from catopt.figures import mooring
 from catopt.figures.line import line_in_water, magnified
-from catopt.figures.mooring import near, plan, restoring, watch_round, watch_track
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.verify.truss_words import part_sentence
 from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Section
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import SystemNote
-
-_Build = Callable[["SystemNote"], Iterator[Block]]
 
 _CURVE_EVERY = 4
 """One point of a restoring curve in so many is shown; both ends and the middle are among them."""
@@ -71,49 +57,39 @@ _M, _N, _NM = (exact(unit) for unit in ("m", "N", "N m"))
 
 def system_note_answer(note: SystemNote) -> Answer:
     """Lay out the note of a moored body."""
-    return Answer(
-        "note",
-        note.title or Message("note_system.untitled_system"),
-        (
-            *opening(_first(note), note.sheet, _about(note), note.origin, note.warnings),
-            basis_section(note.sheet),
-            _section(note, "identity", _identity),
-            _section(note, "elevation", _elevation),
-            _section(note, "results", _results),
-            _section(note, "lines", _lines),
-            *_if_any(note, "checks", _checks),
-            *_if_any(note, "line_out", _line_out),
-            *sheet_sections(note.sheet),
-            *_if_any(note, "watch_circle", _watch_circle),
-            *_if_any(note, "restoring", _restoring),
-            components_section(note.case, note.case.line),
-            inputs_section(note.origin),
-            _section(note, "balance", _balance),
-            _section(note, "line_trail", _line_trail),
-            *_if_any(note, "verification", _verification),
-            *body_motion_section(note),
-            *file_section(note.origin, "case_file", "note.case_file_heading"),
-        ),
-        Message("note_system.kind_system"),
+    sections = (
+        *_opening(note),
+        basis_section(note.sheet),
+        _section("identity", _identity(note)),
+        _section("elevation", _elevation(note)),
+        _section("results", _results(note)),
+        _section("lines", _lines(note)),
+        _section("checks", _checks(note)),
+        _section("line_out", _line_out(note)),
+        *sheet_sections(note.sheet),
+        _section("watch_circle", _watch_circle(note)),
+        _section("restoring", _restoring(note)),
+        *case_sections(note, note.case, note.case.line),
+        _section("balance", _balance(note)),
+        _section("line_trail", _line_trail(note)),
+        _section("verification", _verification(note)),
+        _section("motion", body_motion_blocks(note)),
+    )
+    return note_answer(
+        note, "note_system.kind_system", sections, untitled="note_system.untitled_system"
     )
 
 
-def _section(note: SystemNote, name: str, build: _Build) -> Section:
-    return note_section(f"system_{name}", build(note), f"note_system.{name}_heading")
-
-
-def _if_any(note: SystemNote, name: str, build: _Build) -> Iterator[Section]:
-    section = _section(note, name, build)
-    if section.blocks:
-        yield section
+def _section(name: str, blocks: Iterable[Block]) -> Section:
+    return section(name, blocks, "note_system")
 
 
 # ------------------------------------------------------------------ what decides
 
 
-def _first(note: SystemNote) -> FirstPage:
-    solution = note.solution
-    force, offset = math.hypot(*solution.system.force), math.hypot(*solution.offset)
+def _opening(note: SystemNote) -> Iterator[Section]:
+    solution, system = note.solution, note.solution.system
+    force, offset = math.hypot(*system.force), math.hypot(*solution.offset)
     said = Message(
         "note_first.body",
         lines=len(solution.lines),
@@ -122,21 +98,9 @@ def _first(note: SystemNote) -> FirstPage:
         line=solution.most_loaded + 1,
         tension=about("tension", note.loaded.tension),
     )
-    return FirstPage(
-        said,
-        plan_blocks(solution),
-        Number(Message("note_system.identity_force"), "horizontal_force", force),
-        Number(Message("quantities.offset"), "offset", offset),
-        max(part.max_tension for each in note.sheet.intact for part in each.segments),
-        in_motion=note.motion is not None,
-    )
-
-
-def _about(note: SystemNote) -> tuple[tuple[str, str], ...]:
-    system = note.solution.system
     moment = Message("sizing.measure", value=Measure("moment", system.moment))
     freedom = "note_system.identity_turns" if system.turns else "note_system.identity_held"
-    return (
+    facts = (
         ("note.identity_source", note.case.source),
         ("note_system.identity_lines", f"{len(system.legs)}"),
         ("note_system.identity_freedom", Message(freedom)),
@@ -144,10 +108,23 @@ def _about(note: SystemNote) -> tuple[tuple[str, str], ...]:
         ("note_system.identity_moment", moment if system.turns else ""),
         ("note.identity_method", method_name("closed-form")),
     )
+    return opening(
+        note,
+        facts,
+        said,
+        drawing=plan_blocks(solution),
+        force=(Message("note_system.identity_force"), "horizontal_force", force),
+        reach=(Message("quantities.offset"), "offset", offset),
+        tension=max(part.max_tension for each in note.sheet.intact for part in each.segments),
+        in_motion=note.motion is not None,
+    )
 
 
 def _identity(note: SystemNote) -> Iterator[Block]:
-    yield _intact(note)
+    tension = Measure("tension", note.loaded.tension)
+    line = note.solution.most_loaded + 1
+    loaded = Message("note_system.identity_loaded", line=line, tension=tension)
+    yield _use(note, loaded, note.used)
     yield Verdict(_offset(note), None)
     yield from _one_out(note)
     yield from near_blocks(note.solution)
@@ -161,15 +138,6 @@ def _force(note: SystemNote) -> Message:
         return Message("sizing.measure", value=size)
     towards = Measure("angle", note.force_towards)
     return Message("note_system.identity_towards", force=size, angle=towards)
-
-
-def _intact(note: SystemNote) -> Verdict:
-    loaded = Message(
-        "note_system.identity_loaded",
-        line=note.solution.most_loaded + 1,
-        tension=Measure("tension", note.loaded.tension),
-    )
-    return _use(note, loaded, note.used)
 
 
 def _use(note: SystemNote, said: Message, used: float | None) -> Verdict:
@@ -218,12 +186,12 @@ def _one_out(note: SystemNote) -> Iterator[Verdict]:
 def plan_blocks(solution: SystemSolution) -> Iterator[Block]:
     """Draw the plan."""
     yield Text(Message("note_system.plan_about"))
-    yield Figure(plan(solution))
+    yield Figure(mooring.plan(solution))
 
 
 def near_blocks(solution: SystemSolution) -> Iterator[Block]:
     """Draw the surroundings of the body larger, where the offset is small on the plan."""
-    around = near(solution)
+    around = mooring.near(solution)
     if around is not None:
         yield Text(Message("note_system.plan_near"))
         yield Figure(around)
@@ -243,7 +211,7 @@ def _elevation(note: SystemNote) -> Iterator[Block]:
 
 def _results(note: SystemNote) -> Iterator[Block]:
     yield Facts("system_results", tuple(_facts(note)))
-    yield Text(Message("note_system.results_about", steps=note.solution.steps), is_small=True)
+    yield small("note_system.results_about", steps=note.solution.steps)
     rule = note.report.rule
     if rule.horizontal_force is not None and rule.line is not None:
         balance = note.solution.lines[rule.line].horizontal_force
@@ -258,10 +226,10 @@ def _results(note: SystemNote) -> Iterator[Block]:
 
 def _facts(note: SystemNote) -> Iterator[Fact]:
     """List what the command says of the body, and more of its place and stiffness."""
-    yield from body_facts(note.report)
+    yield from body.body_facts(note.report)
     solution = note.solution
     stiffness, turns = solution.full_stiffness, solution.system.turns
-    length, angle = (replace(QUANTITIES[key], symbol="") for key in ("offset", "angle"))
+    length, angle = named("offset", ""), named("angle", "")
     zero, place = solution.neutral, solution.position
     for key, quantity, value, is_there in (
         ("place_x", length, place.x, True),
@@ -281,17 +249,16 @@ def _facts(note: SystemNote) -> Iterator[Fact]:
 def _lines(note: SystemNote) -> Iterator[Block]:
     """Tabulate what each line carries; the most loaded is marked."""
     solution = note.solution
-    number, *others = lines_table(note.report, note.checks).columns
+    number, *others = body.lines_table(note.report, note.checks).columns
     names = [line.leg.name for line in solution.lines]
     columns = [number, *([column("columns.name", names)] if any(names) else []), *others]
     directions = [line.direction for line in solution.lines]
-    towards = measured("angle", directions, symbol="", only="workbook")
-    yield Table(
-        "system_lines",
-        (*columns, replace(towards, name=Message("note_system.workbook_direction"))),
-        marked=solution.most_loaded,
-    )
-    known = Message("note_system.lines_unknown") if note.used is None else lines_used(note.checks)
+    towards = column("note_system.workbook_direction", directions, named("angle", ""))
+    columns.append(replace(towards, only="workbook"))
+    yield Table("system_lines", tuple(columns), marked=solution.most_loaded)
+    known = body.lines_used(note.checks)
+    if note.used is None:
+        known = Message("note_system.lines_unknown")
     yield Text(Several((known, Message("note_system.lines_marked")), " "), is_small=True)
 
 
@@ -299,7 +266,7 @@ def _checks(note: SystemNote) -> Iterator[Block]:
     if note.checks.results:
         yield Text(Message("note_system.checks_about"))
         yield from checked_body(note.checks)
-        yield Text(Message("note.checks_legend"), is_small=True)
+        yield small("note.checks_legend")
 
 
 # ------------------------------------------------------------------ other states
@@ -310,7 +277,7 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
     gone = note.line_out
     if not gone:
         return
-    table = line_out_table(note.report)
+    table = body.line_out_table(note.report)
     yield Text(Message("note_system.line_out_about"))
     columns = (*table.columns[:-1], measured("utilisation", note.left), table.columns[-1])
     further = _further([each.response for each in gone])
@@ -330,19 +297,19 @@ def _further(responses: Iterable[Response | None]) -> Iterator[Column]:
         ("anchor_vertical", "vertical_force", "largest_uplift"),
     ):
         values = [None if each is None else getattr(each, attribute) for each in every]
-        made = measured(key, values, symbol="", only="workbook")
-        yield replace(made, name=Message(f"note_system.workbook_{name}"))
+        made = column(f"note_system.workbook_{name}", values, named(key, ""))
+        yield replace(made, only="workbook")
 
 
 def _watch_circle(note: SystemNote) -> Iterator[Block]:
     circle = note.report.circle
     if circle is None:
         return
-    about = Message("note_system.watch_circle_about", force=Measure("tension", circle.force))
-    yield Text(_turning(note, about))
-    yield Figure(watch_track(note.solution, circle))
-    yield Figure(watch_round(note.solution, circle, note.allowed_at_fairlead))
-    table = circle_table(circle)
+    said = Message("note_system.watch_circle_about", force=Measure("tension", circle.force))
+    yield Text(_turning(note, said))
+    yield Figure(mooring.watch_track(note.solution, circle))
+    yield Figure(mooring.watch_round(note.solution, circle, note.allowed_at_fairlead))
+    table = body.circle_table(circle)
     shown = sorted({*(table.shown or ()), circle.farthest, circle.hardest})
     yield replace(
         table,
@@ -363,10 +330,10 @@ def _restoring(note: SystemNote) -> Iterator[Block]:
     if not curves:
         return
     yield Text(_turning(note, Message("note_system.restoring_about")))
-    yield Figure(restoring(curves, note.solution, _MOST_FORCE))
+    yield Figure(mooring.restoring(curves, note.solution, _MOST_FORCE))
     for number, curve in enumerate(curves, start=1):
         shown = tuple(range(0, len(curve.offset), _CURVE_EVERY))
-        yield replace(curve_table(number, curve), shown=shown)
+        yield replace(body.curve_table(number, curve), shown=shown)
 
 
 # ------------------------------------------------------------------ the balance by hand
@@ -428,48 +395,30 @@ def _moment(line: LegState, note: SystemNote) -> float:
 
 def steps_of(note: SystemNote) -> Iterator[Step]:
     """Follow the balance: the sums over the lines against the load, and the most loaded span."""
-    solution = note.solution
-    system = solution.system
+    solution, system = note.solution, note.solution.system
     pulls = [_pull(line) for line in solution.lines]
-    for axis, letter, function, summed, left in (
-        (0, "x", "cos", "sum_x", "left_x"),
-        (1, "y", "sin", "sum_y", "left_y"),
-    ):
-        terms, force = [pull[axis] for pull in pulls], system.force[axis]
-        total, sum_of = math.fsum(terms), f"Σ H {function} φ"
-        yield _step(
-            summed, total, _N, sum_of,
-            terms=tuple((each,) for each in terms), stated=0.0 - force,
-        )  # fmt: skip
-        yield _step(
-            left, force + total, _N, f"{{F{letter}}} + {{{sum_of}:()}}",
-            numbers={f"F{letter}": force, sum_of: total},
-        )  # fmt: skip
+    for axis, letter, function in ((0, "x", "cos"), (1, "y", "sin")):
+        terms, force = [(pull[axis],) for pull in pulls], system.force[axis]
+        total, sum_of = math.fsum(pull[axis] for pull in pulls), f"Σ H {function} φ"
+        step = partial(step_of, {f"F{letter}": force, sum_of: total})
+        wanted = 0.0 - force
+        key = f"note_system.balance_sum_{letter}"
+        yield step(key, "", _N, total, sum_of, wanted, terms=terms)
+        both = f"{{F{letter}}} + {{{sum_of}:()}}"
+        yield step(f"note_system.balance_left_{letter}", "", _N, force + total, both)
     if system.turns:
-        moments = [_moment(line, note) for line in solution.lines]
-        yield _step(
-            "sum_m", math.fsum(moments), _NM, "Σ (x_r H sin φ − y_r H cos φ)", symbol="Σ M",
-            terms=tuple((each,) for each in moments), stated=0.0 - system.moment,
-        )  # fmt: skip
+        moments = [(_moment(line, note),) for line in solution.lines]
+        total, wanted = math.fsum(moment for (moment,) in moments), 0.0 - system.moment
+        sum_of, key = "Σ (x_r H sin φ − y_r H cos φ)", "note_system.balance_sum_m"
+        yield step_of({}, key, "Σ M", _NM, total, sum_of, wanted, terms=moments)
     line = note.loaded
-    (ax, ay), (px, py) = line.leg.anchor, line.fairlead
-    yield _step(
-        "span", math.hypot(ax - px, ay - py), _M,
-        "√(({x_A} − {x_F:()})² + ({y_A} − {y_F:()})²)", symbol="S",
-        numbers={"x_A": ax, "x_F": px, "y_A": ay, "y_F": py}, stated=line.solution.span,
-    )  # fmt: skip
-    x, y = solution.offset
-    yield _step(
-        "offset", math.hypot(x, y), _M, "√({Δx:()}² + {Δy:()}²)", symbol="d",
-        numbers={"Δx": x, "Δy": y},
-    )  # fmt: skip
-
-
-def _step(
-    name: str, value: float, quantity: Quantity, formula: str, *, symbol: str = "", **more: object
-) -> Step:
-    said = Message(f"note_system.balance_{name}")
-    return Step(said, value, quantity, symbol, formula, **more)  # type: ignore[arg-type]
+    (ax, ay), (px, py), (x, y) = line.leg.anchor, line.fairlead, solution.offset
+    places = {"x_A": ax, "y_A": ay, "x_F": px, "y_F": py}
+    step = partial(step_of, places | {"Δx": x, "Δy": y})
+    span, root = math.hypot(ax - px, ay - py), "√(({x_A} − {x_F:()})² + ({y_A} − {y_F:()})²)"
+    yield step("note_system.balance_span", "S", _M, span, root, line.solution.span)
+    root = "√({Δx:()}² + {Δy:()}²)"
+    yield step("note_system.balance_offset", "d", _M, math.hypot(x, y), root)
 
 
 def _line_trail(note: SystemNote) -> Iterator[Block]:
@@ -490,13 +439,13 @@ def _verification(note: SystemNote) -> Iterator[Block]:
     if part is None:
         return
     loaded = note.solution.most_loaded
-    body = [each for each in part.quantities if each.line is None]
+    of_body = [each for each in part.quantities if each.line is None]
     line = [each for each in part.quantities if each.line == loaded]
     named = Message("note_system.verification_line", line=loaded + 1)
     yield Text(Message("note_system.verification_about"))
     yield Verdict(part_sentence(part), part.is_settled)
-    yield compared_in_note(body, Message("note_system.verification_body"))
+    yield compared_in_note(of_body, Message("note_system.verification_body"))
     yield compared_in_note(line, named)
     yield lines_in_note(part, Message("note_system.verification_lines"))
     yield from closing_in_note(part)
-    yield Text(Message("note_system.verification_legend"), is_small=True)
+    yield small("note_system.verification_legend")

@@ -7,11 +7,13 @@ there, from the forces of the solution, so that a checker with a pocket calculat
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from catopt.answers.blocks import Block, Column, Step, Table, Text, Trail, exact
+from catopt.answers.note import column
 from catopt.quantities import Quantity
 from catopt.words import Message, term
 
@@ -27,22 +29,11 @@ DEGREES = Quantity("exact", "", "", "rad", "deg", math.pi / 180.0, 9, "significa
 
 @dataclass(frozen=True)
 class Piece:
-    """One stretch of the line, from the anchor up.
+    """One stretch of the line, from the anchor up: in m, N/m and N.
 
-    Attributes
-    ----------
-    number : int
-        Which uniform piece it is of, counted from 1 at the anchor.
-    on_bed : bool
-        Whether it lies on the bed.
-    length, weight, EA : float
-        m, N/m, N.
-    V1, V2, T1, T2 : float
-        Vertical force and tension at its lower and its upper end, N.
-    dx, dz : float
-        How far and how high it reaches, m.
-    equation : str
-        What dx was worked out by.
+    `number` is that of its uniform piece, from 1 at the anchor; V and T are vertical force and
+    tension at its lower and its upper end, `dx` and `dz` how far and how high it reaches, and
+    `equation` is what `dx` was worked out by.
     """
 
     number: int
@@ -70,6 +61,35 @@ def equation_trail(solution: Solution) -> Iterator[Block]:
         yield Text(Message("note.equations_general", H=H))
         yield _pieces_table(pieces)
     yield Trail("trail", steps_of(solution), Message("note.equations_stated"))
+
+
+def step_of(
+    numbers: Mapping[str, float],
+    key: str,
+    symbol: str,
+    quantity: Quantity,
+    value: float | None,
+    formula: str = "",
+    stated: float | None = None,
+    equation: str = "",
+    *,
+    terms: Iterable[tuple[float, ...]] = (),
+    source: str = "",
+) -> Step:
+    """Make a step by the key of its name; `numbers` has those of all steps of its trail."""
+    put_in = numbers if "{" in formula else {}
+    return Step(
+        Message(key),
+        value,
+        quantity,
+        symbol,
+        formula,
+        put_in,
+        tuple(terms),
+        stated,
+        equation,
+        source,
+    )
 
 
 def is_uniform(solution: Solution) -> bool:
@@ -103,100 +123,69 @@ def pieces_of(solution: Solution) -> tuple[Piece, ...]:
     return tuple(_piece(stretch) for stretch in solution.stretches if stretch.length > 0.0)
 
 
-def _step(
-    name: str, value: float, quantity: Quantity, formula: str, *, symbol: str = "", **more: object
-) -> Step:
-    said = Message(f"trail.{name}")
-    return Step(said, value, quantity, symbol, formula, **more)  # type: ignore[arg-type]
-
-
 # ------------------------------------------------------------------ one uniform line
 
 
 def _hanging(solution: Solution) -> Iterator[Step]:
     """Follow a line that hangs free, by S1."""
-    segment = solution.line.segments[0]
+    segment, anchor, fairlead = solution.line.segments[0], solution.anchor, solution.fairlead
     H, w, L = solution.horizontal_force, segment.submerged_weight, segment.length
     h = solution.fairlead_height - solution.anchor_height
-    a, t = H / w, math.tan(solution.anchor.angle)
+    a, t = H / w, math.tan(anchor.angle)
     q = L / a + t
-    slopes = {"a": a, "q": q, "t": t}
-    yield _height(solution)
-    yield _step("parameter", a, _M, "{H} / {w}", symbol="a", numbers={"H": H, "w": w})
-    yield _step(
-        "slope", t, _NUMBER, "tan {θ₀:°}", symbol="t",
-        numbers={"θ₀": math.degrees(solution.anchor.angle)},
-        stated=solution.anchor.vertical_force / H,
-    )  # fmt: skip
-    yield _step(
-        "upper_slope", q, _NUMBER, "{L} / {a} + {t:()}", symbol="q",
-        numbers={"L": L, "a": a, "t": t},
-    )  # fmt: skip
-    yield _step(
-        "height_met", a * math.hypot(1.0, q) - a * math.hypot(1.0, t), _M,
-        "{a} √(1 + {q:()}²) − {a} √(1 + {t:()}²)",
-        symbol="h", numbers=slopes, stated=h, equation="S1 (4)",
-    )  # fmt: skip
-    yield _step(
-        "span", a * math.asinh(q) - a * math.asinh(t), _M,
-        "{a} asinh {q:()} − {a} asinh {t:()}",
-        symbol="S", numbers=slopes, stated=solution.span, equation="S1 (5)",
-    )  # fmt: skip
+    height = a * math.hypot(1.0, q) - a * math.hypot(1.0, t)
+    span = a * math.asinh(q) - a * math.asinh(t)
     T1, T2 = H * math.hypot(1.0, t), H * math.hypot(1.0, q)
-    yield _step(
-        "anchor_tension", T1, _N, "{H} √(1 + {t:()}²)", symbol="T(0)",
-        numbers={"H": H, "t": t}, stated=solution.anchor.tension, equation="S1 (7)",
-    )  # fmt: skip
-    yield _step(
-        "fairlead_tension", T2, _N, "{H} √(1 + {q:()}²)", symbol="T(L)",
-        numbers={"H": H, "q": q}, stated=solution.fairlead.tension, equation="S1 (7)",
-    )  # fmt: skip
-    yield _step(
-        "tension_rise", T1 + w * h, _N, "{T(0)} + {w} · {h}", symbol="T(L)",
-        numbers={"T(0)": T1, "w": w, "h": h}, stated=solution.fairlead.tension, equation="C1",
-    )  # fmt: skip
+    numbers = {"H": H, "w": w, "L": L, "h": h, "a": a, "t": t, "q": q, "T(0)": T1}
+    step = partial(step_of, numbers | {"θ₀": math.degrees(anchor.angle)})
+    low, high = "{a} √(1 + {t:()}²)", "{a} √(1 + {q:()}²)"
+    yield _height(solution)
+    yield step("trail.parameter", "a", _M, a, "{H} / {w}")
+    yield step("trail.slope", "t", _NUMBER, t, "tan {θ₀:°}", anchor.vertical_force / H)
+    yield step("trail.upper_slope", "q", _NUMBER, q, "{L} / {a} + {t:()}")
+    yield step("trail.height_met", "h", _M, height, f"{high} − {low}", h, "S1 (4)")
+    reach = "{a} asinh {q:()} − {a} asinh {t:()}"
+    yield step("trail.span", "S", _M, span, reach, solution.span, "S1 (5)")
+    root = "{H} √(1 + {t:()}²)"
+    yield step("trail.anchor_tension", "T(0)", _N, T1, root, anchor.tension, "S1 (7)")
+    root = "{H} √(1 + {q:()}²)"
+    yield step("trail.fairlead_tension", "T(L)", _N, T2, root, fairlead.tension, "S1 (7)")
+    rise = "{T(0)} + {w} · {h}"
+    yield step("trail.tension_rise", "T(L)", _N, T1 + w * h, rise, fairlead.tension, "C1")
 
 
 def _grounded(solution: Solution) -> Iterator[Step]:
     """Follow a line of which a part lies on the bed, by S2."""
-    segment = solution.line.segments[0]
+    segment, anchor, fairlead = solution.line.segments[0], solution.anchor, solution.fairlead
     H, w, L = solution.horizontal_force, segment.submerged_weight, segment.length
     h, mu = solution.fairlead_height, solution.seabed_friction
     a = H / w
     least = math.sqrt(h * (h + 2.0 * a))
-    yield _step("parameter", a, _M, "{H} / {w}", symbol="a", numbers={"H": H, "w": w})
-    yield _step(
-        "suspended", least, _M, "√({h} ({h} + 2 · {a}))", symbol="L_min",
-        numbers={"h": h, "a": a}, stated=solution.suspended_length, equation="S2 (1)",
-    )  # fmt: skip
     d = L - least
-    yield _step(
-        "grounded", d, _M, "{L} − {L_min}", symbol="d",
-        numbers={"L": L, "L_min": least}, stated=solution.grounded_length,
-    )  # fmt: skip
-    yield _step(
-        "span", d + a * math.asinh(least / a), _M, "{d} + {a} asinh({L_min} / {a})", symbol="S",
-        numbers={"d": d, "a": a, "L_min": least}, stated=solution.span, equation="C2",
-    )  # fmt: skip
-    yield _step(
-        "fairlead_tension", H + w * h, _N, "{H} + {w} · {h}", symbol="T",
-        numbers={"H": H, "w": w, "h": h}, stated=solution.fairlead.tension, equation="S2 (4)",
-    )  # fmt: skip
-    yield _step(
-        "anchor_tension", max(0.0, H - mu * w * d), _N, "max(0, {H} − {μ} · {w} · {d})",
-        symbol="T(d)", numbers={"H": H, "μ": mu, "w": w, "d": d},
-        stated=solution.anchor.tension, equation="C7",
-    )  # fmt: skip
-    yield _step(
-        "lift_force", 0.5 * w * (L * L / h - h), _N, "({w} / 2) ({L}² / {h} − {h})", symbol="H₁",
-        numbers={"w": w, "L": L, "h": h}, equation="S2, below (4)",
-    )  # fmt: skip
+    span = d + a * math.asinh(least / a)
+    tension = max(0.0, H - mu * w * d)
+    lift = 0.5 * w * (L * L / h - h)
+    step = partial(
+        step_of, {"H": H, "w": w, "L": L, "h": h, "μ": mu, "a": a, "L_min": least, "d": d}
+    )
+    yield step("trail.parameter", "a", _M, a, "{H} / {w}")
+    root, hung = "√({h} ({h} + 2 · {a}))", solution.suspended_length
+    yield step("trail.suspended", "L_min", _M, least, root, hung, "S2 (1)")
+    yield step("trail.grounded", "d", _M, d, "{L} − {L_min}", solution.grounded_length)
+    reach = "{d} + {a} asinh({L_min} / {a})"
+    yield step("trail.span", "S", _M, span, reach, solution.span, "C2")
+    rise = "{H} + {w} · {h}"
+    yield step("trail.fairlead_tension", "T", _N, H + w * h, rise, fairlead.tension, "S2 (4)")
+    held = "max(0, {H} − {μ} · {w} · {d})"
+    yield step("trail.anchor_tension", "T(d)", _N, tension, held, anchor.tension, "C7")
+    force = "({w} / 2) ({L}² / {h} − {h})"
+    yield step("trail.lift_force", "H₁", _N, lift, force, equation="S2, below (4)")
 
 
 def _height(solution: Solution) -> Step:
     top, foot = solution.fairlead_height, solution.anchor_height
     numbers = {"z_F": top, "z_A": foot}
-    return _step("height", top - foot, _M, "{z_F} − {z_A}", symbol="h", numbers=numbers)
+    return step_of(numbers, "trail.height", "h", _M, top - foot, "{z_F} − {z_A}")
 
 
 # ------------------------------------------------------------------ a line of several pieces
@@ -237,56 +226,48 @@ def _reach(stretch: Stretch, V2: float, m: float) -> tuple[float, str]:
 
 
 def _pieces_table(pieces: tuple[Piece, ...]) -> Table:
-    per_length = exact("N/m")
-    numbers = {
-        "l": (_M, "length"), "w": (per_length, "weight"), "EA": (_N, "EA"), "V1": (_N, "V1"),
-        "V2": (_N, "V2"), "T1": (_N, "T1"), "T2": (_N, "T2"), "Δx": (_M, "dx"), "Δz": (_M, "dz"),
-    }  # fmt: skip
     where = ("note.equations_on_bed" if each.on_bed else "note.equations_hangs" for each in pieces)
-    return Table(
-        "pieces",
-        (
-            Column(Message("note.equations_piece"), tuple(each.number for each in pieces)),
-            Column(Message("note.equations_lies"), tuple(map(Message, where))),
-            *(
-                Column(term(symbol), tuple(getattr(each, name) for each in pieces), quantity)
-                for symbol, (quantity, name) in numbers.items()
-            ),
-            Column(Message("note.equations_by"), tuple(each.equation for each in pieces)),
-        ),
-        Message("note.equations_pieces"),
-        only="not csv",
-    )
+    columns = [
+        column("note.equations_piece", (each.number for each in pieces)),
+        column("note.equations_lies", map(Message, where)),
+    ]
+    for symbol, quantity, name in (
+        ("l", _M, "length"),
+        ("w", exact("N/m"), "weight"),
+        ("EA", _N, "EA"),
+        ("V1", _N, "V1"),
+        ("V2", _N, "V2"),
+        ("T1", _N, "T1"),
+        ("T2", _N, "T2"),
+        ("Δx", _M, "dx"),
+        ("Δz", _M, "dz"),
+    ):
+        values = tuple(getattr(each, name) for each in pieces)
+        columns.append(Column(term(symbol), values, quantity))
+    columns.append(column("note.equations_by", (each.equation for each in pieces)))
+    return Table("pieces", tuple(columns), Message("note.equations_pieces"))
 
 
 def _sums(solution: Solution, pieces: tuple[Piece, ...]) -> Iterator[Step]:
     """Add up what the stretches contribute."""
-    span, rise = math.fsum(each.dx for each in pieces), math.fsum(each.dz for each in pieces)
+    reaches, rises = [(each.dx,) for each in pieces], [(each.dz,) for each in pieces]
+    span, rise = (math.fsum(value for (value,) in terms) for terms in (reaches, rises))
+    height = solution.fairlead_height - solution.anchor_height
+    step = partial(step_of, {})
     yield _height(solution)
-    yield _step(
-        "span", span, _M, "Σ Δx", symbol="S",
-        terms=tuple((each.dx,) for each in pieces), stated=solution.span,
-    )  # fmt: skip
-    yield _step(
-        "height_met", rise, _M, "Σ Δz", symbol="h",
-        terms=tuple((each.dz,) for each in pieces),
-        stated=solution.fairlead_height - solution.anchor_height,
-    )  # fmt: skip
-    for name, end in (
-        ("fairlead_tension", solution.fairlead),
-        ("anchor_tension", solution.anchor),
-    ):
+    yield step("trail.span", "S", _M, span, "Σ Δx", solution.span, terms=reaches)
+    yield step("trail.height_met", "h", _M, rise, "Σ Δz", height, terms=rises)
+    anchor, fairlead = solution.anchor, solution.fairlead
+    for key, end in (("trail.fairlead_tension", fairlead), ("trail.anchor_tension", anchor)):
         forces = {"H": end.horizontal_force, "V": end.vertical_force}
-        yield _step(
-            name, math.hypot(*forces.values()), _N, "√({H:()}² + {V:()}²)", symbol="T",
-            numbers=forces, stated=end.tension,
-        )  # fmt: skip
-    H, V = solution.anchor.horizontal_force, solution.anchor.vertical_force
+        tension = math.hypot(*forces.values())
+        yield step_of(forces, key, "T", _N, tension, "√({H:()}² + {V:()}²)", end.tension)
+    H, V = forces.values()
     if H > 0.0:
-        yield _step(
-            "anchor_angle", math.atan(V / H), DEGREES, "atan({V} / {H})", symbol="θ₀",
-            numbers={"V": V, "H": H}, stated=solution.anchor.angle,
-        )  # fmt: skip
+        angle = math.atan(V / H)
+        yield step_of(
+            forces, "trail.anchor_angle", "θ₀", DEGREES, angle, "atan({V} / {H})", anchor.angle
+        )
 
 
 def _mass(solution: Solution) -> Iterator[Step]:
@@ -294,10 +275,9 @@ def _mass(solution: Solution) -> Iterator[Step]:
     line = solution.line
     if line.mass is None:
         return
-    terms = [(each.length, each.mass) for each in line.segments if each.mass is not None]
-    loads = [(each.mass,) for each in line.point_loads if each.mass is not None]
-    total = math.fsum(math.prod(each) for each in (*terms, *loads))
+    terms: list[tuple[float, ...]] = []
+    terms += [(each.length, each.mass) for each in line.segments if each.mass is not None]
+    terms += [(each.mass,) for each in line.point_loads if each.mass is not None]
+    total = math.fsum(map(math.prod, terms))
     formula = "Σ m l + Σ m_W" if line.point_loads else "Σ m l"
-    yield _step(
-        "mass", total, _KG, formula, symbol="m", terms=(*terms, *loads), stated=line.mass
-    )  # fmt: skip
+    yield step_of({}, "trail.mass", "m", _KG, total, formula, line.mass, terms=terms)

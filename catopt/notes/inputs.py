@@ -21,18 +21,10 @@ _FREE_TEXT = {("title",), ("source",)}
 
 @dataclass(frozen=True)
 class Input:
-    """A value of a file.
+    """A value of a file: where it is, as it is written there, and in SI.
 
-    Attributes
-    ----------
-    key : str
-        Where it stands.
-    given : str
-        As it stands there.
-    si : float, str or None
-        In SI; as a text for several; None for what is not measured.
-    unit : str
-        SI unit; empty for a pure number.
+    `si` is a text for several values, None for what is not measured; `unit` the SI unit, empty for
+    a pure number.
     """
 
     key: str

@@ -25,18 +25,9 @@ class SourceFile:
 
 @dataclass(frozen=True)
 class Origin:
-    """What every kind of note says of where it comes from.
+    """What a note rests on: its files, the case file first, with every value of that.
 
-    Attributes
-    ----------
-    files : tuple of SourceFile
-        The case file first.
-    inputs : tuple of Input
-        Every value of the case file.
-    date : str
-        As it was given; empty when none was.
-    version : str
-        Of catopt.
+    The date is as it was given, empty when none was; the version is that of catopt.
     """
 
     files: tuple[SourceFile, ...]

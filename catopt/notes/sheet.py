@@ -11,7 +11,7 @@ from catopt.catenary.case import solve_case
 from catopt.checks.criteria import Criteria, criteria_of
 from catopt.checks.least_diameter import LeastDiameter, least_diameters
 from catopt.errors import CatoptError
-from catopt.model import Anchor, Leg, Load, System
+from catopt.model import Anchor, Load
 from catopt.mooring.solve import solve_system
 
 if TYPE_CHECKING:
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case, Line
     from catopt.mooring.solution import SystemSolution
+    from catopt.notes.origin import Origin
 
 PART = 0.01
 """By how much of its distance from the fairlead an anchor is put elsewhere."""
@@ -26,18 +27,10 @@ PART = 0.01
 
 @dataclass(frozen=True)
 class AnchorMoved:
-    """What comes of an anchor that lies elsewhere.
+    """What comes of an anchor that lies `way` (m) farther from the fairlead.
 
-    Attributes
-    ----------
-    way : float
-        By how much farther from the fairlead, m.
-    tension : float or None
-        Largest at a fairlead, N; None where there is no equilibrium.
-    offset : float or None
-        Of a body from the place under no load that was planned, m.
-    refusal : str
-        Why there is none.
+    The largest `tension` at a fairlead (N) and the `offset` of a body (m) from the place under no
+    load that was planned are None where there is no equilibrium, for the reason of `refusal`.
     """
 
     way: float
@@ -48,30 +41,13 @@ class AnchorMoved:
 
 @dataclass(frozen=True)
 class Sheet:
-    """What is stated.
+    """What is stated of a case with all its load cases.
 
-    Attributes
-    ----------
-    case : Case
-        As given, with all its load cases.
-    line : Line
-        Of the note; of a body one of its lines.
-    report : CheckReport
-        Of it.
-    criteria : Criteria
-        That it was checked by.
-    anchor : Anchor or None
-        What holds the line.
-    system : SystemSolution or None
-        The body under its load.
-    pretension : float or None
-        Largest tension at a fairlead of the body under no load, of a line in its reference load
-        case, N; None where there is neither.
-    moved : tuple of AnchorMoved
-        The most loaded line's anchor elsewhere, or that of a line whose span is given; empty
-        where the force on the line is given, which does not change by that.
-    least : tuple of LeastDiameter
-        How far the segments may wear.
+    `line` is that of the note, of a body one of its lines; `report` is of it and by `criteria`;
+    `anchor` holds it; `system` is the body under its load. `pretension` (N) is the largest tension
+    at a fairlead of the body under no load, of a line in its reference load case. `moved` is the
+    most loaded line's anchor elsewhere, or that of a line whose span is given; empty where the
+    force on the line is given, which does not change by that. `least` is how far segments may wear.
     """
 
     case: Case
@@ -118,6 +94,20 @@ class Sheet:
         return any(each.place.state != "intact" for each in self.report.results)
 
 
+@dataclass(frozen=True, kw_only=True)
+class AnyNote:
+    """What every note has: what it states, the files it rests on, what to know before its use."""
+
+    sheet: Sheet
+    origin: Origin
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def title(self) -> str:
+        """Title of the case; empty when it has none."""
+        return self.sheet.case.title
+
+
 def sheet_of(
     case: Case,
     line: Line,
@@ -159,7 +149,7 @@ def _of_a_line(case: Case, report: CheckReport) -> Iterator[AnchorMoved]:
     if case.load is None or case.load.span is None:
         return
     (_, solution), *_ = report.solutions
-    for way in _ways(solution.span):
+    for way in (-PART * solution.span, PART * solution.span):
         held = replace(case, load=Load(span=solution.span + way))
         try:
             yield AnchorMoved(way, solve_case(held).fairlead.tension)
@@ -168,24 +158,15 @@ def _of_a_line(case: Case, report: CheckReport) -> Iterator[AnchorMoved]:
 
 
 def _of_a_body(solution: SystemSolution) -> Iterator[AnchorMoved]:
-    system, k = solution.system, solution.most_loaded
-    leg = system.legs[k]
-    for way in _ways(solution.lines[k].solution.span):
+    system, k, start = solution.system, solution.most_loaded, solution.neutral
+    leg, span = system.legs[k], solution.lines[k].solution.span
+    for way in (-PART * span, PART * span):
         moved = replace(leg, anchor_radius=leg.anchor_radius + way)
+        legs = (*system.legs[:k], moved, *system.legs[k + 1 :])
         try:
-            found = solve_system(_with(system, k, moved))
+            found = solve_system(replace(system, legs=legs))
         except CatoptError as error:
             yield AnchorMoved(way, refusal=error.message)
             continue
-        start, place = solution.neutral, found.position
-        offset = math.hypot(place.x - start.x, place.y - start.y)
+        offset = math.hypot(found.position.x - start.x, found.position.y - start.y)
         yield AnchorMoved(way, max(each.tension for each in found.lines), offset)
-
-
-def _ways(span: float) -> tuple[float, float]:
-    return -PART * span, PART * span
-
-
-def _with(system: System, index: int, leg: Leg) -> System:
-    legs = tuple(leg if k == index else each for k, each in enumerate(system.legs))
-    return replace(system, legs=legs)
