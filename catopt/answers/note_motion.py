@@ -26,8 +26,13 @@ from catopt.answers.note_drive import COUNT, SECONDS, drive_blocks, fixed, signi
 from catopt.figures.motion import envelope_chart, exceedance, history, track
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
-from catopt.verify import motion_words as words
-from catopt.verify.motion_words import DYNAMIC_QUANTITY_OF
+from catopt.verify.motion_words import (
+    DYNAMIC_QUANTITY_OF,
+    dynamic_sentences,
+    motion_sentences,
+    proof_sentences,
+    stopped_sentence,
+)
 from catopt.words import Listed, Measure, Message, Several, Unit, term
 
 if TYPE_CHECKING:
@@ -60,7 +65,7 @@ def motion_blocks(note: Note) -> Iterator[Block]:
         about.append(Message("note_motion.shown", name=part.name))
     yield Text(Several(about, " "))
     yield _verdict(note, moved.used(index), part)
-    yield Text(Several(words.dynamic_sentences(part), " "))
+    yield Text(Several(dynamic_sentences(part), " "))
     if len(moved.found.parts) > 1:
         yield _cases(moved)
     yield _statistics(part, solution)
@@ -81,7 +86,7 @@ def motion_blocks(note: Note) -> Iterator[Block]:
 
 def _stopped(found: DynamicVerification) -> Iterator[Block]:
     if not found.is_complete:
-        yield Verdict(words.stopped_sentence(found), passes=False)
+        yield Verdict(stopped_sentence(found), passes=False)
 
 
 def _verdict(note: Note, used: float | None, part: DynamicPart) -> Verdict:
@@ -274,8 +279,8 @@ def _runs(moved: InMotion, part: DynamicPart) -> Iterator[Block]:
     waves, every = moved.found.case.waves, part.runs
     found = [run.statistics("fairlead_tension") for run in every]
     histories = [run.history for run in every]
-    is_random = part.is_random and waves is not None
-    seeds = (f"({waves.seed}, {run.number})" if is_random else "-" for run in every)
+    seed = waves.seed if part.is_random and waves is not None else None
+    seeds = ("-" if seed is None else f"({seed}, {run.number})" for run in every)
     still = (run.quasi_static_max for run in every)
     slack = (each.line_slack_time() for each in histories)
     columns = (
@@ -356,8 +361,8 @@ def body_motion_blocks(note: SystemNote) -> Iterator[Block]:
 def _said(found: DynamicVerification) -> Iterator[Message]:
     """Yield what is said of the governing line, and of the one that is proven least."""
     for part, sentences in (
-        (found.governing, words.motion_sentences),
-        (found.least_proven, words.proof_sentences),
+        (found.governing, motion_sentences),
+        (found.least_proven, proof_sentences),
     ):
         for sentence in sentences(part):
             yield Message("note_motion.of_line", number=part.line, said=sentence)

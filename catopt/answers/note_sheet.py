@@ -97,7 +97,7 @@ def _pretension(sheet: Sheet) -> Message:
 def _limit_states(sheet: Sheet) -> Table:
     """Tabulate criteria by limit state: state of the mooring and kind of load case."""
     kinds = {each.kind for each in sheet.report.load_cases} or {"extreme"}
-    states = [kind for kind in ("extreme", "reference") if kind in kinds]
+    states: list[str] = [kind for kind in ("extreme", "reference") if kind in kinds]
     if sheet.judges_line_out:
         states.append("one_line_out")
     rows: list[Sequence[Cell]] = []

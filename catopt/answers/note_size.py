@@ -423,13 +423,14 @@ def _rule(of: Pattern) -> Iterator[Text]:
 def _lines(of: SystemSolution, load_case: str) -> Table:
     """Tabulate what each line pulls with, their sum, and the load."""
     rows: list[tuple[Value, ...]] = []
+    pulls = []
     for number, line in enumerate(of.lines, start=1):
-        H, towards = line.horizontal_force, line.direction
-        parts = (H * math.cos(towards), H * math.sin(towards))
-        rows.append((str(number), towards, H, line.tension, *parts))
-    sums = [math.fsum(row[axis] for row in rows) for axis in (4, 5)]
-    rows.append((Message("note_size.pattern_total"), None, None, None, *sums))
-    rows.append((Message("note_size.pattern_load"), None, None, None, *of.system.force))
+        size, towards = line.horizontal_force, line.direction
+        pulls.append((size * math.cos(towards), size * math.sin(towards)))
+        rows.append((str(number), towards, size, line.tension, *pulls[-1]))
+    total = [math.fsum(pull[axis] for pull in pulls) for axis in (0, 1)]
+    for key, sides in (("pattern_total", total), ("pattern_load", of.system.force)):
+        rows.append((Message(f"note_size.{key}"), None, None, None, *sides))
     H, name = QUANTITIES["horizontal_force"], "quantities.horizontal_force"
     headings = (
         ("columns.line", None),

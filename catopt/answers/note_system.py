@@ -435,9 +435,9 @@ def _verification(note: SystemNote) -> Iterator[Block]:
     if note.verification_failure:
         yield Verdict(Message("note_system.verification_no_answer"), passes=False)
         yield Text(note.verification_failure)
-    part = note.compared
-    if part is None:
+    if note.verification is None:
         return
+    part = note.verification.static
     loaded = note.solution.most_loaded
     of_body = [each for each in part.quantities if each.line is None]
     line = [each for each in part.quantities if each.line == loaded]

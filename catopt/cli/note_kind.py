@@ -78,20 +78,17 @@ def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
         "line that it finds with --save: report on that case"
     )
     refuse(_of_a_line_alone(replace(wanted, swarm=None), why))
-    asked = Asked(swarm=bool(wanted.swarm))
-    return note_of_sizing(path, moored, date=wanted.date, verify=wanted.verify, asked=asked)
+    return note_of_sizing(path, moored, Asked(wanted.date, wanted.verify, bool(wanted.swarm)))
 
 
-def note_of_sizing(
-    path: Path, moored: Moored, *, date: str = "", verify: bool = True, asked: Asked | None = None
-) -> SizeNote:
+def note_of_sizing(path: Path, moored: Moored, asked: Asked | None = None) -> SizeNote:
     """Size what a file for ``catopt size`` describes, and make the note of it."""
     from catopt.notes.origin import read_source
     from catopt.notes.size import Given, size_note
     from catopt.sizing.file import size_file
 
     given = Given(read_source(path))
-    return size_note(size_file(path, moored), given, date=date, verify=verify, asked=asked)
+    return size_note(size_file(path, moored), given, asked)
 
 
 def _of_a_body(path: Path, wanted: Wanted, progress: Progress | None) -> AnyNote:
@@ -104,10 +101,9 @@ def _of_a_body(path: Path, wanted: Wanted, progress: Progress | None) -> AnyNote
     design = wanted.design if has_front else None
     alone = replace(wanted, motion=None, design=None if has_front else wanted.design)
     refuse(_of_a_line_alone(alone, why))
-    asked = asked_in(path).with_motion(wanted.motion, wanted.once)
-    return read_system_note(
-        path, design, date=wanted.date, verify=wanted.verify, asked=asked, progress=progress
-    )
+    asked = asked_in(path, date=wanted.date, verify=wanted.verify)
+    asked = asked.with_options(motion=wanted.motion, once=wanted.once)
+    return read_system_note(path, design, asked, progress=progress)
 
 
 def _of_a_line_alone(wanted: Wanted, why: str) -> Iterator[Problem]:

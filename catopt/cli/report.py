@@ -135,7 +135,7 @@ def _document(
 ) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
     from catopt.cli.note_kind import line_of
-    from catopt.notes.document import motion_document, swarm_document
+    from catopt.notes.motion import motion_document
     from catopt.notes.system import SystemNote
 
     line = line_of(note)
@@ -158,8 +158,8 @@ def _document(
         "passes": checks.passes if checks.results else None,
         "governing": "" if governing is None else governing.in_case,
         "verification": _verification(of),
-        "swarm": None if line is None else swarm_document(line),
-        "motion": motion_document(of),
+        "swarm": None if line is None else line.swarm_document(),
+        "motion": motion_document(of.motion),
         "warnings": list(note.warnings),
     }
 

@@ -327,20 +327,23 @@ def _note(text: str, language: Language) -> Reply:
 
 
 def _noted(text: str, door: Door, file: SourceFile) -> Answer:
+    from catopt.notes.directory import Asked
+
+    asked = Asked(verify=False)
     if door == "line":
         from catopt.answers.note_line import line_note_answer
         from catopt.notes.line import note_of
 
-        return line_note_answer(note_of(_case(text), (file,), verify=False))
+        return line_note_answer(note_of(_case(text), (file,), asked))
     if door == "body":
         from catopt.answers.note_system import system_note_answer
         from catopt.notes.system import system_note
 
-        return system_note_answer(system_note(_case(text), (file,), verify=False))
+        return system_note_answer(system_note(_case(text), (file,), asked))
     from catopt.answers.note_size import size_note_answer
     from catopt.notes.size import Given, size_note
 
-    return size_note_answer(size_note(_sizing(text, door), Given(file), verify=False))
+    return size_note_answer(size_note(_sizing(text, door), Given(file), asked))
 
 
 _DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {

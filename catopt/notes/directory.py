@@ -7,13 +7,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from catopt.casefile import case_digest, read_case
-from catopt.casefile.design_directory import (
-    DESIGN_CASE,
-    DESIGN_DOCUMENT,
-    read_design,
-    read_design_document,
-)
+from catopt.casefile import case_digest, design_directory, read_case
+from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.errors import InputError, Problem
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.verify.proof import Proof
@@ -25,28 +20,30 @@ _SHOWN = 5
 
 @dataclass(frozen=True)
 class Asked:
-    """What a note shows beside the closed form.
+    """What a note shows beside the closed form, and the date of its title block.
 
-    Attributes
-    ----------
-    swarm : bool
-        The line by the particle swarm, too.
-    motion : bool
-        The line in motion, too.
-    proof : {"none", "step", "bars"}
-        How that is proven.
+    That is the truss model, unless `verify` is False, the line by the particle swarm, and the line
+    in motion, with how that is proven.
     """
 
+    date: str = ""
+    verify: bool = True
     swarm: bool = False
     motion: bool = False
     proof: Proof = "step"
 
-    def with_motion(self, motion: bool | None, once: bool | None) -> Asked:
-        """Return it with what options say of the motion; None leaves it."""
+    def with_options(
+        self, *, swarm: bool | None = None, motion: bool | None = None, once: bool | None = None
+    ) -> Asked:
+        """Return it with what options say; None leaves it."""
+        proof = self.proof
+        if once is not None:
+            proof = "none" if once else "step"
         return replace(
             self,
+            swarm=self.swarm if swarm is None else swarm,
             motion=self.motion if motion is None else motion,
-            proof=self.proof if once is None else "none" if once else "step",
+            proof=proof,
         )
 
 
@@ -67,24 +64,25 @@ def case_path(path: Path) -> Path:
     raise InputError([Problem("CASE", str(path), allowed)], "options")
 
 
-def asked_in(path: Path) -> Asked:
+def asked_in(path: Path, *, date: str = "", verify: bool = True) -> Asked:
     """Read what was asked of the case of a result directory; nothing further of a case file.
 
     Raises InputError for a document that cannot be read, is not as its schema has it, or is of
     another case than the directory's.
     """
+    asked = Asked(date, verify)
     if not path.is_dir():
-        return Asked()
+        return asked
     found = {place.name: read_any(place) for place in sorted(path.glob("*.json"))}
     ours = {name: each for name, each in found.items() if is_ours(each)}
     _refuse_mixed(path, ours)
     for name in ours.keys() & {_SOLUTION, _VERIFICATION}:
         read_document(path / name, ours[name]["schema"])
-    swarm = ours.get(_SOLUTION, {}).get("method") == "pso"
+    asked = replace(asked, swarm=ours.get(_SOLUTION, {}).get("method") == "pso")
     dynamic = ours.get(_VERIFICATION, {}).get("dynamic")
     if dynamic is None:
-        return Asked(swarm)
-    return Asked(swarm, motion=True, proof=dynamic["load_cases"][0].get("proof", "step"))
+        return asked
+    return replace(asked, motion=True, proof=dynamic["load_cases"][0].get("proof", "step"))
 
 
 def _refuse_mixed(directory: Path, documents: Mapping[str, dict[str, Any]]) -> None:
@@ -98,8 +96,10 @@ def _refuse_mixed(directory: Path, documents: Mapping[str, dict[str, Any]]) -> N
     own = case_digest(read_case(directory / DESIGN_CASE))
     strange = {name for name, digest in digests.items() if digest != own}
     if strange and DESIGN_DOCUMENT in documents.keys() - strange:
-        count = len(read_design_document(directory)["front"])
-        designs = (read_design(directory, number) for number in range(1, count + 1))
+        count = len(design_directory.read_design_document(directory)["front"])
+        designs = (
+            design_directory.read_design(directory, number) for number in range(1, count + 1)
+        )
         known = {case_digest(each) for each in designs}
         strange = {name for name in strange if digests[name] not in known}
     if strange:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile import read_case
-from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT, read_design
+from catopt.casefile import design_directory, read_case
+from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import check_case, is_of_load
 from catopt.checks.remarks import NO_CHECK
@@ -17,9 +17,9 @@ from catopt.errors import CatoptError
 from catopt.notes.directory import Asked, asked_in, case_path
 from catopt.notes.models import both_models, doubts_of_models
 from catopt.notes.motion import InMotion, allowed_tensions, in_motion, motion_files, motion_warnings
-from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
-from catopt.notes.sheet import Sheet, sheet_of
-from catopt.words import is_said
+from catopt.notes.origin import SourceFile, origin_of, read_source
+from catopt.notes.sheet import AnyNote, sheet_of
+from catopt.words import Message, is_said
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.verify.result import Verification
-from catopt.words import Message
 
 Progress = Callable[[int, int], None]
 
@@ -37,78 +36,45 @@ MOST_FORCE, LEAST_FORCE = 4.0, 0.01
 
 @dataclass(frozen=True)
 class Chosen:
-    """A design out of a front.
-
-    Attributes
-    ----------
-    document : dict
-        The front as ``catopt design --out`` wrote it (schema catopt.design/1).
-    number : int
-        Which design, counted from 1.
-    """
+    """A design, counted from 1, out of a front as a document of schema catopt.design/1."""
 
     document: dict[str, Any]
     number: int
 
 
-@dataclass(frozen=True)
-class Note:
-    """Everything that the page shows.
+@dataclass(frozen=True, kw_only=True)
+class Note(AnyNote):
+    """Everything that the page of a line shows; what nobody asked for is None.
 
-    Attributes
-    ----------
-    case : Case
-        With the line of the note; under the load that is drawn.
-    load_case : str
-        Name of the load case that is drawn; empty when there is only the load.
-    solution : Solution
-        The line under it.
-    checks : CheckReport
-        Under every load case.
-    curve : CaseCurve or None
-        None where it cannot be computed; `warnings` then says why.
-    origin : Origin
-        The files that it rests on.
-    sheet : Sheet
-        What is stated beside the answer.
-    chosen : Chosen or None
-        When the line is a design of a front.
-    warnings : tuple of str
-        What an engineer should know before using the note, each once.
-    verification : Verification or None
-        The line under the load that is drawn by the truss model, too; None where it was left out
-        or failed.
-    verification_failure : str
-        Why the truss model has no answer; empty where it has one or was left out.
-    swarm : Solution or None
-        The line under the load that is drawn by the particle swarm, too; None where nobody asked.
-    motion : InMotion or None
-        The line in time under every load case; None where nobody asked.
+    `case` and `solution` are under the load that is drawn, by its name in `load_case` (empty when
+    there is only the load), and so are `verification`, by the truss model, and `swarm`; `checks`
+    and `motion` are under every load case. A warning says why there is no `curve`,
+    `verification_failure` why the truss model has no answer.
     """
 
-    case: Case
     load_case: str
     solution: Solution
     checks: CheckReport
     curve: CaseCurve | None
-    origin: Origin
-    sheet: Sheet
     chosen: Chosen | None = None
-    warnings: tuple[str, ...] = ()
     verification: Verification | None = None
     verification_failure: str = ""
     swarm: Solution | None = None
     motion: InMotion | None = None
 
     @property
-    def title(self) -> str:
-        """Title of the case; empty when it has none."""
-        return self.case.title
-
-    @property
     def allowed(self) -> list[float | None]:
         """Least tension that each segment is allowed in the load case drawn, N."""
         return allowed_tensions(self.checks, self.solution, self.load_case)
+
+    def swarm_document(self) -> dict[str, Any] | None:
+        """Say what came of the particle swarm, in SI, as part of the document catopt.report/1."""
+        report = None if self.swarm is None else self.swarm.swarm
+        if report is None:
+            return None
+        names = ("objective", "evaluations", "runs", "converged_runs")
+        document = {name: getattr(report, name) for name in names}
+        return document | {"closed_form_difference": dict(report.closed_form_difference)}
 
 
 def read_note(
@@ -148,32 +114,24 @@ def read_note(
     InputError, NoAnswerError, NotConvergedError
         As for `read_case`, `read_design`, `solve_case`, `check_case` and `verify_dynamic`.
     """
-    there = asked_in(path)
-    asked = replace(there, swarm=there.swarm if swarm is None else swarm).with_motion(motion, once)
+    asked = asked_in(path, date=date, verify=verify)
+    asked = asked.with_options(swarm=swarm, motion=motion, once=once)
     if design is None and not (path / DESIGN_DOCUMENT).is_file():
         place = case_path(path)
-        case, source = read_case(place), read_source(place)
-        return note_of(case, (source,), date=date, verify=verify, asked=asked, progress=progress)
-    from catopt.casefile.design_directory import read_design_document
-
-    document = read_design_document(path)
+        return note_of(read_case(place), (read_source(place),), asked, progress=progress)
+    document = design_directory.read_design_document(path)
     number = document["recommended"] + 1 if design is None else design
-    case = read_design(path, number)
+    case = design_directory.read_design(path, number)
     sources = (read_source(path / DESIGN_CASE), read_source(path / DESIGN_DOCUMENT))
-    chosen = Chosen(document, number)
-    return note_of(
-        case, sources, date=date, chosen=chosen, verify=verify, asked=asked, progress=progress
-    )
+    return note_of(case, sources, asked, Chosen(document, number), progress=progress)
 
 
 def note_of(
     case: Case,
     files: tuple[SourceFile, ...],
-    *,
-    date: str = "",
-    chosen: Chosen | None = None,
-    verify: bool = True,
     asked: Asked | None = None,
+    chosen: Chosen | None = None,
+    *,
     progress: Progress | None = None,
 ) -> Note:
     """Compute the note of a case, which the first of the files says, or which is a design of it.
@@ -188,15 +146,14 @@ def note_of(
     swarm = solve_case(drawn, "pso") if asked.swarm else None
     motion = in_motion(case, checks, asked.proof, progress) if asked.motion else None
     curve, curve_warnings = _curve(drawn, solution)
-    verification, failure = both_models(drawn, load_case) if verify else (None, "")
-    of_the_search = () if chosen is None else chosen.document["warnings"]
+    verification, failure = both_models(drawn, load_case) if asked.verify else (None, "")
     warnings = (
         *doubts_of_models(verification, failure, "line"),
         *_swarm_doubts(swarm),
         *(() if motion is None else motion_warnings(motion)),
         *_warnings(case, checks, solution),
         *curve_warnings,
-        *of_the_search,
+        *(() if chosen is None else chosen.document["warnings"]),
     )
     return Note(
         case=drawn,
@@ -204,7 +161,7 @@ def note_of(
         solution=solution,
         checks=checks,
         curve=curve,
-        origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), date),
+        origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), asked.date),
         sheet=sheet_of(case, solution.line, checks),
         chosen=chosen,
         warnings=tuple(dict.fromkeys(warnings)),

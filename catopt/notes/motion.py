@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from catopt.catenary.case import solve_case
 from catopt.checks.criteria import criteria_of
@@ -13,6 +14,7 @@ from catopt.mooring.solve import solve_system
 from catopt.notes.origin import SourceFile, read_source
 from catopt.ties import first_largest
 from catopt.units import lasting
+from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -21,26 +23,16 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Drive
     from catopt.verify.proof import Proof
-from catopt.words import Measure, Message
 
 Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)
 class SegmentUse:
-    """What a segment carries in motion beside what it may.
+    """What a segment, counted from 1 at the anchor, carries in motion beside what it may, N.
 
-    Attributes
-    ----------
-    number : int
-        From 1 at the anchor.
-    name : str
-        Of the segment; empty when it has none.
-    largest, at_rest : float
-        Tension in motion, at an end or in a bar, and in closed form at rest, N.
-    capacity : float or None
-        Least tension that is allowed, N, by `checks_in_motion`; without any, the MBL over the
-        safety factor.
+    `largest` is in motion, at an end or in a bar, `at_rest` in closed form; `capacity` is the least
+    that is allowed by `checks_in_motion`, without any the MBL over the safety factor.
     """
 
     number: int
@@ -57,20 +49,10 @@ class SegmentUse:
 
 @dataclass(frozen=True)
 class InMotion:
-    """A line in motion.
+    """A line in motion in every load case, and what drove it, with its files read.
 
-    Attributes
-    ----------
-    found : DynamicVerification
-        Every load case.
-    drive : Drive
-        What drove it, with its files read.
-    uses : tuple of tuple of SegmentUse
-        Of each segment, by load case as in `found.parts`.
-    solutions : tuple of Solution
-        At rest, by load case.
-    codes : tuple of str
-        Those by whose factors for dynamic analysis the tensions are judged.
+    `uses` of each segment and `solutions` at rest are by load case as in `found.parts`; by the
+    factors of `codes` for dynamic analysis the tensions are judged.
     """
 
     found: DynamicVerification
@@ -117,6 +99,32 @@ def in_motion(
     wanted = criteria_of(case, analysis="dynamic").all
     codes = dict.fromkeys(each.source.code for each in wanted if each.analysis == "dynamic")
     return InMotion(found, drive, uses, solutions, tuple(codes))
+
+
+def motion_document(moved: InMotion | DynamicVerification | None) -> dict[str, Any] | None:
+    """Say what came of the line in motion that governs, as part of catopt.report/1."""
+    if moved is None:
+        return None
+    if isinstance(moved, InMotion):
+        part, used = moved.found.parts[moved.governing], moved.used(moved.governing)
+    else:
+        part, used = moved.governing, None
+    fairlead = part.of("fairlead_tension")
+    extreme = None if fairlead.tail is None else fairlead.tail.extreme
+    return {
+        "load_case": part.name,
+        "line": part.line,
+        "runs": len(part.runs),
+        "max_tension_N": part.max_tension,
+        "max_fairlead_tension_N": fairlead.maximum,
+        "most_probable_max_N": fairlead.most_probable_maximum,
+        "duration_of_interest_s": part.duration_of_interest,
+        "most_probable_low_N": None if extreme is None else extreme.low,
+        "most_probable_high_N": None if extreme is None else extreme.high,
+        "amplification": part.amplification,
+        "slack_time_s": part.slack_time,
+        "utilisation": used,
+    }
 
 
 def checks_in_motion(
@@ -203,9 +211,7 @@ def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[
 
 
 def allowed_tensions(
-    checks: CheckReport,
-    solution: Solution,
-    load_case: str = "",
+    checks: CheckReport, solution: Solution, load_case: str = ""
 ) -> list[float | None]:
     """Find the least tension that each segment is allowed, N.
 
@@ -214,17 +220,15 @@ def allowed_tensions(
     """
     found: list[float | None] = []
     for index, segment in enumerate(solution.segments, start=1):
-        checked = [
+        by_mbl = None if segment.MBL is None else segment.MBL / solution.safety_factor
+        checked = (
             result.capacity
             for result in checks.results
             if result.kind == "tension"
             and (result.load_case == load_case or not load_case)
             and result.place.segment == index
-        ]
-        if checked:
-            found.append(min(checked))
-        else:
-            found.append(None if segment.MBL is None else segment.MBL / solution.safety_factor)
+        )
+        found.append(min(checked, default=by_mbl))
     return found
 
 
@@ -232,15 +236,15 @@ def motion_warnings(moved: InMotion) -> Iterator[str]:
     """Yield what is to be known before the note is used: what fails, and what was remarked on."""
     from catopt.verify.motion_words import stopped_sentence
 
-    if not moved.found.is_complete:
-        yield Message("notes.motion_incomplete", where=stopped_sentence(moved.found))
-    named = bool(moved.found.case.load_cases)
-    first, *others = moved.found.parts
+    found = moved.found
+    if not found.is_complete:
+        yield Message("notes.motion_incomplete", where=stopped_sentence(found))
+    first, *others = found.parts
     of_all = [each for each in first.remarks if all(each in part.remarks for part in others)]
     yield from (Message("notes.in_motion", what=remark) for remark in of_all)
-    for part, uses in zip(moved.found.parts, moved.uses, strict=True):
+    for part, uses in zip(found.parts, moved.uses, strict=True):
         for what in _of_part(part, uses, of_all):
-            if named:
+            if found.case.load_cases:
                 yield Message("notes.case_in_motion", name=part.name, what=what)
             else:
                 yield Message("notes.in_motion", what=what)
@@ -251,31 +255,23 @@ def _of_part(
 ) -> Iterator[str]:
     from catopt.verify.motion_words import doubts
 
-    yield from _beyond(uses)
+    for use in uses:
+        if use.utilisation is not None and use.utilisation > 1.0:
+            values = {"tension": Measure("tension", use.largest), "used": use.utilisation}
+            yield Message("notes.over_used", number=use.number, **values)
     yield from doubts(part)
     if part.slack_time > 0.0:
         yield Message("notes.goes_slack", time=part.slack_time)
     yield from (remark for remark in part.remarks if remark not in of_all)
 
 
-def _beyond(uses: tuple[SegmentUse, ...]) -> Iterator[str]:
-    for use in uses:
-        if use.utilisation is not None and use.utilisation > 1.0:
-            values = {"tension": Measure("tension", use.largest), "used": use.utilisation}
-            yield Message("notes.over_used", number=use.number, **values)
-
-
 def motion_files(case: Case) -> tuple[SourceFile, ...]:
     """Read the files of motion, force and sea that a case names, as the note rests on them, too."""
-    from pathlib import Path
-
-    names: list[str] = []
-    if case.motion is not None:
-        names += [case.motion.file, case.motion.rao_file, case.motion.drift_file]
-    if case.body is not None:
-        names.append(case.body.force_file)
-    if case.waves is not None:
-        names.append(case.waves.elevation_file)
-    if case.current is not None:
-        names.append(case.current.series_file)
-    return tuple(read_source(Path(name)) for name in names if name)
+    named = (
+        (case.motion, ("file", "rao_file", "drift_file")),
+        (case.body, ("force_file",)),
+        (case.waves, ("elevation_file",)),
+        (case.current, ("series_file",)),
+    )
+    places = [getattr(table, key) for table, keys in named if table is not None for key in keys]
+    return tuple(read_source(Path(place)) for place in places if place)

@@ -76,17 +76,16 @@ class Sheet:
     @property
     def break_factor(self) -> float | None:
         """Least MBL over tension of any segment, new and intact; None where one is not known."""
-        found = [
-            math.inf
-            if each.max_tension == 0.0
-            else None
-            if part.MBL is None
-            else part.MBL / each.max_tension
-            for solution in self.intact
-            for part, each in zip(solution.line.segments, solution.segments, strict=True)
-        ]
-        known = [each for each in found if each is not None]
-        return min(known) if known and len(known) == len(found) else None
+        found = []
+        for solution in self.intact:
+            for part, each in zip(solution.line.segments, solution.segments, strict=True):
+                if each.max_tension == 0.0:
+                    found.append(math.inf)
+                elif part.MBL is None:
+                    return None
+                else:
+                    found.append(part.MBL / each.max_tension)
+        return min(found, default=None)
 
     @property
     def judges_line_out(self) -> bool:
@@ -96,8 +95,12 @@ class Sheet:
 
 @dataclass(frozen=True, kw_only=True)
 class AnyNote:
-    """What every note has: what it states, the files it rests on, what to know before its use."""
+    """What every note has: its case, what it states, what it rests on, what to know before its use.
 
+    The case of a line is under the load that is drawn.
+    """
+
+    case: Case
     sheet: Sheet
     origin: Origin
     warnings: tuple[str, ...] = ()
@@ -105,7 +108,7 @@ class AnyNote:
     @property
     def title(self) -> str:
         """Title of the case; empty when it has none."""
-        return self.sheet.case.title
+        return self.case.title
 
 
 def sheet_of(

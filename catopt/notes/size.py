@@ -17,12 +17,11 @@ from catopt.mooring.solve import solve_system
 from catopt.notes.directory import Asked
 from catopt.notes.line import Chosen, Note, note_of
 from catopt.notes.origin import Origin, SourceFile, origin_of
-from catopt.notes.sheet import Sheet, sheet_of
+from catopt.notes.sheet import AnyNote, sheet_of
 from catopt.sizing.kinds import schema_of
 from catopt.words import Cited, Message, term
 
 if TYPE_CHECKING:
-    from catopt.checks.criterion import CheckSource
     from catopt.loads.sinker import SinkerSize
     from catopt.mooring.solution import SystemSolution
     from catopt.sizing import Sizing
@@ -30,54 +29,27 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Given:
-    """What a sizing was asked for.
+    """What a sizing was asked for: by a file, None where there is none, and by options before it.
 
-    Attributes
-    ----------
-    file : SourceFile or None
-        That it was read from; None where all was given by options.
-    options : tuple of (str, str)
-        What was typed, or answered on a terminal; goes before what the file says.
+    `options` are what was typed, or answered on a terminal.
     """
 
     file: SourceFile | None = None
     options: tuple[tuple[str, str], ...] = ()
 
 
-@dataclass(frozen=True)
-class SizeNote:
+@dataclass(frozen=True, kw_only=True)
+class SizeNote(AnyNote):
     """Everything that the page of a sizing shows.
 
-    Attributes
-    ----------
-    sizing : Sizing
-        Loads, candidates, what holds the line.
-    line : Note
-        Of the recommended line.
-    origin : Origin
-        The sizing file, where there is one.
-    sheet : Sheet
-        What is stated beside the answer.
-    options : tuple of (str, str)
-        What was typed.
-    warnings : tuple of str
-        What an engineer should know before using the note, each once.
-    around : SystemSolution or None
-        Equilibrium of several lines under the load case that is hardest on one of them.
+    `line` is the note of the recommended line, `options` are what was typed, and `around` is the
+    equilibrium of several lines under the load case that is hardest on one of them.
     """
 
     sizing: Sizing
     line: Note
-    origin: Origin
-    sheet: Sheet
     options: tuple[tuple[str, str], ...] = ()
-    warnings: tuple[str, ...] = ()
     around: SystemSolution | None = None
-
-    @property
-    def title(self) -> str:
-        """Title of the file, or what is moored and where."""
-        return self.sizing.case.title
 
     @property
     def sources(self) -> dict[str, str]:
@@ -97,47 +69,34 @@ class SizeNote:
         }
 
 
-def size_note(
-    sizing: Sizing,
-    given: Given,
-    *,
-    date: str = "",
-    verify: bool = True,
-    asked: Asked | None = None,
-) -> SizeNote:
-    """Compute the note of a sizing, by what was asked for.
-
-    `verify` puts the truss model beside the closed form of the recommended line; `asked` is what
-    else is shown of it.
+def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeNote:
+    """Compute the note of a sizing, by what was asked for, and of its recommended line.
 
     Raises
     ------
     NoAnswerError, NotConvergedError
         As for `note_of`.
     """
-    line = note_of(
-        sizing.case,
-        (_case_file(sizing),),
-        date=date,
-        chosen=Chosen(_front(sizing), sizing.settled.index + 1),
-        verify=verify,
-        asked=asked,
-    )
-    origin = (
-        Origin((), (), date)
-        if given.file is None
-        else origin_of((given.file,), date, schema_of(sizing.kind))
-    )
+    asked = asked or Asked()
+    # The case of the recommended line, as ``catopt size --save`` writes it.
+    text = write_case(sizing.case)
+    file = SourceFile(DESIGN_CASE, text, hashlib.sha256(text.encode()).hexdigest())
+    chosen = Chosen(_front(sizing), sizing.settled.index + 1)
+    line = note_of(sizing.case, (file,), asked, chosen)
+    origin = Origin((), (), asked.date)
+    if given.file is not None:
+        origin = origin_of((given.file,), asked.date, schema_of(sizing.kind))
     around = None if sizing.pattern is None else solve_system(sizing.pattern.system)
     fitted, point = _fitted(line), sizing.point
     return SizeNote(
-        sizing,
-        fitted,
-        origin,
-        sheet_of(sizing.case, point.line, fitted.checks, around, point.anchor),
-        given.options,
-        tuple(_warnings(sizing, line)),
-        around,
+        case=sizing.case,
+        sizing=sizing,
+        line=fitted,
+        origin=origin,
+        sheet=sheet_of(sizing.case, point.line, fitted.checks, around, point.anchor),
+        options=given.options,
+        warnings=tuple(_warnings(sizing, line)),
+        around=around,
     )
 
 
@@ -156,29 +115,22 @@ def _fitted(line: Note) -> Note:
     Its load cases, which no user named, are said in every language; and a limit that no document
     has is from this note: of a sizing there is no case file.
     """
-    names = {state.name: term(state.name) for state in line.checks.load_cases}
     of = line.checks
+    names = {state.name: term(state.name) for state in of.load_cases}
+    this_note = term("this note")
+    results = []
+    for each in of.results:
+        source = each.source
+        if source.confidence is None:
+            source = replace(source, document=this_note)
+        results.append(replace(each, load_case=names[each.load_case], source=source))
     checks = replace(
         of,
-        results=tuple(
-            replace(each, load_case=names[each.load_case], source=_said_source(each.source))
-            for each in of.results
-        ),
+        results=tuple(results),
         solutions=tuple((names[name], solution) for name, solution in of.solutions),
         load_cases=tuple(replace(each, name=names[each.name]) for each in of.load_cases),
     )
-    load_case = names.get(line.load_case, line.load_case)
-    return replace(line, checks=checks, load_case=load_case)
-
-
-def _said_source(source: CheckSource) -> CheckSource:
-    return replace(source, document=term("this note")) if source.confidence is None else source
-
-
-def _case_file(sizing: Sizing) -> SourceFile:
-    """Write the case of the recommended line, as ``catopt size --save`` does."""
-    text = write_case(sizing.case)
-    return SourceFile(DESIGN_CASE, text, hashlib.sha256(text.encode()).hexdigest())
+    return replace(line, checks=checks, load_case=names.get(line.load_case, line.load_case))
 
 
 def _front(sizing: Sizing) -> dict[str, Any]:

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from catopt.casefile import read_case
-from catopt.casefile.design_directory import (
-    DESIGN_DOCUMENT,
-    read_design,
-    read_design_document,
-)
+from catopt.casefile import design_directory, read_case
 from catopt.checks.remarks import NO_CHECK
 from catopt.checks.system import check_system
 from catopt.errors import CatoptError, NoEquilibriumError
@@ -22,21 +17,21 @@ from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.notes.directory import Asked, case_path
 from catopt.notes.models import both_models, doubts_of_models
 from catopt.notes.motion import Progress, motion_files
-from catopt.notes.origin import Origin, SourceFile, origin_of, read_source
-from catopt.notes.sheet import Sheet, sheet_of
+from catopt.notes.origin import SourceFile, origin_of, read_source
+from catopt.notes.sheet import AnyNote, sheet_of
 from catopt.quantities import QUANTITIES
 from catopt.ties import first_largest
 from catopt.verify.motion_words import doubts, stopped_sentence
+from catopt.words import Message, is_said
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
-    from catopt.model import Case, Segment
+    from catopt.model import Case
     from catopt.mooring.line_out import LineOut
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.verify.dynamic_result import DynamicVerification
-    from catopt.verify.result import StaticComparison, Verification
-from catopt.words import Message, is_said
+    from catopt.verify.result import Verification
 
 _NOTHING = 1e-9
 """Over the size of a vector: a part below it is rounding."""
@@ -45,47 +40,22 @@ _LESS = 0.9
 to be had."""
 
 
-@dataclass(frozen=True)
-class SystemNote:
-    """Everything that the page shows.
+@dataclass(frozen=True, kw_only=True)
+class SystemNote(AnyNote):
+    """Everything that the page of a moored body shows.
 
-    Attributes
-    ----------
-    case : Case
-        With its system.
-    report : SystemReport
-        The body under its load, with one line out, the watch circle, and the restoring curves along
-        the force and across it; what could not be computed is left out, and `warnings` say why.
-    checks : CheckReport
-        Of every line and of the body, intact and with every line out.
-    origin : Origin
-        The files that it rests on.
-    sheet : Sheet
-        What is stated beside the answer.
-    warnings : tuple of str
-        What an engineer should know before using the note, each once.
-    verification : Verification or None
-        The body and all its lines by the truss model, too; None where it was left out or failed.
-    verification_failure : str
-        Why the truss model has no answer; empty where it has one or was left out.
-    motion : DynamicVerification or None
-        All lines in motion; None where nobody asked for it.
+    `report` has the body under its load, with one line out, the watch circle, and the restoring
+    curves along the force and across it; what could not be computed is left out, and the warnings
+    say why. `checks` are of every line and of the body, intact and with every line out.
+    `verification` is by the truss model, None where it was left out or failed, the latter for the
+    reason of `verification_failure`; `motion` has all lines, None where nobody asked for it.
     """
 
-    case: Case
     report: SystemReport
     checks: CheckReport
-    origin: Origin
-    sheet: Sheet
-    warnings: tuple[str, ...] = ()
     verification: Verification | None = None
     verification_failure: str = ""
     motion: DynamicVerification | None = None
-
-    @property
-    def title(self) -> str:
-        """Title of the case; empty when it has none."""
-        return self.case.title
 
     @property
     def solution(self) -> SystemSolution:
@@ -129,6 +99,11 @@ class SystemNote:
         return heading_of(*self.solution.offset)
 
     @property
+    def line_out(self) -> tuple[LineOut, ...]:
+        """The body with each of its lines gone in turn."""
+        return self.report.line_out
+
+    @property
     def hardest_out(self) -> int | None:
         """Which of the lines gone, counted as in the report, leaves the largest tension."""
         return self._worst_out(lambda response: response.largest_tension)
@@ -139,85 +114,74 @@ class SystemNote:
         return self._worst_out(lambda response: response.offset)
 
     def _worst_out(self, of: Callable[[Response], float]) -> int | None:
-        found = [None if gone.response is None else of(gone.response) for gone in self.line_out]
-        known = [-math.inf if each is None else each for each in found]
-        return first_largest(known) if any(each is not None for each in found) else None
-
-    @property
-    def line_out(self) -> tuple[LineOut, ...]:
-        """The body with each of its lines gone in turn."""
-        return self.report.line_out
+        responses = [gone.response for gone in self.line_out]
+        known = [-math.inf if each is None else of(each) for each in responses]
+        return first_largest(known) if any(responses) else None
 
     @property
     def allowed_at_fairlead(self) -> float | None:
         """Tension that the weakest line is allowed at its fairlead, by the checks or its MBL, N."""
+        legs = self.solution.system.legs
         allowed = [
             each.capacity
             for each in self.checks.results
             if each.kind == "tension"
             and each.place.state == "intact"
             and each.place.line is not None
-            and each.place.segment == len(self._segments(each.place.line))
+            and each.place.segment == len(legs[each.place.line - 1].line.segments)
         ]
-        known = [leg.line.segments[-1].MBL for leg in self.solution.system.legs]
-        if allowed or any(each is None for each in known):
+        strengths = [leg.line.segments[-1].MBL for leg in legs]
+        known = [each for each in strengths if each is not None]
+        if allowed or len(known) < len(strengths):
             return min(allowed, default=None)
-        return min(each for each in known if each is not None)
-
-    def _segments(self, line: int) -> Sequence[Segment]:
-        return self.solution.system.legs[line - 1].line.segments
-
-    @property
-    def compared(self) -> StaticComparison | None:
-        """Closed form and truss model, if they were put beside each other."""
-        return None if self.verification is None else self.verification.static
+        return min(known)
 
 
 def read_system_note(
     path: Path,
     design: int | None = None,
-    *,
-    date: str = "",
-    verify: bool = True,
     asked: Asked | None = None,
+    *,
     progress: Progress | None = None,
 ) -> SystemNote:
     """Read the case file of a moored body, with a table [system], and compute its note.
 
     `design` is the number of a design, counted from 1, in a directory that ``catopt design --out``
-    wrote, the recommended one when left out; `verify` puts the truss model beside the closed form;
-    `asked` says whether the lines are run in time, and how that is proven; not when left out.
+    wrote, the recommended one when left out.
 
     Raises
     ------
     InputError, NoAnswerError, NotConvergedError
         As for `read_case`, `report_system`, `check_case` and `verify_dynamic`.
     """
-    place, front = case_path(path), path / DESIGN_DOCUMENT
-    case, files, said = read_case(place), [read_source(place)], []
-    if front.is_file():
-        number = read_design_document(path)["recommended"] + 1 if design is None else design
-        case = read_design(path, number)
-        files.append(read_source(front))
-        said.append(Message("design.one_heading"))
-    note = system_note(case, tuple(files), date=date, verify=verify, asked=asked, progress=progress)
-    return replace(note, warnings=(*said, *note.warnings))
+    place, front = case_path(path), path / design_directory.DESIGN_DOCUMENT
+    case, source = read_case(place), read_source(place)
+    if not front.is_file():
+        return system_note(case, (source,), asked, progress=progress)
+    if design is None:
+        design = design_directory.read_design_document(path)["recommended"] + 1
+    case = design_directory.read_design(path, design)
+    note = system_note(case, (source, read_source(front)), asked, progress=progress)
+    return replace(note, warnings=(Message("design.one_heading"), *note.warnings))
 
 
 def system_note(
     case: Case,
     files: tuple[SourceFile, ...],
-    *,
-    date: str = "",
-    verify: bool = True,
     asked: Asked | None = None,
+    *,
     progress: Progress | None = None,
 ) -> SystemNote:
     """Compute the note of a moored body; as `read_system_note`."""
-    found = _in_motion(case, asked, progress)
+    asked = asked or Asked()
+    found = None
+    if asked.motion:
+        from catopt.verify.dynamic import verify_dynamic
+
+        found = verify_dynamic(case, proof=asked.proof, progress=progress)
     report, left_out = _report(case)
     checks = check_system(case, report)
-    verification, failure = both_models(case) if verify else (None, "")
+    verification, failure = both_models(case) if asked.verify else (None, "")
     warnings = (
         *doubts_of_models(verification, failure, "body"),
         *(() if found is None else _of_motion(found)),
@@ -229,7 +193,7 @@ def system_note(
         case=case,
         report=report,
         checks=checks,
-        origin=origin_of((*files, *(motion_files(case) if found else ())), date),
+        origin=origin_of((*files, *(motion_files(case) if found else ())), asked.date),
         sheet=sheet_of(case, case.line, checks, report.solution),
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
@@ -286,16 +250,6 @@ def _curve(case: Case, solution: SystemSolution, direction: float) -> RestoringC
         offsets = [far * (k - middle) / middle for k in range(CURVE_POINTS)]
         return restoring_curve(solution.system, direction=direction, offsets=offsets)
     return curve
-
-
-def _in_motion(
-    case: Case, asked: Asked | None, progress: Progress | None
-) -> DynamicVerification | None:
-    if asked is None or not asked.motion:
-        return None
-    from catopt.verify.dynamic import verify_dynamic
-
-    return verify_dynamic(case, proof=asked.proof, progress=progress)
 
 
 def _of_motion(found: DynamicVerification) -> Iterator[str]:

@@ -506,7 +506,7 @@ def written(folder: Path, monkeypatch: pytest.MonkeyPatch | None = None) -> Path
 def body_note(name: str) -> SystemNote:
     with TemporaryDirectory() as place:
         path = written(Path(place)) / f"{name}.toml"
-        return read_system_note(path, verify=False, asked=Asked(motion=True))
+        return read_system_note(path, asked=Asked(verify=False, motion=True))
 
 
 @pytest.mark.parametrize("name", ["led", "pushed"])

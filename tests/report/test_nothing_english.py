@@ -13,6 +13,7 @@ import pytest
 import catopt
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.size import size_answer
+from catopt.notes.directory import Asked
 from catopt.notes.size import Given, size_note
 from catopt.render.page import page
 from catopt.render.units import in_units
@@ -43,7 +44,7 @@ def sized() -> Sizing:
 
 
 def runs_of_the_page(language: Language) -> Iterator[str]:
-    answer = in_units(size_note_answer(size_note(sized(), Given(), verify=False)), "tf")
+    answer = in_units(size_note_answer(size_note(sized(), Given(), Asked(verify=False))), "tf")
     read = read_page(page(answer, language))
     for element in read.elements:
         if element.tag in {"h1", "h2", "h3", "p", "li", "figcaption", "text", "caption"}:

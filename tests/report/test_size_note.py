@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from catopt.notes.directory import Asked
 from catopt.notes.size import Given, SizeNote, size_note
 from catopt.words import Message, say, term
 
@@ -259,7 +260,7 @@ def test_the_lines_of_the_pattern_balance_the_load() -> None:
 def test_without_a_file_the_options_are_the_inputs() -> None:
     sizing = known_size_note("size-buoy").sizing
     options = (("BUOY", "pillar 2.4 m"), ("--depth", "12 m"))
-    page = read_page(page_of(size_note(sizing, Given(None, options), verify=False)))
+    page = read_page(page_of(size_note(sizing, Given(None, options), Asked(verify=False))))
     assert [[cell.text for cell in row] for row in page.table("size_options").rows] == [
         list(pair) for pair in options
     ]

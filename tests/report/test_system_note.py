@@ -9,6 +9,7 @@ import pytest
 
 from catopt.answers.note_system import system_note_answer
 from catopt.errors import NotConvergedError
+from catopt.notes.directory import Asked
 from catopt.notes.system import SystemNote, directions_of, heading_of, read_system_note
 
 from .page_reader import ReadPage, read_page
@@ -39,7 +40,7 @@ def page(name: str) -> ReadPage:
 
 
 def test_without_the_truss_model_its_section_is_left_out(tmp_path: Path) -> None:
-    note = read_system_note(system_path(tmp_path, TURRET), verify=False, date="21.11.2026")
+    note = read_system_note(system_path(tmp_path, TURRET), asked=Asked("21.11.2026", verify=False))
     page = read_page(page_of(note))
     assert "system_verification" not in page.sections
     assert page.table("identity").row("Date")[1].text == "21.11.2026"
@@ -211,7 +212,7 @@ def test_what_cannot_be_computed_is_left_out_and_said(
     monkeypatch.setattr("catopt.mooring.case.watch_circle", stops)
     monkeypatch.setattr("catopt.mooring.case.restoring_curve", stops)
     beside = "is left out, for somewhere on it it wanders"
-    note = read_system_note(system_path(tmp_path, TURRET), verify=False)
+    note = read_system_note(system_path(tmp_path, TURRET), asked=Asked(verify=False))
     of_codes = note.checks.warnings
     codes = ["API-RP-2SK", "DNV-OS-E301-2008-CC1", "API-RP-2SK"]  # the last: not for transients
     assert [each.partition(":")[0] for each in of_codes] == codes

@@ -10,6 +10,7 @@ from catopt.answers.note_size import size_note_answer
 from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
 from catopt.model import LoadCase
+from catopt.notes.directory import Asked
 from catopt.notes.size import Given, size_note
 from catopt.render.page import page
 from catopt.sizing.result import Sizing
@@ -47,7 +48,7 @@ def test_the_water_is_as_deep_in_ballast_and_the_fairlead_higher(
 def test_the_drawing_has_the_water_of_the_load_case(sizing: Sizing) -> None:
     name, _ = sizing.hardest
     assert name == "ballast, low water"
-    answer = size_note_answer(size_note(sizing, Given(), verify=False))
+    answer = size_note_answer(size_note(sizing, Given(), Asked(verify=False)))
     drawing = next(
         block.chart
         for section in answer.sections
@@ -84,7 +85,7 @@ fairlead_rise = "-9 m"
 
 
 def verdict(of: Sizing) -> Verdict:
-    summary = size_note_answer(size_note(of, Given(), verify=False)).sections[0]
+    summary = size_note_answer(size_note(of, Given(), Asked(verify=False))).sections[0]
     return next(block for block in summary.blocks if isinstance(block, Verdict))
 
 
@@ -98,7 +99,7 @@ def test_the_verdict_says_what_fails_in_motion_and_is_not_green(sizing: Sizing) 
     assert found.words.startswith("All 20 checks pass.")
     assert "with the allowance for motion of 1.2 it FAILS by tension" in found.words
     assert "với hệ số động 1.2 thì KHÔNG ĐẠT về lực căng" in say(found.words, "vi")
-    shown = page(size_note_answer(size_note(sizing, Given(), verify=False)), "en").decode()
+    shown = page(size_note_answer(size_note(sizing, Given(), Asked(verify=False))), "en").decode()
     assert '<p class="verdict reserve">' in shown
 
 

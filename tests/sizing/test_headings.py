@@ -11,6 +11,7 @@ from catopt.answers.blocks import Trail
 from catopt.answers.note_size import size_note_answer
 from catopt.errors import InputError
 from catopt.loads import YAW_TYPES, Afloat, Headings, Turning, every_lying
+from catopt.notes.directory import Asked
 from catopt.notes.size import Given, size_note
 from catopt.sizing.known import known
 from catopt.sizing.requests import request_of
@@ -81,7 +82,7 @@ def test_a_scan_asks_for_no_less_than_everything_from_one_side(turned: Sizing) -
 
 
 def test_the_note_adds_forces_along_and_across_the_ship_up(turned: Sizing) -> None:
-    answer = size_note_answer(size_note(turned, Given(), verify=False))
+    answer = size_note_answer(size_note(turned, Given(), Asked(verify=False)))
     trails = [b for s in answer.sections for b in s.blocks if isinstance(b, Trail)]
     loads = [each for each in trails if each.name == "size_load"]
     for at, trail in zip(turned.settled.posed.loads, loads, strict=True):
