@@ -92,7 +92,7 @@ def test_a_drift_moves_the_place_about_which_a_body_is_led() -> None:
     case = moored(motion=replace(still, drift=(-2.0, 0.5)))
     assert case.system is not None
     at = solve_system(case.system).position
-    (x, y, _) = lines_at_rest(read_drive(case)).place  # type: ignore[attr-defined]
+    (x, y, _) = lines_at_rest(read_drive(case)).place  # type: ignore[union-attr]
     assert (x, y) == (at.x - 2.0, at.y + 0.5)
 
 
@@ -171,7 +171,7 @@ def test_a_body_under_raos_goes_through_the_crest_as_they_say(
     assert track is not None
     case = moored(motion=motion, waves=waves)
     drive = read_drive(case)
-    sea, place = drive.sea(0), lines_at_rest(drive).place  # type: ignore[attr-defined]
+    sea, place = drive.sea(0), lines_at_rest(drive).place  # type: ignore[union-attr]
     assert sea.waves is not None
     k, w = sea.wave_numbers[0], 2.0 * math.pi / 6.0
     after = history.time >= 6.0
