@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from catopt import compiled as module
+from catopt.machine_code import dispatcher
 
 __all__ = ["both_forms"]
 
@@ -33,7 +34,7 @@ def both_forms() -> Iterator[set[str]]:
     called: set[str] = set()
 
     def beside(function: Callable[..., Any], _: float = 0.0) -> Callable[..., Any]:
-        plain, fast = module._plain(function), module._compiled(function)
+        plain, fast = module._plain(function), dispatcher(function)
 
         def call(*arguments: Any) -> Any:
             called.add(function.__name__)

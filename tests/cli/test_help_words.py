@@ -48,7 +48,7 @@ def texts_of_table(read: dict[str, Any], place: str = "") -> dict[str, dict[str,
     """Every text of the table, in its languages, by its key."""
     if isinstance(read.get("en"), str):
         return {place: read}
-    found = {}
+    found: dict[str, dict[str, str]] = {}
     for key, below in read.items():
         found |= texts_of_table(below, f"{place}.{key}".lstrip("."))
     return found

@@ -13,7 +13,7 @@ import pytest
 
 from catopt import schemas
 from catopt.casefile.design_directory import read_case_or_design
-from catopt.cli import verify as command
+from catopt.cli import answering as command
 from catopt.verify.dynamic import verify_dynamic
 
 from .conftest import BUOY, CHAIN_IN_MOTION, Run, without_digest
