@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -168,6 +169,49 @@ def violations(package: Path, may_import: dict[str, set[str]]) -> list[str]:
 
 def test_no_import_points_up() -> None:
     assert violations(PACKAGE, MAY_IMPORT) == []
+
+
+def module_name(module: Path, package: Path) -> str:
+    """Dotted name of a file; that of its folder for an ``__init__``."""
+    parts = module.relative_to(package.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def circles(package: Path) -> list[str]:
+    """Files that import each other over any number of steps, also inside functions."""
+    files = {module_name(module, package): module for module in package.rglob("*.py")}
+    graph = {
+        name: {
+            target if target in files else target.rpartition(".")[0]
+            for _, target in imported_names(module, package, only_run=True)
+        }
+        & files.keys()
+        for name, module in files.items()
+    }
+    for name in graph:
+        graph[name].discard(name)
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        return list(error.args[1])
+    return []
+
+
+def test_no_file_imports_in_a_circle() -> None:
+    """What only a type checker reads is left out: a document names the result that it is of."""
+    assert circles(PACKAGE) == []
+
+
+def test_a_planted_circle_is_caught(tmp_path: Path) -> None:
+    package = tmp_path / "tool"
+    package.mkdir()
+    (package / "__init__.py").write_text("")
+    (package / "a.py").write_text("from tool.b import thing")
+    (package / "b.py").write_text("from tool import c")
+    (package / "c.py").write_text("def later():\n    import tool.a")
+    assert set(circles(package)) == {"tool.a", "tool.b", "tool.c"}
+    (package / "c.py").write_text("")
+    assert circles(package) == []
 
 
 LAID_OUT = BASE - {"compiled", "interrupt", "ties"} | {"model", "catalogue", "answers", "figures"}

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from catopt.study.result import LEVELS
-
 if TYPE_CHECKING:
     from catopt.study.result import Statistic, StudyResult
 
@@ -71,7 +69,7 @@ def _statistic(each: Statistic, result: StudyResult) -> dict[str, Any]:
         "largest": each.largest,
         "levels": [
             {"share": share, "value": value}
-            for share, value in zip(LEVELS, each.levels, strict=True)
+            for share, value in zip(result.levels, each.levels, strict=True)
         ],
         "worst": {
             "member": each.worst + 1,

@@ -12,7 +12,7 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, Problem
 from catopt.model import Case
 from catopt.units import as_written
 from catopt.verify.line import Moored, verify_line
-from catopt.verify.result import StaticComparison, Verification
+from catopt.verify.result import VERDICTS, StaticComparison, Verification, least_agreeing
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.system import verify_system
 
@@ -185,6 +185,20 @@ class FrontVerification:
         """Of the designs that both models answered for."""
         found = [design.verification for design in self.designs]
         return tuple(each for each in found if each is not None)
+
+    @property
+    def static(self) -> StaticComparison | None:
+        """Of the design on which the models agree least; None where there is no answer."""
+        parts = [each.static for each in self.verified]
+        return least_agreeing(parts) if parts else None
+
+    @property
+    def verdict(self) -> str:
+        """The one of a design that outweighs the others; ``"no answer"`` where one has none."""
+        verdicts = [each.verdict for each in self.verified]
+        if len(verdicts) < len(self.designs):
+            return "no answer"
+        return next(each for each in VERDICTS if each in verdicts)
 
     @property
     def is_settled(self) -> bool:

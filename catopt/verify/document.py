@@ -10,7 +10,6 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from catopt.constants import YEAR
-from catopt.verify.result import VERDICTS, least_agreeing
 
 if TYPE_CHECKING:
     from catopt.fem.extremes import Extreme
@@ -65,14 +64,11 @@ def verification_document(verification: Verification) -> dict[str, Any]:
 
 def front_document(front: FrontVerification) -> dict[str, Any]:
     """Build the document of a front; ``static`` is the design on which they agree least."""
-    parts = [each.static for each in front.verified]
-    verdicts = [each.verdict for each in front.verified]
-    known = [v for v in VERDICTS if v in verdicts]
     return {
         "schema": _SCHEMA,
         "title": front.title,
-        "verdict": known[0] if len(verdicts) == len(front.designs) else "no answer",
-        "static": _static(least_agreeing(parts)) if parts else None,
+        "verdict": front.verdict,
+        "static": None if front.static is None else _static(front.static),
         "dynamic": None,
         "designs": [_design(each) for each in front.designs],
     }
