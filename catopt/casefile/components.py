@@ -7,15 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile.document import number, table, tables, text, value
+from catopt.casefile.document import Section
 from catopt.casefile.location import Finding
-from catopt.casefile.schema import (
-    SegmentChoiceTable,
-    SegmentTable,
-    SiteTable,
-    VariantsTable,
-    entries,
-)
+from catopt.casefile.schema import VariantsTable, entries
 from catopt.constants import SEA_WATER_DENSITY
 from catopt.documents import Path
 from catopt.errors import InputError
@@ -32,21 +26,14 @@ SIZES = ("diameters", "diameter", "diameter_min", "diameter_max")
 
 @dataclass
 class FromCatalogue:
-    """What was found in the catalogue, and what was not.
-
-    Attributes
-    ----------
-    findings : list of Finding
-        Names, diameters and variants that it has not got.
-    segments : dict of Path to Component
-        Components of the line's segments, by the segment's path.
-    names : dict of Path to str
-        Families with their grades, as the catalogue writes them, by the path of what the file has.
-    """
+    """What was found in the catalogue, and what was not."""
 
     findings: list[Finding] = field(default_factory=list)
+    """Names, diameters and variants that it has not got."""
     segments: dict[Path, Component] = field(default_factory=dict)
+    """Components of the line's segments, by the segment's path."""
     names: dict[Path, str] = field(default_factory=dict)
+    """Families with their grades, as the catalogue writes them, by the path in the file."""
 
 
 def catalogue_choice(given: dict[str, Any], folder: str) -> CatalogueChoice:
@@ -62,70 +49,63 @@ def catalogue_choice(given: dict[str, Any], folder: str) -> CatalogueChoice:
     )
 
 
-def from_catalogue(document: dict[str, Any], folder: str) -> FromCatalogue:
+def from_catalogue(case: Section, folder: str) -> FromCatalogue:
     """Look up every component that a document names."""
     found = FromCatalogue()
-    given = table(document, "catalogue")
-    named = list(_named(document))
-    if not named and "file" not in given:
+    of_line = case.table("line").tables("segments")
+    of_design = case.table("design").tables("segments")
+    named = list(_named([*of_line, *of_design]))
+    if not named and "file" not in case.table("catalogue"):
         return found
-    catalogue = _catalogue(found, document, folder)
+    catalogue = _catalogue(found, case, folder)
     if catalogue is None:
         return found
     for path, name in named:
         _resolve(found, catalogue, path, name)
-    if len(found.names) == len(named):
+    if found.names and len(found.names) == len(named):
         _check_variants(found, catalogue)
-    for path, segment in tables(table(document, "line"), "line", "segments"):
-        _segment(found, catalogue, path, segment)
-    for path, segment in tables(table(document, "design"), "design", "segments"):
-        _sizes(found, catalogue, path, segment)
+    for segment in of_line:
+        name = found.names.get((*segment.path, "component"), "")
+        for component in _looked_up(found, catalogue, segment, "diameter", name):
+            found.segments[segment.path] = component
+    for segment in of_design:
+        _sizes(found, catalogue, segment)
     return found
 
 
-def _named(document: dict[str, Any]) -> Iterator[tuple[Path, str]]:
+def _named(segments: list[Section]) -> Iterator[tuple[Path, str]]:
     """List the names of components with their places."""
-    for path, segment in tables(table(document, "line"), "line", "segments"):
-        name = text(SegmentTable, "component", segment)
+    for segment in segments:
+        name = segment.value("component")
         if name is not None:
-            yield (*path, "component"), name
-    for path, segment in tables(table(document, "design"), "design", "segments"):
-        name = text(SegmentChoiceTable, "component", segment)
-        if name is not None:
-            yield (*path, "component"), name
-        for index, each in enumerate(value(SegmentChoiceTable, "components", segment) or []):
-            yield (*path, "components", index), each
+            yield (*segment.path, "component"), name
+        if "components" in entries(segment.schema):
+            for index, each in enumerate(segment.value("components") or []):
+                yield (*segment.path, "components", index), each
 
 
-def _catalogue(
-    found: FromCatalogue, document: dict[str, Any], folder: str
-) -> ChosenCatalogue | None:
+def _catalogue(found: FromCatalogue, case: Section, folder: str) -> ChosenCatalogue | None:
     """Read the catalogue; None, and findings if they are new, when the choice is faulty."""
     from catopt.catalogue.choice import chosen
 
-    given = dict(table(document, "catalogue"))
+    given = dict(case.table("catalogue").given)
     if not isinstance(given.get("file", ""), str):
         return None
-    variants = table(given, "variants")
+    variants = case.table("catalogue").table("variants").given
     given["variants"] = {key: name for key, name in variants.items() if isinstance(name, str)}
-    site = table(document, "site")
-    water = number(SiteTable, "water_density", site)
+    water = case.table("site").number("water_density")
     try:
         return chosen(catalogue_choice(given, folder), water or SEA_WATER_DENSITY)
     except InputError as error:
-        path = ("catalogue", "file")
+        from catopt.catalogue.reading import KIND
+
         shown = as_written(given.get("file"))
         for problem in error.problems:
-            found.findings.append(Finding(path, shown, _inside(problem.key, str(problem))))
+            inside = f"in it, {problem}"
+            if problem.key == KIND:  # unread
+                inside = str(problem).removeprefix(f"{KIND}: ")
+            found.findings.append(Finding(("catalogue", "file"), shown, inside))
     return None
-
-
-def _inside(key: str, problem: str) -> str:
-    """Say what is wrong inside the file of families."""
-    from catopt.catalogue.reading import KIND
-
-    unread = key == KIND
-    return problem.removeprefix(f"{key}: ") if unread else f"in it, {problem}"
 
 
 def _resolve(found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, name: str) -> None:
@@ -153,42 +133,30 @@ def _resolve(found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, name:
 
 def _check_variants(found: FromCatalogue, catalogue: ChosenCatalogue) -> None:
     """Note variants that none of the components has."""
-    if not found.names:
-        return
     for problem in catalogue.variants_of_none(found.names.values()):
         if problem.key in entries(VariantsTable):
             path = ("catalogue", "variants", problem.key)
             found.findings.append(Finding(path, problem.found, problem.allowed))
 
 
-def _segment(
-    found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, segment: dict[str, Any]
-) -> None:
-    """Look up the component of a segment of the line."""
-    name = found.names.get((*path, "component"))
-    diameter = number(SegmentTable, "diameter", segment)
-    if name is None or diameter is None:
-        return
-    shown = as_written(segment["diameter"])
-    component = _look_up(found, catalogue, (*path, "diameter"), name, diameter, shown)
-    if component is not None:
-        found.segments[path] = component
-
-
-def _look_up(
-    found: FromCatalogue,
-    catalogue: ChosenCatalogue,
-    path: Path,
-    name: str,
-    diameter: float,
-    shown: str,
-) -> Component | None:
-    """Look a component up; None, with a finding at the diameter's path, where it is not made."""
-    try:
-        return catalogue.component(name, diameter)
-    except InputError as error:
-        found.findings += _refusals(error, path, name, shown)
-    return None
+def _looked_up(
+    found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section, key: str, name: str
+) -> list[Component]:
+    """Look a component up in the sizes that a key has; what is not made is a finding there."""
+    sizes = segment.value(key) if name else None
+    places: list[tuple[Path, float, object]] = []
+    if isinstance(sizes, list):
+        written = segment.given[key]
+        places = [((*segment.path, key, k), size, written[k]) for k, size in enumerate(sizes)]
+    elif sizes is not None:
+        places = [((*segment.path, key), sizes, segment.given[key])]
+    made = []
+    for path, size, shown in places:
+        try:
+            made.append(catalogue.component(name, size))
+        except InputError as error:
+            found.findings += _refusals(error, path, name, as_written(shown))
+    return made
 
 
 def _refusals(error: InputError, path: Path, name: str, shown: str) -> Iterator[Finding]:
@@ -202,51 +170,33 @@ def _refusals(error: InputError, path: Path, name: str, shown: str) -> Iterator[
             yield Finding(path, shown, what + problem.allowed)
 
 
-def _sizes(
-    found: FromCatalogue, catalogue: ChosenCatalogue, path: Path, segment: dict[str, Any]
-) -> None:
+def _sizes(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section) -> None:
     """Check that what a segment of a design may be made of is made in the sizes that are asked."""
-    names = [name for place, name in found.names.items() if place[:3] == path]
-    own = ("line", *path[1:], "component")
+    names = [name for place, name in found.names.items() if place[:3] == segment.path]
+    own = ("line", *segment.path[1:], "component")
     if not names and own in found.names and any(key in segment for key in SIZES):
         names = [found.names[own]]
-    listed = value(SegmentChoiceTable, "diameters", segment) or []
-    places: list[tuple[Path, float, object]] = [
-        ((*path, "diameters", index), each, segment["diameters"][index])
-        for index, each in enumerate(listed)
-    ]
-    single = number(SegmentChoiceTable, "diameter", segment)
-    if single is not None:
-        places.append(((*path, "diameter"), single, segment["diameter"]))
     for name in names:
-        for place, diameter, written in places:
-            _look_up(found, catalogue, place, name, diameter, as_written(written))
+        _looked_up(found, catalogue, segment, "diameters", name)
+        _looked_up(found, catalogue, segment, "diameter", name)
         if not ("diameter" in segment or "diameters" in segment):
-            _sold(found, catalogue, path, segment, name)
+            _sold(found, catalogue, segment, name)
 
 
-def _sold(
-    found: FromCatalogue,
-    catalogue: ChosenCatalogue,
-    path: Path,
-    segment: dict[str, Any],
-    name: str,
-) -> None:
+def _sold(found: FromCatalogue, catalogue: ChosenCatalogue, segment: Section, name: str) -> None:
     """Check that a component is sold in a size between the bounds, if there are any."""
-    low = number(SegmentChoiceTable, "diameter_min", segment)
-    high = number(SegmentChoiceTable, "diameter_max", segment)
+    low, high = segment.number("diameter_min"), segment.number("diameter_max")
     if low is not None and high is not None and high < low:
         return  # reported already
     try:
         sizes = [component.nominal_diameter for component in catalogue.sold(name)]
     except InputError as error:
-        found.findings += _refusals(error, path, name, "")
+        found.findings += _refusals(error, segment.path, name, "")
         return
     if not sizes:
-        allowed = f"missing; no list of sizes of {name} is known"
-        found.findings.append(Finding((*path, "diameters"), "", allowed))
+        found.findings.append(segment.missing("diameters", f"no list of sizes of {name} is known"))
     elif not any((low or 0.0) <= size <= (high or size) for size in sizes):
         key = "diameter_min" if low is not None else "diameter_max"
         sold = f"{name} is sold from {sizes[0] * 1e3:g} mm to {sizes[-1] * 1e3:g} mm"
         between = "" if low is None or high is None else ", with no size between the two bounds"
-        found.findings.append(Finding((*path, key), as_written(segment[key]), sold + between))
+        found.findings.append(segment.wrong(key, sold + between))

@@ -3,76 +3,49 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from catopt.casefile import ranges
 from catopt.casefile.components import SIZES
 from catopt.casefile.consistency import sinks_findings
-from catopt.casefile.document import (
-    Place,
-    as_in_file,
-    misspelt,
-    number,
-    refusals,
-    table,
-    tables,
-    value,
-)
-from catopt.casefile.location import Finding, parts
-from catopt.casefile.ranges import duplicates
-from catopt.casefile.schema import (
-    LENGTHS,
-    MASSES,
-    POSITIONS,
-    PRETENSIONS,
-    RADII,
-    CaseTable,
-    ClumpWeightChoiceTable,
-    DesignTable,
-    LineTable,
-    SegmentChoiceTable,
-    SegmentTable,
-    SinkerChoiceTable,
-    SystemTable,
-)
-from catopt.documents import Path
+from catopt.casefile.document import Section, refusals
+from catopt.casefile.location import Finding
+from catopt.casefile.schema import LENGTHS, MASSES, POSITIONS, PRETENSIONS, RADII
+from catopt.errors import Problem
 from catopt.model import ClumpWeightChoice, Design, SegmentChoice
 from catopt.model.design import body_misfits
-from catopt.units import as_written
 
 _COMPONENTS = ("components", "component")
 
 
-def design_findings(document: dict[str, Any]) -> list[Finding]:
+def design_findings(case: Section) -> list[Finding]:
     """List what contradicts itself in the design of a document."""
-    design = table(document, "design")
-    if not design:
+    design, line = case.table("design"), _Line(case.table("line"))
+    if not design.given:
         return []
-    line = _Line(document)
-    sinker: Place = (("design", "sinker"), table(design, "sinker"))
-    segments = tables(design, "design", "segments")
-    weights = tables(design, "design", "clump_weights")
+    segments, weights = design.tables("segments"), design.tables("clump_weights")
+    sinker = design.table("sinker")
     return [
-        *(f for index, place in enumerate(segments) for f in _segment(place, index, line)),
-        *(f for place in weights for f in _clump_weight(place)),
+        *(f for index, each in enumerate(segments) for f in _segment(each, index, line)),
+        *(f for weight in weights for f in _clump_weight(weight)),
         *_positions(segments, weights, line),
-        *(_sinker(document, sinker) if sinker[1] else ()),
-        *_as_the_model_has_it(document, segments, weights),
-        *_excursion(document),
-        *_of_a_body(document),
+        *(ranges.findings(MASSES, sinker, required=True) if sinker.given else ()),
+        *(sinks_findings(case, sinker) if sinker.given else ()),
+        *(_as_the_model_has_it(design, segments, weights) if segments else ()),
+        *_excursion(case, design),
+        *_of_a_body(case, design),
     ]
 
 
 class _Line:
     """What the segments of a design may take over from the line."""
 
-    def __init__(self, document: dict[str, Any]) -> None:
-        line = table(document, "line")
-        self.segments = [segment for _, segment in tables(line, "line", "segments")]
-        self.is_clear = bool(self.segments) and not misspelt(LineTable, ["segments"], line)
+    def __init__(self, line: Section) -> None:
+        self.segments = line.tables("segments")
+        self.is_clear = bool(self.segments) and not line.misspelt("segments")
 
-    def at(self, index: int) -> dict[str, Any] | None:
+    def at(self, index: int) -> Section | None:
         """Return the segment at a place, counted from 0; None when there is none."""
         return self.segments[index] if index < len(self.segments) else None
 
@@ -80,156 +53,134 @@ class _Line:
         """Whether there is certainly no segment at a place."""
         return self.is_clear and self.at(index) is None
 
-    def length(self, index: int) -> float | None:
-        """Return the length of the segment at a place; None when it is not clear."""
-        return number(SegmentTable, "length", self.at(index) or {})
 
-
-def _segment(place: Place, index: int, line: _Line) -> Iterator[Finding]:
+def _segment(choice: Section, index: int, line: _Line) -> Iterator[Finding]:
     """Find what is given in two ways, and what the line has not got to be taken over."""
-    path, given = place
-    yield from ranges.findings(LENGTHS, SegmentChoiceTable, place)
-    if all(key in given for key in _COMPONENTS):
-        yield Finding(path, "component and components", "only one of them is wanted")
-    yield from _sizes(place)
-    nothing = f"missing; the line has no segment {index + 1} to take it from"
-    unclear = ranges.is_given(LENGTHS, given) or misspelt(SegmentChoiceTable, LENGTHS.keys, given)
-    if line.lacks(index) and not unclear:
-        yield Finding((*path, "lengths"), "", nothing)
-    named = any(key in given for key in _COMPONENTS)
-    if named or misspelt(SegmentChoiceTable, _COMPONENTS, given):
+    yield from ranges.findings(LENGTHS, choice)
+    if all(key in choice for key in _COMPONENTS):
+        allowed = "only one of them is wanted"
+        yield Finding(choice.path, "component and components", allowed)
+    yield from _sizes(choice)
+    nothing = f"the line has no segment {index + 1} to take it from"
+    if line.lacks(index) and choice.lacks(*LENGTHS.keys):
+        yield choice.missing("lengths", nothing)
+    if not choice.lacks(*_COMPONENTS):
         return
+    own = line.at(index)
     if line.lacks(index):
-        yield Finding((*path, "components"), "", nothing)
-    elif any(key in given for key in SIZES) and line.is_clear:
-        own = line.at(index) or {}
-        if "component" not in own and not misspelt(SegmentTable, ["component"], own):
-            why = f"missing; diameters are of a component, and segment {index + 1} of the line"
-            yield Finding((*path, "components"), "", f"{why} has none")
+        yield choice.missing("components", nothing)
+    elif any(key in choice for key in SIZES) and line.is_clear and own and own.lacks("component"):
+        why = f"diameters are of a component, and segment {index + 1} of the line has none"
+        yield choice.missing("components", why)
 
 
-def _sizes(place: Place) -> Iterator[Finding]:
+def _sizes(choice: Section) -> Iterator[Finding]:
     """Find diameters given in two ways, twice, or as a range that is none."""
-    path, given = place
-    ranged = [key for key in ("diameter_min", "diameter_max") if key in given]
-    singly = [key for key in ("diameter", "diameters") if key in given]
+    ranged = [key for key in ("diameter_min", "diameter_max") if key in choice]
+    singly = [key for key in ("diameter", "diameters") if key in choice]
     if len(singly) + bool(ranged) > 1:
-        wanted = "diameters, diameter, or diameter_min and diameter_max"
-        yield Finding(path, " and ".join([*singly, *ranged]), f"only one way is wanted: {wanted}")
-    low, high = (number(SegmentChoiceTable, f"diameter_{end}", given) for end in ("min", "max"))
-    if low is not None and high is not None and high < low:
-        shown = as_written(given["diameter_min"]).strip('"')
-        allowed = f"must be diameter_min or more, which is {shown}"
-        yield Finding((*path, "diameter_max"), as_written(given["diameter_max"]), allowed)
-    yield from duplicates(SegmentChoiceTable, place, "diameters")
+        allowed = "only one way is wanted: diameters, diameter, or diameter_min and diameter_max"
+        yield Finding(choice.path, " and ".join([*singly, *ranged]), allowed)
+    yield from ranges.upside_down(choice, "diameter_min", "diameter_max")
+    yield from ranges.duplicates(choice, "diameters")
 
 
-def _clump_weight(place: Place) -> Iterator[Finding]:
+def _clump_weight(choice: Section) -> Iterator[Finding]:
     """Find a clump weight without mass or place, or with two."""
-    path, given = place
-    yield from ranges.findings(MASSES, ClumpWeightChoiceTable, place, required=True)
-    yield from ranges.findings(POSITIONS, ClumpWeightChoiceTable, place)
-    placed = [key for key in POSITIONS.keys if key in given]
-    if placed and "joint" in given:
+    yield from ranges.findings(MASSES, choice, required=True)
+    yield from ranges.findings(POSITIONS, choice)
+    placed = [key for key in POSITIONS.keys if key in choice]
+    if placed and "joint" in choice:
         found = " and ".join([*placed, "joint"])
-        yield Finding(path, found, "it hangs either at positions or at a joint")
-    misread = misspelt(ClumpWeightChoiceTable, [*POSITIONS.keys, "joint"], given)
-    if not placed and "joint" not in given and not misread:
-        wanted = f"missing; {ranges.wanted(POSITIONS)}, or a joint is wanted"
-        yield Finding((*path, "positions"), "", wanted)
+        yield Finding(choice.path, found, "it hangs either at positions or at a joint")
+    if choice.lacks(*POSITIONS.keys, "joint"):
+        yield choice.missing("positions", f"{ranges.wanted(POSITIONS)}, or a joint is wanted")
 
 
-def _positions(segments: list[Place], weights: list[Place], line: _Line) -> Iterator[Finding]:
+def _positions(segments: list[Section], weights: list[Section], line: _Line) -> Iterator[Finding]:
     """Find clump weights that are beyond the end of the longest line at every position."""
     longest = []
-    for index, (_, given) in enumerate(segments):
-        if ranges.is_given(LENGTHS, given):
-            length = max(ranges.read(LENGTHS, SegmentChoiceTable, given), default=None)
+    for index, choice in enumerate(segments):
+        own = line.at(index)
+        if ranges.is_given(LENGTHS, choice):
+            length = max(ranges.read(LENGTHS, choice), default=None)
         else:
-            length = line.length(index)
-        if length is None or misspelt(SegmentChoiceTable, LENGTHS.keys, given):
+            length = own.number("length") if own else None
+        if length is None or choice.misspelt(*LENGTHS.keys):
             return
         longest.append(length)
     total = math.fsum(longest)
-    for path, given in weights:
-        positions = ranges.read(POSITIONS, ClumpWeightChoiceTable, given)
+    for weight in weights:
+        positions = ranges.read(POSITIONS, weight)
         if longest and positions and not positions[0] < total:
-            key = next(key for key in POSITIONS.keys if key in given)
+            key = next(key for key in POSITIONS.keys if key in weight)
             which = "one of them " if key == POSITIONS.many else ""
-            allowed = f"{which}must be below {total:g} m, the length of the longest line"
-            yield Finding((*path, key), as_written(given[key]), allowed)
-
-
-def _sinker(document: dict[str, Any], place: Place) -> Iterator[Finding]:
-    yield from ranges.findings(MASSES, SinkerChoiceTable, place, required=True)
-    yield from sinks_findings(document, SinkerChoiceTable, place)
+            yield weight.wrong(
+                key, f"{which}must be below {total:g} m, the length of the longest line"
+            )
 
 
 def _as_the_model_has_it(
-    document: dict[str, Any], segments: list[Place], weights: list[Place]
+    design: Section, segments: list[Section], weights: list[Section]
 ) -> Iterator[Finding]:
     """Find objectives too few or too many, joints that are not there, and no fixed segment."""
-    design = table(document, "design")
-    if not segments:
-        return
-    objectives = value(DesignTable, "objectives", design)
-    joints = [value(ClumpWeightChoiceTable, "joint", given) for _, given in weights]
+    choices = [
+        SegmentChoice((1.0,), optional=each.given.get("optional") is True) for each in segments
+    ]
+    hung = []
+    for weight in weights:
+        joint = weight.value("joint")
+        positions = () if joint else (1.0,)
+        hung.append(ClumpWeightChoice((1.0,), 1.0, positions=positions, joint=joint))
     problems = refusals(
         Design,
-        segments=tuple(
-            SegmentChoice((1.0,), optional=s.get("optional") is True) for _, s in segments
-        ),
-        clump_weights=tuple(
-            ClumpWeightChoice((1.0,), 1.0, positions=() if joint else (1.0,), joint=joint)
-            for joint in joints
-        ),
-        objectives=tuple(objectives) if objectives else ("mass", "offset"),
-        lines=tuple(value(DesignTable, "lines", design) or ()),
+        segments=tuple(choices),
+        clump_weights=tuple(hung),
+        objectives=tuple(design.value("objectives") or ("mass", "offset")),
+        lines=tuple(design.value("lines") or ()),
         anchor_radii=(1.0,) if ranges.is_given(RADII, design) else (),
         pretensions=(1.0,) if ranges.is_given(PRETENSIONS, design) else (),
     )
-    for problem in problems:
-        path = _as_given(("design", *parts(problem.key)), design)
-        yield as_in_file(document, Finding(path, problem.found, problem.allowed))
+    yield from design.refused(_as_given(design, problems))
 
 
-def _of_a_body(document: dict[str, Any]) -> Iterator[Finding]:
+def _of_a_body(case: Section, design: Section) -> Iterator[Finding]:
     """Find radii given in two ways, and what goes with several lines alone or not with them."""
-    design, system = table(document, "design"), table(document, "system")
-    yield from ranges.findings(RADII, DesignTable, (("design",), design))
-    yield from ranges.findings(PRETENSIONS, DesignTable, (("design",), design))
-    has_system = "system" in document
-    if not has_system and misspelt(CaseTable, ["system"], document):
+    yield from ranges.findings(RADII, design)
+    yield from ranges.findings(PRETENSIONS, design)
+    has_system = "system" in case
+    if not has_system and case.misspelt("system"):
         return
-    force = value(SystemTable, "force", system) or []
-    unclear = not force and ("force" in system or misspelt(SystemTable, ["force"], system))
-    given = {key: value(DesignTable, key, design) for key in ("lines", "headings", "objectives")}
-    given |= {"line_out": design.get("line_out") is True, "sinker": "sinker" in design}
-    given |= {"anchor_radii": ranges.is_given(RADII, design), "loads": "loads" in design}
-    given |= {"pretensions": ranges.is_given(PRETENSIONS, design)}
+    system = case.table("system")
+    force = system.value("force") or []
+    unclear = not force and not system.lacks("force")
+    given = {key: design.value(key) for key in ("lines", "headings", "objectives")}
+    given |= {"line_out": design.given.get("line_out") is True}
+    given |= {key: key in design for key in ("sinker", "loads")}
+    given |= {each.many: ranges.is_given(each, design) for each in (RADII, PRETENSIONS)}
     has_force = bool(unclear or any(force))
-    for problem in body_misfits(given, has_system=has_system, has_force=has_force):
-        path = _as_given(parts(problem.key), design)
-        yield as_in_file(document, Finding(path, problem.found, problem.allowed))
+    problems = body_misfits(given, has_system=has_system, has_force=has_force)
+    yield from case.refused(_as_given(design, problems))
 
 
-def _as_given(path: Path, design: dict[str, Any]) -> Path:
+def _as_given(design: Section, problems: Iterable[Problem]) -> Iterator[Problem]:
     """Say which key of the file gives what the model has under one name."""
-    for values in (RADII, PRETENSIONS):
-        if path[-1] == values.many:
-            return ("design", next(key for key in values.keys if key in design))
-    return path
+    for problem in problems:
+        for values in (RADII, PRETENSIONS):
+            if problem.key.endswith(values.many):
+                given = next(key for key in values.keys if key in design)
+                problem = replace(problem, key=problem.key.replace(values.many, given))
+        yield problem
 
 
-def _excursion(document: dict[str, Any]) -> Iterator[Finding]:
+def _excursion(case: Section, design: Section) -> Iterator[Finding]:
     """Find an excursion that has no reference to count from."""
-    objectives = value(DesignTable, "objectives", table(document, "design")) or []
-    cases = tables(document, "load_cases")
-    misread = "load_cases" in document and not cases
-    count = sum(state.get("kind") == "reference" for _, state in cases)
-    if "excursion" not in objectives or misread or count == 1 or "system" in document:
+    objectives, states = design.value("objectives") or [], case.tables("load_cases")
+    misread = "load_cases" in case and not states
+    count = sum(state.given.get("kind") == "reference" for state in states)
+    if "excursion" not in objectives or misread or count == 1 or "system" in case:
         return
-    if not misspelt(CaseTable, ["load_cases"], document):
+    if not case.misspelt("load_cases"):
         path = ("design", "objectives", objectives.index("excursion"))
         there = f"there are {count}" if count else "there is none"
         allowed = f'counts from the one load case of kind "reference", and {there}'

@@ -5,18 +5,16 @@ What is missing or wrong in itself is passed over: it is reported by its own key
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from catopt.casefile.location import Finding, parts
 from catopt.casefile.names import stands_for
-from catopt.casefile.schema import MOST_LISTED, MOST_TABLES, Table, entries
+from catopt.casefile.schema import MOST_LISTED, MOST_TABLES, CaseTable, Table, entries
 from catopt.documents import Path
 from catopt.errors import InputError, Problem
 from catopt.units import as_written
-
-Place = tuple[Path, dict[str, Any]]
-"""A table of the document with its path."""
 
 
 def table(document: dict[str, Any], key: str) -> dict[str, Any]:
@@ -25,58 +23,86 @@ def table(document: dict[str, Any], key: str) -> dict[str, Any]:
     return found if isinstance(found, dict) else {}
 
 
-def tables(parent: dict[str, Any], *path: str) -> list[Place]:
-    """List the tables of an array, each with its path; the last key of the path is the array's.
+@dataclass(frozen=True)
+class Section:
+    """A table of the document, with its schema and its path; of the whole file to begin with."""
 
-    There are none when one of them is no table, or when they are too many.
-    """
-    array = parent.get(path[-1])
-    if not isinstance(array, list) or len(array) > MOST_TABLES:
-        return []
-    if not all(isinstance(each, dict) for each in array):
-        return []
-    return [((*path, index), each) for index, each in enumerate(array)]
+    given: dict[str, Any]
+    schema: type[Table] = CaseTable
+    path: Path = ()
 
+    def __contains__(self, key: str) -> bool:
+        return key in self.given
 
-def value(schema: type[Table], key: str, given: dict[str, Any]) -> Any:
-    """Return a value as the model takes it; None when it is missing or wrong in itself.
+    def table(self, key: str) -> Section:
+        """Return a table in this one; an empty one where there is none."""
+        inner = entries(self.schema)[key].table
+        assert inner is not None
+        return Section(table(self.given, key), inner, (*self.path, key))
 
-    An array gives a list, and None when one of its values is wrong.
-    """
-    entry = entries(schema)[key]
-    if entry.kind is None or key not in given:
-        return None
-    try:
-        if not entry.array:
-            return entry.kind.read(given[key])
-        if not isinstance(given[key], list) or len(given[key]) > MOST_LISTED:
+    def tables(self, key: str) -> list[Section]:
+        """List the tables of an array; none when one of them is no table, or they are too many."""
+        inner, array = entries(self.schema)[key].table, self.given.get(key)
+        assert inner is not None
+        if not isinstance(array, list) or len(array) > MOST_TABLES:
+            return []
+        if not all(isinstance(each, dict) for each in array):
+            return []
+        return [Section(each, inner, (*self.path, key, k)) for k, each in enumerate(array)]
+
+    def value(self, key: str) -> Any:
+        """Return a value as the model takes it; None when it is missing or wrong in itself.
+
+        An array gives a list, and None when one of its values is wrong.
+        """
+        entry, given = entries(self.schema)[key], self.given.get(key)
+        if entry.kind is None or key not in self:
             return None
-        return [entry.kind.read(each) for each in given[key]]
-    except InputError:
-        return None
+        try:
+            if not entry.array:
+                return entry.kind.read(given)
+            if not isinstance(given, list) or len(given) > MOST_LISTED:
+                return None
+            return [entry.kind.read(each) for each in given]
+        except InputError:
+            return None
 
+    def number(self, key: str) -> float | None:
+        """Return a value in SI; None when it is missing or wrong in itself."""
+        found = self.value(key)
+        return found if isinstance(found, float) else None
 
-def number(schema: type[Table], key: str, given: dict[str, Any]) -> float | None:
-    """Return a value in SI; None when it is missing or wrong in itself."""
-    found = value(schema, key, given)
-    return found if isinstance(found, float) else None
+    def values(self) -> dict[str, Any]:
+        """Return what is given of the keys of the table; None of what cannot be read."""
+        return {key: self.value(key) for key in entries(self.schema) if key in self}
 
+    def misspelt(self, *keys: str) -> bool:
+        """Whether a key, one of all where none is named, is there under another name.
 
-def text(schema: type[Table], key: str, given: dict[str, Any]) -> str | None:
-    """Return a text; None when it is missing or wrong in itself."""
-    found = value(schema, key, given)
-    return found if isinstance(found, str) else None
+        That is reported already.
+        """
+        known = entries(self.schema)
+        unknown = [key for key in self.given if key not in known]
+        return any(stands_for(self.schema, key) in (keys or known) for key in unknown)
 
+    def lacks(self, *keys: str) -> bool:
+        """Whether none of the keys is there, under its own or another name."""
+        return not any(key in self for key in keys) and not self.misspelt(*keys)
 
-def values(schema: type[Table], given: dict[str, Any]) -> dict[str, Any]:
-    """Return what is given of the keys of a table; None of what cannot be read."""
-    return {key: value(schema, key, given) for key in entries(schema) if key in given}
+    def wrong(self, key: str, allowed: str) -> Finding:
+        """Note what a key has, and what is allowed."""
+        return Finding((*self.path, key), as_written(self.given[key]), allowed)
 
+    def missing(self, key: str, why: str) -> Finding:
+        """Note that a key is missing."""
+        return Finding((*self.path, key), "", f"missing; {why}")
 
-def misspelt(schema: type[Table], keys: Collection[str], given: dict[str, Any]) -> bool:
-    """Whether one of the keys is there under another name, which is reported already."""
-    unknown = [key for key in given if key not in entries(schema)]
-    return any(stands_for(schema, key) in keys for key in unknown)
+    def refused(self, problems: Iterable[Problem]) -> Iterator[Finding]:
+        """Place what the model refuses by its keys in this table, as the file has it there."""
+        for problem in problems:
+            below = parts(problem.key)
+            finding = Finding(below, problem.found, problem.allowed)
+            yield as_in_file(self.given, finding)._replace(path=(*self.path, *below))
 
 
 def refusals(part: Callable[..., object], **given: Any) -> Sequence[Problem]:
@@ -86,15 +112,6 @@ def refusals(part: Callable[..., object], **given: Any) -> Sequence[Problem]:
     except InputError as error:
         return error.problems
     return ()
-
-
-def in_file(
-    document: dict[str, Any], problems: Iterable[Problem], *at: str | int
-) -> Iterator[Finding]:
-    """Place what the model refuses in the file, by its keys below a path."""
-    for problem in problems:
-        path = (*at, *parts(problem.key))
-        yield as_in_file(document, Finding(path, problem.found, problem.allowed))
 
 
 def as_in_file(document: dict[str, Any], finding: Finding) -> Finding:

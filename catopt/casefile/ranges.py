@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from catopt.casefile.document import Place, misspelt, number, value
+from catopt.casefile.document import Section
 from catopt.casefile.location import Finding
-from catopt.casefile.schema import Table, Values
+from catopt.casefile.schema import Values
 from catopt.units import as_written
 
 MOST_VALUES = 10_000
@@ -28,9 +28,9 @@ def wanted(values: Values) -> str:
     return f"{values.many}, {values.one}, or {low} with {high} and {step}"
 
 
-def is_given(values: Values, table: dict[str, Any]) -> bool:
+def is_given(values: Values, section: Section) -> bool:
     """Whether a table has any of the keys."""
-    return any(key in table for key in values.keys)
+    return any(key in section for key in values.keys)
 
 
 def values_of(values: Values, given: dict[str, Any]) -> tuple[float, ...]:
@@ -43,59 +43,57 @@ def values_of(values: Values, given: dict[str, Any]) -> tuple[float, ...]:
     return () if low is None or high is None or step is None else _steps(low, high, step)
 
 
-def read(values: Values, schema: type[Table], table: dict[str, Any]) -> tuple[float, ...]:
+def read(values: Values, section: Section) -> tuple[float, ...]:
     """Return the values of a table of the document; empty where they are not clear."""
-    place: Place = ((), table)
-    if not is_given(values, table) or any(findings(values, schema, place)):
+    if not is_given(values, section) or any(findings(values, section)):
         return ()
-    given = {key: value(schema, key, table) for key in values.keys if key in table}
+    given = {key: section.value(key) for key in values.keys if key in section}
     return () if None in given.values() else values_of(values, given)
 
 
-def findings(
-    values: Values, schema: type[Table], place: Place, *, required: bool = False
-) -> Iterator[Finding]:
+def findings(values: Values, section: Section, *, required: bool = False) -> Iterator[Finding]:
     """Find values given in two ways, in half of one, twice, or (where required) not at all."""
-    path, table = place
-    ranged = [key for key in values.range if key in table]
-    singly = [key for key in (values.one, values.many) if key in table]
-    unclear = misspelt(schema, values.keys, table)
-    if not ranged and not singly and required and not unclear:
-        yield Finding((*path, values.many), "", f"missing; {wanted(values)} is wanted")
+    ranged = [key for key in values.range if key in section]
+    singly = [key for key in (values.one, values.many) if key in section]
+    if required and section.lacks(*values.keys):
+        yield section.missing(values.many, f"{wanted(values)} is wanted")
     elif len(singly) + bool(ranged) > 1:
         found = " and ".join([*singly, *ranged])
-        yield Finding(path, found, f"only one way is wanted: {wanted(values)}")
-    elif ranged and not unclear:
-        yield from _range_findings(values, schema, place)
-    yield from duplicates(schema, place, values.many)
+        yield Finding(section.path, found, f"only one way is wanted: {wanted(values)}")
+    elif ranged and not section.misspelt(*values.keys):
+        yield from _range_findings(values, section)
+    yield from duplicates(section, values.many)
 
 
-def _range_findings(values: Values, schema: type[Table], place: Place) -> Iterator[Finding]:
-    path, table = place
+def _range_findings(values: Values, section: Section) -> Iterator[Finding]:
     low_key, high_key, step_key = values.range
-    together = f"missing; {low_key}, {high_key} and {step_key} go together"
-    yield from (Finding((*path, key), "", together) for key in values.range if key not in table)
-    low, high, step = (number(schema, key, table) for key in values.range)
-    if low is None or high is None:
+    together = f"{low_key}, {high_key} and {step_key} go together"
+    yield from (section.missing(key, together) for key in values.range if key not in section)
+    yield from upside_down(section, low_key, high_key)
+    low, high, step = (section.number(key) for key in values.range)
+    if low is None or high is None or step is None or high < low:
         return
-    if high < low:
-        shown = as_written(table[low_key]).strip('"')
-        allowed = f"must be {low_key} or more, which is {shown}"
-        yield Finding((*path, high_key), as_written(table[high_key]), allowed)
-    elif step is not None and (high - low) / step >= MOST_VALUES - 1 + _HITS:
+    if (high - low) / step >= MOST_VALUES - 1 + _HITS:
         count = f"{(high - low) / step + 1.0:.6g}"
-        allowed = f"makes {count} values; {MOST_VALUES} are the most"
-        yield Finding((*path, step_key), as_written(table[step_key]), allowed)
+        yield section.wrong(step_key, f"makes {count} values; {MOST_VALUES} are the most")
 
 
-def duplicates(schema: type[Table], place: Place, key: str) -> Iterator[Finding]:
+def upside_down(section: Section, low_key: str, high_key: str) -> Iterator[Finding]:
+    """Find an upper bound below the lower one."""
+    low, high = section.number(low_key), section.number(high_key)
+    if low is not None and high is not None and high < low:
+        shown = as_written(section.given[low_key]).strip('"')
+        yield section.wrong(high_key, f"must be {low_key} or more, which is {shown}")
+
+
+def duplicates(section: Section, key: str) -> Iterator[Finding]:
     """Find values of an array that stand there already, however they are written."""
-    path, table = place
-    read = value(schema, key, table) or []
+    read = section.value(key) or []
     for index, each in enumerate(read):
         if each in read[:index]:
-            shown = as_written(table[key][index])
-            yield Finding((*path, key, index), shown, "stands there already; leave it out")
+            shown = as_written(section.given[key][index])
+            path = (*section.path, key, index)
+            yield Finding(path, shown, "stands there already; leave it out")
 
 
 def _steps(low: float, high: float, step: float) -> tuple[float, ...]:

@@ -10,6 +10,7 @@ from catopt.casefile.building import build_case
 from catopt.casefile.components import from_catalogue
 from catopt.casefile.consistency import consistency_findings
 from catopt.casefile.design_consistency import design_findings
+from catopt.casefile.document import Section
 from catopt.casefile.location import refuse
 from catopt.casefile.motion_consistency import motion_findings
 from catopt.casefile.network_file import is_network, parse_network
@@ -93,11 +94,12 @@ def parse_case(text: str, source: str = "", *, folder: str = "") -> Case:
 def case_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> Case:
     """Make the case of a document, as the TOML reader returns it; as `parse_case`."""
     table, findings = read_tables(document, CaseTable)
-    catalogue = from_catalogue(document, folder)
+    case = Section(document)
+    catalogue = from_catalogue(case, folder)
     findings += catalogue.findings
-    findings += consistency_findings(document, catalogue.segments)
-    findings += design_findings(document)
-    findings += motion_findings(document)
+    findings += consistency_findings(case, catalogue.segments)
+    findings += design_findings(case)
+    findings += motion_findings(case)
     if findings and (other := not_a_case(document)):
         raise InputError([other], source)
     refuse(document, findings, source)
