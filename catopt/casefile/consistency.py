@@ -119,8 +119,9 @@ def _sought(case: Section) -> Find | None:
         return None
     sought = Find(quantity, anchor_angle=None if quantity in FORCES else 0.0)
     for key in ("segment", "point_load"):
+        given: dict[str, Any] = {key: find.get(key)}
         with suppress(InputError):  # wrong in itself, or goes with another quantity
-            sought = replace(sought, **{key: find.get(key)})
+            sought = replace(sought, **given)
     return sought
 
 
