@@ -49,9 +49,7 @@ def assemble(line: int, net: Net) -> tuple[int, float]:
     for node in range(first + line, end + line + 1):
         for i in range(3):
             state.balance[node, i] = nodal[node, i]
-    strain = 0.0
-    for e in range(first, end):
-        strain = max(strain, _bar(e, line, first, net))
+    strain = _add_bars(line, first, end, net)
     if law.ease == 0.0:
         _touch_down(line, first, end, net)
     changed = 0
@@ -63,50 +61,58 @@ def assemble(line: int, net: Net) -> tuple[int, float]:
     return changed, strain
 
 
-def _bar(e: int, line: int, first: int, net: Net) -> float:
-    """Add a bar to the balance of its nodes and write its strain equation; return its misfit."""
+def _add_bars(line: int, first: int, end: int, net: Net) -> float:
+    """Add bars to the balance of their nodes, write their strain equations; largest misfit.
+
+    Arrays are taken out of their tuples before the loop: numba counts references within it.
+    """
     bars, state, loads, _, ground, law, band, rhs = net
-    a = e + line
-    size, tx, ty, tz = axis(state.x, a)
-    t = (tx, ty, tz)
-    T = state.tension[e]
-    l0 = bars.length[e]
-    misfit, slope = _misfit(size, l0, T, bars.compliance[e], law)
-    slack = _is_slack(a, T / law.soft, misfit / l0, state.contact, ground, law)
-    across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
-    row = 4 * e
-    has_first = e > first
-    if slack:
-        band[row, DIAGONAL] = 1.0
-        rhs[row] = -T / law.soft
-    else:
-        band[row, DIAGONAL] = -l0 * slope * law.soft
-        rhs[row] = -misfit
-    varies = loads.by_first.shape[0] > 0
-    for i in range(3):
-        # Rows of the first node stand 3 to 1 above the bar's, those of the second 1 to 3 below.
-        up, down = row - 3 + i, row + 1 + i
-        state.balance[a, i] += T * t[i] + loads.force[e, i]
-        state.balance[a + 1, i] += loads.force[e, i] - T * t[i]
-        band[down, DIAGONAL - 1 - i] = -t[i]
-        if not slack:
-            band[row, DIAGONAL + 1 + i] = t[i]
-        if has_first:
-            band[up, DIAGONAL + 3 - i] = t[i]
+    x, tension, contact, _, balance = state
+    force, first_by, second_by = loads
+    length, compliance = bars.length, bars.compliance
+    varies, strain = first_by.shape[0] > 0, 0.0
+    for e in range(first, end):
+        a = e + line
+        size, tx, ty, tz = axis(x, a)
+        t = (tx, ty, tz)
+        T = tension[e]
+        l0 = length[e]
+        misfit, slope = _misfit(size, l0, T, compliance[e], law)
+        slack = _is_slack(a, T / law.soft, misfit / l0, contact, ground, law)
+        across = (T if law.carries_compression else max(T, 0.0)) / (size * law.soft)
+        row = 4 * e
+        has_first = e > first
+        if slack:
+            band[row, DIAGONAL] = 1.0
+            rhs[row] = -T / law.soft
+        else:
+            band[row, DIAGONAL] = -l0 * slope * law.soft
+            rhs[row] = -misfit
+        for i in range(3):
+            # Rows of the first node stand 3 to 1 above the bar's, those of the second 1 to 3 below.
+            up, down = row - 3 + i, row + 1 + i
+            balance[a, i] += T * t[i] + force[e, i]
+            balance[a + 1, i] += force[e, i] - T * t[i]
+            band[down, DIAGONAL - 1 - i] = -t[i]
             if not slack:
-                band[row, DIAGONAL - 3 + i] = -t[i]
-        for j in range(3):
-            g = across * ((1.0 if i == j else 0.0) - t[i] * t[j])
-            by_first, by_second = 0.0, 0.0
-            if varies:
-                by_first = loads.by_first[e, i, j] / law.soft
-                by_second = loads.by_second[e, i, j] / law.soft
-            band[down, DIAGONAL + j - i] += by_second - g
+                band[row, DIAGONAL + 1 + i] = t[i]
             if has_first:
-                band[up, DIAGONAL + j - i] += by_first - g
-                band[up, DIAGONAL + 4 + j - i] += by_second + g
-                band[down, DIAGONAL - 4 + j - i] += by_first + g
-    return 0.0 if slack else abs(misfit) / l0
+                band[up, DIAGONAL + 3 - i] = t[i]
+                if not slack:
+                    band[row, DIAGONAL - 3 + i] = -t[i]
+            for j in range(3):
+                g = across * ((1.0 if i == j else 0.0) - t[i] * t[j])
+                by_first, by_second = 0.0, 0.0
+                if varies:
+                    by_first = first_by[e, i, j] / law.soft
+                    by_second = second_by[e, i, j] / law.soft
+                band[down, DIAGONAL + j - i] += by_second - g
+                if has_first:
+                    band[up, DIAGONAL + j - i] += by_first - g
+                    band[up, DIAGONAL + 4 + j - i] += by_second + g
+                    band[down, DIAGONAL - 4 + j - i] += by_first + g
+        strain = max(strain, 0.0 if slack else abs(misfit) / l0)
+    return strain
 
 
 def _touch_down(line: int, first: int, end: int, net: Net) -> None:
