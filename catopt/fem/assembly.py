@@ -52,9 +52,7 @@ def assemble(line: int, net: Net) -> tuple[int, float]:
     strain = _add_bars(line, first, end, net)
     if law.ease == 0.0:
         _touch_down(line, first, end, net)
-    changed = 0
-    for e in range(first + 1, end):
-        changed += _node(e, line, net)
+    changed = _lay_on_bed(line, first, end, net)
     for e in range(first, end):
         for i in range(3):
             rhs[4 * e + 1 + i] -= state.balance[e + line + 1, i] / law.soft
@@ -161,40 +159,42 @@ def _is_slack(
     return True
 
 
-def _node(e: int, line: int, net: Net) -> int:
-    """Let the bed act on the first node of bar `e`; returns 1 when its state changed."""
+def _lay_on_bed(line: int, first: int, end: int, net: Net) -> int:
+    """Let the bed act on the inner nodes; returns how many changed their state."""
     bars, state, loads, _, ground, law, band, rhs = net
-    node = e + line
-    row = 4 * e - 3
-    for i in range(3):
-        band[row + i, DIAGONAL] -= law.drag_in / law.soft
-    was = state.contact[node]
-    state.reaction[node] = 0.0
-    if was == ABSENT:
-        return 0
-    rigid = math.isinf(ground.stiffness[node])
-    z = state.x[node, 2]
-    pushed = -state.balance[node, 2] if rigid or was == HELD else -ground.stiffness[node] * z
-    rest = 0.0
-    if rigid and law.ease == 0.0:
-        below, above = -2.0 * loads.force[e - 1, 2], -2.0 * loads.force[e, 2]
-        rest = own_rest(node, below, above, state.contact)
-    now = touches(was, z, pushed - rest, 1e-12 * bars.length[e])
-    state.contact[node] = now
-    if now == FREE:
-        return int(was != FREE)
-    if was == FREE:
-        pushed = max(pushed, 0.0)
-    state.reaction[node] = pushed
-    if now == ON_BED and pushed > 0.0:
-        add_friction(e, node, pushed, rigid, net)
-    if rigid or now == HELD:
-        state.balance[node, 2] = 0.0
-        for c in range(band.shape[1]):
-            band[row + 2, c] = 0.0
-        band[row + 2, DIAGONAL] = 1.0
-        rhs[row + 2] = -z
-    else:
-        state.balance[node, 2] += pushed
-        band[row + 2, DIAGONAL] -= ground.stiffness[node] / law.soft
-    return int(was != now)
+    x, _, contact, reaction, balance = state
+    force, length, stiffness, changed = loads.force, bars.length, ground.stiffness, 0
+    for e in range(first + 1, end):
+        node, row = e + line, 4 * e - 3
+        for i in range(3):
+            band[row + i, DIAGONAL] -= law.drag_in / law.soft
+        was = contact[node]
+        reaction[node] = 0.0
+        if was == ABSENT:
+            continue
+        rigid = math.isinf(stiffness[node])
+        z = x[node, 2]
+        pushed = -balance[node, 2] if rigid or was == HELD else -stiffness[node] * z
+        rest = 0.0
+        if rigid and law.ease == 0.0:
+            rest = own_rest(node, -2.0 * force[e - 1, 2], -2.0 * force[e, 2], contact)
+        now = touches(was, z, pushed - rest, 1e-12 * length[e])
+        contact[node] = now
+        changed += int(was != now)
+        if now == FREE:
+            continue
+        if was == FREE:
+            pushed = max(pushed, 0.0)
+        reaction[node] = pushed
+        if now == ON_BED and pushed > 0.0:
+            add_friction(e, node, pushed, rigid, net)
+        if rigid or now == HELD:
+            balance[node, 2] = 0.0
+            for c in range(band.shape[1]):
+                band[row + 2, c] = 0.0
+            band[row + 2, DIAGONAL] = 1.0
+            rhs[row + 2] = -z
+        else:
+            balance[node, 2] += pushed
+            band[row + 2, DIAGONAL] -= stiffness[node] / law.soft
+    return changed

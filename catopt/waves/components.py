@@ -27,10 +27,8 @@ class Waves:
 
     Attributes
     ----------
-    amplitude : ndarray
-        a, m.
-    omega : ndarray
-        Angular frequency, rad/s.
+    amplitude, omega : ndarray
+        a, m, and angular frequency, rad/s.
     phase : ndarray
         phi, rad: at the origin at t = 0 the wave stands at a cos(phi).
     direction : ndarray
@@ -96,10 +94,8 @@ class Waves:
 
     def with_others(self, *others: Waves) -> Waves:
         """Return these waves and others together."""
-        together = [
-            np.concatenate([getattr(each, name) for each in (self, *others)]) for name in _ARRAYS
-        ]
-        return Waves(*together)
+        all_of = (self, *others)
+        return Waves(*(np.concatenate([getattr(w, name) for w in all_of]) for name in _ARRAYS))
 
 
 def regular_wave(
@@ -109,19 +105,10 @@ def regular_wave(
 
     Parameters
     ----------
-    height : float
-        From trough to crest, m: twice the amplitude.
-    period : float
-        s.
-    direction : float
-        Where it travels to, rad from the x axis.
-    phase : float
-        rad; 0 puts a crest over the origin at t = 0.
-
-    Raises
-    ------
-    InputError
-        For a height or period that is not above 0, or an angle that is no finite number.
+    height, period : float
+        From trough to crest, m: twice the amplitude; s. InputError unless above 0.
+    direction, phase : float
+        Where it travels to, rad from the x axis; rad: 0 puts a crest over the origin at t = 0.
     """
     found = Findings("regular_wave")
     found.number("height", height, "m", above=0.0)

@@ -32,14 +32,9 @@ def wind_driven_speed(wind_speed: float, rule: WindRule = "S4") -> float:
     Parameters
     ----------
     wind_speed : float
-        Hourly mean at 10 m, m/s, 0 or more.
+        Hourly mean at 10 m, m/s; InputError below 0.
     rule : {"S4", "CALMAR"}
         1 % or 1.5 % of it.
-
-    Raises
-    ------
-    InputError
-        For a negative wind speed or an unknown rule.
     """
     found = Findings("wind_driven_speed")
     found.number("wind_speed", wind_speed, "m/s", at_least=0.0)
@@ -55,10 +50,8 @@ class PowerLawCurrent:
 
     Attributes
     ----------
-    surface_speed : float
-        V0, m/s, 0 or more.
-    direction : float
-        Where it flows to, rad from the x axis.
+    surface_speed, direction : float
+        V0, m/s, 0 or more, and where it flows to, rad from the x axis.
     exponent : float
         n, above 0; 1/7 in S4.
     """
@@ -79,10 +72,8 @@ class WindCurrent:
 
     Attributes
     ----------
-    surface_speed : float
-        V0, m/s, 0 or more; see `wind_driven_speed`.
-    depth : float
-        d0, m, above 0; may exceed the water's depth.
+    surface_speed, depth : float
+        V0, m/s, 0 or more (`wind_driven_speed`); d0, m, above 0: it may exceed the water's depth.
     direction : float
         Where it flows to, rad from the x axis.
     """
@@ -152,10 +143,8 @@ class CurrentSeries:
 
     Attributes
     ----------
-    times : ndarray, shape (n,)
-        s, rising; 0 is the start of the run.
-    speeds : ndarray, shape (n,)
-        At the surface, m/s.
+    times, speeds : ndarray, shape (n,)
+        s, rising, 0 being the start of the run; at the surface, m/s.
     directions : ndarray, shape (n,), optional
         Where it flows to at the surface, rad from the x axis; that of the profiles when left out.
     """
@@ -181,12 +170,9 @@ class CurrentSeries:
         found.raise_if_any()
 
     def rows(self, surface: complex) -> Array:
-        """Rows of time and the factor on the profiles, as a complex number in two parts.
+        """Rows of time, s, and the factor on the profiles, as a complex number in two parts.
 
-        Parameters
-        ----------
-        surface : complex
-            What the profiles flow with at the surface, along x and y, m/s; not 0.
+        `surface`: what the profiles flow with there, along x and y, m/s; not 0.
         """
         speeds = np.asarray(self.speeds, dtype=float)
         if self.directions is None:

@@ -24,15 +24,8 @@ def wave_number(omega: float, depth: float) -> float:
 
     Parameters
     ----------
-    omega : float
-        Angular frequency, rad/s, above 0.
-    depth : float
-        Water depth, m, above 0.
-
-    Returns
-    -------
-    float
-        k in rad/m.
+    omega, depth : float
+        Angular frequency, rad/s, and water depth, m, both above 0. The wave number is in rad/m.
 
     Notes
     -----
@@ -50,10 +43,7 @@ def wave_number(omega: float, depth: float) -> float:
 
 
 def fill_wave_numbers(omega: Any, depth: float, k: Any) -> None:
-    """Write the wave number of each frequency into `k`; the same for arrays, meant to be compiled.
-
-    `omega`, `k` (n,): rad/s, and written to: rad/m; `depth`: water depth, m.
-    """
+    """Write the wave number of each frequency, rad/m, into `k`; meant to be compiled."""
     for i in range(omega.shape[0]):
         k[i] = wave_number(omega[i], depth)
 
@@ -63,20 +53,8 @@ def wavelength(period: float, depth: float) -> float:
 
     Parameters
     ----------
-    period : float
-        s.
-    depth : float
-        Water depth, m.
-
-    Returns
-    -------
-    float
-        From crest to crest, m.
-
-    Raises
-    ------
-    InputError
-        When period or depth is not above 0.
+    period, depth : float
+        s, and water depth, m; InputError unless above 0. The length is from crest to crest, m.
     """
     found = Findings("wavelength")
     found.number("period", period, "s", above=0.0)

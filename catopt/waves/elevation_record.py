@@ -83,8 +83,7 @@ class ElevationRecord:
     @property
     def is_resampled(self) -> bool:
         """Whether its steps are uneven."""
-        even = self.times[0] + self.step * np.arange(self.times.size)
-        return bool((np.abs(self.times - even) > _UNEVEN * self.step).any())
+        return bool((np.abs(self.times - self._even_times) > _UNEVEN * self.step).any())
 
     @property
     def mean(self) -> float:
@@ -95,9 +94,11 @@ class ElevationRecord:
     def _even(self) -> Array:
         if not self.is_resampled:
             return self.elevation
-        even = self.times[0] + self.step * np.arange(self.times.size)
-        resampled: Array = np.interp(even, self.times, self.elevation)
-        return resampled
+        return np.interp(self._even_times, self.times, self.elevation)
+
+    @property
+    def _even_times(self) -> Array:
+        return self.times[0] + self.step * np.arange(self.times.size)
 
     def waves(self, *, direction: float = 0.0, shortest_period: float | None = None) -> Waves:
         """Find the waves that the record is the sum of; its first sample is t = 0 at the origin.
@@ -107,13 +108,8 @@ class ElevationRecord:
         direction : float
             Where they travel to, rad from the x axis.
         shortest_period : float, optional
-            s; faster waves are left out. Without it the fastest that together have no more than
-            0.1 % of the variance are.
-
-        Raises
-        ------
-        InputError
-            When no wave has such a period.
+            s; faster waves are left out; InputError when none is left. Without it the fastest that
+            together have no more than 0.1 % of the variance are.
         """
         N, T = self.times.size, self.times.size * self.step
         X = np.fft.rfft(self._even - self.mean)[1:]
@@ -129,10 +125,9 @@ class ElevationRecord:
             found.add("shortest_period", f"{shortest_period} s", "the record has no wave so slow")
             found.raise_if_any()
         kept = slice(0, count)
-        return Waves(
-            amplitude[kept], 2.0 * math.pi / T * k[kept], -np.angle(X[kept]).astype(float),
-            np.full(count, float(direction)), repeats_after=T,
-        )  # fmt: skip
+        omega, phase = 2.0 * math.pi / T * k[kept], -np.angle(X[kept]).astype(float)
+        along = np.full(count, float(direction))
+        return Waves(amplitude[kept], omega, phase, along, repeats_after=T)
 
     def left_out(self, waves: Waves) -> float:
         """Part of the record's variance that is in none of the waves found in it."""

@@ -19,10 +19,7 @@ _WIDEST_GAMMA: Final = 19.0
 def frequency_range(spectrum: Spectrum) -> tuple[float, float]:
     """Range that holds 99.9 % of the energy of any of these spectra: 0.5 to 6 peak frequencies.
 
-    Returns
-    -------
-    tuple of float
-        Lowest and highest angular frequency, rad/s.
+    In rad/s, as those of S4.
     """
     peak = spectrum.peak_frequency
     return _LOWEST * peak, _HIGHEST * peak
@@ -38,17 +35,7 @@ def s4_range_pierson_moskowitz(zero_crossing_period: float) -> tuple[float, floa
     Parameters
     ----------
     zero_crossing_period : float
-        Tz, s.
-
-    Returns
-    -------
-    tuple of float
-        Lowest and highest angular frequency, rad/s.
-
-    Raises
-    ------
-    InputError
-        When the period is not above 0.
+        Tz, s; InputError unless above 0.
     """
     found = Findings("s4_range_pierson_moskowitz")
     found.number("zero_crossing_period", zero_crossing_period, "s", above=0.0)
@@ -64,11 +51,6 @@ def s4_range_jonswap(spectrum: Spectrum) -> tuple[float, float]:
     Manual, the JONS data record), and meets the printed digits. The upper end is where S has fallen
     to 1/1000 of its peak, as 5.1101 omega_p is for gamma = 1; it comes 0.14 % below the printed
     one.
-
-    Returns
-    -------
-    tuple of float
-        Lowest and highest angular frequency, rad/s.
     """
     lowest = _S4_LOWEST + 0.05 * (spectrum.gamma - 1.0) / _WIDEST_GAMMA
     return lowest * spectrum.peak_frequency, thousandth(spectrum)

@@ -29,39 +29,17 @@ NEGLIGIBLE: Final = 37.0
 
 
 class Flow(NamedTuple):
-    """A sea as the kernels read it; made by `Sea.flow`.
+    """A sea as the kernels read it; made by `Sea.flow`."""
 
-    Attributes
-    ----------
-    depth : float
-        d, m.
-    is_stretched : bool
-        Whether by Wheeler.
-    reach : float
-        k (d - z) from which a wave is left out: `NEGLIGIBLE`, or pi for half a wavelength.
-    ramp_time : float
-        s over which the waves grow from nothing; 0 for waves at once.
-    waves : array, shape (n, 8)
-        A row a wave: omega, k cos b, k sin b, k, phi, cos b, sin b, a.
-    factors : array, shape (n, 2)
-        q, and a omega/(1 - q).
-    power_currents : array, shape (m, 3)
-        Surface speed along x and y, exponent.
-    current : array, shape (l, 3)
-        From the bed up: height, speed along x and y.
-    current_series : array, shape (m, 3)
-        Time, and the factor on all that flows: a complex number, real and imaginary part.
-    """
-
-    depth: float
-    is_stretched: bool
-    reach: float
-    ramp_time: float
-    waves: Any
-    factors: Any
-    power_currents: Any
-    current: Any
-    current_series: Any
+    depth: float  # d, m
+    is_stretched: bool  # by Wheeler
+    reach: float  # k (d - z) from which a wave is left out: `NEGLIGIBLE`, or pi for half a length
+    ramp_time: float  # s over which the waves grow from nothing; 0 for waves at once
+    waves: Any  # (n, 8), a row a wave: omega, k cos b, k sin b, k, phi, cos b, sin b, a
+    factors: Any  # (n, 2): q, and a omega/(1 - q)
+    power_currents: Any  # (m, 3): surface speed along x and y, m/s, exponent
+    current: Any  # (l, 3), from the bed up: height, m, speed along x and y, m/s
+    current_series: Any  # (m, 3): time, s, and the complex factor on all that flows in two parts
 
 
 @inlined

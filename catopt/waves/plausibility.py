@@ -6,7 +6,6 @@ import math
 from typing import Final
 
 from catopt.model.validity import Findings
-from catopt.waves.components import Waves
 from catopt.waves.dispersion import wave_number
 from catopt.waves.sea import Sea
 from catopt.words import Message
@@ -20,15 +19,8 @@ def breaking_height(period: float, depth: float) -> float:
 
     Parameters
     ----------
-    period : float
-        s.
-    depth : float
-        Water depth, m.
-
-    Raises
-    ------
-    InputError
-        When either is not above 0.
+    period, depth : float
+        s, and water depth, m; InputError unless above 0.
     """
     found = Findings("breaking_height")
     found.number("period", period, "s", above=0.0)
@@ -43,23 +35,14 @@ def breaking_warning(sea: Sea) -> str | None:
 
     A regular wave is held by its height. A sum of waves is held by its significant height, at the
     mean period: single waves in it are up to twice as high and break first.
-
-    Parameters
-    ----------
-    sea : Sea
-        Waves and depth.
     """
     if sea.waves is None:
         return None
-    height, key = _height(sea.waves)
+    height, key = sea.waves.significant_height, "motion.waves_break"
+    if sea.waves.count == 1:
+        height, key = 2.0 * float(sea.waves.amplitude[0]), "motion.wave_breaks"
     period = sea.waves.mean_period
     limit = breaking_height(period, sea.depth)
     if height <= limit:
         return None
     return Message(key, height=height, limit=limit, period=period, depth=sea.depth)
-
-
-def _height(waves: Waves) -> tuple[float, str]:
-    if waves.count == 1:
-        return 2.0 * float(waves.amplitude[0]), "motion.wave_breaks"
-    return waves.significant_height, "motion.waves_break"

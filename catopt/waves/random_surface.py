@@ -44,8 +44,6 @@ def random_waves(
 
     Parameters
     ----------
-    spectrum : Spectrum
-        What it is drawn from.
     count : int
         How many waves; see `repetition` for how many a run needs.
     generator : numpy.random.Generator
@@ -64,11 +62,8 @@ def random_waves(
         Lowest and highest angular frequency, rad/s; `frequency_range` when not given. The energy
         outside is left out, and the waves' Hs is smaller by that.
 
-    Raises
-    ------
-    InputError
-        For a count below 1 or not a multiple of the directions, a range that is empty or not above
-        0, a spreading not above 0.
+    Raises InputError for a count below 1 or not a multiple of the directions, a range that is empty
+    or not above 0, a spreading not above 0.
     """
     low, high = frequency_range(spectrum) if between is None else between
     _check(count, direction, spreading, bands, low, high)

@@ -39,14 +39,10 @@ _WANTED: Final = 0.25
 
 @dataclass(frozen=True)
 class Return:
-    """When a sum of waves comes closest to repeating itself.
+    """When a sum of waves comes closest to repeating itself."""
 
-    `lag`: s after which; 0 for a run too short to tell; `correlation`: R there: 1 is a repetition,
-    0 none.
-    """
-
-    lag: float
-    correlation: float
+    lag: float  # s after which; 0 for a run too short to tell
+    correlation: float  # R there: 1 is a repetition, 0 none
 
 
 def strongest_return(waves: Waves, duration: float) -> Return:
@@ -54,15 +50,8 @@ def strongest_return(waves: Waves, duration: float) -> Return:
 
     Parameters
     ----------
-    waves : Waves
-        The sea.
     duration : float
-        Of the run, s.
-
-    Raises
-    ------
-    InputError
-        When the duration is not above 0.
+        Of the run, s; InputError unless above 0.
     """
     found = Findings("strongest_return")
     found.number("duration", duration, "s", above=0.0)
@@ -94,14 +83,9 @@ def waves_needed(duration: float, mean_period: float, correlation: float = _WANT
     Parameters
     ----------
     duration, mean_period : float
-        s.
+        s, above 0.
     correlation : float
-        R, above 0, at most 1.
-
-    Raises
-    ------
-    InputError
-        For values out of these ranges.
+        R, above 0, at most 1. InputError beyond these ranges.
     """
     found = Findings("waves_needed")
     found.number("duration", duration, "s", above=0.0)
@@ -114,32 +98,18 @@ def waves_needed(duration: float, mean_period: float, correlation: float = _WANT
 def repetition_warning(waves: Waves, duration: float) -> str | None:
     """Say that a run has too few waves for its duration, with the numbers; None when it has not.
 
-    One regular wave is meant to repeat and passes; a record passes up to its own length.
-
-    Parameters
-    ----------
-    waves : Waves
-        The sea.
-    duration : float
-        Of the run, s.
+    One regular wave is meant to repeat and passes; a record passes up to its own length. `duration`
+    of the run, s.
     """
     if waves.count == 1:
         return None
     if math.isfinite(waves.repeats_after):
         if duration <= waves.repeats_after * (1.0 + 1e-9):
             return None
-        values = {"length": waves.repeats_after, "duration": duration}
-        return Message("motion.record_repeats", **values)
+        return Message("motion.record_repeats", length=waves.repeats_after, duration=duration)
     worst = strongest_return(waves, duration)
     if worst.correlation < _LIMIT:
         return None
     needed = waves_needed(duration, waves.mean_period)
-    return Message(
-        "motion.waves_repeat",
-        count=waves.count,
-        duration=duration,
-        lag=worst.lag,
-        correlation=worst.correlation,
-        needed=needed,
-        wanted=_WANTED,
-    )
+    counts = {"count": waves.count, "needed": needed, "wanted": _WANTED}
+    return Message("motion.waves_repeat", duration=duration, **vars(worst), **counts)

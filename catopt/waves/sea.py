@@ -24,12 +24,7 @@ from catopt.waves.current import (
     table_rows,
 )
 from catopt.waves.dispersion import fill_wave_numbers
-from catopt.waves.kinematics import (
-    NEGLIGIBLE,
-    Flow,
-    fill_elevation,
-    fill_kinematics,
-)
+from catopt.waves.kinematics import NEGLIGIBLE, Flow, fill_elevation, fill_kinematics
 
 Array = npt.NDArray[np.float64]
 
@@ -43,19 +38,11 @@ S4 has it: nothing of a wave further below still water than half its own length.
 
 
 class Kinematics(NamedTuple):
-    """The water's motion at points.
+    """The water's motion at points."""
 
-    Attributes
-    ----------
-    velocity, acceleration : ndarray, shape (n, 3)
-        m/s and m/s², along x, y and up.
-    surface : ndarray, shape (n,)
-        Height above the bed up to which there is water over each point, m.
-    """
-
-    velocity: Array
-    acceleration: Array
-    surface: Array
+    velocity: Array  # (n, 3): along x, y and up, m/s
+    acceleration: Array  # (n, 3): m/s²
+    surface: Array  # (n,): height above the bed up to which there is water over each point, m
 
 
 _A_WAVE = 1e-5
@@ -164,15 +151,7 @@ class Sea:
         )
 
     def kinematics(self, t: float, points: npt.ArrayLike) -> Kinematics:
-        """Velocity and acceleration of the water at points.
-
-        Parameters
-        ----------
-        t : float
-            s.
-        points : array_like, shape (n, 3)
-            x, y, and height z above the bed, m.
-        """
+        """Motion of the water at t, s, and points (n, 3): x, y, and height z above the bed, m."""
         at = np.ascontiguousarray(points, dtype=float)
         result = Kinematics(np.empty(at.shape), np.empty(at.shape), np.empty(at.shape[0]))
         work = _A_WAVE * self.flow.waves.shape[0] * at.shape[0]

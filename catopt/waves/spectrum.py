@@ -46,15 +46,8 @@ def pierson_moskowitz(significant_height: float, peak_period: float) -> Spectrum
 
     Parameters
     ----------
-    significant_height : float
-        Hs, m.
-    peak_period : float
-        Tp, s.
-
-    Raises
-    ------
-    InputError
-        When either is not above 0.
+    significant_height, peak_period : float
+        Hs, m, and Tp, s; InputError unless above 0.
     """
     return Spectrum(significant_height, peak_period, 1.0)
 
@@ -70,19 +63,13 @@ def jonswap(
 
     Parameters
     ----------
-    significant_height : float
-        Hs, m.
-    peak_period : float
-        Tp, s.
+    significant_height, peak_period : float
+        Hs, m, and Tp, s, above 0.
     gamma : float, optional
-        Peak enhancement, 1 to 20; by the rule of `peak_enhancement` when it is not given.
+        Peak enhancement, 1 to 20, InputError beyond; by the rule of `peak_enhancement` when it is
+        not given.
     normalisation : {"computed", "S4"}
         "computed" keeps 4 sqrt(m0) = Hs; "S4" is [2.67], 1 - 0.287 ln gamma, which nearly does.
-
-    Raises
-    ------
-    InputError
-        For a height or period that is not above 0, or a gamma out of range.
     """
     if gamma is None:
         gamma = peak_enhancement(significant_height, peak_period)
@@ -92,22 +79,12 @@ def jonswap(
 def peak_enhancement(significant_height: float, peak_period: float) -> float:
     """Give gamma by the rule on x = Tp/sqrt(Hs), S4 [2.68]-[2.70].
 
+    5 up to x = 3.6, exp(5.75 - 1.15 x) up to x = 5, and 1 beyond; x in s/sqrt(m).
+
     Parameters
     ----------
-    significant_height : float
-        Hs, m.
-    peak_period : float
-        Tp, s.
-
-    Returns
-    -------
-    float
-        5 up to x = 3.6, exp(5.75 - 1.15 x) up to x = 5, and 1 beyond; x in s/sqrt(m).
-
-    Raises
-    ------
-    InputError
-        When either is not above 0.
+    significant_height, peak_period : float
+        Hs, m, and Tp, s; InputError unless above 0.
     """
     _check_height_and_period("peak_enhancement", significant_height, peak_period).raise_if_any()
     x = peak_period / math.sqrt(significant_height)
@@ -122,10 +99,8 @@ class Spectrum:
 
     Attributes
     ----------
-    significant_height : float
-        Hs, m.
-    peak_period : float
-        Tp, s.
+    significant_height, peak_period : float
+        Hs, m, and Tp, s.
     gamma : float
         Peak enhancement, 1 to 20.
     normalisation : {"computed", "S4"}
