@@ -17,10 +17,7 @@ _SMOOTH, _ROUGH = 1e-4, 1e-2
 
 
 def steady_drag(roughness: float, diameter: float) -> float:
-    """C_DS in a steady flow, S4 [2.30]: 0.65 when smooth, 1.05 when rough.
-
-    `roughness`, `diameter`: height k of what is rough, and D, m.
-    """
+    """C_DS in a steady flow, S4 [2.30]: 0.65 when smooth, 1.05 when rough; k and D in m."""
     relative = roughness / diameter
     if relative < _SMOOTH:
         return 0.65
@@ -43,10 +40,7 @@ def wake_amplification(steady: float, keulegan_carpenter: float) -> float:
 
 
 def added_mass(steady: float, keulegan_carpenter: float) -> float:
-    """C_A across the cylinder, S4 [2.31]; C_M = 1 + C_A.
-
-    `keulegan_carpenter`: KC, 0 or more.
-    """
+    """C_A across the cylinder, S4 [2.31], at KC of 0 or more; C_M = 1 + C_A."""
     if keulegan_carpenter < 3.0:
         return 1.0
     return max(1.0 - 0.044 * (keulegan_carpenter - 3.0), 0.6 - (steady - 0.65))

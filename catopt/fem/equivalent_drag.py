@@ -20,34 +20,20 @@ Array = npt.NDArray[np.float64]
 
 _REACH: Final = 6.0
 """Standard deviations to which the largest velocity is integrated over."""
-
 _CELLS: Final = 96
 """Parts of that way either side together: |r| has a kink, which no rule of high order likes."""
-
 _NODES: Final = 12
 """Nodes of Gauss's rule over the smaller ones."""
-
 _FLAT: Final = 1e-3
 """Part of the largest deviation below which a smaller one is none."""
-
 _AN_AXIS: Final = 1e-4
 """Time that one velocity takes as plain Python, s."""
 
 
 def equivalent_drag(mean: Array, covariance: Array) -> Array:
-    """Linear drag in the place of |r| r.
+    """Linear drag D, (n, 3, 3), m/s, in the place of |r| r: D (r - mean) about its mean.
 
-    Parameters
-    ----------
-    mean : ndarray, shape (n, 3)
-        Of the velocity r, m/s.
-    covariance : ndarray, shape (n, 3, 3)
-        Of it, (m/s)2.
-
-    Returns
-    -------
-    ndarray, shape (n, 3, 3)
-        D, m/s: the drag is D (r - mean) about its mean.
+    `mean` (n, 3), m/s, and `covariance` (n, 3, 3), (m/s)2, of the velocity r.
     """
     squares, axes = np.linalg.eigh(covariance)
     # The largest first.

@@ -44,10 +44,8 @@ class Extreme:
         s.
     most_probable, expected : float
         Mode and mean of its distribution, in the series' unit.
-    low, high : float
-        Interval of the mode.
-    confidence : float
-        Part of repeated draws in which the interval is to hold the true mode.
+    low, high, confidence : float
+        Interval of the mode; part of repeated draws in which it is to hold the true one.
     """
 
     duration: float
@@ -74,10 +72,8 @@ class TailFit:
         2 for Rayleigh's peaks, 1 for exponential ones.
     clusters : tuple of float
         Largest peak of each group that stays above the threshold, falling: what is fitted.
-    peaks : int
-        Of the series, in all.
-    time : float
-        Of the series, in all, s.
+    peaks, time : int, float
+        Of the series, in all; s.
     """
 
     extreme: Extreme
@@ -106,10 +102,8 @@ class GumbelFit:
         That follows: the mode moves by scale ln(duration/run).
     mode, scale : float
         Of the maximum of one run.
-    runs : int
-        How many.
-    run : float
-        What of each run counts, s.
+    runs, run : int, float
+        How many, and what of each counts, s.
     """
 
     extreme: Extreme
@@ -133,10 +127,8 @@ def weibull_tail(series: Sequence[Array], time: float, duration: float) -> TailF
     ----------
     series : sequence of ndarray
         Evenly spaced, without transients; several runs of the same process are taken together.
-    time : float
-        Of all of them, s.
-    duration : float
-        Of interest, s.
+    time, duration : float
+        Of all of them, and of interest, s.
 
     Returns
     -------
@@ -161,14 +153,9 @@ def weibull_tail(series: Sequence[Array], time: float, duration: float) -> TailF
     shape, steep = float(fitted[0][0]), float(fitted[1][0])
     ratio, spread = (float(each[0]) for each in _largest(*fitted, np.array([often])))
     low, high = _bootstrap(clusters.size, shape, steep, ratio, spread, duration / time)
+    figures = (ratio, ratio + _EULER * spread, low, high)
     return TailFit(
-        Extreme(
-            duration,
-            most_probable=mean + threshold * ratio,
-            expected=mean + threshold * (ratio + _EULER * spread),
-            low=mean + threshold * low,
-            high=mean + threshold * high,
-        ),
+        Extreme(duration, *(mean + threshold * each for each in figures)),
         mean,
         mean + threshold,
         scale=threshold / steep ** (1.0 / shape),
@@ -190,10 +177,8 @@ def gumbel(maxima: Sequence[float], run: float, duration: float) -> GumbelFit | 
     ----------
     maxima : sequence of float
         Of runs of the same length that differ in their seed.
-    run : float
-        What of each run counts, s.
-    duration : float
-        Of interest, s.
+    run, duration : float
+        What of each run counts, and of interest, s.
 
     Returns
     -------
@@ -209,13 +194,9 @@ def gumbel(maxima: Sequence[float], run: float, duration: float) -> GumbelFit | 
     modes, scales = _moments(drawn)
     low, high = _between((modes + scales * shift - shift) / scales)
     probable = mode + scale * shift
-    return GumbelFit(
-        Extreme(
-            duration, probable, probable + _EULER * scale, probable - high * scale,
-            probable - low * scale,
-        ),
-        mode, scale, values.size, run,
-    )  # fmt: skip
+    mean, interval = probable + _EULER * scale, (probable - high * scale, probable - low * scale)
+    extreme = Extreme(duration, probable, mean, *interval)
+    return GumbelFit(extreme, mode, scale, values.size, run)
 
 
 def _clusters(heights: Array, threshold: float) -> Array:

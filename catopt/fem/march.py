@@ -33,7 +33,7 @@ class StepCounts(NamedTuple):
     def with_more(self, more: StepCounts) -> StepCounts:
         """Return these counts and those of a further piece of the run together."""
         sums: list[Any] = [a + b for a, b in zip(self[:-1], more[:-1], strict=True)]
-        return StepCounts._make([*sums, min(self.shortest, more.shortest)])
+        return StepCounts(*[*sums, min(self.shortest, more.shortest)])
 
 
 class MarchReport(NamedTuple):

@@ -116,11 +116,10 @@ class Simulation:
         self._gone = 0.0
         self._before_break: float | None = None
         nodes, bars = x.shape[0], lines.length.size
+        u, rate, latest = np.zeros((3, nodes, 3))
         self._room = Room(
             now=_moving(lines, np.array(x, dtype=float)),
-            water=WaterAt._make(
-                [*np.zeros((3, nodes, 3)), np.full(nodes, np.inf), np.ones((bars, 2))]
-            ),
+            water=WaterAt(u, rate, latest, np.full(nodes, np.inf), np.ones((bars, 2))),
             water_before=np.zeros((nodes, 3)),
             equations=Equations(*np.zeros((3, nodes, 3, 3)), *np.zeros((2, nodes, 3))),
             small=np.zeros((2, 3, 3)),

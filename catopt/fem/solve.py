@@ -31,10 +31,8 @@ class Leg:
     ----------
     line : Line
         From its anchor to the body.
-    anchor : tuple of float
-        x, y and z of the anchor, m.
-    fairlead : tuple of float
-        x, y and z of the fairlead relative to the body's origin, m; the body does not turn.
+    anchor, fairlead : tuple of float
+        x, y and z, m; of the fairlead from the body's origin. The body does not turn.
     """
 
     line: Line
@@ -62,27 +60,21 @@ def solve_line(
 
     Parameters
     ----------
-    height : float
-        Of the fairlead above the seabed, m.
+    height, anchor_height : float
+        Of the fairlead and of the anchor above the seabed, m.
     horizontal_force, span : float, optional
         One of them: the force that pulls the fairlead, which is held in height and free along x,
         N; or where the fairlead is held, m from the anchor.
     seabed_friction : float
         Coulomb coefficient.
-    anchor_height : float
-        Of the anchor above the seabed, m.
-    elements : int or sequence of int
-        Bars, as for `mesh_line`.
-    mesh : LineMesh, optional
-        Instead of `elements`.
+    elements, mesh
+        Bars, as for `mesh_line`; or the line cut into them.
     bed : Bed or HeldBed, optional
         The seabed; a rigid one that only pushes by default.
     water : Water, optional
         Surface and current; all submerged in still water by default.
     carries_compression : bool
         Whether a bar pushes when it is shorter than its length.
-    controls : Controls, optional
-        When to stop.
     start : TrussSolution, optional
         Of the same mesh under another force or span, from which to go on; friction with a history
         starts from its springs.
@@ -141,8 +133,6 @@ def solve_system(
 
     Parameters
     ----------
-    legs : sequence of Leg
-        The lines with their anchors and fairleads.
     height : float
         Of the body's origin above the seabed, m; held.
     force, position : tuple of float, optional
@@ -155,14 +145,7 @@ def solve_system(
     start : SystemSolution, optional
         Of the same meshes under another force or position, from which to go on.
 
-    Raises
-    ------
-    InputError
-        When the arguments do not fit.
-    NoEquilibriumError
-        When a line does not stretch and is too short.
-    NotConvergedError
-        With the node and the force left over there.
+    Raises as `solve_line`.
     """
     _check_system(legs, height, force, position, seabed_friction)
     _check_water([leg.line for leg in legs], water)

@@ -21,9 +21,7 @@ class SeriesStatistics:
     ----------
     mean, std, maximum, minimum : float
         In the series' unit.
-    time_of_maximum : float
-        s.
-    duration : float
+    time_of_maximum, duration : float
         s.
     peaks : int
         Maxima between one upward crossing of the mean and the next.
@@ -62,10 +60,7 @@ def series_statistics(time: Array, values: Array) -> SeriesStatistics:
 
 
 def peaks_above_mean(values: Array, mean: float | None = None) -> Array:
-    """Largest value between each upward crossing of the mean and the next.
-
-    `values` (n,): the series; `mean`: its own, unless it is one of several.
-    """
+    """Largest value between each upward crossing of the mean (its own by default) and the next."""
     above = values > (values.mean() if mean is None else mean)
     ups = np.flatnonzero(above[1:] & ~above[:-1]) + 1
     if ups.size < 2:

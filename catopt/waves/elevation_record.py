@@ -94,7 +94,8 @@ class ElevationRecord:
     def _even(self) -> Array:
         if not self.is_resampled:
             return self.elevation
-        return np.interp(self._even_times, self.times, self.elevation)
+        resampled: Array = np.interp(self._even_times, self.times, self.elevation)
+        return resampled
 
     @property
     def _even_times(self) -> Array:
