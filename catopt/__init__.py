@@ -110,7 +110,7 @@ def _as_table(result: object) -> pd.DataFrame:
 
 
 def _as_figure(result: object) -> Figure:
-    from catopt.report.drawings import figure_of
+    from catopt.report.bundle import figure_of
 
     return figure_of(result)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -102,9 +103,10 @@ def _run(
     count = worth(read) if workers is None else workers
     of_sizing = None
     if with_notes and asked.out is not None:
-        from catopt.report.study_notes import StudyNotes
+        from catopt.report.bundle import write_member_note
 
-        of_sizing = StudyNotes(str(asked.out / "notes"), read.base.source, asked.language)
+        place = str(asked.out / "notes")
+        of_sizing = partial(write_member_note, place, read.base.source, asked.language)
     with ExitStack() as stack:
         executor, at_once = None, 1
         if scheduler is not None:

@@ -25,20 +25,11 @@ __all__ = ["DesignInMotion", "FrontInMotion", "front_in_motion"]
 
 @dataclass(frozen=True)
 class DesignInMotion:
-    """One design of a front in motion.
+    """One design of a front in motion, by its number from 1, as in the tables of the front.
 
-    Attributes
-    ----------
-    number : int
-        From 1, as in the tables of the front.
-    objectives : tuple of float
-        Of the search, in SI, lower being better.
-    found : DynamicVerification or None
-        None where there is no answer; `failure` then says why.
-    checks : CheckReport or None
-        Of the tensions in motion.
-    at_rest : float or None
-        Tension at the fairlead under the mean loads, where it is largest in motion, N.
+    The objectives are those of the search, in SI, lower being better. Nothing was found where there
+    is no answer, for the reason of `failure`; the checks are of the tensions in motion, and
+    `at_rest` is the tension at the fairlead under the mean loads, N, where it is largest in motion.
     """
 
     number: int
@@ -69,16 +60,9 @@ class DesignInMotion:
 
 @dataclass(frozen=True)
 class FrontInMotion:
-    """A front in motion.
+    """A front in motion; not complete when it was stopped (Ctrl-C), later designs being left out.
 
-    Attributes
-    ----------
-    designs : tuple of DesignInMotion
-        By their numbers.
-    of_search : int
-        Number of the design that the search recommends; it passes every check at rest.
-    is_complete : bool
-        False when it was stopped (Ctrl-C), the designs after that being left out.
+    `of_search` is the number of the design that the search recommends, which passes at rest.
     """
 
     designs: tuple[DesignInMotion, ...]
@@ -126,16 +110,8 @@ def front_in_motion(
 ) -> FrontInMotion:
     """Run designs in time, one after the other, in every load case, and check their tensions.
 
-    Parameters
-    ----------
-    cases : sequence of (int, Case, tuple of float)
-        Number, case and objectives of each design.
-    of_search : int
-        Number of the design that the search recommends.
-    proof, workers
-        As for `verify_dynamic`.
-    progress : callable, optional
-        Told the designs done and all.
+    A case is a design's number, case and objectives; `progress` is told the designs done and all,
+    the rest is as for `verify_dynamic`.
 
     Raises
     ------

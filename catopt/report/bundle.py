@@ -1,189 +1,169 @@
-"""What ``--out`` writes beside document, tables and workbook, as file names and contents."""
+"""What is drawn of each kind of result: the pictures that ``--out`` writes, and ``plot()``."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import re
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.render.plain import csv_of
-from catopt.report.drawings import (
-    Drawing,
-    of_comparison,
-    of_curve,
-    of_front,
-    of_line,
-    of_motion,
-    of_plan,
-    of_sizing,
-    of_study,
-    of_tension,
-)
+from catopt.report.files import write_files
+from catopt.ties import first_largest
+from catopt.words import Message
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.solution import Solution
     from catopt.design.result import DesignResult
+    from catopt.figures.chart import Chart
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
+    from catopt.mooring.solution import SystemSolution
     from catopt.notes.size import Given
     from catopt.reproduce import Reproduction
     from catopt.reproduce.items import Study
     from catopt.sizing import Sizing
     from catopt.study.result import StudyResult
-    from catopt.verify.dynamic_result import DynamicVerification
-    from catopt.verify.result import Verification
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
+    from catopt.verify.result import StaticComparison, Verification
     from catopt.words import Language
 
 SYSTEM_CASE = "system.toml"
 """The whole pattern of several lines, for ``catopt system``."""
 
 
-def _drawn_as(name: str, drawing: Drawing) -> dict[str, bytes]:
+class Drawing(NamedTuple):
+    """Charts that stand together, their heading, and in how many columns they stand."""
+
+    charts: tuple[Chart, ...]
+    title: str
+    columns: int = 1
+
+
+def _pictures(drawn: Mapping[str, Drawing]) -> dict[str, bytes]:
+    """Make the files of drawings by their names; none of one without charts."""
     from catopt.render.picture import pictures
 
-    return pictures(name, drawing.charts, drawing.title, columns=drawing.columns)
+    files: dict[str, bytes] = {}
+    for name, (charts, title, columns) in drawn.items():
+        if charts:
+            files |= pictures(name, charts, title, columns=columns)
+    return files
+
+
+# ------------------------------------------------------------------ lines
+
+
+def _of_tension(solution: Solution) -> Drawing:
+    """Draw the tension along a line beside what its segments may carry."""
+    from catopt.figures.line import tension_along
+
+    factor = solution.safety_factor
+    allowed = [each.MBL and each.MBL / factor for each in solution.segments]
+    basis = Message("figures.MBL_over", factor=factor)
+    return Drawing((tension_along(solution, allowed, basis),), solution.title)
+
+
+def _of_line(solution: Solution, depth: float, title: str) -> Drawing:
+    """Draw a line in water of a depth (m)."""
+    from catopt.figures.line import line_in_water
+
+    return Drawing((line_in_water(solution, depth),), title)
 
 
 def solution_pictures(case: Case, solution: Solution) -> dict[str, bytes]:
     """Draw the line in the water, the tension along it and, of a swarm, S1's figures 3 and 4."""
-    return {
-        **_drawn_as("line", of_line(solution, case.site.water_depth, solution.title)),
-        **_drawn_as("tension", of_tension(solution)),
-        **_swarm_pictures(solution, "swarm"),
-    }
+    line = _of_line(solution, case.site.water_depth, solution.title)
+    drawn = {"line": line, "tension": _of_tension(solution)}
+    return _pictures(drawn | _of_swarm("swarm", solution))
 
 
-def _swarm_pictures(solution: Solution, name: str) -> dict[str, bytes]:
+def _of_swarm(name: str, solution: Solution) -> dict[str, Drawing]:
     """Draw S1's figures 3 and 4; nothing when there was no swarm."""
     from catopt.figures.swarm import fitness, swarm_tension
-    from catopt.render.picture import pictures
 
-    swarm = solution.swarm
+    swarm, title = solution.swarm, solution.title
     if swarm is None:
         return {}
     exact = solution.fairlead.tension - swarm.closed_form_difference["tension_N"]
     return {
-        **pictures(f"{name}_fitness", fitness(swarm), solution.title),
-        **pictures(f"{name}_tension", swarm_tension(swarm, exact), solution.title),
+        f"{name}_fitness": Drawing((fitness(swarm),), title),
+        f"{name}_tension": Drawing((swarm_tension(swarm, exact),), title),
     }
 
 
-def _swarm(solution: Solution, name: str) -> dict[str, bytes]:
-    from catopt.answers.solution import swarm_tables
-
-    assert solution.swarm is not None
-    history, runs = swarm_tables(solution.swarm)
-    return {
-        f"{name}_runs.csv": csv_of(runs.to_dataframe()),
-        f"{name}_history.csv": csv_of(history.to_dataframe()),
-        **_swarm_pictures(solution, name),
-    }
+def _of_solution(solution: Solution) -> Drawing:
+    """Draw a line that came without its case: the water reaches up to its fairlead."""
+    in_water = _of_line(solution, solution.fairlead_height, solution.title)
+    return Drawing((*in_water.charts, *_of_tension(solution).charts), solution.title)
 
 
-def reproduction_pictures(result: Reproduction) -> dict[str, bytes]:
-    """Draw the studies; of a swarm with the tables of its runs."""
-    files: dict[str, bytes] = {}
-    for study in result.studies:
-        if study.by_swarm is not None:
-            files |= _swarm(study.by_swarm, study.name)
-        files |= _drawn(study)
-    return files
+def _of_curve(result: CaseCurve) -> Drawing:
+    from catopt.figures.curve import load_curve
 
-
-def _drawn(study: Study) -> dict[str, bytes]:
-    """Make the figures of a study: its lines to scale, and a body by several models."""
-    from catopt.figures import studies
-    from catopt.render.picture import pictures
-
-    files: dict[str, bytes] = {}
-    if study.drawn:
-        lines = [(each.name, each.solution) for each in study.drawn]
-        depth = max(each.depth or each.solution.fairlead_height for each in study.drawn)
-        charts = studies.lines_to_scale(lines, depth)
-        files |= pictures(f"{study.name}_lines", charts, study.title)
-    if study.moorings:
-        of = study.moorings
-        views = (studies.models_from_above(of), studies.models_near(of))
-        side = studies.models_from_the_side(of, study.loaded_line)
-        files |= pictures(f"{study.name}_plan", views, study.title, columns=2)
-        files |= pictures(f"{study.name}_elevation", side, study.title)
-    return files
-
-
-def study_pictures(result: StudyResult) -> dict[str, bytes]:
-    """Draw how often values are exceeded; nothing where all members are alike."""
-    drawing = of_study(result)
-    return _drawn_as("study", drawing) if drawing.charts else {}
-
-
-def design_pictures(result: DesignResult) -> dict[str, bytes]:
-    """Draw the front and three of its lines; of whole moorings the recommended one in plan."""
-    files = _drawn_as("front", of_front(result))
-    mooring = result.front[result.recommended].mooring
-    if mooring is None:
-        return files
-    plan = of_plan(mooring.farthest, result.case.title)
-    return files | _drawn_as("plan", plan._replace(charts=plan.charts[:1]))
+    return Drawing((load_curve(result),), result.case.title)
 
 
 def curve_pictures(result: CaseCurve) -> dict[str, bytes]:
     """Draw a load curve."""
-    return _drawn_as("curve", of_curve(result))
+    return _pictures({"curve": _of_curve(result)})
+
+
+# ------------------------------------------------------------------ bodies and designs
+
+
+def _of_plan(solution: SystemSolution, title: str) -> Drawing:
+    """Draw a body on its lines from above, and near the body where that shows more."""
+    from catopt.figures.mooring import near, plan
+
+    around = near(solution)
+    return Drawing((plan(solution), *(() if around is None else (around,))), title)
 
 
 def system_pictures(report: SystemReport) -> dict[str, bytes]:
     """Draw a body on its lines; the figures of what was not asked for are left out."""
     from catopt.figures import mooring
-    from catopt.render.picture import pictures
 
-    title, solution = report.case.title, report.solution
-    files = _drawn_as("plan", of_plan(solution, title))
-    if report.circle is not None:
-        circle = report.circle
+    title, solution, circle = report.case.title, report.solution, report.circle
+    drawn = {"plan": _of_plan(solution, title)}
+    if circle is not None:
         views = (mooring.watch_track(solution, circle), mooring.watch_round(solution, circle))
-        files |= pictures("watch_circle", views, title)
+        drawn["watch_circle"] = Drawing(views, title)
     if report.curves:
-        files |= pictures("restoring", mooring.restoring(report.curves, solution), title)
-    return files
+        drawn["restoring"] = Drawing((mooring.restoring(report.curves, solution),), title)
+    return _pictures(drawn)
 
 
-def verification_pictures(found: Verification) -> dict[str, bytes]:
-    """Draw every load case; of a body the most loaded line."""
-    files: dict[str, bytes] = {}
-    for number, part in enumerate(found.parts, start=1):
-        name = f"comparison_{number}" if len(found.parts) > 1 else "comparison"
-        files |= _drawn_as(name, of_comparison(found, part))
-    return files
+def _of_front(result: DesignResult) -> Drawing:
+    """Draw a front, and of single lines three of them."""
+    from catopt.design.document import design_document
+    from catopt.figures.front import front, front_lines
+
+    document = design_document(result)
+    is_line = result.front[result.recommended].mooring is None
+    lines = (front_lines(result, document),) if is_line else ()
+    return Drawing((front(document), *lines), result.case.title)
 
 
-def motion_pictures(found: DynamicVerification) -> dict[str, bytes]:
-    """Draw every load case in motion, or the governing line of a body."""
-    title = found.case.title
-    if found.case.system is not None:
-        part = found.governing
-        return _drawn_as("dynamic", of_motion(part, f"{title}, {part.where}"))
-    files = _on_slope(found)
-    if len(found.parts) == 1:
-        return files | _drawn_as("dynamic", of_motion(found.parts[0], title))
-    for number, part in enumerate(found.parts, start=1):
-        of = of_motion(part, f"{title}, {part.name}".strip(", "))
-        files |= _drawn_as(f"dynamic_{number}", of)
-    return files
+def design_pictures(result: DesignResult) -> dict[str, bytes]:
+    """Draw the front and three of its lines; of whole moorings the recommended one in plan."""
+    drawn = {"front": _of_front(result)}
+    mooring = result.front[result.recommended].mooring
+    if mooring is not None:
+        plan = _of_plan(mooring.farthest, result.case.title)
+        drawn["plan"] = plan._replace(charts=plan.charts[:1])
+    return _pictures(drawn)
 
 
-def _on_slope(found: DynamicVerification) -> dict[str, bytes]:
-    """Draw the line at rest on a bed that slopes, under its first load."""
-    from catopt.figures.motion import on_slope
-    from catopt.render.picture import pictures
-
-    site = found.case.site
-    if site.seabed_slope == 0.0:
-        return {}
-    part = found.parts[0]
-    levels = {each.name: each.water_level for each in found.case.load_cases}
-    depth = site.water_depth + levels.get(part.name, 0.0)
-    chart = on_slope(part, depth, site.seabed_slope)
-    return pictures("line", chart, found.case.title)
+def _of_sizing(of: Sizing) -> Drawing:
+    """Draw the recommended line in the load case that is hardest on it."""
+    name, solution = of.hardest
+    state = next(each for each in of.case.load_cases if each.name == name)
+    return _of_line(solution, of.case.site.water_depth + state.water_level, of.case.title)
 
 
 def size_files(
@@ -198,13 +178,188 @@ def size_files(
     from catopt.casefile import write_case
     from catopt.sizing.pattern import system_case
 
-    files = {DESIGN_CASE: write_case(of.case).encode(), **_drawn_as("line", of_sizing(of))}
+    files = {DESIGN_CASE: write_case(of.case).encode(), **_pictures({"line": _of_sizing(of)})}
     if given is not None:
-        from catopt.answers.note_size import size_note_answer
-        from catopt.notes.size import size_note
-        from catopt.render.page import page
-
-        files["note.html"] = page(size_note_answer(size_note(of, given)), language)
+        files["note.html"] = _size_page(of, given, language)
     if of.pattern is not None:
         files[SYSTEM_CASE] = write_case(system_case(of.case, of.pattern)).encode()
     return files
+
+
+def _size_page(of: Sizing, given: Given, language: Language) -> bytes:
+    from catopt.answers.note_size import size_note_answer
+    from catopt.notes.size import size_note
+    from catopt.render.page import page
+
+    return page(size_note_answer(size_note(of, given)), language)
+
+
+def write_member_note(
+    folder: str,
+    source: str,
+    language: Language,
+    member: int,
+    changes: Mapping[str, Any],
+    sizing: Sizing,
+) -> None:
+    """Write the note of a study's member, counted from 0: ``0007-pillar-at-km-12.html``.
+
+    `source` is the file that all sizings have in common, `changes` are the member's own values.
+    """
+    from catopt.notes.origin import read_source
+    from catopt.notes.size import Given
+
+    own = tuple(
+        (key, f"{value:.10g} (SI)" if isinstance(value, float) else str(value))
+        for key, value in changes.items()
+    )
+    title = re.sub(r"[^a-z0-9]+", "-", str(changes.get("title", "")).casefold()).strip("-")
+    name = "-".join(filter(None, (f"{member + 1:04d}", title))) + ".html"
+    given = Given(read_source(Path(source)), own)
+    write_files(Path(folder), {name: _size_page(sizing, given, language)})
+
+
+# ------------------------------------------------------------------ other models, motion
+
+
+def _of_comparison(found: Verification, part: StaticComparison) -> Drawing:
+    """Draw a line by both models; of a body the most loaded one."""
+    from catopt.figures.verification import comparison
+
+    titles = [found.case.title, part.name if found.case.load_cases else ""]
+    line = first_largest([pair.finest.fairlead.tension for pair in part.lines])
+    if part.kind == "system":
+        titles.append(Message("figures.most_loaded", line=line + 1))
+    return Drawing(comparison(part.lines[line]), ", ".join(filter(None, titles)), 2)
+
+
+def _numbered(name: str, drawings: Iterator[Drawing], count: int) -> dict[str, Drawing]:
+    """Name one drawing as it is, and each of several by its number."""
+    if count == 1:
+        return {name: next(drawings)}
+    return {f"{name}_{number}": each for number, each in enumerate(drawings, start=1)}
+
+
+def verification_pictures(found: Verification) -> dict[str, bytes]:
+    """Draw every load case; of a body the most loaded line."""
+    drawings = (_of_comparison(found, part) for part in found.parts)
+    return _pictures(_numbered("comparison", drawings, len(found.parts)))
+
+
+def _of_motion(part: DynamicPart, title: str) -> Drawing:
+    """Draw a line in motion: its history, spectrum, envelope and peaks."""
+    from catopt.figures import motion
+
+    peaks = motion.exceedance(part)
+    charts = (motion.whole_history(part), motion.spectrum(part), motion.envelope_chart(part))
+    return Drawing(charts if peaks is None else (*charts, peaks), title)
+
+
+def motion_pictures(found: DynamicVerification) -> dict[str, bytes]:
+    """Draw every load case in motion, or the governing line of a body."""
+    title, parts = found.case.title, found.parts
+    if found.case.system is not None:
+        part = found.governing
+        return _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
+    if len(parts) == 1:
+        drawings = (_of_motion(part, title) for part in parts)
+    else:
+        drawings = (_of_motion(part, f"{title}, {part.name}".strip(", ")) for part in parts)
+    return _pictures(_on_slope(found) | _numbered("dynamic", drawings, len(parts)))
+
+
+def _on_slope(found: DynamicVerification) -> dict[str, Drawing]:
+    """Draw the line at rest on a bed that slopes, under its first load."""
+    from catopt.figures.motion import on_slope
+
+    site = found.case.site
+    if site.seabed_slope == 0.0:
+        return {}
+    part = found.parts[0]
+    levels = {each.name: each.water_level for each in found.case.load_cases}
+    depth = site.water_depth + levels.get(part.name, 0.0)
+    return {"line": Drawing((on_slope(part, depth, site.seabed_slope),), found.case.title)}
+
+
+def _of_moved(found: DynamicVerification) -> Drawing:
+    part = found.governing
+    return _of_motion(part, ", ".join(filter(None, (found.case.title, part.where))))
+
+
+# ------------------------------------------------------------------ studies
+
+
+def _of_study(result: StudyResult) -> Drawing:
+    """Draw how often values are exceeded: of the quantities with limits, or else of the first."""
+    from catopt.figures.study import exceedance
+
+    known = [each for each in result.statistics if each.least < each.largest]
+    drawn = [each for each in known if each.limit is not None] or known[:1]
+    return Drawing(tuple(exceedance(result, each) for each in drawn), result.study.title)
+
+
+def study_pictures(result: StudyResult) -> dict[str, bytes]:
+    """Draw how often values are exceeded; nothing where all members are alike."""
+    return _pictures({"study": _of_study(result)})
+
+
+def reproduction_pictures(result: Reproduction) -> dict[str, bytes]:
+    """Draw the studies; of a swarm with the tables of its runs."""
+    from catopt.answers.solution import swarm_tables
+
+    files: dict[str, bytes] = {}
+    for study in result.studies:
+        drawn, solution = _of_reproduced(study), study.by_swarm
+        if solution is not None and solution.swarm is not None:
+            history, runs = swarm_tables(solution.swarm)
+            files[f"{study.name}_runs.csv"] = csv_of(runs.to_dataframe())
+            files[f"{study.name}_history.csv"] = csv_of(history.to_dataframe())
+            drawn = _of_swarm(study.name, solution) | drawn
+        files |= _pictures(drawn)
+    return files
+
+
+def _of_reproduced(study: Study) -> dict[str, Drawing]:
+    """Draw the lines of a study to scale, and a body by several models."""
+    from catopt.figures import studies
+
+    drawn: dict[str, Drawing] = {}
+    if study.drawn:
+        lines = [(each.name, each.solution) for each in study.drawn]
+        depth = max(each.depth or each.solution.fairlead_height for each in study.drawn)
+        charts = (studies.lines_to_scale(lines, depth),)
+        drawn[f"{study.name}_lines"] = Drawing(charts, study.title)
+    if study.moorings:
+        of = study.moorings
+        views = (studies.models_from_above(of), studies.models_near(of))
+        side = studies.models_from_the_side(of, study.loaded_line)
+        drawn[f"{study.name}_plan"] = Drawing(views, study.title, 2)
+        drawn[f"{study.name}_elevation"] = Drawing((side,), study.title)
+    return drawn
+
+
+# ------------------------------------------------------------------ in a notebook
+
+
+_DRAWN: dict[str, Callable[[Any], Drawing]] = {
+    "CaseCurve": _of_curve,
+    "DesignResult": _of_front,
+    "DynamicVerification": _of_moved,
+    "Sizing": _of_sizing,
+    "Solution": _of_solution,
+    "StudyResult": _of_study,
+    "SystemSolution": lambda found: _of_plan(found, found.title),
+    "Verification": lambda found: _of_comparison(found, found.parts[0]),
+}
+"""What draws a result, by the name of its class."""
+
+
+def figure_of(result: Any) -> Figure:
+    """Draw a result; TypeError for what has no drawing."""
+    from catopt.render.picture import picture
+
+    name = type(result).__name__
+    if name not in _DRAWN:
+        raise TypeError(f"a {name} has no drawing; those of {', '.join(_DRAWN)} have one")
+    charts, title, columns = _DRAWN[name](result)
+    return picture(charts, title, columns=columns)
