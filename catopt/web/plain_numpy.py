@@ -14,12 +14,48 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import nullcontext
 from functools import reduce
+from itertools import accumulate
 from typing import Any
 
 inf, nan, pi = math.inf, math.nan, math.pi
 float64, int64, bool_ = float, int, bool
 
 _ALL = slice(None)
+
+
+def _turned(what: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    return lambda a, b: what(b, a)
+
+
+def _by(what: Callable[[Any, Any], Any]) -> Callable[[ndarray, Any], ndarray]:
+    """Make the operation that combines number by number."""
+    return lambda self, other: self._with(other, what)
+
+
+def _over(what: Callable[[list[Any]], Any]) -> Callable[..., Any]:
+    """Make the operation that puts all numbers together, or those along an axis of a table."""
+
+    def over(self: ndarray, axis: int | None = None) -> Any:
+        if axis is None:
+            return what(self._flat())
+        rows = self.T if axis == 0 else self
+        return ndarray([what(list(row)) for row in rows], (len(rows),))
+
+    return over
+
+
+def _sum(values: list[Any]) -> Any:
+    """Add up in the order in which numpy does."""
+    count = len(values)
+    if count < 8:
+        return reduce(operator.add, values, 0)  # sum() keeps what numpy rounds off
+    if count > 128:
+        half = count // 2 - count // 2 % 8
+        return _sum(values[:half]) + _sum(values[half:])
+    whole = count - count % 8
+    a, b, c, d, e, f, g, h = (reduce(operator.add, values[k:whole:8]) for k in range(8))
+    eight = ((a + b) + (c + d)) + ((e + f) + (g + h))
+    return reduce(operator.add, values[whole:], eight)
 
 
 class ndarray:  # noqa: N801 - the name it takes the place of
@@ -112,7 +148,7 @@ class ndarray:  # noqa: N801 - the name it takes the place of
         if not isinstance(other, ndarray):
             return ndarray([what(each, other) for each in own], self.shape)
         if self.size < other.size:
-            return other._with(self, lambda a, b: what(b, a))
+            return other._with(self, _turned(what))
         theirs = other._flat()
         if self.shape != other.shape:
             if self.shape[1:] != other.shape:
@@ -120,70 +156,29 @@ class ndarray:  # noqa: N801 - the name it takes the place of
             theirs = theirs * len(self)
         return ndarray([what(a, b) for a, b in zip(own, theirs, strict=True)], self.shape)
 
-    def __add__(self, other: Any) -> ndarray:
-        return self._with(other, operator.add)
+    def _each(self, what: Callable[[Any], Any]) -> ndarray:
+        return ndarray([what(each) for each in self._flat()], self.shape)
 
-    def __sub__(self, other: Any) -> ndarray:
-        return self._with(other, operator.sub)
-
-    def __rsub__(self, other: Any) -> ndarray:
-        return self._with(other, lambda a, b: b - a)
-
-    def __mul__(self, other: Any) -> ndarray:
-        return self._with(other, operator.mul)
-
-    def __rmul__(self, other: Any) -> ndarray:
-        return self._with(other, operator.mul)
-
-    def __truediv__(self, other: Any) -> ndarray:
-        return self._with(other, operator.truediv)
-
-    def __lt__(self, other: Any) -> ndarray:
-        return self._with(other, operator.lt)
-
-    def __le__(self, other: Any) -> ndarray:
-        return self._with(other, operator.le)
-
-    def __gt__(self, other: Any) -> ndarray:
-        return self._with(other, operator.gt)
-
-    def __ge__(self, other: Any) -> ndarray:
-        return self._with(other, operator.ge)
-
-    def __eq__(self, other: object) -> ndarray:  # type: ignore[override]
-        return self._with(other, operator.eq)
-
+    __add__ = _by(operator.add)
+    __sub__ = _by(operator.sub)
+    __rsub__ = _by(_turned(operator.sub))
+    __mul__ = __rmul__ = _by(operator.mul)
+    __truediv__ = _by(operator.truediv)
+    __lt__ = _by(operator.lt)
+    __le__ = _by(operator.le)
+    __gt__ = _by(operator.gt)
+    __ge__ = _by(operator.ge)
+    __eq__ = _by(operator.eq)  # type: ignore[assignment]
     __hash__ = None  # type: ignore[assignment]
 
     def __neg__(self) -> ndarray:
-        return ndarray([-each for each in self._flat()], self.shape)
+        return self._each(operator.neg)
 
-    def _over(self, axis: int | None, what: Callable[[list[Any]], Any]) -> Any:
-        """Put together all numbers, or those along an axis of a table."""
-        if axis is None:
-            return what(self._flat())
-        rows = self.T if axis == 0 else self
-        return ndarray([what(list(row)) for row in rows], (len(rows),))
-
-    def min(self, axis: int | None = None) -> Any:
-        """Take the smallest."""
-        return self._over(axis, min)
-
-    def max(self, axis: int | None = None) -> Any:
-        """Take the largest."""
-        return self._over(axis, max)
-
-    def sum(self, axis: int | None = None) -> Any:
-        """Add up."""
-        return self._over(axis, _sum)
-
-    def all(self, axis: int | None = None) -> Any:
-        """Say whether all are true."""
-        return self._over(axis, all)
-
-    def astype(self, kind: type) -> ndarray:
-        """Make numbers of another kind."""
-        return ndarray([kind(each) for each in self._flat()], self.shape)
+    min = _over(min)
+    max = _over(max)
+    sum = _over(_sum)
+    all = _over(all)
+    astype = _each
 
     def tolist(self) -> list[Any]:
         """List the numbers, row by row."""
@@ -194,20 +189,6 @@ class ndarray:  # noqa: N801 - the name it takes the place of
 
 NDArray = ndarray
 ArrayLike = Any
-
-
-def _sum(values: list[Any]) -> Any:
-    """Add up in the order in which numpy does."""
-    count = len(values)
-    if count < 8:
-        return reduce(operator.add, values, 0)  # sum() keeps what numpy rounds off
-    if count > 128:
-        half = count // 2 - count // 2 % 8
-        return _sum(values[:half]) + _sum(values[half:])
-    whole = count - count % 8
-    a, b, c, d, e, f, g, h = (reduce(operator.add, values[k:whole:8]) for k in range(8))
-    eight = ((a + b) + (c + d)) + ((e + f) + (g + h))
-    return reduce(operator.add, values[whole:], eight)
 
 
 def _places(at: Any, count: int) -> list[int]:
@@ -313,12 +294,12 @@ def divmod(values: ndarray, by: int) -> tuple[ndarray, ndarray]:  # noqa: A001
 
 def isfinite(values: ndarray) -> ndarray:
     """Say which are numbers."""
-    return ndarray([math.isfinite(each) for each in values._flat()], values.shape)
+    return values._each(math.isfinite)
 
 
 def abs(values: ndarray) -> ndarray:  # noqa: A001
     """Take the sizes."""
-    return ndarray([each if each >= 0 else -each for each in values._flat()], values.shape)
+    return values._each(lambda each: each if each >= 0 else -each)
 
 
 def ptp(values: ndarray, axis: int | None = None) -> Any:
@@ -340,21 +321,18 @@ def argmax(values: ndarray) -> int:
 
 def flatnonzero(values: ndarray) -> ndarray:
     """List where something is true."""
-    found = [number for number, each in enumerate(values._flat()) if each]
-    return ndarray(found, (len(found),))
+    return array([number for number, each in enumerate(values._flat()) if each])
 
 
 def argsort(values: ndarray, kind: str = "stable") -> ndarray:  # noqa: ARG001
     """List places by rising number."""
-    order = sorted(range(len(values)), key=values._flat().__getitem__)
-    return ndarray(order, (len(order),))
+    return array(sorted(range(len(values)), key=values._flat().__getitem__))
 
 
 def lexsort(keys: Any) -> ndarray:
     """List places by rising last key, then by the one before it."""
     rows = list(zip(*reversed([list(key) for key in keys]), strict=True))
-    order = sorted(range(len(rows)), key=rows.__getitem__)
-    return ndarray(order, (len(order),))
+    return array(sorted(range(len(rows)), key=rows.__getitem__))
 
 
 def searchsorted(values: ndarray, value: float, side: str = "left") -> int:
@@ -368,12 +346,9 @@ class minimum:  # noqa: N801
     @staticmethod
     def accumulate(values: ndarray, out: ndarray | None = None) -> ndarray:
         """Take the smallest so far, number by number."""
-        least, found = inf, []
-        for each in values:
-            least = min(least, each)
-            found.append(least)
+        found = list(accumulate(values, min))
         if out is None:
-            return ndarray(found, (len(found),))
+            return array(found)
         out[_ALL] = found
         return out
 
