@@ -8,11 +8,16 @@ from typing import NamedTuple
 import numpy as np
 
 from catopt.design.bounds import BOUNDS
-from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, objective_words
+from catopt.design.evaluation import (
+    OBJECTIVE_KEYS,
+    DesignProblem,
+    design_point,
+    objective_words,
+    present_line,
+)
 from catopt.design.front import Knee, hypervolume, knee, reference_point
 from catopt.design.neighbours import ends, neighbours
 from catopt.design.outcome import Outcome
-from catopt.design.points import design_point, present_line
 from catopt.design.problem import Genes
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import NotConvergedError

@@ -18,9 +18,10 @@ from catopt.compiled import compiled
 from catopt.design.assess import COST, EXCURSION, MASS, OFFSET, assess
 from catopt.design.options import resolve
 from catopt.design.problem import Evaluated, Floats, Genes
-from catopt.design.result import DesignPoint
+from catopt.design.result import DesignPoint, Neighbour
 from catopt.design.space import DesignSpace
 from catopt.design.tables import Tables, room, tables_of
+from catopt.errors import CatoptError
 from catopt.model import Anchor, Case, Design, Line, LoadCase, SinkerChoice
 from catopt.model.immersion import weight_in_water
 from catopt.model.validity import Findings
@@ -38,6 +39,10 @@ _A_PIECE = 4e-5
 """Time that a segment or clump weight of a design takes in one load case as plain Python, s."""
 
 _COLUMNS: Final = {"mass": MASS, "offset": OFFSET, "excursion": EXCURSION, "cost": COST}
+
+AGREEMENT = 1e-8
+"""By how much the compiled loop and the closed form in plain Python may differ, relatively: both
+end their roots at 1e-12 of the line's length or better."""
 
 LEAST_SHARE: Final = 1000
 """Designs a thread, below which starting it costs more than it saves."""
@@ -259,3 +264,45 @@ def load_cases_of(case: Case) -> tuple[LoadCase, ...]:
         found.add("load_cases", "", allowed)
     found.raise_if_any()
     return case.load_cases or (LoadCase(LOAD, force or 0.0),)
+
+
+def design_point(problem: DesignProblem, genes: tuple[int, ...]) -> DesignPoint:
+    """Build, solve and check one design in plain closed form.
+
+    NoEquilibriumError: it has no equilibrium in one of the load cases. CatoptError: the answer is
+    not that of the compiled loop, a fault of ours, never passed over.
+    """
+    point = problem.point(genes)
+    batch = problem.evaluate(np.array([genes]))
+    steps = problem.tables.step[problem.columns]
+    compared = [
+        (name, batch.objectives[0, index], point.objectives[OBJECTIVE_KEYS[name]], steps[index])
+        for index, name in enumerate(problem.names)
+    ]
+    size = max(point.line.length, 1.0)
+    if point.checks.results:
+        worst = max(result.excess for result in point.checks.results)
+        compared.append(("excess", batch.excess[0], worst, 0.0))
+    for name, compiled_one, plain, step in compared:
+        room = AGREEMENT * max(abs(plain), size if name in ("offset", "excursion") else 1.0)
+        # What is small beside the largest of the space was rounded by more than that.
+        if not abs(compiled_one - plain) <= room + step:
+            raise CatoptError(
+                f"design {genes}: the {name} of the search, {compiled_one!r}, is not that of the "
+                f"closed form, {plain!r}; please report this case"
+            )
+    return point
+
+
+def present_line(problem: DesignProblem) -> Neighbour:
+    """Check the line of the case by the same checks as the designs.
+
+    Its `point` is None, with the reason, where the line has no equilibrium or a figure that a check
+    needs is missing: that is no error of the search.
+    """
+    try:
+        point = problem.present()
+    except CatoptError as error:
+        return Neighbour(Message("design.present"), None, error.message)
+    key = "design.present" if point.mooring is None else "design.present_mooring"
+    return Neighbour(Message(key), point)

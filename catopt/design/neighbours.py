@@ -6,8 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from catopt.checks.result import CheckResult
-from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, objective_words
-from catopt.design.points import design_point
+from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point, objective_words
 from catopt.design.result import DesignPoint, Neighbour
 from catopt.design.space import (
     GENES_EACH,

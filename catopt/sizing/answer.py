@@ -5,11 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Literal
 
+from catopt.loads.buoy import buoy_loads
+from catopt.loads.buoy_shape import BuoyShape
+from catopt.loads.component import Loads
+from catopt.loads.environment import WaterLevels
 from catopt.model import Case, Site
 from catopt.sizing.alternatives import alternatives, candidates, limits
 from catopt.sizing.anchorage import SinkerGround
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.environment import Environment
 from catopt.sizing.line_choice import LineChoice, Prefer, first_line
+from catopt.sizing.posed import Assumed
 from catopt.sizing.result import Sizing, SwingRadius
 from catopt.sizing.settle import Settled
 from catopt.sizing.tanker_request import TankerRequest
@@ -35,6 +41,23 @@ def case_of(
         service=line.service,
         catalogue=line.catalogue,
         **own,
+    )
+
+
+def loads_on(
+    buoy: BuoyShape, env: Environment, levels: WaterLevels, assumed: Assumed, growth: float = 0.0
+) -> Loads:
+    """Compute the loads on a buoy and its chain, under marine growth of a thickness, m."""
+    return buoy_loads(
+        buoy,
+        env.wind,
+        env.current,
+        env.sea,
+        levels,
+        chain_diameter=assumed.diameter,
+        pull=assumed.pull,
+        marine_growth=growth,
+        water_density=env.water_density,
     )
 
 

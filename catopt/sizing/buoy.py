@@ -7,12 +7,10 @@ from dataclasses import replace
 
 from catopt.design.result import DesignPoint
 from catopt.errors import InputError, Problem
-from catopt.loads.buoy import buoy_loads
 from catopt.loads.buoy_shape import BuoyShape
-from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, Design, LoadCase
-from catopt.sizing.answer import case_of, sizing_of
+from catopt.sizing.answer import case_of, loads_on, sizing_of
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.line_choice import sold
 from catopt.sizing.posed import Assumed, LoadsAt, Posed, rounded_up
@@ -74,13 +72,15 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
     """Make the case of a buoy whose size of chain and pull are assumed."""
     env, line = request.environment, request.line
     keel, levels = _keel(request, assumed), env.levels
-    loads = tuple(
-        LoadsAt(Message(name), at.high, *_loads(request, assumed, at))
-        for name, at in (
-            ("sizing.storm_high", levels),
-            ("sizing.storm_low", WaterLevels.steady(levels.low)),
-        )
-    )
+
+    def loads_at(name: str, at: WaterLevels) -> LoadsAt:
+        if not isinstance(request.buoy, BuoyShape):
+            return LoadsAt(Message(name), at.high, given=request.buoy.horizontal_force)
+        part = loads_on(request.buoy, env, at, assumed, request.marine_growth)
+        return LoadsAt(Message(name), at.high, (part,))
+
+    low = WaterLevels.steady(levels.low)
+    loads = loads_at("sizing.storm_high", levels), loads_at("sizing.storm_low", low)
     rises = (env.crest, levels.low - levels.high)
     height = levels.high + env.crest - keel
     case = case_of(
@@ -101,27 +101,6 @@ def pose_buoy(request: BuoyRequest, assumed: Assumed) -> Posed:
         ),
     )
     return Posed(case, loads)
-
-
-def _loads(
-    request: BuoyRequest, assumed: Assumed, levels: WaterLevels
-) -> tuple[tuple[Loads, ...], float]:
-    """Compute the parts at one level, or give the force that was given."""
-    if not isinstance(request.buoy, BuoyShape):
-        return (), request.buoy.horizontal_force
-    env = request.environment
-    loads = buoy_loads(
-        request.buoy,
-        env.wind,
-        env.current,
-        env.sea,
-        levels,
-        chain_diameter=assumed.diameter,
-        pull=assumed.pull,
-        marine_growth=request.marine_growth,
-        water_density=env.water_density,
-    )
-    return (loads,), 0.0
 
 
 def _check_reserve(request: BuoyRequest) -> None:

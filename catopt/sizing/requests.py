@@ -123,8 +123,7 @@ def _environment(
     of: Known, *, is_pushed: bool = True, wind: float | None = None
 ) -> Environment | None:
     """Make depths and weather; where the force is given, wind and current do not count."""
-    make = of.telling.make
-    high = of["depth"]
+    make, high = of.telling.make, of["depth"]
     levels = make(WaterLevels, of["low_water"] or high, high)
     blows = make(Wind, (wind or of["wind"]) if is_pushed else 0.0)
     current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
@@ -298,21 +297,16 @@ def _ground(of: Known) -> DragGround | SinkerGround | None:
     recalled = bool(of["recalled"])
     if of.moored == "tanker" and of["anchor"] != SINKER:
         soil = _AS_CLAY.get(of["soil"], of["soil"])
-        drag = partial(DragGround, of["anchor"], soil, allow_recalled=recalled)
-        return of.telling.make(drag)
-    material, density = of["sinker"], of["sinker_density"]
-    return of.telling.make(
-        partial(
-            SinkerGround, of["soil"], of["friction"], material, density, allow_recalled=recalled
-        )
-    )
+        return of.telling.make(partial(DragGround, of["anchor"], soil, allow_recalled=recalled))
+    figures = of["soil"], of["friction"], of["sinker"], of["sinker_density"]
+    return of.telling.make(partial(SinkerGround, *figures, allow_recalled=recalled))
 
 
 def _taken(
     of: Known, place: Environment | None, ground: DragGround | SinkerGround | None
 ) -> tuple[str, ...]:
     """Say what was taken because it was not given."""
-    words = [
+    words: list[str] = [
         Message(each.of.taken, value=each.said)
         for each in of.read
         if each.origin == "taken" and each.of.taken
@@ -327,7 +321,8 @@ def _taken(
         words.append(Message("sizing.mud_as_clay", soil=term(of["soil"])))
     if "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))
-    taken_chain = () if "chain" in of.given else of["chain"]
+    if "chain" not in of.given:
+        words += of["chain"]
     if "code" not in of.given:
-        return (*words, *taken_chain, Message("sizing.taken_code", code=of["code"]))
-    return (*words, *taken_chain)
+        words.append(Message("sizing.taken_code", code=of["code"]))
+    return tuple(words)

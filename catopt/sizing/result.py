@@ -29,21 +29,16 @@ from catopt.words import Cited, Measure, Message, Sentence, Several
 SHOT: Final = UNITS[Dimension.LENGTH]["shot"]
 """m: a shot of chain."""
 
+_WITH_PULL: Final = ("tension", "holding")
+"""Checks whose utilisation goes with the pull."""
+
 
 @dataclass(frozen=True)
 class SwingRadius:
-    """How far the floating end swings round the anchor.
+    """How far the floating end swings round the anchor."""
 
-    Attributes
-    ----------
-    load_case : str
-        In which it is the largest.
-    parts : tuple of (str, float)
-        What it is made of, m.
-    """
-
-    load_case: str
-    parts: tuple[tuple[str, float], ...]
+    load_case: str  # in which it is the largest
+    parts: tuple[tuple[str, float], ...]  # what it is made of, with lengths, m
 
     @property
     def total(self) -> float:
@@ -197,7 +192,7 @@ class Sizing(Shown):
         """
         used: dict[str, float] = {}
         for each in self.point.checks.results:
-            if each.kind in ("tension", "holding") and each.utilisation is not None:
+            if each.kind in _WITH_PULL and each.utilisation is not None:
                 used[each.kind] = max(used.get(each.kind, 0.0), each.utilisation)
         return {kind: self.dynamic_factor * value for kind, value in used.items()}
 
@@ -208,27 +203,25 @@ class Sizing(Shown):
         What lies on the bed, how far the anchor is lifted and the sinker that is needed do not go
         with the pull: the line is solved anew.
         """
+        factors = {"extreme": self.dynamic_factor}
         load_cases = tuple(
-            replace(each, horizontal_force=self.dynamic_factor * each.horizontal_force)
-            if each.kind == "extreme"
-            else each
+            replace(each, horizontal_force=factors.get(each.kind, 1.0) * each.horizontal_force)
             for each in self.case.load_cases
         )
         pulled = replace(self.case, load_cases=load_cases)
         failed = check_line(self.point.line, pulled, self.point.anchor).failed
-        told = ("tension", "holding")
-        worst = {each.kind: each for each in reversed(failed) if each.kind not in told}
+        worst = {each.kind: each for each in reversed(failed) if each.kind not in _WITH_PULL}
         return tuple(reversed(worst.values()))
 
     @property
     def break_factor(self) -> float | None:
         """MBL of the new line over its largest tension; None where no MBL is known."""
-        return self._factor([segment.MBL for segment in self.point.line.segments])
+        return self._factor("MBL")
 
     @property
     def proof_factor(self) -> float | None:
         """Proof load of the new line over its largest tension; None where none is known."""
-        return self._factor([segment.proof_load for segment in self.point.line.segments])
+        return self._factor("proof_load")
 
     @property
     def recalled(self) -> tuple[str, ...]:
@@ -243,15 +236,8 @@ class Sizing(Shown):
         return CALMAR if source is None else source.document
 
     def trade(self, of: Alternative) -> Message:
-        """Say what another line gives and takes beside the recommended one.
-
-        Parameters
-        ----------
-        of : Alternative
-            One of `alternatives` that has a line.
-        """
-        own = self.swing.total, self.point.objectives["mass_kg"]
-        return trade(of.swing, of.mass, *own)
+        """Say what one of `alternatives` that has a line gives and takes beside the own one."""
+        return trade(of.swing, of.mass, self.swing.total, self.point.objectives["mass_kg"])
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -262,27 +248,23 @@ class Sizing(Shown):
             *(warning for part in parts for warning in part.warnings),
             *map(Sentence, self.settled.result.warnings),
             *(Sentence(note, capital=True) for note in (self.sinker.notes if self.sinker else ())),
-            *(() if self.pattern is None else self.pattern.warnings),
-            *self._without_factor,
         ]
+        if self.pattern is not None:
+            notes += self.pattern.warnings
+            tensions = (each for each in self.point.checks.results if each.kind == "tension")
+            if "one_line_out" not in {each.place.state for each in tensions}:
+                codes = ", ".join(self.case.checks.codes)
+                notes.append(Message("sizing.no_factor_line_out", codes=codes))
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))
-
-    @property
-    def _without_factor(self) -> tuple[Message, ...]:
-        """Say that no check is on the tension with one line out, where that is so."""
-        states = {each.place.state for each in self.point.checks.results if each.kind == "tension"}
-        if self.pattern is None or "one_line_out" in states:
-            return ()
-        return (Message("sizing.no_factor_line_out", codes=", ".join(self.case.checks.codes)),)
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt size --json`` prints (schema catopt.size/1)."""
         return sizing_document(self)
 
-    def _factor(self, strengths: list[float | None]) -> float | None:
-        known = [strength for strength in strengths if strength is not None]
-        if len(known) < len(strengths) or not self.largest_tension:
+    def _factor(self, strength: str) -> float | None:
+        strengths = [getattr(segment, strength) for segment in self.point.line.segments]
+        if None in strengths or not self.largest_tension:
             return None
-        return min(known) / self.largest_tension
+        return float(min(strengths) / self.largest_tension)

@@ -11,10 +11,9 @@ from typing import Final
 import numpy as np
 
 from catopt.design.enumeration import enumerate_designs
-from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem
+from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
 from catopt.design.front import knee
 from catopt.design.near_miss import NoFeasibleDesignError, no_feasible_design
-from catopt.design.points import design_point
 from catopt.design.problem import Floats
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.design.search import design_case

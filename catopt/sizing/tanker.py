@@ -10,13 +10,12 @@ from typing import Final, NamedTuple
 
 from catopt.design.result import DesignPoint
 from catopt.errors import NoAnswerError
-from catopt.loads.buoy import buoy_loads
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.weathervane import Afloat, Lying, every_lying
 from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
 from catopt.sizing.anchorage import DragGround
-from catopt.sizing.answer import case_of, sizing_of
+from catopt.sizing.answer import case_of, loads_on, sizing_of
 from catopt.sizing.environment import Environment
 from catopt.sizing.headings import Weathervaning, turning_words
 from catopt.sizing.line_choice import longest_useful
@@ -151,26 +150,13 @@ def _settled_within(
         if request.lines > 1:
             found = _pattern(request, posed, point)
             pull = found.largest_pull
-            carried = (
-                *(state.line_force for state in found.states),
-                *(state.line_out.line_force for state in found.states),
-            )
-            forces = tuple(rounded_up(force, 3) for force in carried)
+            carried = (*found.states, *(state.line_out for state in found.states))
+            forces = tuple(rounded_up(each.line_force, 3) for each in carried)
         return Assumed(diameter, 0.0 if reserve is None else min(rounded_up(pull), reserve), forces)
 
     return settle(
-        lambda assumed: pose_tanker(request, assumed, allowed),
-        needed,
-        request.line,
-        start,
+        lambda assumed: pose_tanker(request, assumed, allowed), needed, request.line, start
     )
-
-
-_LOAD_CASES = {
-    "loaded": ("sizing.loaded_high", "sizing.loaded_low"),
-    "ballast": ("sizing.ballast_high", "sizing.ballast_low"),
-}
-_LITTLE = {"loaded": "sizing.little_water_loaded", "ballast": "sizing.little_water_ballast"}
 
 
 def _states(request: TankerRequest) -> Iterator[_State]:
@@ -180,10 +166,11 @@ def _states(request: TankerRequest) -> Iterator[_State]:
     first = _fairlead(request, request.ships[0])
     for each in request.ships:
         higher = _fairlead(request, each) - first
-        high, low = map(Message, _LOAD_CASES[each.condition])
+        high = Message(f"sizing.{each.condition}_high")
         yield _State(high, each, levels.high, crest, higher)
         fall = levels.high - levels.low
         if fall or crest:
+            low = Message(f"sizing.{each.condition}_low")
             yield _State(low, each, levels.low, -fall, higher)
 
 
@@ -207,18 +194,7 @@ def _loads_at(request: TankerRequest, state: _State, assumed: Assumed) -> LoadsA
     )
     parts: list[Loads] = [lying.loads]
     if request.buoy is not None:
-        parts.append(
-            buoy_loads(
-                request.buoy,
-                env.wind,
-                env.current,
-                env.sea,
-                WaterLevels.steady(state.depth),
-                chain_diameter=assumed.diameter,
-                pull=assumed.pull,
-                water_density=env.water_density,
-            )
-        )
+        parts.append(loads_on(request.buoy, env, WaterLevels.steady(state.depth), assumed))
     shared = request.lines > 1
     return LoadsAt(state.name, state.depth, tuple(parts), shared=shared, lying=lying)
 
@@ -328,24 +304,12 @@ def _swing(request: TankerRequest, settled: Settled, around: Pattern | None) -> 
         every = settled.point.checks.solutions
         low = [each for each in every if each[0].endswith("low water")]
         name, solution = largest(low or every, lambda each: each[1].span)
-        span = solution.span
-        first = (Message("sizing.line_at_low_water"), span)
+        first = (Message("sizing.line_at_low_water"), solution.span)
     parts = [first]
     if request.hawser > 0.0:
         parts.append((Message("sizing.hawser"), request.hawser))
     parts.append((Message("sizing.ship"), request.longest))
     return SwingRadius(name, tuple(parts))
-
-
-def _share(request: TankerRequest, settled: Settled) -> Iterator[str]:
-    """Say how much of the buoy's reserve is left to one line, where that is less than all."""
-    reserve, own = _reserve(request), settled.posed.case.buoy
-    if reserve is not None and own is not None and own.reserve_buoyancy < reserve:
-        share = {
-            "reserve": Measure("vertical_force", reserve),
-            "own": Measure("vertical_force", own.reserve_buoyancy),
-        }
-        yield Message("sizing.share_of_reserve", **share)
 
 
 def _lies(request: TankerRequest, settled: Settled) -> Iterator[str]:
@@ -382,15 +346,20 @@ def _assumptions(request: TankerRequest, settled: Settled) -> Iterator[str]:
         yield Message("sizing.at_the_bow")
     else:
         diameter = settled.assumed.diameter * 1e3
-        values = {"buoy": request.buoy.name, "crest": env.crest, "diameter": diameter}
-        yield Message("sizing.at_a_buoy", **values)
+        name = request.buoy.name
+        yield Message("sizing.at_a_buoy", buoy=name, crest=env.crest, diameter=diameter)
     if request.lines > 1:
         yield Message("sizing.equal_lines", lines=request.lines)
-        yield from _share(request, settled)
+        reserve, own = _reserve(request), settled.posed.case.buoy
+        if reserve is not None and own is not None and own.reserve_buoyancy < reserve:
+            # What is left of the buoy's reserve to one line.
+            values = {"reserve": reserve, "own": own.reserve_buoyancy}
+            said = {name: Measure("vertical_force", force) for name, force in values.items()}
+            yield Message("sizing.share_of_reserve", **said)
     else:
-        name = Message("sizing.everyday")
-        yield Message("sizing.excursion_from", share=100 * EVERYDAY_SHARE, load_case=name)
+        everyday = Message("sizing.everyday")
+        yield Message("sizing.excursion_from", share=100 * EVERYDAY_SHARE, load_case=everyday)
     for each in request.ships:
         room = env.levels.low - each.ship.draught
         if room < _LITTLE_WATER * each.ship.draught:
-            yield Message(_LITTLE[each.condition], room=room)
+            yield Message(f"sizing.little_water_{each.condition}", room=room)

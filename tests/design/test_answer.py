@@ -15,10 +15,9 @@ from catopt import Line, PointLoad, Segment, schemas, solve
 from catopt.checks.case import check_line
 from catopt.design.answer import Found, answer
 from catopt.design.enumeration import enumerate_designs
-from catopt.design.evaluation import DesignProblem
+from catopt.design.evaluation import DesignProblem, design_point
 from catopt.design.near_miss import NoFeasibleDesignError
 from catopt.design.neighbours import Step, neighbour, steps
-from catopt.design.points import design_point
 from catopt.design.result import DesignPoint
 from catopt.design.search import design_case
 from catopt.errors import CatoptError, InputError, NotConvergedError
