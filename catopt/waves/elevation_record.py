@@ -99,7 +99,8 @@ class ElevationRecord:
 
     @property
     def _even_times(self) -> Array:
-        return self.times[0] + self.step * np.arange(self.times.size)
+        even: Array = self.times[0] + self.step * np.arange(self.times.size)
+        return even
 
     def waves(self, *, direction: float = 0.0, shortest_period: float | None = None) -> Waves:
         """Find the waves that the record is the sum of; its first sample is t = 0 at the origin.
