@@ -6,23 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Rows,
-    Table,
-    Text,
-    Value,
-    answered,
-    if_known,
-    measured,
-    named,
-    section,
-    tabulate,
-    texts,
-    yes_or_no,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, if_known, measured, section, tabulate, texts
 from catopt.catalogue.figure import SPECS, weakest
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, Several, quantity_name, term
@@ -52,14 +37,14 @@ _PLAIN = {
 """Quantity and name of the figures of a component that are a number each."""
 
 
-def catalogue_answer(found: Found, *, in_full: bool = False) -> Answer:
+def catalogue_answer(found: Found, *, in_full: bool = False) -> blocks.Answer:
     """Lay out families and components, every figure with its source.
 
     `in_full`: one component was asked for with all that is known of it.
     """
     title: str = Message("captions.catalogue")
-    seen: Iterable[Block]
-    how: tuple[Block, ...] = ()
+    seen: Iterable[blocks.Block]
+    how: tuple[blocks.Block, ...] = ()
     if found.question == "list":
         seen = (_list(found.families), _said("catalogue.of_list"))
     elif found.question == "search":
@@ -87,7 +72,7 @@ def catalogue_answer(found: Found, *, in_full: bool = False) -> Answer:
 # ------------------------------------------------------------------ tables of files
 
 
-def _components(components: Sequence[Component]) -> Table:
+def _components(components: Sequence[Component]) -> blocks.Table:
     """Tabulate components, a row each; added mass is on the volume-equivalent diameter."""
     of = Rows(components)
     return tabulate(
@@ -119,7 +104,7 @@ _HYDRODYNAMIC = (
 """Attribute of a component, its quantity and its heading."""
 
 
-def _figures(families: Sequence[Family]) -> Table:
+def _figures(families: Sequence[Family]) -> blocks.Table:
     of = Rows(figure for family in families for figure in family.figures)
     return tabulate(
         "figures",
@@ -127,7 +112,7 @@ def _figures(families: Sequence[Family]) -> Table:
         of.texts("quantity"),
         of.texts("grades", lambda each: ", ".join(each.grades)),
         of.texts("variant"),
-        of.texts("default", lambda each: yes_or_no(each.default)),
+        of.texts("default", lambda each: blocks.yes_or_no(each.default)),
         of.texts("formula", "text"),
         *_ranges(of),
         of.texts("confidence"),
@@ -139,7 +124,7 @@ def _figures(families: Sequence[Family]) -> Table:
     )
 
 
-def _families(families: Sequence[Family]) -> Table:
+def _families(families: Sequence[Family]) -> blocks.Table:
     of = Rows(families)
     return tabulate(
         "families",
@@ -156,14 +141,14 @@ def _families(families: Sequence[Family]) -> Table:
     )
 
 
-def _ranges(of: Rows) -> Iterator[Column]:
+def _ranges(of: Rows) -> Iterator[blocks.Column]:
     for end, name in enumerate(("smallest_nominal_diameter", "largest_nominal_diameter")):
         yield measured(
             "nominal_diameter", [each[end] for each in of.read("range")], name, symbol=""
         )
 
 
-def _sources(sources: Sequence[Source]) -> Table:
+def _sources(sources: Sequence[Source]) -> blocks.Table:
     of = Rows(sources)
     columns = (of.texts("source", "key"), of.texts("title"), of.texts("place"))
     return tabulate("sources", *columns, only="files")
@@ -172,7 +157,7 @@ def _sources(sources: Sequence[Source]) -> Table:
 # ------------------------------------------------------------------ what people see of a list
 
 
-def _list(families: Sequence[Family]) -> Table:
+def _list(families: Sequence[Family]) -> blocks.Table:
     of = Rows(families)
     shortest = _shortest("nominal_diameter")
     ends = [map(shortest.format, each.range) for each in families]
@@ -181,7 +166,7 @@ def _list(families: Sequence[Family]) -> Table:
         "list",
         of.texts("family", "name"),
         of.texts("grades", lambda each: ", ".join(each.grades) or "-"),
-        Column(quantity_name("nominal_diameter"), ranges, shortest),
+        blocks.Column(quantity_name("nominal_diameter"), ranges, shortest),
         of.texts("sizes", _count),
         of.texts("conf", _strength),
         only="people",
@@ -208,7 +193,7 @@ def _strength(family: Family) -> str:
 # ------------------------------------------------------------------ of a search
 
 
-def _search(found: Found) -> Iterator[Block]:
+def _search(found: Found) -> Iterator[blocks.Block]:
     components = found.components
     of = Rows(components)
     yield tabulate(
@@ -232,7 +217,7 @@ def _confidence(component: Component, unknown: str) -> str:
     return origin.confidence if origin else unknown
 
 
-def _recalled(components: Sequence[Component]) -> Iterator[Text]:
+def _recalled(components: Sequence[Component]) -> Iterator[blocks.Text]:
     """Name what rests on figures that were read in no document."""
     recalled = {key for component in components for key in component.recalled}
     if recalled:
@@ -247,19 +232,19 @@ class _Row(NamedTuple):
     """A figure: what it is, its value and where it comes from."""
 
     name: str
-    value: Value
+    value: blocks.Value
     quantity: Quantity
     origin: Provenance | None = None
 
 
-def _one(family: Family, component: Component) -> Iterator[Block]:
+def _one(family: Family, component: Component) -> Iterator[blocks.Block]:
     yield _said(
         "catalogue.water",
         diameter=_diameter(component.nominal_diameter),
         density=Measure("density", component.water_density),
     )
     if family.note:
-        yield Text(family.note, only="people")
+        yield blocks.Text(family.note, only="people")
     yield _rows("component", "quantity", list(_known(component)))
     others = [_other(each) for each in component.alternatives]
     if others:
@@ -267,7 +252,7 @@ def _one(family: Family, component: Component) -> Iterator[Block]:
     yield from _recalled([component])
 
 
-def _rows(name: str, heading: str, rows: Sequence[_Row]) -> Table:
+def _rows(name: str, heading: str, rows: Sequence[_Row]) -> blocks.Table:
     of = Rows(rows)
     units = tuple(each.quantity for each in rows)
     return tabulate(
@@ -283,7 +268,7 @@ def _rows(name: str, heading: str, rows: Sequence[_Row]) -> Table:
 def _known(component: Component) -> Iterator[_Row]:
     origins = component.provenance
     for key, (unit, name) in _PLAIN.items():
-        quantity = named(unit)
+        quantity = blocks.named(unit)
         if key in origins:
             label = Message(name)
             if quantity.symbol:
@@ -296,7 +281,7 @@ def _known(component: Component) -> Iterator[_Row]:
             constant, slope = component.EA_dynamic_terms
             said = Message("catalogue.dynamic", constant=constant, slope=slope)
             ratio = Message("columns.dynamic_ea_over_mbl")
-            yield _Row(ratio, said, named("coefficient"), origins["EA_dynamic"])
+            yield _Row(ratio, said, blocks.named("coefficient"), origins["EA_dynamic"])
     for key, (name, referred) in _COEFFICIENTS.items():
         found = getattr(component, key)
         if found is not None:
@@ -304,7 +289,7 @@ def _known(component: Component) -> Iterator[_Row]:
             yield _Row(name, found.coefficient, _shortest("coefficient"), origins[key])
             own = "catalogue.volume_diameter" if found.name == "volume" else referred
             below = Several(("  ", Message(own, name=found.name)), "")
-            yield _Row(below, found.diameter, named("drag_diameter"))
+            yield _Row(below, found.diameter, blocks.named("drag_diameter"))
 
 
 def _other(other: Alternative) -> _Row:
@@ -312,22 +297,22 @@ def _other(other: Alternative) -> _Row:
     name = f"{other.quantity}={other.variant}"
     if other.value is None or other.reference is None:
         unit = {"mass": "mass_per_length", "EA_dynamic": "EA"}.get(other.quantity, other.quantity)
-        quantity = named(unit) if unit in QUANTITIES else _shortest("coefficient")
+        quantity = blocks.named(unit) if unit in QUANTITIES else _shortest("coefficient")
         return _Row(name, other.value, quantity, other.provenance)
     said = Message(
         "catalogue.on",
         coefficient=f"{other.value:g}",
         diameter=Measure("drag_diameter", other.reference),
     )
-    return _Row(name, said, named("drag_diameter"), other.provenance)
+    return _Row(name, said, blocks.named("drag_diameter"), other.provenance)
 
 
 # ------------------------------------------------------------------ of a family over its sizes
 
 
-def _family(family: Family, components: Sequence[Component]) -> Iterator[Block]:
+def _family(family: Family, components: Sequence[Component]) -> Iterator[blocks.Block]:
     if family.note:
-        yield Text(family.note, only="people")
+        yield blocks.Text(family.note, only="people")
     if not components:
         yield _said("catalogue.no_sizes", **_ends(family.range))
         return
@@ -345,52 +330,56 @@ def _family(family: Family, components: Sequence[Component]) -> Iterator[Block]:
         one_each = Rows(first[diameter] for diameter in sorted(first))
         yield tabulate("sizes", *_sizes(one_each), only="people")
         yield _by_grade(components, one_each, [grade for grade in grades if grade])
-    yield Text(Several(said, " "), only="people")
+    yield blocks.Text(Several(said, " "), only="people")
     yield _sizes_from(family)
     yield from _recalled(components)
 
 
-def _by_grade(components: Sequence[Component], one_each: Rows, grades: Sequence[str]) -> Table:
+def _by_grade(
+    components: Sequence[Component], one_each: Rows, grades: Sequence[str]
+) -> blocks.Table:
     strengths = {(each.nominal_diameter, each.grade): each.MBL for each in components}
-    quantity = replace(named("MBL", ""), digits=0)
+    quantity = replace(blocks.named("MBL", ""), digits=0)
     diameters = one_each.read("nominal_diameter")
     columns = (
-        Column(Several((grade,)), tuple(strengths.get((d, grade)) for d in diameters), quantity)
+        blocks.Column(
+            Several((grade,)), tuple(strengths.get((d, grade)) for d in diameters), quantity
+        )
         for grade in grades
     )
     caption = Message("captions.mbl_by_grade")
     return tabulate("by_grade", _diameters(one_each), *columns, caption=caption, only="people")
 
 
-def _sizes(of: Rows) -> Iterator[Column]:
+def _sizes(of: Rows) -> Iterator[blocks.Column]:
     yield _diameters(of)
     yield from _weights(of)
     yield from of.own("volume_diameter", symbol="D")
 
 
-def _diameters(of: Rows) -> Column:
+def _diameters(of: Rows) -> blocks.Column:
     return of.measured(_shortest("nominal_diameter"), "nominal_diameter")
 
 
-def _weights(of: Rows) -> Iterator[Column]:
+def _weights(of: Rows) -> Iterator[blocks.Column]:
     yield of.measured("mass_per_length", "mass", "mass_in_air_per_length")
-    yield of.measured(replace(named("submerged_weight"), digits=1), "submerged_weight")
+    yield of.measured(replace(blocks.named("submerged_weight"), digits=1), "submerged_weight")
 
 
-def _sizes_from(family: Family) -> Text:
+def _sizes_from(family: Family) -> blocks.Text:
     sizes = family.sizes
     values = {"sources": _keys(sizes.sources), "place": sizes.place, "confidence": sizes.confidence}
     said = [Message("catalogue.sizes", **values)]
     if sizes.is_recalled:
         said.append(Message("catalogue.ask"))
-    return Text(Several(said, " "), only="people")
+    return blocks.Text(Several(said, " "), only="people")
 
 
 # ------------------------------------------------------------------ how figures follow
 
 
-def _how(said: Iterable[Message]) -> Text:
-    return Text(Several(said, "\n"), Message("terms.how_each_figure_follows"), "people")
+def _how(said: Iterable[Message]) -> blocks.Text:
+    return blocks.Text(Several(said, "\n"), Message("terms.how_each_figure_follows"), "people")
 
 
 def _figures_of(component: Component) -> Iterator[Message]:
@@ -429,7 +418,7 @@ def _explained(name: str, formula: str, origin: Provenance | Figure) -> Message:
     return Several((part for part in (known, reason, origin.note) if part), " ")
 
 
-def _documents(found: Found) -> Iterator[Text]:
+def _documents(found: Found) -> Iterator[blocks.Text]:
     """Name the documents, with the places to find them, and say what confidence means."""
     if found.question == "search":
         return
@@ -438,8 +427,8 @@ def _documents(found: Found) -> Iterator[Text]:
             Message("catalogue.source", key=each.key, title=each.title, place=each.place)
             for each in _cited(found)
         )
-        yield Text(Several(said, "\n"), Message("columns.sources"), "people")
-    yield Text(Message("answers.confidence"), only="people")
+        yield blocks.Text(Several(said, "\n"), Message("columns.sources"), "people")
+    yield blocks.Text(Message("answers.confidence"), only="people")
 
 
 def _cited(found: Found) -> Iterator[Source]:
@@ -458,8 +447,8 @@ def _cited(found: Found) -> Iterator[Source]:
 # ------------------------------------------------------------------ words
 
 
-def _said(key: str, **values: object) -> Text:
-    return Text(Message(key, **values), only="people")
+def _said(key: str, **values: object) -> blocks.Text:
+    return blocks.Text(Message(key, **values), only="people")
 
 
 def _name(key: str) -> str:
@@ -476,7 +465,7 @@ def _keys(sources: Iterable[Source]) -> str:
 
 def _shortest(key: str) -> Quantity:
     """Take a quantity that is written in as few digits as it has."""
-    return replace(named(key), notation="shortest", digits=6)
+    return replace(blocks.named(key), notation="shortest", digits=6)
 
 
 def _ends(ends: tuple[float, float]) -> dict[str, str]:

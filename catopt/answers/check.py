@@ -7,20 +7,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Rows,
-    Table,
-    Text,
-    Verdict,
-    Warnings,
-    answered,
-    section,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, section, tabulate, texts
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.figures.line import Failing
 from catopt.words import Measure, Message, Several, term
@@ -36,10 +24,10 @@ _LOAD_CASES = {
 }
 
 
-def check_answer(report: CheckReport) -> Answer:
+def check_answer(report: CheckReport) -> blocks.Answer:
     """Lay out a report of checks."""
     tables = checked_body(report) if report.places else checked(report)
-    said = (*_confidence(report), *verdict_blocks(report), Warnings(report.warnings))
+    said = (*_confidence(report), *verdict_blocks(report), blocks.Warnings(report.warnings))
     return answered(
         "check",
         report.title or Message("captions.mooring_line"),
@@ -48,11 +36,11 @@ def check_answer(report: CheckReport) -> Answer:
     )
 
 
-def verdict_blocks(report: CheckReport, passes: bool | None = None) -> Iterator[Block]:
+def verdict_blocks(report: CheckReport, passes: bool | None = None) -> Iterator[blocks.Block]:
     """Say whether all checks are passed, and which governs."""
-    yield Verdict(verdict_sentence(report), report.passes if passes is None else passes)
+    yield blocks.Verdict(verdict_sentence(report), report.passes if passes is None else passes)
     if report.results:
-        yield Text(governing_sentence(report))
+        yield blocks.Text(governing_sentence(report))
 
 
 def failing_checks(report: CheckReport) -> tuple[Failing, ...]:
@@ -65,31 +53,31 @@ def failing_checks(report: CheckReport) -> tuple[Failing, ...]:
     return tuple(failing.values())
 
 
-def checked(report: CheckReport) -> tuple[Table, Table]:
+def checked(report: CheckReport) -> tuple[blocks.Table, blocks.Table]:
     """Tabulate the checks of a line by load case, and once each criterion."""
     return _checks(report), _criteria(report.results)
 
 
-def checked_body(report: CheckReport) -> tuple[Block, ...]:
+def checked_body(report: CheckReport) -> tuple[blocks.Block, ...]:
     """Tabulate what each state of a body comes to, the tightest checks, and their criteria."""
     table = _of_body(report)
     said = Message("checks.tightest_shown", count=len(report.results))
     return (
         _states(report),
         table,
-        Text(said, is_small=True),
+        blocks.Text(said, is_small=True),
         _criteria([report.results[row] for row in table.shown or ()]),
     )
 
 
-def checks_in_motion(report: CheckReport) -> Iterator[Block]:
+def checks_in_motion(report: CheckReport) -> Iterator[blocks.Block]:
     """Lay out the checks of lines in motion: people see the tightest of a body's, files all."""
     results = report.results
     of_a_body = any(each.place.line is not None for each in results)
     if results:
         shown = report.tightest_by_state if of_a_body else tuple(range(len(results)))
         names = dict.fromkeys(results[row].load_case for row in shown)
-        yield Table(
+        yield blocks.Table(
             "dynamic_checks",
             check_columns(results, of_a_body=of_a_body),
             Message("captions.checks_in_motion"),
@@ -105,17 +93,19 @@ def checks_in_motion(report: CheckReport) -> Iterator[Block]:
         yield _criteria([results[row] for row in shown])
         yield from _confidence(report)
     yield from verdict_blocks(report, report.verdict is True)
-    yield Warnings(report.warnings)
+    yield blocks.Warnings(report.warnings)
 
 
-def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) -> tuple[Column, ...]:
+def check_columns(
+    results: Sequence[CheckResult], *, of_a_body: bool = False
+) -> tuple[blocks.Column, ...]:
     """List checks, a row each: what is wanted, what there is, and by which criterion.
 
     Of a body with several lines, state and line head each row.
     """
     of = Rows(results)
     if of_a_body:
-        first: tuple[Column, ...] = (
+        first: tuple[blocks.Column, ...] = (
             of.texts("where", _where, only="people"),
             of.texts("check", _short, only="people"),
             of.texts("state", "load_case", only="files"),
@@ -136,13 +126,13 @@ def check_columns(results: Sequence[CheckResult], *, of_a_body: bool = False) ->
     )
 
 
-def verdict_column(passes: Iterable[bool]) -> Column:
+def verdict_column(passes: Iterable[bool]) -> blocks.Column:
     """Say of each row whether it passes or fails."""
     every = tuple(passes)
     return texts("verdict", [_yes(each, "passes", "fails") for each in every], passes=every)
 
 
-def _use(results: Sequence[CheckResult]) -> tuple[Column, Column, Column]:
+def _use(results: Sequence[CheckResult]) -> tuple[blocks.Column, blocks.Column, blocks.Column]:
     of = Rows(results)
     units = tuple(QUANTITY_OF[each.kind] for each in results)
     demand, capacity = (of.texts(name, units=units) for name in ("demand", "capacity"))
@@ -161,7 +151,7 @@ def tightest_checks(report: CheckReport) -> dict[str, CheckResult]:
     return {kind: check for kind, check in found.items() if check is not None}
 
 
-def tightest_table(report: CheckReport) -> Table:
+def tightest_table(report: CheckReport) -> blocks.Table:
     """Tabulate the check of each kind that is nearest to its limit."""
     found = tightest_checks(report)
     checks = list(found.values())
@@ -195,11 +185,11 @@ def _short(result: CheckResult) -> str:
     return Message("checks.tension", segment=Message("checks.segment", number=number))
 
 
-def _of_body(report: CheckReport) -> Table:
+def _of_body(report: CheckReport) -> blocks.Table:
     """Tabulate the checks of a body; people see, intact and with one line out, the tightest."""
     governing = report.governing
     marked = [] if governing is None else [report.results.index(governing)]
-    return Table(
+    return blocks.Table(
         "checks",
         check_columns(report.results, of_a_body=True),
         shown=tuple(sorted({*report.tightest_by_state, *marked})),
@@ -207,7 +197,7 @@ def _of_body(report: CheckReport) -> Table:
     )
 
 
-def _states(report: CheckReport) -> Table:
+def _states(report: CheckReport) -> blocks.Table:
     """Tabulate the largest utilisation of each state by each code, and what the state comes to."""
     by_state: dict[str, list[CheckResult]] = {}
     for each in report.results:
@@ -233,7 +223,7 @@ def _most(code: str, results: Sequence[CheckResult]) -> float | None:
     return max((each for each in used if each is not None), default=None)
 
 
-def _checks(report: CheckReport) -> Table:
+def _checks(report: CheckReport) -> blocks.Table:
     parts = tuple(
         (
             load_case_words(report, index),
@@ -241,14 +231,14 @@ def _checks(report: CheckReport) -> Table:
         )
         for index, (name, _) in enumerate(report.solutions)
     )
-    return Table("checks", check_columns(report.results), parts=parts)
+    return blocks.Table("checks", check_columns(report.results), parts=parts)
 
 
 def _by(source: CheckSource) -> str:
     return source.text if source.confidence is None else f"{source.code} [{source.confidence}]"
 
 
-def _criteria(results: Sequence[CheckResult]) -> Table:
+def _criteria(results: Sequence[CheckResult]) -> blocks.Table:
     """Say once how each capacity comes about, and where the criterion stands."""
     rows = dict.fromkeys(
         (each.name, _by(each.source), each.note, each.source.text) for each in results
@@ -267,12 +257,12 @@ def _criteria(results: Sequence[CheckResult]) -> Table:
     )
 
 
-def _confidence(report: CheckReport) -> Iterator[Text]:
+def _confidence(report: CheckReport) -> Iterator[blocks.Text]:
     if any(each.source.confidence for each in report.results):
-        yield Text(Message("answers.confidence"))
+        yield blocks.Text(Message("answers.confidence"))
 
 
-def load_case_table(report: CheckReport) -> Table:
+def load_case_table(report: CheckReport) -> blocks.Table:
     """Tabulate how the line hangs in each load case."""
     of, places = Rows(solution for _, solution in report.solutions), Rows(report.places)
     kinds = [state.kind for state in report.load_cases] or ["extreme"] * len(of.rows)

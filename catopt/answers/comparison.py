@@ -4,36 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Fact,
-    Facts,
-    Section,
-    Table,
-    Text,
-    Verdict,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import tabulate, texts
 from catopt.words import Message
 
 Row = tuple[str, str, str]
 
 
-def comparison(kept: Answer, present: Answer, inputs: Sequence[Row]) -> Section:
+def comparison(
+    kept: blocks.Answer, present: blocks.Answer, inputs: Sequence[Row]
+) -> blocks.Section:
     """Lay out two answers of one kind; what only one of them has is left out.
 
     Of `inputs`, what was asked differently: its label, of the kept answer, and of the present one.
     """
-    return Section(Message("desk.compared"), tuple(_blocks(kept, present, inputs)), "compared")
+    return blocks.Section(
+        Message("desk.compared"), tuple(_blocks(kept, present, inputs)), "compared"
+    )
 
 
-def _blocks(kept: Answer, present: Answer, inputs: Sequence[Row]) -> Iterator[Block]:
+def _blocks(
+    kept: blocks.Answer, present: blocks.Answer, inputs: Sequence[Row]
+) -> Iterator[blocks.Block]:
     said, also_said = _words(kept), _words(present)
     one, other = _facts(kept), _facts(present)
     if not inputs and (one, said) == (other, also_said):
-        yield Text(Message("desk.same"))
+        yield blocks.Text(Message("desk.same"))
         return
     if inputs:
         yield _beside("asked", "desk.inputs", inputs)
@@ -51,31 +47,31 @@ def _blocks(kept: Answer, present: Answer, inputs: Sequence[Row]) -> Iterator[Bl
         )
 
 
-def _beside(name: str, caption: str, rows: Sequence[Row]) -> Table:
+def _beside(name: str, caption: str, rows: Sequence[Row]) -> blocks.Table:
     """Tabulate words of both answers."""
     headings = ("what", "desk.kept_one", "desk.present_one")
     columns = map(texts, headings, zip(*rows, strict=True))
     return tabulate(name, *columns, caption=Message(caption))
 
 
-def _facts(answer: Answer) -> dict[str, Fact]:
+def _facts(answer: blocks.Answer) -> dict[str, blocks.Fact]:
     """Find the numbers among the facts of an answer, by name; not those that repeat its inputs."""
     return {
         fact.name: fact
         for block in answer.blocks
-        if isinstance(block, Facts) and block.name != "inputs"
+        if isinstance(block, blocks.Facts) and block.name != "inputs"
         for fact in block.facts
         if fact.quantity is not None and isinstance(fact.value, int | float)
     }
 
 
-def _words(answer: Answer) -> dict[str, str]:
+def _words(answer: blocks.Answer) -> dict[str, str]:
     """Find the verdict, and what a sizing says of its recommended line, by name."""
     found: dict[str, str] = {}
     for block in answer.blocks:
-        if isinstance(block, Verdict):
+        if isinstance(block, blocks.Verdict):
             found.setdefault(Message("captions.checks"), block.words)
-        elif isinstance(block, Table) and block.name == "sizing":
+        elif isinstance(block, blocks.Table) and block.name == "sizing":
             what, _, words = block.columns
             rows = zip(what.values, words.values, strict=True)
             found |= {

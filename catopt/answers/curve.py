@@ -6,20 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import (
-    Answer,
-    Column,
-    Facts,
-    Graph,
-    Rows,
-    Table,
-    Text,
-    answered,
-    measured,
-    section,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts
 from catopt.answers.solution import (
     found_facts,
     given_facts,
@@ -37,17 +25,17 @@ if TYPE_CHECKING:
 _ROWS = 20
 
 
-def curve_answer(result: CaseCurve) -> Answer:
+def curve_answer(result: CaseCurve) -> blocks.Answer:
     """Lay out a load curve, its marks, and the case that it belongs to."""
     case, reference = result.case, result.reference
-    inputs = Facts("inputs", tuple(given_facts(case)), only="workbook")
-    summary = Facts("summary", result_facts(reference), only="workbook")
+    inputs = blocks.Facts("inputs", tuple(given_facts(case)), only="workbook")
+    summary = blocks.Facts("summary", result_facts(reference), only="workbook")
     points, marks = points_table(result), marks_table(result)
-    graph = Graph(case.title, points.name, x=0, y=(2, 3))
+    graph = blocks.Graph(case.title, points.name, x=0, y=(2, 3))
     carried = [segments_table(reference)]
     if reference.point_loads:
         carried.append(point_loads_table(reference))
-    none = () if result.curve.marks else (Text(Message("curve.no_marks")),)
+    none = () if result.curve.marks else (blocks.Text(Message("curve.no_marks")),)
     return answered(
         "curve",
         case.title or Message("captions.mooring_line"),
@@ -58,27 +46,27 @@ def curve_answer(result: CaseCurve) -> Answer:
     )
 
 
-def _for_files(table: Table) -> Table:
+def _for_files(table: blocks.Table) -> blocks.Table:
     return replace(table, name=f"{table.name}_of_case", only="workbook")
 
 
-def _opening(result: CaseCurve) -> Iterator[Text]:
+def _opening(result: CaseCurve) -> Iterator[blocks.Text]:
     curve, reference = result.curve, result.reference
-    yield Text(Message(f"curve.over_{result.over}", points=len(curve.span)))
-    yield Text(Message("curve.range", range=result.range_words))
+    yield blocks.Text(Message(f"curve.over_{result.over}", points=len(curve.span)))
+    yield blocks.Text(Message("curve.range", range=result.range_words))
     for each in found_facts(reference):
         assert reference.found is not None
         assert each.quantity is not None
         value = Measure(each.quantity.key, reference.found.value)
         condition = reference.found.condition
-        yield Text(Message("curve.found", name=each.name, value=value, condition=condition))
+        yield blocks.Text(Message("curve.found", name=each.name, value=value, condition=condition))
     if result.over == "offset":
-        yield Text(Message("curve.zero", span=Measure("span", reference.span)))
+        yield blocks.Text(Message("curve.zero", span=Measure("span", reference.span)))
     regime = Message(f"solution.{curve.regime[0].replace('-', '_')}")
-    yield Text(Message("curve.lower_end", regime=regime))
+    yield blocks.Text(Message("curve.lower_end", regime=regime))
 
 
-def points_table(result: CaseCurve) -> Table:
+def points_table(result: CaseCurve) -> blocks.Table:
     """Tabulate the points of a load curve, by rising span."""
     curve = result.curve
     count = len(curve.span)
@@ -99,7 +87,7 @@ def points_table(result: CaseCurve) -> Table:
     )
 
 
-def marks_table(result: CaseCurve) -> Table:
+def marks_table(result: CaseCurve) -> blocks.Table:
     """Tabulate where something changes along a load curve, by rising span."""
     of = Rows(result.curve.marks)
     return tabulate(
@@ -113,7 +101,7 @@ def marks_table(result: CaseCurve) -> Table:
     )
 
 
-def _places(result: CaseCurve, spans: Sequence[float]) -> tuple[Column, Column]:
+def _places(result: CaseCurve, spans: Sequence[float]) -> tuple[blocks.Column, blocks.Column]:
     """List span and offset; people see the one that was not left out by what is stepped."""
     zero, of_offset = result.reference.span, result.over == "offset"
     return (

@@ -6,27 +6,8 @@ from collections.abc import Iterator, Sequence
 from operator import methodcaller
 from typing import TYPE_CHECKING, Any
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Fact,
-    Facts,
-    Graph,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Value,
-    Verdict,
-    Warnings,
-    answered,
-    section,
-    stated,
-    tabulate,
-    texts,
-    yes_or_no,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, section, stated, tabulate, texts, yes_or_no
 from catopt.answers.check import (
     check_columns,
     governing_sentence,
@@ -46,7 +27,7 @@ _MOST = 25
 """Designs of a front that people see all of; of a longer one they see some."""
 
 
-def design_answer(result: DesignResult) -> Answer:
+def design_answer(result: DesignResult) -> blocks.Answer:
     """Lay out a front, its recommended design and how it was found."""
     return answered(
         "design",
@@ -80,7 +61,7 @@ def shown_designs(count: int, *named: int) -> tuple[int, ...]:
 # ------------------------------------------------------------------ the front
 
 
-def _front(result: DesignResult) -> Iterator[Block]:
+def _front(result: DesignResult) -> Iterator[blocks.Block]:
     """Tabulate the front, a row each design, with the tightest check of each kind in files."""
     points = result.front
     of, count = Rows(points), len(points)
@@ -89,7 +70,7 @@ def _front(result: DesignResult) -> Iterator[Block]:
     caption = Message("captions.front_recommended")
     if len(shown) < count:
         caption = Message("captions.front_of", shown=len(shown), count=count)
-    yield Text(_how(result))
+    yield blocks.Text(_how(result))
     yield tabulate(
         "front",
         texts("design", range(1, count + 1)),
@@ -103,7 +84,7 @@ def _front(result: DesignResult) -> Iterator[Block]:
         shown=shown,
         marked=result.recommended,
     )
-    yield Graph(Message("captions.front"), "front", x=2, y=(3,), points=True)
+    yield blocks.Graph(Message("captions.front"), "front", x=2, y=(3,), points=True)
 
 
 def _how(result: DesignResult) -> Message:
@@ -128,12 +109,12 @@ def _bounds(result: DesignResult) -> Several:
     return Several(said)
 
 
-def _objectives(result: DesignResult, of: Rows) -> Iterator[Column]:
+def _objectives(result: DesignResult, of: Rows) -> Iterator[blocks.Column]:
     """Yield a column for each objective: those wanted first, then what else is known."""
     every = of.read("objectives")
     for key, quantity in _known_objectives(result):
         values = (None if each is None else each.get(key) for each in every)
-        yield Column(term(quantity.name), tuple(values), quantity)
+        yield blocks.Column(term(quantity.name), tuple(values), quantity)
 
 
 def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
@@ -143,7 +124,7 @@ def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
     return [(key, objective(key, of_body=of_body)) for key in keys]
 
 
-def _in_words(of: Rows) -> Iterator[Column]:
+def _in_words(of: Rows) -> Iterator[blocks.Column]:
     """Say of what each design is made, and of whole moorings the layout, in files."""
     only: dict[str, Any] = {"only": "files"}
     yield of.texts("segments_from_the_anchor", lambda at: Several(segment_words(at.line)), **only)
@@ -154,7 +135,7 @@ def _in_words(of: Rows) -> Iterator[Column]:
         yield of.texts("farthest_in", "mooring.state", **only)
 
 
-def _utilisations(points: Sequence[DesignPoint]) -> Iterator[Column]:
+def _utilisations(points: Sequence[DesignPoint]) -> Iterator[blocks.Column]:
     """Yield a column for each kind of check that was made: the tightest of each design."""
     of = Rows(tightest_checks(each.checks) for each in points)
     for kind in (kind for kind in QUANTITY_OF if any(kind in each for each in of.rows)):
@@ -226,22 +207,24 @@ def _composition(point: DesignPoint) -> Several:
 # ------------------------------------------------------------------ the recommended design
 
 
-def _recommended(result: DesignResult) -> Iterator[Block]:
+def _recommended(result: DesignResult) -> Iterator[blocks.Block]:
     point = result.front[result.recommended]
-    yield Verdict(Message("design.recommended", number=result.recommended + 1), point.checks.passes)
-    yield Text(result.recommendation)
-    yield Facts("recommended", tuple(_made_of(result, point)), only="not csv")
+    yield blocks.Verdict(
+        Message("design.recommended", number=result.recommended + 1), point.checks.passes
+    )
+    yield blocks.Text(result.recommendation)
+    yield blocks.Facts("recommended", tuple(_made_of(result, point)), only="not csv")
     yield tightest_table(point.checks)
-    yield Text(governing_sentence(point.checks))
+    yield blocks.Text(governing_sentence(point.checks))
     if point.mooring is not None:
         far = point.mooring
-        yield Text(Message("design.farthest", offset=far.offset, state=far.state))
-    yield from map(Text, result.ends)
+        yield blocks.Text(Message("design.farthest", offset=far.offset, state=far.state))
+    yield from map(blocks.Text, result.ends)
     yield _neighbours(result)
-    yield Warnings(result.warnings)
+    yield blocks.Warnings(result.warnings)
 
 
-def _made_of(result: DesignResult, point: DesignPoint) -> Iterator[Fact]:
+def _made_of(result: DesignResult, point: DesignPoint) -> Iterator[blocks.Fact]:
     """List the parts of a design and what its objectives come to."""
     for layout in _layout_words(point):
         yield stated("layout", layout)
@@ -252,10 +235,10 @@ def _made_of(result: DesignResult, point: DesignPoint) -> Iterator[Fact]:
     if point.anchor is not None:
         yield stated("anchor", _anchor_words(point))
     for key, quantity in _known_objectives(result):
-        yield Fact(term(quantity.name), point.objectives[key], quantity)
+        yield blocks.Fact(term(quantity.name), point.objectives[key], quantity)
 
 
-def _neighbours(result: DesignResult) -> Table:
+def _neighbours(result: DesignResult) -> blocks.Table:
     """Tabulate what one step of each variable would do to the recommended design.
 
     The last row is the line in the case file.
@@ -286,7 +269,7 @@ def _verdict(step: Neighbour) -> str:
 # ------------------------------------------------------------------ in files alone
 
 
-def _components(result: DesignResult) -> Table:
+def _components(result: DesignResult) -> blocks.Table:
     """Tabulate the segments of every design, a row each from the anchor to the fairlead."""
     places = [
         (number, place)
@@ -306,7 +289,7 @@ def _components(result: DesignResult) -> Table:
     )
 
 
-def _checks(result: DesignResult) -> Table:
+def _checks(result: DesignResult) -> blocks.Table:
     """Tabulate every check of every design, a row each."""
     every = [point.checks.results for point in result.front]
     numbers = [number for number, results in enumerate(every, start=1) for _ in results]
@@ -314,7 +297,7 @@ def _checks(result: DesignResult) -> Table:
     return tabulate("checks", texts("design", numbers), *columns, only="files")
 
 
-def _loads(result: DesignResult) -> Iterator[Section]:
+def _loads(result: DesignResult) -> Iterator[blocks.Section]:
     """Tabulate what a body had to meet, where it is more than one force."""
     loads = () if result.case.design is None else result.case.design.loads
     if loads:
@@ -328,13 +311,13 @@ def _loads(result: DesignResult) -> Iterator[Section]:
             of.measured("height", "fairlead_rise", "fairlead_rise", symbol=""),
             of.texts("each_line_out", lambda load: yes_or_no(load.line_out)),
         )
-        yield section(title, Table("loads", columns, title))
+        yield section(title, blocks.Table("loads", columns, title))
 
 
-def _search(result: DesignResult) -> Facts:
+def _search(result: DesignResult) -> blocks.Facts:
     """List how the front was found."""
     reference = ", ".join(f"{value:.6g}" for value in result.reference_point)
-    listed: dict[str, Value] = {
+    listed: dict[str, blocks.Value] = {
         "title": result.case.title,
         "method": result.method,
         "exact_front": yes_or_no(result.is_exact),
@@ -353,4 +336,4 @@ def _search(result: DesignResult) -> Facts:
         "warnings": Several(result.warnings),
     }
     facts = tuple(stated(name, value) for name, value in listed.items())
-    return Facts("search", facts, only="files")
+    return blocks.Facts("search", facts, only="files")

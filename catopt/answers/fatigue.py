@@ -5,20 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Rows,
-    Table,
-    Text,
-    Verdict,
-    Warnings,
-    answered,
-    measured,
-    section,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts
 from catopt.answers.check import verdict_column
 from catopt.constants import YEAR
 from catopt.quantities import Quantity
@@ -40,14 +28,14 @@ _PROVEN = {
 }
 
 
-def fatigue_answer(report: FatigueReport) -> Answer:
+def fatigue_answer(report: FatigueReport) -> blocks.Answer:
     """Lay out fatigue by segment and by sea state."""
-    said: tuple[Block, ...] = (
-        Verdict(fatigue_sentence(report), report.passes and report.verdict == "converged"),
-        *map(Text, _sentences(report)),
-        Text(Message("fatigue.counting"), is_small=True),
-        Text(Message("fatigue.spectrum"), is_small=True),
-        Warnings(report.remarks),
+    said: tuple[blocks.Block, ...] = (
+        blocks.Verdict(fatigue_sentence(report), report.passes and report.verdict == "converged"),
+        *map(blocks.Text, _sentences(report)),
+        blocks.Text(Message("fatigue.counting"), is_small=True),
+        blocks.Text(Message("fatigue.spectrum"), is_small=True),
+        blocks.Warnings(report.remarks),
     )
     return answered(
         "fatigue",
@@ -100,7 +88,7 @@ def _name(each: SegmentFatigue) -> Message:
     return Message("fatigue.of_line", line=each.line, segment=segment)
 
 
-def _segments(report: FatigueReport) -> Table:
+def _segments(report: FatigueReport) -> blocks.Table:
     of = Rows(report.segments)
     years = [None if each is None else each * YEAR for each in of.read("years")]
     return tabulate(
@@ -116,7 +104,7 @@ def _segments(report: FatigueReport) -> Table:
     )
 
 
-def _strengths(report: FatigueReport) -> Table:
+def _strengths(report: FatigueReport) -> blocks.Table:
     """Say by which curve and reference, and where in the segment."""
     of = Rows(report.segments)
 
@@ -152,7 +140,7 @@ def _changes(each: SegmentFatigue) -> Message:
     return Message(f"fatigue.{key}")
 
 
-def _states(report: FatigueReport) -> Table:
+def _states(report: FatigueReport) -> blocks.Table:
     of, runs = Rows(report.states), Rows(report.runs)
     return tabulate(
         "fatigue_sea_states",
@@ -165,7 +153,7 @@ def _states(report: FatigueReport) -> Table:
     )
 
 
-def _damages(report: FatigueReport) -> Table:
+def _damages(report: FatigueReport) -> blocks.Table:
     """Tabulate what each sea state does to each segment."""
     rows = [(each, k) for each in report.segments for k in range(len(report.states))]
     of = Rows(each.states[k] for each, k in rows)

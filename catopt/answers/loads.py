@@ -7,22 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    For,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Warnings,
-    answered,
-    measured,
-    section,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -30,7 +16,7 @@ if TYPE_CHECKING:
     from catopt.loads.weathervane import Lying
 
 
-def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> Answer:
+def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> blocks.Answer:
     """Lay out the forces on a buoy or a ship, each with its formula, numbers and source.
 
     `others` are by other methods and stand in the same tables; `lyings` are the cases of which the
@@ -47,7 +33,7 @@ def loads_answer(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> Ans
     )
 
 
-def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[Section]:
+def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[blocks.Section]:
     """Tabulate how the ship lies under each set of directions, and mark what is laid out."""
     if not lyings:
         return
@@ -75,10 +61,10 @@ def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[Section]:
         current=math.degrees(worst.directions.current),
         heading=math.degrees(worst.heading),
     )
-    yield section("terms.headings", table, Text(said, only="people"))
+    yield section("terms.headings", table, blocks.Text(said, only="people"))
 
 
-def forces_table(*by: Loads) -> Table:
+def forces_table(*by: Loads) -> blocks.Table:
     """Tabulate the forces by one method or several, a row each, and their sum."""
     every: list[LoadComponent | None] = []
     methods, forces = [], []
@@ -88,7 +74,7 @@ def forces_table(*by: Loads) -> Table:
         forces += [*(each.force for each in of.components), of.horizontal_force]
     total = term("horizontal force")
 
-    def of_each(name: str, path: str, only: For = "files") -> Column:
+    def of_each(name: str, path: str, only: blocks.For = "files") -> blocks.Column:
         values = ["" if each is None else attrgetter(path)(each) for each in every]
         return texts(name, values, only=only)
 
@@ -108,7 +94,7 @@ def forces_table(*by: Loads) -> Table:
     )
 
 
-def numbers_table(*by: Loads) -> Table:
+def numbers_table(*by: Loads) -> blocks.Table:
     """Tabulate every number that was put in, in SI and with all digits."""
     components = _components(by)
     numbers = Rows(number for each in components for number in each.numbers)
@@ -128,7 +114,7 @@ def _components(by: Iterable[Loads]) -> Iterable[LoadComponent]:
     return dict.fromkeys(each for of in by for each in of.components)
 
 
-def _notes_table(by: Sequence[Loads]) -> Table:
+def _notes_table(by: Sequence[Loads]) -> blocks.Table:
     kinds = {
         "assumption": [said for of in by for said in of.assumptions],
         "warning": [said for of in by for said in of.warnings],
@@ -137,7 +123,7 @@ def _notes_table(by: Sequence[Loads]) -> Table:
     return notes_table((term(kind), said) for kind, every in kinds.items() for said in every)
 
 
-def notes_table(rows: Iterable[tuple[str, str]]) -> Table:
+def notes_table(rows: Iterable[tuple[str, str]]) -> blocks.Table:
     """Tabulate what is said in words, each once, behind what kind of words it is."""
     once = dict.fromkeys(rows)
     kinds, said = (
@@ -147,10 +133,10 @@ def notes_table(rows: Iterable[tuple[str, str]]) -> Table:
     return tabulate("notes", kinds, said, only="files")
 
 
-def _how(by: Sequence[Loads]) -> Text:
+def _how(by: Sequence[Loads]) -> blocks.Text:
     """Explain each force: its formula, the numbers put in and the source."""
     explained = Several((_explained(each) for each in _components(by)), "\n")
-    return Text(explained, Message("loads.how"), "people")
+    return blocks.Text(explained, Message("loads.how"), "people")
 
 
 def _explained(of: LoadComponent) -> Message:
@@ -159,13 +145,13 @@ def _explained(of: LoadComponent) -> Message:
     return Several((head, *(part for part in below if part)), "\n  ")
 
 
-def _notes(by: Sequence[Loads]) -> Iterator[Block]:
+def _notes(by: Sequence[Loads]) -> Iterator[blocks.Block]:
     for assumption in dict.fromkeys(each for of in by for each in of.assumptions):
-        yield Text(assumption, only="people")
+        yield blocks.Text(assumption, only="people")
     warnings = list(dict.fromkeys(each for of in by for each in of.warnings))
     for of in by:
         if of.recalled:
             key = "loads.recalled_by" if len(by) > 1 else "loads.recalled"
             names = Several(of.recalled, ", ")
             warnings.append(Message(key, method=of.method, names=names))
-    yield Warnings(tuple(warnings), "people")
+    yield blocks.Warnings(tuple(warnings), "people")

@@ -6,26 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Verdict,
-    answered,
-    bare,
-    in_si,
-    keyed,
-    measured,
-    named,
-    section,
-    tabulate,
-    texts,
-    yes_or_no,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts, yes_or_no
 from catopt.answers.check import checks_in_motion
 from catopt.answers.verification import label, remarks
 from catopt.quantities import QUANTITIES, Quantity
@@ -71,7 +53,7 @@ ENERGIES = {
 
 def motion_answer(
     found: DynamicVerification, checks: CheckReport | None = None, *, with_series: bool = False
-) -> Answer:
+) -> blocks.Answer:
     """Lay out a case in motion.
 
     `checks` are of its tensions; nothing is said of them when left out. Files have every sample
@@ -91,23 +73,25 @@ def motion_answer(
 # ------------------------------------------------------------------ for people
 
 
-def _of_load_cases(found: DynamicVerification) -> Iterator[Block]:
+def _of_load_cases(found: DynamicVerification) -> Iterator[blocks.Block]:
     """Say of every load case what the motion does to the line."""
     for part in found.parts:
         title = Message("motion.title")
         if found.case.load_cases:
             title = Message("motion.title_of_load_case", name=part.name)
         yield _quantities(part, title)
-        yield Text(_runs(part))
-        yield Text(Message("motion.drag_area"))
-        yield from (Text(each) for each in motion_sentences(part))
-        yield from (Verdict(each, part.verdict == "converged") for each in proof_sentences(part))
+        yield blocks.Text(_runs(part))
+        yield blocks.Text(Message("motion.drag_area"))
+        yield from (blocks.Text(each) for each in motion_sentences(part))
+        yield from (
+            blocks.Verdict(each, part.verdict == "converged") for each in proof_sentences(part)
+        )
         yield from remarks(part.remarks)
 
 
-def _quantities(part: DynamicPart, caption: str) -> Table:
+def _quantities(part: DynamicPart, caption: str) -> blocks.Table:
     of = Rows(part.quantities)
-    units = tuple(bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in part.quantities)
+    units = tuple(blocks.bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in part.quantities)
     probable = Message("columns.most_prob_in", time=lasting(part.duration_of_interest))
     return tabulate(
         "motion",
@@ -119,10 +103,10 @@ def _quantities(part: DynamicPart, caption: str) -> Table:
     )
 
 
-def _over_runs(found: Sequence[OverRuns]) -> Iterator[Column]:
+def _over_runs(found: Sequence[OverRuns]) -> Iterator[blocks.Column]:
     """List mean, deviation and ends of quantities, a row each."""
     of = Rows(found)
-    units = tuple(bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in found)
+    units = tuple(blocks.bare(DYNAMIC_QUANTITY_OF[each.quantity]) for each in found)
     yield of.texts("quantity", lambda each: label(DYNAMIC_QUANTITY_OF[each.quantity]))
     yield of.texts("mean", units=units)
     yield of.texts("standard_deviation", "std", units=units)
@@ -130,23 +114,23 @@ def _over_runs(found: Sequence[OverRuns]) -> Iterator[Column]:
     yield of.texts("max", "maximum", units=units)
 
 
-def _of_body(found: DynamicVerification) -> Iterator[Block]:
+def _of_body(found: DynamicVerification) -> Iterator[blocks.Block]:
     """Say what all lines of a body carry, where the body goes, and how it was proven."""
     governing, doubted = found.governing, found.least_proven
     yield _lines(found.parts)
     caption = Message("motion.the_body")
     yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
-    yield Text(_runs(governing))
-    yield Text(Message("motion.drag_area"))
+    yield blocks.Text(_runs(governing))
+    yield blocks.Text(Message("motion.drag_area"))
     for said in motion_sentences(governing):
-        yield Text(Message("motion.said_of_line", number=governing.line, said=said))
+        yield blocks.Text(Message("motion.said_of_line", number=governing.line, said=said))
     for said in proof_sentences(doubted):
         words = Message("motion.said_of_line", number=doubted.line, said=said)
-        yield Verdict(words, doubted.verdict == "converged")
+        yield blocks.Verdict(words, doubted.verdict == "converged")
     yield from remarks(dict.fromkeys(each for part in found.parts for each in part.remarks))
 
 
-def _lines(parts: Sequence[DynamicPart]) -> Table:
+def _lines(parts: Sequence[DynamicPart]) -> blocks.Table:
     of, fairlead = Rows(parts), Rows(part.of("fairlead_tension") for part in parts)
     return tabulate(
         "motion_lines",
@@ -178,7 +162,7 @@ def _runs(part: DynamicPart) -> Message:
 # ------------------------------------------------------------------ files, in SI
 
 
-def _files(found: DynamicVerification, *, with_series: bool) -> Iterator[Section]:
+def _files(found: DynamicVerification, *, with_series: bool) -> Iterator[blocks.Section]:
     tables = {
         "statistics": _statistics(found.parts),
         "summary": _summary(found.parts),
@@ -193,21 +177,21 @@ def _files(found: DynamicVerification, *, with_series: bool) -> Iterator[Section
         yield section(f"captions.{key}", tabulate(f"dynamic_{key}", *columns, only="files"))
 
 
-def _of(parts: Iterable[DynamicPart]) -> Column:
+def _of(parts: Iterable[DynamicPart]) -> blocks.Column:
     """Say what each row is of: a load case, or a line of a body."""
     of = Rows(parts)
     return of.texts("load_case", "name") if of.rows[0].line is None else of.texts("line")
 
 
 def _in_si(key: str, symbol: str | None = None) -> Quantity:
-    return in_si(named(key, symbol), 2 if key == "tension" else 3)
+    return blocks.in_si(blocks.named(key, symbol), 2 if key == "tension" else 3)
 
 
 _NEWTON = _in_si("tension", "")
 _STILL = "largest_quasi_static_fairlead_tension"
 
 
-def _statistics(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+def _statistics(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     found = [each for part in parts for each in part.quantities]
     of = Rows(found)
     yield _of(part for part in parts for _ in part.quantities)
@@ -237,10 +221,10 @@ def _statistics(parts: Sequence[DynamicPart]) -> Iterator[Column]:
 
 
 def _keyed(each: OverRuns) -> Message:
-    return keyed(each.quantity, term(DYNAMIC_QUANTITY_OF[each.quantity].name))
+    return blocks.keyed(each.quantity, term(DYNAMIC_QUANTITY_OF[each.quantity].name))
 
 
-def _summary(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     of = Rows(parts)
     yield _of(parts)
     yield of.texts("runs", lambda part: len(part.runs))
@@ -262,7 +246,7 @@ def _summary(parts: Sequence[DynamicPart]) -> Iterator[Column]:
     yield of.texts("remarks", lambda part: Several(part.remarks))
 
 
-def _runs_in_files(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+def _runs_in_files(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     runs = Rows(run for part in parts for run in part.runs)
     largest = Rows(run.statistics("fairlead_tension") for run in runs.rows)
     of = Rows(runs.read("history"))
@@ -285,7 +269,7 @@ def _runs_in_files(parts: Sequence[DynamicPart]) -> Iterator[Column]:
     yield of.measured(_PART, "balance.numerical_part", "numerical_part_of_the_work")
 
 
-def _envelope(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+def _envelope(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     of = Rows(part.envelope for part in parts)
     yield _of(part for part in parts for _ in part.envelope.arc)
     yield _joined(_in_si("s"), of.read("arc"))
@@ -297,12 +281,12 @@ def _envelope(parts: Sequence[DynamicPart]) -> Iterator[Column]:
 
 def _joined(
     quantity: Quantity, arrays: Iterable[npt.NDArray[np.float64]], name: str = ""
-) -> Column:
+) -> blocks.Column:
     """Make a column of arrays, one below the other."""
     return measured(quantity, (value for each in arrays for value in each.tolist()), name)
 
 
-def _series(parts: Sequence[DynamicPart]) -> Iterator[Column]:
+def _series(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     runs = [run for part in parts for run in part.runs]
     of = [run.history for run in runs]
     yield _of(part for part in parts for run in part.runs for _ in run.history.time)
@@ -318,13 +302,13 @@ def _series(parts: Sequence[DynamicPart]) -> Iterator[Column]:
     yield _joined(offset, (each.offset[:, 0] for each in of), "fairlead_offset")
 
 
-def _times(runs: Sequence[DynamicRun]) -> Iterator[Column]:
+def _times(runs: Sequence[DynamicRun]) -> Iterator[blocks.Column]:
     """Yield number of the run and time of each step."""
     yield texts("run", [run.number + 1 for run in runs for _ in run.history.time])
     yield _joined(_TIME, (run.history.time for run in runs), "time")
 
 
-def _track(part: DynamicPart) -> Iterator[Column]:
+def _track(part: DynamicPart) -> Iterator[blocks.Column]:
     """Tabulate where the origin of a moored body was."""
     found = [(run, run.track) for run in part.runs if run.track is not None]
     yield from _times([run for run, _ in found])
@@ -335,31 +319,33 @@ def _track(part: DynamicPart) -> Iterator[Column]:
 # ------------------------------------------------------------------ the designs of a front
 
 
-def front_in_motion_answer(found: FrontInMotion) -> Answer:
+def front_in_motion_answer(found: FrontInMotion) -> blocks.Answer:
     """Lay out a front in motion: a row a design, and what is recommended then."""
     title = Message("captions.front")
     return answered("front_in_motion", title, section("motion.front", *_front(found)))
 
 
-def _front(found: FrontInMotion) -> Iterator[Block]:
+def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
     yield _designs(found)
     for each in found.designs:
         if each.failure:
-            yield Text(Message("truss.design_failed", number=each.number, why=each.failure))
+            yield blocks.Text(Message("truss.design_failed", number=each.number, why=each.failure))
     if not found.is_complete:
-        yield Verdict(Message("motion.front_stopped", count=len(found.designs)), passes=False)
+        yield blocks.Verdict(
+            Message("motion.front_stopped", count=len(found.designs)), passes=False
+        )
     if any(each.found is not None and each.found.verdict == "not proven" for each in found.designs):
-        yield Verdict(Message("motion.not_proven"), passes=False)
+        yield blocks.Verdict(Message("motion.not_proven"), passes=False)
     only_in_motion = [each.number for each in found.designs if not each.passes]
     if only_in_motion:
         numbers = _in_ranges(only_in_motion)
-        yield Verdict(Message("motion.front_fails", designs=numbers), passes=False)
+        yield blocks.Verdict(Message("motion.front_fails", designs=numbers), passes=False)
     if found.recommended is None:
-        yield Verdict(Message("motion.front_none"), passes=False)
+        yield blocks.Verdict(Message("motion.front_none"), passes=False)
     else:
         key = "front_same" if found.recommended == found.of_search else "front_other"
         values = {"number": found.recommended, "search": found.of_search}
-        yield Verdict(Message(f"motion.{key}", **values), passes=True)
+        yield blocks.Verdict(Message(f"motion.{key}", **values), passes=True)
 
 
 def _in_ranges(numbers: list[int]) -> str:
@@ -373,7 +359,7 @@ def _in_ranges(numbers: list[int]) -> str:
     return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
 
 
-def _designs(found: FrontInMotion) -> Table:
+def _designs(found: FrontInMotion) -> blocks.Table:
     designs = found.designs
     of, parts = Rows(designs), Rows(each.governing for each in designs)
     verdict = of.texts("verdict", _verdict, passes=tuple(each.passes for each in designs))

@@ -7,21 +7,8 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Verdict,
-    answered,
-    named,
-    section,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, named, section, tabulate, texts
 from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
@@ -39,7 +26,7 @@ _BY = {
 """Short words for how a number was computed: 80 columns carry the longest quantity beside them."""
 
 
-def reproduction_answer(result: Reproduction) -> Answer:
+def reproduction_answer(result: Reproduction) -> blocks.Answer:
     """Lay out studies: what went in, each printed number beside ours, and what was found."""
     return answered(
         "reproduction",
@@ -47,7 +34,7 @@ def reproduction_answer(result: Reproduction) -> Answer:
         section("terms.comparison", _comparison(result.items)),
         section("captions.inputs", _inputs(result.studies)),
         section("terms.findings", _findings(result.studies)),
-        *(Section(study.name, tuple(_study(study))) for study in result.studies),
+        *(blocks.Section(study.name, tuple(_study(study))) for study in result.studies),
         section("terms.findings", _tally(result.items)),
     )
 
@@ -55,7 +42,7 @@ def reproduction_answer(result: Reproduction) -> Answer:
 # ------------------------------------------------------------------ tables of files
 
 
-def _comparison(items: Sequence[Item]) -> Table:
+def _comparison(items: Sequence[Item]) -> blocks.Table:
     of = Rows(items)
     return tabulate(
         "reproduction",
@@ -74,7 +61,7 @@ def _comparison(items: Sequence[Item]) -> Table:
     )
 
 
-def _inputs(studies: Sequence[Study]) -> Table:
+def _inputs(studies: Sequence[Study]) -> blocks.Table:
     of = Rows(given for study in studies for given in study.inputs)
     return tabulate(
         "inputs",
@@ -87,7 +74,7 @@ def _inputs(studies: Sequence[Study]) -> Table:
     )
 
 
-def _findings(studies: Sequence[Study]) -> Table:
+def _findings(studies: Sequence[Study]) -> blocks.Table:
     names = texts("study", [study.name for study in studies for _ in study.findings])
     findings = texts("finding", [each for study in studies for each in study.findings])
     return tabulate("findings", names, findings, only="workbook")
@@ -96,7 +83,7 @@ def _findings(studies: Sequence[Study]) -> Table:
 # ------------------------------------------------------------------ what people see of a study
 
 
-def _study(study: Study) -> Iterator[Block]:
+def _study(study: Study) -> Iterator[blocks.Block]:
     source = Message(
         "reproduction.source",
         source=study.source,
@@ -104,7 +91,7 @@ def _study(study: Study) -> Iterator[Block]:
         title=study.source_title,
         publication=study.source_where,
     )
-    yield Text(source, Several((study.name, study.title), ": "), "people")
+    yield blocks.Text(source, Several((study.name, study.title), ": "), "people")
     of = Rows(study.inputs)
     yield tabulate(
         f"{study.name}_inputs",
@@ -120,7 +107,7 @@ def _study(study: Study) -> Iterator[Block]:
             Message("reproduction.finding", number=number, finding=finding)
             for number, finding in enumerate(study.findings, start=1)
         )
-        yield Text(Several(numbered, "\n"), Message("terms.findings"), "people")
+        yield blocks.Text(Several(numbered, "\n"), Message("terms.findings"), "people")
     yield from _side_by_side(study)
 
 
@@ -128,7 +115,7 @@ def _value_with_unit(given: Input) -> Several:
     return Several(filter(None, (given.value, given.unit)), " ")
 
 
-def _printed_for(method: str, items: Sequence[Item]) -> Iterator[Block]:
+def _printed_for(method: str, items: Sequence[Item]) -> Iterator[blocks.Block]:
     of = Rows(items)
     yield tabulate(
         f"{items[0].name}_{method}",
@@ -149,7 +136,7 @@ def _printed_for(method: str, items: Sequence[Item]) -> Iterator[Block]:
         Message("reproduction.note", which=which, note=note) for which, note in notes_of(items)
     ]
     if notes:
-        yield Text(Several(notes, "\n"), only="people")
+        yield blocks.Text(Several(notes, "\n"), only="people")
 
 
 def _short(computed_by: str) -> str:
@@ -175,22 +162,27 @@ def _which(run: Sequence[Item], items: Sequence[Item]) -> str:
     return Message("reproduction.from_to", first=first, last=last)
 
 
-def _side_by_side(study: Study) -> Iterator[Table]:
+def _side_by_side(study: Study) -> Iterator[blocks.Table]:
     """Yield the answers of several models; a file of their own (CSV) they have not."""
     for number, each in enumerate(study.side_by_side, start=1):
         first, *others = (Several((name,)) for name in each.header)
         words, *cells = zip(*each.rows, strict=True)
         columns = (
-            Column(first, words),
-            *(Column(name, below, _NUMBER) for name, below in zip(others, cells, strict=True)),
+            blocks.Column(first, words),
+            *(
+                blocks.Column(name, below, _NUMBER)
+                for name, below in zip(others, cells, strict=True)
+            ),
         )
-        table = Table(f"{study.name}_{number}", columns, Several((each.title,)), only="people")
+        table = blocks.Table(
+            f"{study.name}_{number}", columns, Several((each.title,)), only="people"
+        )
         plain = tuple(replace(column, quantity=None) for column in columns)
         yield table
         yield replace(table, columns=plain, only="workbook")
 
 
-def _tally(items: Sequence[Item]) -> Verdict:
+def _tally(items: Sequence[Item]) -> blocks.Verdict:
     verdicts: list[str] = [item.verdict for item in items]
     said = Message(
         "reproduction.tally",
@@ -199,4 +191,4 @@ def _tally(items: Sequence[Item]) -> Verdict:
         differ=verdicts.count("differs"),
         neither=verdicts.count("not reproducible"),
     )
-    return Verdict(said, "differs" not in verdicts)
+    return blocks.Verdict(said, "differs" not in verdicts)

@@ -6,22 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Value,
-    Warnings,
-    answered,
-    named,
-    of_row,
-    section,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, named, of_row, section, tabulate, texts
 from catopt.answers.check import check_columns, tightest_table
 from catopt.answers.loads import forces_table, notes_table, numbers_table
 from catopt.checks.kinds import QUANTITY_OF
@@ -45,10 +31,10 @@ class _Row(NamedTuple):
     words: str = ""
 
 
-def size_answer(of: Sizing) -> Answer:
+def size_answer(of: Sizing) -> blocks.Answer:
     """Lay out a sizing."""
-    said = Text(steady_sentence(of))
-    checks = Table("checks", check_columns(of.point.checks.results), only="files")
+    said = blocks.Text(steady_sentence(of))
+    checks = blocks.Table("checks", check_columns(of.point.checks.results), only="files")
     return answered(
         "size",
         of.case.title,
@@ -63,14 +49,14 @@ def size_answer(of: Sizing) -> Answer:
     )
 
 
-def _inputs(of: Sizing) -> Iterator[Section]:
+def _inputs(of: Sizing) -> Iterator[blocks.Section]:
     """Begin with what was given and what was estimated from it; none where a request was made."""
     if of.inputs:
         own = tuple(k for k, each in enumerate(of.inputs) if each.origin != "taken")
         yield section("sizing.inputs", replace(read_table(of), shown=own))
 
 
-def read_table(of: Sizing) -> Table:
+def read_table(of: Sizing) -> blocks.Table:
     """Tabulate every input as it was read."""
     read = Rows(of.inputs)
     return tabulate(
@@ -111,7 +97,7 @@ def steady_sentence(of: Sizing) -> Message:
     )
 
 
-def _summary(of: Sizing) -> Table:
+def _summary(of: Sizing) -> blocks.Table:
     """Tabulate what was found; people see what is said in words."""
     rows = [*_line(of), *_holding(of), *_positions(of), *_forces_found(of), *_pattern_found(of)]
     found = Rows(rows)
@@ -158,7 +144,7 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         return
     anchor = of.point.anchor
     mass = (None if anchor is None else anchor.mass) or size.mass
-    values: dict[str, Value] = {"mass": mass / 1e3, "needed": size.needed_mass / 1e3}
+    values: dict[str, blocks.Value] = {"mass": mass / 1e3, "needed": size.needed_mass / 1e3}
     if of.drag_anchor is not None:
         values |= {"anchor": of.drag_anchor.anchor, "soil": term(of.drag_anchor.soil)}
         name, words = term("Drag anchor"), Message("sizing.drag_anchor", **values)
@@ -229,8 +215,8 @@ def _pattern_found(of: Sizing) -> Iterator[_Row]:
     yield _measured("Pull of all lines on the body", "vertical_force", found.largest_pull)
 
 
-def _why(of: Sizing) -> Text:
-    return Text(Several((*_governing(of), of.why), "\n"), term("What governs"))
+def _why(of: Sizing) -> blocks.Text:
+    return blocks.Text(Several((*_governing(of), of.why), "\n"), term("What governs"))
 
 
 def _governing(of: Sizing) -> Iterator[Message]:
@@ -243,7 +229,7 @@ def _governing(of: Sizing) -> Iterator[Message]:
         yield Message("sizing.nearest", **values)
 
 
-def alternatives_table(of: Sizing) -> Table:
+def alternatives_table(of: Sizing) -> blocks.Table:
     """Tabulate what another preference would recommend, and what it gives for what."""
     every, points = Rows(of.alternatives), Rows(Rows(of.alternatives).read("settled.point"))
     return tabulate(
@@ -260,7 +246,7 @@ def alternatives_table(of: Sizing) -> Table:
     )
 
 
-def candidates_table(of: Sizing) -> Table:
+def candidates_table(of: Sizing) -> blocks.Table:
     """Tabulate the recommended size between its neighbours."""
     every, points = Rows(of.candidates), Rows(Rows(of.candidates).read("settled.point"))
     return tabulate(
@@ -285,12 +271,12 @@ def _verdict(of: Candidate) -> str:
     return Message("sizing.passes", check="" if governing is None else governing.in_case)
 
 
-def _pattern(of: Sizing) -> Iterator[Section]:
+def _pattern(of: Sizing) -> Iterator[blocks.Section]:
     if of.pattern is not None:
         yield section(term("Pattern"), pattern_table(of.pattern), without_line_table(of))
 
 
-def pattern_table(of: Pattern) -> Table:
+def pattern_table(of: Pattern) -> blocks.Table:
     """Tabulate the body on its lines in each load case."""
     states, force = Rows(of.states), named("horizontal_force", "")
     return tabulate(
@@ -307,7 +293,7 @@ def pattern_table(of: Pattern) -> Table:
     )
 
 
-def without_line_table(of: Sizing) -> Table:
+def without_line_table(of: Sizing) -> blocks.Table:
     """Tabulate the body of several lines with the worst of them gone, in each load case."""
     assert of.pattern is not None
     states, force = Rows(of.pattern.states), named("horizontal_force", "")
@@ -339,7 +325,7 @@ def _tension_used(of: Sizing, load_case: str) -> float | None:
 # ------------------------------------------------------------------ loads and notes
 
 
-def _forces(of: Sizing) -> Iterator[Block]:
+def _forces(of: Sizing) -> Iterator[blocks.Block]:
     """Tabulate the forces of every load case, by load case for people."""
     every = of.settled.posed.loads
     if not every[0].parts:
@@ -361,19 +347,19 @@ def _forces(of: Sizing) -> Iterator[Block]:
             (caption, tuple(k for k, name in enumerate(of_rows) if name == each.load_case))
         )
     yield replace(table, parts=tuple(parts))
-    yield Text(Message("answers.confidence"), only="people")
+    yield blocks.Text(Message("answers.confidence"), only="people")
 
 
-def _numbers(of: Sizing) -> Table:
+def _numbers(of: Sizing) -> blocks.Table:
     """Tabulate every number that was put in; none where the force was given."""
     if of.settled.posed.loads[0].parts:
         return _stacked(of, "numbers", numbers_table)
     names = ("load_case", "on", "force", "symbol", "meaning")
     columns = (*(texts(name, ()) for name in names), of_row("value", ()), texts("unit", ()))
-    return Table("numbers", columns, only="files")
+    return blocks.Table("numbers", columns, only="files")
 
 
-def _stacked(of: Sizing, name: str, table_of: Callable[[Loads], Table]) -> Table:
+def _stacked(of: Sizing, name: str, table_of: Callable[[Loads], blocks.Table]) -> blocks.Table:
     """Stack a table of every part of every load case, with load case and part in front."""
     parts = [(each.load_case, part) for each in of.settled.posed.loads for part in each.parts]
     tables = [table_of(part) for _, part in parts]
@@ -391,7 +377,7 @@ def _stacked(of: Sizing, name: str, table_of: Callable[[Loads], Table]) -> Table
     )
 
 
-def _notes_table(of: Sizing) -> Table:
+def _notes_table(of: Sizing) -> blocks.Table:
     """Tabulate what is said in words."""
     kinds = {
         "governs": _governing(of),
@@ -408,12 +394,12 @@ def _notes_table(of: Sizing) -> Table:
     return notes_table(rows)
 
 
-def _notes(of: Sizing) -> Iterator[Block]:
+def _notes(of: Sizing) -> Iterator[blocks.Block]:
     for said in of.assumptions:
-        yield Text(said, only="people")
+        yield blocks.Text(said, only="people")
     if of.defaults:
-        yield Text(Message("sizing.taken", items=Several(of.defaults)), only="people")
+        yield blocks.Text(Message("sizing.taken", items=Several(of.defaults)), only="people")
     warnings = list(of.warnings)
     if of.recalled:
         warnings.append(Message("loads.recalled", names=Several(of.recalled, ", ")))
-    yield Warnings(tuple(warnings), "people")
+    yield blocks.Warnings(tuple(warnings), "people")

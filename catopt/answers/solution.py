@@ -7,29 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Fact,
-    Facts,
-    For,
-    Graph,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Warnings,
-    answered,
-    fact,
-    if_known,
-    measured,
-    named,
-    section,
-    stated,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, fact, if_known, measured, section, stated, tabulate, texts
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -41,23 +20,23 @@ _NO_LENGTH = 1e-9
 _PROFILE_POINTS, _SHOWN_EVERY = 101, 5
 
 
-def solution_answer(case: Case, solution: Solution, *, with_profile: bool = False) -> Answer:
+def solution_answer(case: Case, solution: Solution, *, with_profile: bool = False) -> blocks.Answer:
     """Lay out a case and its solution.
 
     People see the shape, too, `with_profile`.
     """
-    inputs = Facts("inputs", tuple(given_facts(case)), Message("captions.given"))
-    results: list[Block] = [summary(solution), segments_table(solution)]
+    inputs = blocks.Facts("inputs", tuple(given_facts(case)), Message("captions.given"))
+    results: list[blocks.Block] = [summary(solution), segments_table(solution)]
     if solution.safety_factor != 1.0 and any(each.MBL is not None for each in solution.segments):
-        results.append(Text(Message("solution.utilisation", factor=solution.safety_factor)))
+        results.append(blocks.Text(Message("solution.utilisation", factor=solution.safety_factor)))
     if solution.point_loads:
         results.append(point_loads_table(solution))
     method = method_name(solution.method)
     solved = Message("solution.solved", method=method, hangs=how_it_hangs(solution))
-    return answered(
+    return blocks.answered(
         "solution",
         case.title or Message("captions.mooring_line"),
-        section("captions.inputs", Text(solved), inputs, *given_tables(case.line)),
+        section("captions.inputs", blocks.Text(solved), inputs, *given_tables(case.line)),
         section("captions.results", *_found(solution), *results),
         _shape(solution, with_profile=with_profile),
         *_swarm(case, solution),
@@ -68,7 +47,7 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
 # ------------------------------------------------------------------ what was given
 
 
-def given_facts(case: Case) -> Iterator[Fact]:
+def given_facts(case: Case) -> Iterator[blocks.Fact]:
     """List what a case gives beside its line: site, heights, load and limits."""
     yield stated("title", case.title, only="files")
     yield stated("source", case.source, only="files")
@@ -89,7 +68,7 @@ def given_facts(case: Case) -> Iterator[Fact]:
         yield _for_files(each) if each.value is None else each
 
 
-def _load(load: Load | None) -> Iterator[Fact]:
+def _load(load: Load | None) -> Iterator[blocks.Fact]:
     """List the one known quantity; none where the force itself is sought."""
     if load is None:
         return
@@ -101,7 +80,7 @@ def _load(load: Load | None) -> Iterator[Fact]:
         yield _force("tension", load.fairlead_tension, "given_fairlead_tension")
 
 
-def given_tables(line: Line) -> Iterator[Table]:
+def given_tables(line: Line) -> Iterator[blocks.Table]:
     """Tabulate segments, and clump weights and buoys, as given."""
     segments = Rows(line.segments)
     yield tabulate(
@@ -127,21 +106,21 @@ def given_tables(line: Line) -> Iterator[Table]:
         )
 
 
-def _names(of: Rows) -> Column:
+def _names(of: Rows) -> blocks.Column:
     return of.texts("name", only="all" if any(of.read("name")) else "files")
 
 
 # ------------------------------------------------------------------ what came out
 
 
-def _found(solution: Solution) -> Iterator[Facts]:
+def _found(solution: Solution) -> Iterator[blocks.Facts]:
     """List what was sought and found, for people; files have it with the results."""
     if solution.found is not None:
         caption = Message("captions.found_for", condition=solution.found.condition)
-        yield Facts("found", found_facts(solution), caption, only="people")
+        yield blocks.Facts("found", found_facts(solution), caption, only="people")
 
 
-def found_facts(solution: Solution) -> tuple[Fact, ...]:
+def found_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
     """List what was sought and found; nothing when nothing was."""
     if solution.found is None:
         return ()
@@ -153,7 +132,7 @@ def found_facts(solution: Solution) -> tuple[Fact, ...]:
     return (_force("horizontal_force", value, "found_horizontal_force"),)
 
 
-def summary(solution: Solution) -> Facts:
+def summary(solution: Solution) -> blocks.Facts:
     """List forces, tensions and lengths of a line."""
     found = solution.found
     opening = [
@@ -167,14 +146,14 @@ def summary(solution: Solution) -> Facts:
         closing.append(fact("coefficient", found.residual, "residual_of_the_condition_relative"))
     closing.append(stated("warnings", Several(solution.warnings)))
     facts = (*map(_for_files, opening), *result_facts(solution), *map(_for_files, closing))
-    return Facts("summary", facts, Message("captions.result"))
+    return blocks.Facts("summary", facts, Message("captions.result"))
 
 
-def _for_files(given: Fact) -> Fact:
+def _for_files(given: blocks.Fact) -> blocks.Fact:
     return replace(given, only="files")
 
 
-def result_facts(solution: Solution) -> tuple[Fact, ...]:
+def result_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
     """List what was found for the line as a whole."""
     anchor, fairlead = solution.anchor, solution.fairlead
     return (
@@ -194,7 +173,7 @@ def result_facts(solution: Solution) -> tuple[Fact, ...]:
     )
 
 
-def residual_facts(solution: Solution) -> tuple[Fact, ...]:
+def residual_facts(solution: Solution) -> tuple[blocks.Fact, ...]:
     """List by how much the line misses its fairlead, and what rounding leaves of its forces."""
     residual = solution.residual
     return (
@@ -204,7 +183,7 @@ def residual_facts(solution: Solution) -> tuple[Fact, ...]:
     )
 
 
-def segments_table(solution: Solution) -> Table:
+def segments_table(solution: Solution) -> blocks.Table:
     """Tabulate the segments under load, from the anchor to the fairlead."""
     parts, factor = solution.segments, solution.safety_factor
     of = Rows(parts)
@@ -228,7 +207,7 @@ def segments_table(solution: Solution) -> Table:
     )
 
 
-def point_loads_table(solution: Solution) -> Table:
+def point_loads_table(solution: Solution) -> blocks.Table:
     """Tabulate clump weights and buoys under load."""
     of = Rows(solution.point_loads)
     return tabulate(
@@ -240,7 +219,7 @@ def point_loads_table(solution: Solution) -> Table:
     )
 
 
-def profile_table(solution: Solution, *, only: For = "all") -> Table:
+def profile_table(solution: Solution, *, only: blocks.For = "all") -> blocks.Table:
     """Tabulate shape and tension along the line, from the anchor to the fairlead."""
     shape = solution.profile(_PROFILE_POINTS)
     tension = measured("tension", shape.tension)
@@ -258,12 +237,15 @@ def profile_table(solution: Solution, *, only: For = "all") -> Table:
     )
 
 
-def _shape(solution: Solution, *, with_profile: bool) -> Section:
+def _shape(solution: Solution, *, with_profile: bool) -> blocks.Section:
     table = profile_table(solution, only="all" if with_profile else "files")
     title = Message("captions.line_shape")
     tension = Message("captions.tension_along_the_line")
-    graphs = (Graph(title, "profile", x=1, y=(2,)), Graph(tension, "profile", x=0, y=(3,)))
-    return Section(title, (table, *graphs))
+    graphs = (
+        blocks.Graph(title, "profile", x=1, y=(2,)),
+        blocks.Graph(tension, "profile", x=0, y=(3,)),
+    )
+    return blocks.Section(title, (table, *graphs))
 
 
 def how_it_hangs(solution: Solution) -> Message:
@@ -284,34 +266,36 @@ def regime_name(regime: str) -> str:
     return term(regime)
 
 
-def _closing(solution: Solution) -> Iterator[Block]:
+def _closing(solution: Solution) -> Iterator[blocks.Block]:
     if solution.found is not None:
-        yield Text(Message("solution.residual_of_condition", value=solution.found.residual))
+        yield blocks.Text(Message("solution.residual_of_condition", value=solution.found.residual))
     for key in ("height", "span"):
         value = Measure("residual", getattr(solution.residual, key))
-        yield Text(Message(f"solution.residual_of_{key}", value=value))
-    yield Warnings(tuple(solution.warnings))
+        yield blocks.Text(Message(f"solution.residual_of_{key}", value=value))
+    yield blocks.Warnings(tuple(solution.warnings))
 
 
 # ------------------------------------------------------------------ the swarm
 
 
-def _swarm(case: Case, solution: Solution) -> Iterator[Section]:
+def _swarm(case: Case, solution: Solution) -> Iterator[blocks.Section]:
     swarm = solution.swarm
     if swarm is None:
         return
     history, runs = swarm_tables(swarm)
     objective = swarm.best_objective_history
     graphs = (
-        Graph(history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)),
-        Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
+        blocks.Graph(
+            history.columns[1].name, "swarm_history", x=0, y=(1,), log=_decades(objective)
+        ),
+        blocks.Graph(history.columns[2].name, "swarm_history", x=0, y=(2,)),
     )
     caption = Message("captions.particle_swarm")
-    facts = Facts("swarm", tuple(flown_facts(swarm)), caption, only="people")
+    facts = blocks.Facts("swarm", tuple(flown_facts(swarm)), caption, only="people")
     yield section("captions.swarm", history, runs, swarm_settings(case.swarm), facts, *graphs)
 
 
-def swarm_settings(settings: SwarmSettings) -> Facts:
+def swarm_settings(settings: SwarmSettings) -> blocks.Facts:
     """List the settings of a swarm, in workbooks."""
     facts = (
         stated("particles", settings.particles),
@@ -323,10 +307,10 @@ def swarm_settings(settings: SwarmSettings) -> Facts:
         fact("coefficient", settings.inertia, "inertia_w"),
         stated("boundary_handling", settings.boundary),
     )
-    return Facts("swarm_settings", facts, Message("captions.swarm"), only="workbook")
+    return blocks.Facts("swarm_settings", facts, Message("captions.swarm"), only="workbook")
 
 
-def swarm_tables(swarm: SwarmReport) -> tuple[Table, Table]:
+def swarm_tables(swarm: SwarmReport) -> tuple[blocks.Table, blocks.Table]:
     """Tabulate the best run by iteration, and where each run ended."""
     tension = measured("tension", swarm.tension_history, "fairlead_tension")
     history = tabulate(
@@ -350,7 +334,7 @@ def swarm_tables(swarm: SwarmReport) -> tuple[Table, Table]:
     return history, runs
 
 
-def flown_facts(swarm: SwarmReport) -> Iterator[Fact]:
+def flown_facts(swarm: SwarmReport) -> Iterator[blocks.Fact]:
     """List what came of a swarm, and how far it is from the closed form."""
     of_runs = Message("solution.of_runs", run=swarm.best_run, runs=swarm.runs, seed=swarm.seed)
     converged = Message("solution.part_of", part=swarm.converged_runs, whole=swarm.runs)
@@ -384,14 +368,16 @@ def _decades(values: Sequence[float]) -> tuple[float, float] | None:
 # ------------------------------------------------------------------ quantities in two units
 
 
-def _force(key: str, value: float | None, name: str = "", **how: Any) -> Fact:
-    return fact(key, value, name, also=(named(key, how.get("symbol")).in_units("tf"),), **how)
+def _force(key: str, value: float | None, name: str = "", **how: Any) -> blocks.Fact:
+    return fact(
+        key, value, name, also=(blocks.named(key, how.get("symbol")).in_units("tf"),), **how
+    )
 
 
-def _angle(value: float, name: str, symbol: str) -> Fact:
-    return fact("angle", value, name, symbol=symbol, also=(named("angle_rad", symbol),))
+def _angle(value: float, name: str, symbol: str) -> blocks.Fact:
+    return fact("angle", value, name, symbol=symbol, also=(blocks.named("angle_rad", symbol),))
 
 
-def _in_tf(column: Column) -> Column:
+def _in_tf(column: blocks.Column) -> blocks.Column:
     assert column.quantity is not None
     return replace(column, quantity=column.quantity.in_units("tf"))

@@ -7,25 +7,8 @@ from dataclasses import replace
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Facts,
-    Rows,
-    Table,
-    Text,
-    Verdict,
-    Warnings,
-    answered,
-    if_known,
-    measured,
-    section,
-    stated,
-    tabulate,
-    texts,
-    yes_or_no,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, if_known, measured, section, stated, tabulate, texts
 from catopt.constants import YEAR
 from catopt.quantities import Quantity
 from catopt.words import Cited, Message
@@ -44,13 +27,13 @@ _TIME = Quantity("time", "Time", "", "s", "s", 1.0, 3, "significant")
 _DISK = Quantity("disk", "Disk", "", "byte", "MB", 1e6, 3, "significant")
 
 
-def study_answer(result: StudyResult) -> Answer:
+def study_answer(result: StudyResult) -> blocks.Answer:
     """Lay out what came of a study."""
     title = result.study.title or Message("study.title")
-    return answered("study", title, section("study.results", *_blocks(result)))
+    return blocks.answered("study", title, section("study.results", *_blocks(result)))
 
 
-def _blocks(result: StudyResult) -> Iterator[Block]:
+def _blocks(result: StudyResult) -> Iterator[blocks.Block]:
     yield _state(result)
     if result.is_complete and len(result.study) <= _FEW:
         yield _few(result)
@@ -65,10 +48,10 @@ def _blocks(result: StudyResult) -> Iterator[Block]:
     unknown = result.study.limits.keys() - {each.kept.name for each in result.statistics}
     if unknown:
         names = ", ".join(sorted(unknown))
-        yield Warnings((Message("study.limit_unknown", names=names),))
+        yield blocks.Warnings((Message("study.limit_unknown", names=names),))
     if result.influences:
         yield _influences(result)
-        yield Text(Message("study.influence_note"), is_small=True)
+        yield blocks.Text(Message("study.influence_note"), is_small=True)
     for name, counted in result.counted().items():
         if counted:
             yield _counts(name, counted)
@@ -77,16 +60,16 @@ def _blocks(result: StudyResult) -> Iterator[Block]:
     yield from _reach(result)
 
 
-def _reach(result: StudyResult) -> Iterator[Block]:
+def _reach(result: StudyResult) -> Iterator[blocks.Block]:
     """Say what the numbers do not cover."""
     base = result.study.base
     if base.compute == "linear":
         slack = dict(result.counted().get("taut", [])).get("no", 0)
         if slack:
-            yield Warnings((Message("study.may_go_slack", count=slack),))
-        yield Text(Message("study.linear_note"), is_small=True)
+            yield blocks.Warnings((Message("study.may_go_slack", count=slack),))
+        yield blocks.Text(Message("study.linear_note"), is_small=True)
     if base.compute == "motion" and base.proof == "none":
-        yield Verdict(Message("study.once"), passes=False)
+        yield blocks.Verdict(Message("study.once"), passes=False)
 
 
 _FEW = 40
@@ -96,7 +79,7 @@ _TOLD = {"title", "line", "holding_mass", "fairlead_tension", "fairlead_probable
 """What is shown of each of few members where there is little room, the first before the others."""
 
 
-def _few(result: StudyResult) -> Table:
+def _few(result: StudyResult) -> blocks.Table:
     """Tabulate few members, for people: files have them in a table of their own."""
     parts = [members_table(result.study, each) for each in result.store.pieces()]
     columns = [
@@ -110,7 +93,7 @@ def _few(result: StudyResult) -> Table:
         replace(each, priority=0 if order.get(id(each), "") in _TOLD | {"no"} else at + 1)
         for at, each in enumerate(told)
     )
-    return Table("few_members", shown, only="people")
+    return blocks.Table("few_members", shown, only="people")
 
 
 def _is_known(value: Any) -> bool:
@@ -122,18 +105,20 @@ def _in_table(study: Study) -> list[Kept]:
     return sorted(study.base.kept, key=lambda each: not each.quantity)
 
 
-def _state(result: StudyResult) -> Verdict:
+def _state(result: StudyResult) -> blocks.Verdict:
     values = {"members": len(result.study), "failed": len(result.reasons)}
     if result.is_complete:
-        return Verdict(Message("study.done", **values), passes=True if not result.reasons else None)
-    return Verdict(Message("study.not_done", done=result.done, **values), passes=False)
+        return blocks.Verdict(
+            Message("study.done", **values), passes=True if not result.reasons else None
+        )
+    return blocks.Verdict(Message("study.not_done", done=result.done, **values), passes=False)
 
 
 _QUANTITY = ("study.quantity", "kept.words")
 """Heading of what a row is of, and where a row has it."""
 
 
-def _statistics(result: StudyResult) -> Table:
+def _statistics(result: StudyResult) -> blocks.Table:
     of, units = Rows(result.statistics), _units(result.statistics)
     levels = (
         texts(
@@ -161,7 +146,7 @@ def _units(found: Sequence[Statistic]) -> tuple[Quantity, ...]:
     return tuple(replace(each.kept.measure, symbol="") for each in found)
 
 
-def _limits(result: StudyResult) -> Table:
+def _limits(result: StudyResult) -> blocks.Table:
     found = [each for each in result.statistics if each.limit is not None]
     of = Rows(found)
     hours = (None if each is None else each * YEAR for each in of.read("beyond"))
@@ -177,7 +162,7 @@ def _limits(result: StudyResult) -> Table:
     )
 
 
-def _first_beyond(result: StudyResult, found: Sequence[Statistic]) -> Iterator[Column]:
+def _first_beyond(result: StudyResult, found: Sequence[Statistic]) -> Iterator[blocks.Column]:
     """Yield the first member beyond each limit, such as the first year in which a check fails."""
     study = result.study
     members = [each.first_beyond for each in found]
@@ -192,14 +177,14 @@ def _first_beyond(result: StudyResult, found: Sequence[Statistic]) -> Iterator[C
     yield texts("study.first_beyond", _cells(said))
 
 
-def _intervals(found: Sequence[Statistic | ByChoice]) -> Iterator[Column]:
+def _intervals(found: Sequence[Statistic | ByChoice]) -> Iterator[blocks.Column]:
     """Yield both ends of the intervals of the shares, where they are probabilities."""
     intervals = Rows(each.interval for each in found)
     for end, name in enumerate(("probable_from", "probable_to")):
         yield from if_known(intervals.measured(_SHARE, itemgetter(end), f"study.{name}"))
 
 
-def _by_choice(result: StudyResult) -> Table:
+def _by_choice(result: StudyResult) -> blocks.Table:
     """Tabulate how often the limits are passed by each choice of what is not drawn."""
     found, study = result.by_choice, result.study
     of = Rows(found)
@@ -209,7 +194,7 @@ def _by_choice(result: StudyResult) -> Table:
         "study_by_choice",
         of.texts(*_QUANTITY),
         *(
-            Column(Cited(key), _cells(study.written(key, each[key]) for each in values))
+            blocks.Column(Cited(key), _cells(study.written(key, each[key]) for each in values))
             for key in keys
         ),
         of.measured(_SHARE, "share", "study.share_beyond"),
@@ -219,7 +204,7 @@ def _by_choice(result: StudyResult) -> Table:
     )
 
 
-def _first_orders(result: StudyResult) -> Iterator[Block]:
+def _first_orders(result: StudyResult) -> Iterator[blocks.Block]:
     """Yield reliability by the first order, and where each limit is most likely passed."""
     kept = {each.kept.name: each.kept for each in result.statistics}
     found = [(kept[name], each) for name, each in result.first_orders.items() if each is not None]
@@ -244,10 +229,10 @@ def _first_orders(result: StudyResult) -> Iterator[Block]:
         )
     missing = [str(kept[name].name) for name, each in result.first_orders.items() if each is None]
     if missing:
-        yield Warnings((Message("study.no_first_order", names=", ".join(missing)),))
+        yield blocks.Warnings((Message("study.no_first_order", names=", ".join(missing)),))
 
 
-def _worst(result: StudyResult) -> Table:
+def _worst(result: StudyResult) -> blocks.Table:
     rows = [
         (each, key, value)
         for each in result.statistics
@@ -266,7 +251,7 @@ def _worst(result: StudyResult) -> Table:
     )
 
 
-def _influences(result: StudyResult) -> Table:
+def _influences(result: StudyResult) -> blocks.Table:
     of = Rows(result.influences)
     measure = replace(result.statistics[0].kept.measure, symbol="")
     return tabulate(
@@ -279,18 +264,18 @@ def _influences(result: StudyResult) -> Table:
     )
 
 
-def _keys(rows: Iterable[Iterable[str]]) -> Column:
+def _keys(rows: Iterable[Iterable[str]]) -> blocks.Column:
     """Make a column of key paths that vary together."""
     return texts("study.key", [Cited(", ".join(keys)) for keys in rows])
 
 
-def _counts(name: str, counted: list[tuple[str, int]]) -> Table:
+def _counts(name: str, counted: list[tuple[str, int]]) -> blocks.Table:
     words, counts = zip(*counted, strict=True)
     columns = (texts(f"study.{name}", _cells(words)), texts("study.members", counts))
     return tabulate(f"study_{name}", *columns, caption=Message("study.counts"))
 
 
-def _failures(result: StudyResult) -> Table:
+def _failures(result: StudyResult) -> blocks.Table:
     found = result.failures()
     return tabulate(
         "study_failures",
@@ -301,7 +286,7 @@ def _failures(result: StudyResult) -> Table:
     )
 
 
-def members_table(study: Study, found: Computed) -> Table:
+def members_table(study: Study, found: Computed) -> blocks.Table:
     """Tabulate the members of a piece: what varies, what came of each, and why there is none."""
     first = study.piece_start(found.number)
     count = len(found.numbers)
@@ -314,9 +299,9 @@ def members_table(study: Study, found: Computed) -> Table:
         columns.append(texts(Message("study.of_key", key=key), _cells(plain), quantity=quantity))
     numbers = found.numbers.T.tolist()
     for each, own in zip((each for each in kept if each.quantity), numbers, strict=True):
-        columns.append(Column(each.words, tuple(own), replace(each.measure, symbol="")))
+        columns.append(blocks.Column(each.words, tuple(own), replace(each.measure, symbol="")))
     for at, each in enumerate(each for each in kept if not each.quantity):
-        columns.append(Column(each.words, _cells(row[at] for row in found.words)))
+        columns.append(blocks.Column(each.words, _cells(row[at] for row in found.words)))
     reasons = _cells(found.reasons.get(member, "") for member in range(count))
     return tabulate("members", *columns, texts("study.reason", reasons))
 
@@ -326,7 +311,7 @@ def _cells(values: Iterable[Any]) -> tuple[Any, ...]:
     return tuple(Cited(each) if isinstance(each, str) else each for each in values)
 
 
-def plan_answer(plan: Plan) -> Answer:
+def plan_answer(plan: Plan) -> blocks.Answer:
     """Lay out how much a study asks for."""
     study = plan.study
     axes = study.axes
@@ -334,7 +319,7 @@ def plan_answer(plan: Plan) -> Answer:
         "study_axes",
         _keys(axis.columns for axis in axes),
         texts("study.values", map(len, axes)),
-        texts("study.drawn", [yes_or_no(axis.is_drawn) for axis in axes]),
+        texts("study.drawn", [blocks.yes_or_no(axis.is_drawn) for axis in axes]),
     )
     facts = (
         stated("study.members", len(study)),
@@ -343,5 +328,5 @@ def plan_answer(plan: Plan) -> Answer:
         stated("study.disk", plan.size, quantity=_DISK),
     )
     title = study.title or Message("study.title")
-    blocks = (varied, Facts("study_plan", facts))
-    return answered("study_plan", title, section("study.plan", *blocks))
+    of_plan = (varied, blocks.Facts("study_plan", facts))
+    return blocks.answered("study_plan", title, section("study.plan", *of_plan))

@@ -5,27 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Literal
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Fact,
-    Facts,
-    Graph,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Warnings,
-    answered,
-    fact,
-    if_known,
-    measured,
-    section,
-    stated,
-    tabulate,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, fact, if_known, measured, section, stated, tabulate, texts
 from catopt.answers.check import verdict_blocks
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
@@ -55,16 +36,16 @@ _LOADS = {
 """Components of the lines' load on a body, and their symbols."""
 
 
-def system_answer(report: SystemReport, checks: CheckReport) -> Answer:
+def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     """Lay out a moored body."""
     freedom = "mooring.x_y_and_yaw" if report.solution.system.turns else "mooring.x_and_y"
     count = len(report.solution.lines)
     solved = Message("mooring.solved", count=count, freedom=Message(freedom))
-    judged = Text(Message("mooring.all_checks"), only="people", is_small=True)
-    return answered(
+    judged = blocks.Text(Message("mooring.all_checks"), only="people", is_small=True)
+    return blocks.answered(
         "system",
         report.case.title or Message("captions.moored_body"),
-        section("captions.body", Text(solved), _body(report)),
+        section("captions.body", blocks.Text(solved), _body(report)),
         section("captions.lines", *_lines(report, checks)),
         section("captions.checks", *verdict_blocks(checks), *([judged] if checks.results else [])),
         *_line_out(report),
@@ -76,7 +57,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> Answer:
     )
 
 
-def body_facts(report: SystemReport) -> list[Fact]:
+def body_facts(report: SystemReport) -> list[blocks.Fact]:
     """List where the body is and how it is held."""
     solution = report.solution
     system, stiffness = solution.system, solution.stiffness
@@ -98,7 +79,7 @@ def body_facts(report: SystemReport) -> list[Fact]:
     return facts
 
 
-def _body(report: SystemReport) -> Facts:
+def _body(report: SystemReport) -> blocks.Facts:
     """List where the body is, how it is held, and what the rule of practice says."""
     solution, rule, facts = report.solution, report.rule, body_facts(report)
     if rule.horizontal_force is not None:
@@ -107,10 +88,10 @@ def _body(report: SystemReport) -> Facts:
         for key, force in (("force_of_line", own), ("force_by_rule", rule.horizontal_force)):
             said = Message(f"columns.{key}", number=rule.line + 1)
             facts.append(fact("horizontal_force", force, said, symbol=""))
-    return Facts("body", tuple(facts), Message("captions.body"))
+    return blocks.Facts("body", tuple(facts), Message("captions.body"))
 
 
-def lines_table(report: SystemReport, checks: CheckReport) -> Table:
+def lines_table(report: SystemReport, checks: CheckReport) -> blocks.Table:
     """Tabulate what each line carries, and how far it is used by the strictest check."""
     lines = report.solution.lines
     of = Rows(lines)
@@ -138,14 +119,14 @@ def lines_used(checks: CheckReport) -> Message:
     return Message("mooring.used_by_checks" if judged else "mooring.used_of_MBL")
 
 
-def _lines(report: SystemReport, checks: CheckReport) -> Iterator[Block]:
+def _lines(report: SystemReport, checks: CheckReport) -> Iterator[blocks.Block]:
     table = lines_table(report, checks)
     yield table
     if table.columns[-1].quantity is QUANTITIES["utilisation"]:
-        yield Text(lines_used(checks), only="people", is_small=True)
+        yield blocks.Text(lines_used(checks), only="people", is_small=True)
 
 
-def line_out_table(report: SystemReport) -> Table:
+def line_out_table(report: SystemReport) -> blocks.Table:
     """Tabulate what happens when each line is gone."""
     of = Rows(report.line_out)
     return tabulate(
@@ -157,17 +138,17 @@ def line_out_table(report: SystemReport) -> Table:
     )
 
 
-def _line_out(report: SystemReport) -> Iterator[Section]:
+def _line_out(report: SystemReport) -> Iterator[blocks.Section]:
     if report.line_out:
         lost = (
-            Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
+            blocks.Text(Message("mooring.lost", number=each.missing + 1, refusal=each.refusal))
             for each in report.line_out
             if each.response is None
         )
         yield section("captions.one_line_out", line_out_table(report), *lost)
 
 
-def circle_table(circle: WatchCircle) -> Table:
+def circle_table(circle: WatchCircle) -> blocks.Table:
     """Tabulate where the force takes the body as it goes round."""
     return tabulate(
         "watch_circle",
@@ -178,12 +159,12 @@ def circle_table(circle: WatchCircle) -> Table:
     )
 
 
-def _circle(report: SystemReport) -> Iterator[Section]:
+def _circle(report: SystemReport) -> Iterator[blocks.Section]:
     if report.circle is not None:
         yield section("captions.watch_circle", circle_table(report.circle))
 
 
-def curve_table(number: int, curve: RestoringCurve) -> Table:
+def curve_table(number: int, curve: RestoringCurve) -> blocks.Table:
     """Tabulate force and offset along one direction."""
     rows = len(curve.offset)
     of = Rows(curve.responses)
@@ -200,12 +181,12 @@ def curve_table(number: int, curve: RestoringCurve) -> Table:
     )
 
 
-def _curve(number: int, curve: RestoringCurve) -> Section:
+def _curve(number: int, curve: RestoringCurve) -> blocks.Section:
     table, title = curve_table(number, curve), Message("captions.restoring", number=number)
-    return section(title, table, Graph(title, table.name, x=1, y=(2,)))
+    return section(title, table, blocks.Graph(title, table.name, x=1, y=(2,)))
 
 
-def _levels(report: SystemReport) -> Iterator[Section]:
+def _levels(report: SystemReport) -> Iterator[blocks.Section]:
     """Tabulate what the water level changes."""
     if report.levels:
         of, title = Rows(report.levels), Message("captions.water_levels")
@@ -214,10 +195,10 @@ def _levels(report: SystemReport) -> Iterator[Section]:
             *_responses(of.read("response")),
             of.measured("stiffness", lambda each: each.stiffness[0][0], symbol="kxx"),
         )
-        yield section(title, Table("water_levels", columns, title))
+        yield section(title, blocks.Table("water_levels", columns, title))
 
 
-def held_section(number: int, body: HeldBody) -> Section:
+def held_section(number: int, body: HeldBody) -> blocks.Section:
     """Lay out what the lines do to a body that is held: load and stiffness in six freedoms."""
     at = {
         name: Measure("offset" if k < 3 else "angle", value)
@@ -230,15 +211,15 @@ def held_section(number: int, body: HeldBody) -> Section:
     )
     return section(
         Message("captions.held_body", number=number),
-        Text(Message("mooring.held_at", **at)),
-        Text(Message("mooring.held_about", height=height)),
-        Facts(f"held_{number}_load", tuple(load), Message("captions.held_load")),
+        blocks.Text(Message("mooring.held_at", **at)),
+        blocks.Text(Message("mooring.held_about", height=height)),
+        blocks.Facts(f"held_{number}_load", tuple(load), Message("captions.held_load")),
         _stiffness(f"held_{number}_forces", body, 0),
         _stiffness(f"held_{number}_moments", body, 3),
     )
 
 
-def _stiffness(name: str, body: HeldBody, first: Literal[0, 3]) -> Table:
+def _stiffness(name: str, body: HeldBody, first: Literal[0, 3]) -> blocks.Table:
     """Tabulate the rows of the forces (from 0) or of the moments (from 3): they differ in unit."""
     caption, shift, turn = {
         0: ("held_forces", "stiffness", "force_by_turning"),
@@ -250,10 +231,10 @@ def _stiffness(name: str, body: HeldBody, first: Literal[0, 3]) -> Table:
         measured(shift if k < 3 else turn, [row[k] for row in body.stiffness[rows]], way, symbol="")
         for k, way in enumerate(body.by_freedom)
     ]
-    return Table(name, tuple(columns), Message(f"captions.{caption}"))
+    return blocks.Table(name, tuple(columns), Message(f"captions.{caption}"))
 
 
-def _responses(responses: Iterable[Response | None]) -> tuple[Column, ...]:
+def _responses(responses: Iterable[Response | None]) -> tuple[blocks.Column, ...]:
     of = Rows(responses)
     return (
         of.measured("offset", "x", "position", symbol="x"),
@@ -265,15 +246,15 @@ def _responses(responses: Iterable[Response | None]) -> tuple[Column, ...]:
     )
 
 
-def _closing(report: SystemReport, checks: CheckReport) -> Iterator[Block]:
+def _closing(report: SystemReport, checks: CheckReport) -> Iterator[blocks.Block]:
     """Say what is left of the balance, and what is to be known."""
     solution = report.solution
     if report.rule.horizontal_force is None:
-        yield Text(Message("mooring.no_rule", why=report.rule.why_not))
-    yield Text(Message("mooring.residual_of_forces", value=solution.residual.force))
+        yield blocks.Text(Message("mooring.no_rule", why=report.rule.why_not))
+    yield blocks.Text(Message("mooring.residual_of_forces", value=solution.residual.force))
     if solution.system.turns:
-        yield Text(Message("mooring.residual_of_moments", value=solution.residual.moment))
-    yield Warnings(tuple(dict.fromkeys((*solution.warnings, *checks.warnings))))
+        yield blocks.Text(Message("mooring.residual_of_moments", value=solution.residual.moment))
+    yield blocks.Warnings(tuple(dict.fromkeys((*solution.warnings, *checks.warnings))))
 
 
 # ------------------------------------------------------------------ lines that meet in joints
@@ -281,7 +262,7 @@ def _closing(report: SystemReport, checks: CheckReport) -> Iterator[Block]:
 
 def network_answer(
     rest: NetworkAtRest, held: Sequence[NetworkAtRest], *, with_stiffness: bool
-) -> Answer:
+) -> blocks.Answer:
     """Lay out the joints and the lines with the body in place, and where it is held."""
     network = rest.network
     joints = sum(point.kind == "joint" for point in network.points)
@@ -292,18 +273,20 @@ def network_answer(
         for number, each in enumerate(held, start=1 + with_stiffness)
     )
     residual = max(each.joints.residual for each in (rest, *held))
-    return answered(
+    return blocks.answered(
         "network",
         network.title or Message("captions.moored_body"),
-        section("captions.joints", Text(solved), _joints(rest, "joints")),
+        section("captions.joints", blocks.Text(solved), _joints(rest, "joints")),
         section("captions.lines", _meeting(rest, "lines")),
         *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
-        section("captions.residuals", Text(Message("mooring.residual_of_joints", value=residual))),
+        section(
+            "captions.residuals", blocks.Text(Message("mooring.residual_of_joints", value=residual))
+        ),
     )
 
 
-def _joints(rest: NetworkAtRest, name: str) -> Table:
+def _joints(rest: NetworkAtRest, name: str) -> blocks.Table:
     found = zip(rest.network.points, rest.joints.places, rest.joints.reactions, strict=True)
     of = Rows(each for each in found if each[0].kind == "joint")
     return tabulate(
@@ -320,7 +303,7 @@ def _joints(rest: NetworkAtRest, name: str) -> Table:
     )
 
 
-def _meeting(rest: NetworkAtRest, name: str) -> Table:
+def _meeting(rest: NetworkAtRest, name: str) -> blocks.Table:
     points, runs, of = rest.network.points, Rows(rest.runs), Rows(rest.lines)
     return tabulate(
         name,

@@ -6,26 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Rows,
-    Section,
-    Table,
-    Text,
-    Verdict,
-    Warnings,
-    answered,
-    bare,
-    keyed,
-    measured,
-    of_row,
-    section,
-    tabulate,
-    texts,
-    yes_or_no,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts, yes_or_no
 from catopt.quantities import Quantity
 from catopt.verify.truss_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
 from catopt.words import Message, Several, Unit, term
@@ -44,13 +26,13 @@ _Named = tuple[str, "StaticComparison"]
 """A load case under its name in files."""
 
 
-def verification_answer(found: Verification) -> Answer:
+def verification_answer(found: Verification) -> blocks.Answer:
     """Lay out a case by both models."""
     several = len(found.parts) > 1
     is_named = several or bool(found.case.load_cases)
     said = [block for part in found.parts for block in _part(part, is_named=is_named)]
     if several:
-        said.append(Verdict(verdict_sentence(found), found.is_settled))
+        said.append(blocks.Verdict(verdict_sentence(found), found.is_settled))
     parts = [(part.name, part) for part in found.parts]
     return answered(
         "verify",
@@ -61,7 +43,7 @@ def verification_answer(found: Verification) -> Answer:
     )
 
 
-def front_answer(front: FrontVerification) -> Answer:
+def front_answer(front: FrontVerification) -> blocks.Answer:
     """Lay out a front by both models."""
     parts = [
         (Message("truss.design_in_case", number=each.design.number, name=part.name), part)
@@ -70,11 +52,11 @@ def front_answer(front: FrontVerification) -> Answer:
         for part in each.verification.parts
     ]
     failures = (
-        Text(Message("truss.design_failed", number=each.design.number, why=each.failure))
+        blocks.Text(Message("truss.design_failed", number=each.design.number, why=each.failure))
         for each in front.designs
         if each.failure
     )
-    verdict = Verdict(front_sentence(front), front.is_settled)
+    verdict = blocks.Verdict(front_sentence(front), front.is_settled)
     tables = _designs(front), _designs_in_files(front)
     return answered(
         "verify",
@@ -87,7 +69,7 @@ def front_answer(front: FrontVerification) -> Answer:
 # ------------------------------------------------------------------ one load case
 
 
-def _part(part: StaticComparison, *, is_named: bool) -> Iterator[Block]:
+def _part(part: StaticComparison, *, is_named: bool) -> Iterator[blocks.Block]:
     found = [each for each in part.quantities if each.line is None]
     if part.kind == "system":
         yield _compared(found, Message("truss.body_by_both"))
@@ -96,25 +78,25 @@ def _part(part: StaticComparison, *, is_named: bool) -> Iterator[Block]:
         caption = Message("captions.load_case", name=part.name)
         yield _compared(found, caption if is_named else Message("truss.by_both"))
     yield _meshes_of(part)
-    yield Text(Message("truss.scales"), only="people")
-    yield Verdict(part_sentence(part), part.is_settled)
+    yield blocks.Text(Message("truss.scales"), only="people")
+    yield blocks.Verdict(part_sentence(part), part.is_settled)
     yield from _rough(part)
     yield from remarks(part.remarks)
 
 
-def _rough(part: StaticComparison) -> Iterator[Text]:
+def _rough(part: StaticComparison) -> Iterator[blocks.Text]:
     """Say what was not extrapolated."""
     rough = rough_sentence(part)
     if rough:
-        yield Text(rough)
+        yield blocks.Text(rough)
 
 
-def remarks(said: Iterable[str]) -> Iterator[Text]:
+def remarks(said: Iterable[str]) -> Iterator[blocks.Text]:
     """Say what is to be known before an answer is used."""
-    return (Text(Message("answers.note", remark=each)) for each in said)
+    return (blocks.Text(Message("answers.note", remark=each)) for each in said)
 
 
-def compared_in_note(found: Sequence[Compared], caption: str = "") -> Table:
+def compared_in_note(found: Sequence[Compared], caption: str = "") -> blocks.Table:
     """Tabulate quantities by both models in a note, with a verdict on each."""
     table = _compared(found, caption)
     names, closed, truss, before, after, order = table.columns
@@ -128,7 +110,7 @@ def compared_in_note(found: Sequence[Compared], caption: str = "") -> Table:
     return replace(table, name="verification", columns=columns, only="not csv")
 
 
-def lines_in_note(part: StaticComparison, caption: str) -> Table:
+def lines_in_note(part: StaticComparison, caption: str) -> blocks.Table:
     """Tabulate each line's tensions and worst quantity in a note, with a verdict on each."""
     numbers = range(len(part.lines))
     worst = [term(QUANTITY_OF[part.worst_of(k).quantity].name) for k in numbers]
@@ -138,25 +120,25 @@ def lines_in_note(part: StaticComparison, caption: str) -> Table:
     return replace(table, columns=columns, caption=caption, only="not csv")
 
 
-def closing_in_note(part: StaticComparison) -> Iterator[Block]:
+def closing_in_note(part: StaticComparison) -> Iterator[blocks.Block]:
     """Say what was not extrapolated and what was remarked on, and tabulate the meshes."""
     yield from _rough(part)
-    yield Warnings(tuple(part.remarks))
+    yield blocks.Warnings(tuple(part.remarks))
     meshes = _meshes_of(part)
     bars, _, *others = meshes.columns  # how often is iterated is another count on each machine
     yield replace(meshes, name="meshes", columns=(bars, *others), only="not csv")
 
 
-def _verdict_column(agree: Iterable[bool]) -> Column:
+def _verdict_column(agree: Iterable[bool]) -> blocks.Column:
     passes = tuple(agree)
     words = (term("agrees" if each else "DIFFERS") for each in passes)
     return texts("verdict", words, passes=passes)
 
 
-def _compared(found: Sequence[Compared], caption: str) -> Table:
+def _compared(found: Sequence[Compared], caption: str) -> blocks.Table:
     """Tabulate what is of the line, or of the body, by both models."""
     of = Rows(found)
-    units = tuple(bare(QUANTITY_OF[each.quantity]) for each in found)
+    units = tuple(blocks.bare(QUANTITY_OF[each.quantity]) for each in found)
     return tabulate(
         "compared",
         of.texts("quantity", _label),
@@ -187,7 +169,7 @@ def _label(each: Compared) -> Message:
     return label(QUANTITY_OF[each.quantity], with_symbol=each.quantity.startswith("position"))
 
 
-def _lines(part: StaticComparison) -> Table:
+def _lines(part: StaticComparison) -> blocks.Table:
     """Tabulate each line's tensions, and the largest difference of all its quantities."""
     numbers = range(len(part.lines))
     fairlead, anchor = (
@@ -208,7 +190,7 @@ def _lines(part: StaticComparison) -> Table:
     )
 
 
-def _meshes_of(part: StaticComparison) -> Table:
+def _meshes_of(part: StaticComparison) -> blocks.Table:
     of, gaps = Rows(part.meshes), map(part.mesh_gap, range(len(part.meshes)))
     return tabulate(
         "meshes_of_load_case",
@@ -224,7 +206,7 @@ def _meshes_of(part: StaticComparison) -> Table:
 # ------------------------------------------------------------------ a front
 
 
-def _designs(front: FrontVerification) -> Table:
+def _designs(front: FrontVerification) -> blocks.Table:
     """Tabulate the designs in the load case that governs each."""
     designs, found = Rows(front.designs), _governing(front)
     tension = Rows(found.read(lambda part: part.of("fairlead_tension")))
@@ -260,7 +242,7 @@ def _verdict(each: DesignVerification) -> Message:
     return term(verdict if verdict == "agrees" else verdict.upper())
 
 
-def _designs_in_files(front: FrontVerification) -> Table:
+def _designs_in_files(front: FrontVerification) -> blocks.Table:
     of, found = Rows(front.designs), _governing(front)
     verdicts = (term(each or "no answer") for each in of.read("verification.verdict"))
     worst = (name_of(each) if each else "" for each in found.read("worst"))
@@ -279,13 +261,13 @@ def _designs_in_files(front: FrontVerification) -> Table:
 # ------------------------------------------------------------------ files
 
 
-def _files(parts: Sequence[_Named]) -> Iterator[Section]:
+def _files(parts: Sequence[_Named]) -> Iterator[blocks.Section]:
     """Lay out every number on every mesh."""
     for key, made in (("verdicts", _verdicts), ("quantities", _quantities), ("meshes", _meshes)):
         yield section(f"captions.{key}", made(parts))
 
 
-def _verdicts(parts: Sequence[_Named]) -> Table:
+def _verdicts(parts: Sequence[_Named]) -> blocks.Table:
     of = Rows(part for _, part in parts)
     return tabulate(
         "verdicts",
@@ -300,7 +282,7 @@ def _verdicts(parts: Sequence[_Named]) -> Table:
     )
 
 
-def _quantities(parts: Sequence[_Named]) -> Table:
+def _quantities(parts: Sequence[_Named]) -> blocks.Table:
     found = [each for _, part in parts for each in part.quantities]
     of = Rows(found)
     meshes = range(max((len(each.fem) for each in found), default=0))
@@ -308,7 +290,7 @@ def _quantities(parts: Sequence[_Named]) -> Table:
         "quantities",
         texts("load_case", [name for name, part in parts for _ in part.quantities]),
         texts("line", [None if each.line is None else each.line + 1 for each in found]),
-        of.texts("quantity", lambda each: keyed(each.quantity, _said_name(each.quantity))),
+        of.texts("quantity", lambda each: blocks.keyed(each.quantity, _said_name(each.quantity))),
         of.texts("unit"),
         of.of_row("closed_form"),
         *(_on_mesh(number, [each.fem[number] for each in found]) for number in meshes),
@@ -324,8 +306,8 @@ def _quantities(parts: Sequence[_Named]) -> Table:
     )
 
 
-def _on_mesh(number: int, values: Sequence[float]) -> Column:
-    return of_row(Message("columns.truss_on_mesh", number=number + 1), values, only="files")
+def _on_mesh(number: int, values: Sequence[float]) -> blocks.Column:
+    return blocks.of_row(Message("columns.truss_on_mesh", number=number + 1), values, only="files")
 
 
 def _said_name(quantity: str) -> Message:
@@ -335,7 +317,7 @@ def _said_name(quantity: str) -> Message:
     return term(QUANTITY_OF[quantity].name)
 
 
-def _meshes(parts: Sequence[_Named]) -> Table:
+def _meshes(parts: Sequence[_Named]) -> blocks.Table:
     of = Rows(mesh for _, part in parts for mesh in part.meshes)
     numbers = [number for _, part in parts for number, _ in enumerate(part.meshes, start=1)]
     return tabulate(
@@ -350,7 +332,7 @@ def _meshes(parts: Sequence[_Named]) -> Table:
     )
 
 
-def _shapes(parts: Sequence[_Named]) -> Table:
+def _shapes(parts: Sequence[_Named]) -> blocks.Table:
     pairs = [
         (name, number, pair)
         for name, part in parts
@@ -360,7 +342,7 @@ def _shapes(parts: Sequence[_Named]) -> Table:
     truss = [place for *_, pair in pairs for place in pair.finest_shape().tolist()]
     exact = [place for *_, pair in pairs for place in pair.closed_form_there().tolist()]
 
-    def along(key: str, places: list[Any], axis: int, name: str) -> Column:
+    def along(key: str, places: list[Any], axis: int, name: str) -> blocks.Column:
         return measured(key, [place[axis] for place in places], name)
 
     return tabulate(
