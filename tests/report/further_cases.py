@@ -12,113 +12,12 @@ import openpyxl
 from catopt.notes.line import Note, read_note
 from catopt.words import Language
 
+from .page_cases import own_case
 from .page_reader import ReadPage, read_page
 from .rendered import page_of, workbook_of
 
-SWARM = """
-title = "Chain by the swarm"
-[site]
-water_depth = "20 m"
-[line]
-[[line.segments]]
-length = "55 m"
-submerged_weight = "2100 N/m"
-MBL = "770 tf"
-[load]
-horizontal_force = "100 kN"
-[checks]
-safety_factor = 5.0
-[pso]
-particles = 40
-runs = 3
-seed = 7
-"""
-
-HARMONIC = """
-title = "A chain in motion"
-[site]
-water_depth = "20 m"
-[line]
-[[line.segments]]
-name = "chain"
-length = "120 m"
-submerged_weight = "1110 N/m"
-mass = "130 kg/m"
-EA = "400 MN"
-MBL = "3000 kN"
-drag_diameter = "76 mm"
-drag_normal = 2.4
-drag_axial = 1.15
-[load]
-horizontal_force = "300 kN"
-[checks]
-safety_factor = 3.0
-[motion]
-period = "8 s"
-surge = "0.5 m"
-heave = "0.2 m"
-heave_phase = "90 deg"
-[dynamics]
-duration = "40 s"
-elements = 20
-"""
-"""The fairlead goes round; at its largest the tension is well above that at rest."""
-
-RANDOM = """
-title = "Chain and wire in a sea"
-[site]
-water_depth = "20 m"
-seabed_friction = 0.4
-[line]
-[[line.segments]]
-name = "chain"
-length = "80 m"
-submerged_weight = "1110 N/m"
-mass = "130 kg/m"
-EA = "400 MN"
-MBL = "2500 kN"
-drag_diameter = "76 mm"
-drag_normal = 2.4
-[[line.segments]]
-name = "wire"
-length = "40 m"
-submerged_weight = "200 N/m"
-mass = "25 kg/m"
-EA = "200 MN"
-MBL = "1500 kN"
-drag_diameter = "60 mm"
-drag_normal = 1.2
-added_mass_normal = 1.0
-[[load_cases]]
-name = "storm"
-horizontal_force = "250 kN"
-[[load_cases]]
-name = "low water"
-horizontal_force = "120 kN"
-water_level = "-1 m"
-kind = "reference"
-[checks]
-safety_factor = 2.0
-[waves]
-spectrum = "jonswap"
-height = "2 m"
-period = "7 s"
-direction = "180 deg"
-components = 20
-seed = 11
-[current]
-profile = "table"
-depths = ["0 m", "20 m"]
-speeds = ["1 m/s", "0.2 m/s"]
-[motion]
-rao_file = "rao.csv"
-[dynamics]
-duration = "150 s"
-ramp = "15 s"
-runs = 2
-elements = 12
-"""
-"""Two load cases in two seas each, led by a ship."""
+SWARM, HARMONIC, RANDOM = (own_case(name) for name in ("swarm", "harmonic", "random"))
+"""Of a fairlead that goes round; and of two load cases in two seas each, led by a ship."""
 
 RAOS = (
     "period,surge,surge_phase,heave,heave_phase\n3,0,90,0.02,40\n8,0.3,90,0.6,10\n20,0.9,90,1,0\n"

@@ -17,113 +17,14 @@ CASES = Path(__file__).parents[2] / "cases"
 FILES = ("buoy-9.5m", "buoy-9.5m-slack", "ship-200m-sinker", "tanker-20m", "tanker-20m-sinker")
 """Case files that come with catopt."""
 
-LEG = """
-title = "Wire and chain with a clump weight and a buoy"
-[site]
-water_depth = "56 m"
-seabed_friction = 0.6
-[line]
-fairlead_height = "71.4 m"
-[[line.segments]]
-name = "wire"
-length = "750 m"
-submerged_weight = "30.4 kgf/m"
-mass = "34.9 kg/m"
-EA = "382 MN"
-MBL = "6140 kN"
-[[line.segments]]
-length = "332 m"
-submerged_weight = "150 kgf/m"
-mass = "178.7 kg/m"
-EA = "800 MN"
-MBL = "2500 kN"
-[[line.point_loads]]
-name = "clump"
-position = "500 m"
-submerged_weight = "50 kN"
-mass = "8 t"
-[[line.point_loads]]
-position = "1000 m"
-submerged_weight = "-40 kN"
-mass = "1 t"
-[load]
-horizontal_force = "1.2 MN"
-[checks]
-safety_factor = 2.0
-"""
 
-RAISED = """
-title = "Between two heights"
-[site]
-water_depth = "100 m"
-[line]
-fairlead_height = "90 m"
-anchor_height = "30 m"
-[[line.segments]]
-length = "300 m"
-submerged_weight = "1 kN/m"
-EA = "50 MN"
-MBL = "300 kN"
-[load]
-horizontal_force = "60 kN"
-[checks]
-safety_factor = 2.5
-max_anchor_uplift_angle = "3 deg"
-"""
+def own_case(name: str) -> str:
+    """Read one of the case files beside these tests."""
+    return (Path(__file__).parent / "cases" / f"{name}.toml").read_text("utf-8")
 
-SLACK = """
-title = "Slack"
-[site]
-water_depth = "20 m"
-[line]
-[[line.segments]]
-length = "60 m"
-submerged_weight = "1 kN/m"
-[load]
-span = "30 m"
-"""
 
-FRICTION = """
-[site]
-water_depth = "20 m"
-seabed_friction = 0.5
-[line]
-[[line.segments]]
-length = "60 m"
-submerged_weight = "1 kN/m"
-mass = "117 kg/m"
-[load]
-horizontal_force = "20 kN"
-"""
-
-DESIGN = """
-title = "Buoy chain"
-source = "an example"
-[site]
-water_depth = "10 m"
-[line]
-[[line.segments]]
-component = "chain studless R3"
-diameter = "76 mm"
-length = "30 m"
-[[load_cases]]
-name = "storm (high water)"
-horizontal_force = "20 kN"
-water_level = "1 m"
-[[load_cases]]
-name = "everyday"
-horizontal_force = "5 kN"
-kind = "reference"
-[checks]
-codes = ["UFC-4-159-03"]
-safety_factor = 3.5
-max_span = "60 m"
-[buoy]
-reserve_buoyancy = "60 kN"
-"""
-
-TEXTS = {"leg": LEG, "raised": RAISED, "slack": SLACK, "friction": FRICTION, "states": DESIGN}
-"""Case files as texts."""
+TEXTS = {name: own_case(name) for name in ("leg", "raised", "slack", "friction", "states")}
+"""Case files as texts, each of a line that hangs in another way."""
 
 EVERY = (*FILES, *TEXTS)
 """Names of all cases."""
@@ -155,7 +56,7 @@ def design_directory(folder: Path, designs: int = 3) -> Path:
     """Write a result directory as ``catopt design --out`` does, with a front by hand."""
     directory = folder / "result"
     directory.mkdir()
-    (directory / "case.toml").write_text(DESIGN, encoding="utf-8")
+    (directory / "case.toml").write_text(TEXTS["states"], encoding="utf-8")
     document = {
         "schema": "catopt.design/1",
         "title": "Buoy chain",

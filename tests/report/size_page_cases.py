@@ -11,73 +11,16 @@ from catopt.cli.note_kind import note_of_sizing
 from catopt.notes.size import SizeNote
 from catopt.words import Language
 
-from .page_cases import CASES
+from .page_cases import CASES, own_case
 from .page_reader import ReadPage, read_page
 from .rendered import page_of
 
 FILES: dict[str, Moored] = {"size-buoy": "buoy", "size-tanker": "tanker"}
 """Sizing files that come with catopt."""
 
-GIVEN = """
-title = "A buoy whose force is given"
-[site]
-water_depth = "12 m"
-[environment]
-hs = "1 m"
-[buoy]
-horizontal_force = "15 kN"
-reserve_buoyancy = "30 kN"
-[sinker]
-friction = 0.5
-"""
-
-SHIP = """
-[site]
-water_depth = "20 m"
-low_water = "18.5 m"
-[environment]
-wind = "20 m/s"
-current = "1.2 m/s"
-hmax = "3.5 m"
-period = "8 s"
-[ship]
-length = "234 m"
-breadth = "31.3 m"
-draught = "12.4 m"
-moulded_depth = "16 m"
-"""
-
-HAWSER = f"""
-title = "Two conditions on a mooring buoy, with a clump weight"
-{SHIP}
-ballast_draught = "3.2 m"
-[buoy]
-name = "mooring buoy 5.0 m"
-[line]
-clump_weights = ["10 t"]
-prefer = "lightest"
-"""
-
-SIX = f"""
-title = "Six lines around a turret"
-{SHIP}
-[line]
-diameter_min = "50 mm"
-[system]
-lines = 6
-"""
-
-SINKER = f"""
-title = "A tanker on a sinker"
-{SHIP}
-[sinker]
-"""
-
 TEXTS: dict[str, tuple[str, Moored]] = {
-    "given": (GIVEN, "buoy"),
-    "hawser": (HAWSER, "tanker"),
-    "six": (SIX, "tanker"),
-    "sinker": (SINKER, "tanker"),
+    name: (own_case(f"size-{name}"), "buoy" if name == "given" else "tanker")
+    for name in ("given", "hawser", "six", "sinker")
 }
 """Sizing files as texts."""
 
