@@ -22,6 +22,7 @@ from catopt.words import Measure, Message
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
     from catopt.catenary.curve import Mark as Event
+    from catopt.catenary.solution import Solution
 
 _STEEP = 0.35
 """Part of the largest tension above which the curves are in the way of what stands at the top."""
@@ -53,21 +54,21 @@ def load_curve(curve: CaseCurve) -> Chart:
             T=("tension", tensions),
         ),
         notes=tuple(
-            Message("figures.event", number=k, event=mark.event, H=_force(mark.horizontal_force))
-            for k, mark in enumerate(curve.curve.marks, start=1)
+            Message("figures.event", number=number, event=mark.event, H=_force(mark))
+            for number, mark in enumerate(curve.curve.marks, start=1)
         ),
     )
 
 
-def _force(force: float) -> Measure:
-    return Measure("horizontal_force", force)
+def _force(of: Event | Solution) -> Measure:
+    return Measure("horizontal_force", of.horizontal_force)
 
 
 def _reference(curve: CaseCurve) -> Iterator[Mark]:
     """Mark the case itself, if it is in the range."""
     case = curve.reference
     if curve.curve.span[0] <= case.span <= curve.curve.span[-1]:
-        said = Message("figures.case_at", H=_force(case.horizontal_force))
+        said = Message("figures.case_at", H=_force(case))
         for value in (case.horizontal_force, case.fairlead.tension):
             yield Mark("reference", case.span, value, said)
 

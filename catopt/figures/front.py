@@ -57,11 +57,11 @@ def front(document: Document, chosen: int | None = None) -> Chart:
     marks = [
         Mark(role, across[k], up[k], label) for k, (role, label) in enumerate(_parts(document))
     ]
-    pointed_out = [
-        ("end", end, Message("figures.end_of_front", number=end + 1)) for end in ends(document)
-    ]
-    pointed_out.append(("recommended", best, Message("figures.recommended", number=best + 1)))
-    marks += [Mark(role, across[k], up[k], label) for role, k, label in pointed_out]
+    for end in ends(document):
+        label = Message("figures.end_of_front", number=end + 1)
+        marks.append(Mark("end", across[end], up[end], label))
+    recommended = Message("figures.recommended", number=best + 1)
+    marks.append(Mark("recommended", across[best], up[best], recommended))
     present = document.get("present")
     if present and None not in (present[first], present[second]):
         label = present["change"]
@@ -72,9 +72,10 @@ def front(document: Document, chosen: int | None = None) -> Chart:
         label = Message("figures.chosen", number=chosen)
         marks.append(Mark("chosen", across[chosen - 1], up[chosen - 1], label))
     x, y = [mark.x for mark in marks] + across, [mark.y for mark in marks] + up
-    title = Message("figures.found_front", count=len(points), method=document["method"])
     if document.get("is_exact", False):
         title = Message("figures.exact_front", count=len(points))
+    else:
+        title = Message("figures.found_front", count=len(points), method=document["method"])
     return Chart(
         "front",
         title,

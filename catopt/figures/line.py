@@ -85,13 +85,14 @@ def line_in_water(solution: Solution, depth: float, failing: Sequence[Failing] =
     left, right = min(*profile.x, 0.0), max(*profile.x, solution.span)
     top = max(depth, solution.fairlead_height, *profile.z)
     unit = room_around(right - left, top)
-    half, middle = max(right - left, _LEAST * unit) / 2.0 + 60.0 * unit, (left + right) / 2.0
+    half, middle = max(right - left, _LEAST * unit) / 2.0, (left + right) / 2.0
+    ends = middle - half - 60.0 * unit, middle + half + 60.0 * unit
     dimensions = list(_dimensions(solution, depth, unit))
     foot = min(end[1] for each in dimensions for end in (each.start, each.end))
     drawn = _drawn(
         "line",
         Message("figures.line", span=Measure("span", solution.span)),
-        axis("x", (middle - half, middle + half), within=(left, right)),
+        axis("x", ends, within=(left, right)),
         axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
         solution,
         profile,

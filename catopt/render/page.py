@@ -241,8 +241,9 @@ def _in_si(quantity: Quantity, si: float) -> str:
 def _trail(block: Trail, language: Language) -> _Table:
     """Lay steps out: what comes out, its equation, its numbers put in, and what others have."""
     steps = block.steps
-    columns: dict[str, list[_Cell]] = {}
-    columns[Message("page.what")] = [_words(each.name, language) for each in steps]
+    columns: dict[str, list[_Cell]] = {
+        Message("page.what"): [_words(each.name, language) for each in steps]
+    }
     if any(each.equation for each in steps):
         columns[Message("page.equation")] = [_Cell(each.equation) for each in steps]
     columns[Message("page.put_in")] = [_Cell(put_in(each), "formula") for each in steps]
