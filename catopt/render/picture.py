@@ -248,8 +248,8 @@ def _ticked(axis: Axis, marks: Sequence[Tick]) -> tuple[list[float], list[str]]:
 
 def _all(axis: Axis, values: Iterable[float]) -> list[float]:
     """List values in the field's unit; an exact 0 of a logarithmic axis is at its foot."""
-    at_least = [value if axis.foot is None or value > 0.0 else axis.foot for value in values]
-    return [axis.quantity.to_field(value) for value in at_least]
+    foot, field = axis.foot, axis.quantity.to_field
+    return [field(foot if foot is not None and each <= 0.0 else each) for each in values]
 
 
 def _at(chart: Chart, place: Place) -> Place:
