@@ -6,20 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import (
-    Block,
-    Column,
-    Fact,
-    Facts,
-    Figure,
-    Points,
-    Table,
-    Text,
-    Verdict,
-    measured,
-    named,
-    texts,
-)
+from catopt.answers import blocks
+from catopt.answers.blocks import Block, Column, Figure, Table, Text, measured, named, texts
 from catopt.answers.motion import ENERGIES
 from catopt.answers.note import column, small
 from catopt.answers.note_drive import COUNT, SECONDS, drive_blocks, fixed, significant
@@ -79,26 +67,26 @@ def motion_blocks(note: Note) -> Iterator[Block]:
     yield Figure(drawn, Message("note_motion.history"))
     allowed = [use.capacity for use in uses]
     yield Figure(envelope_chart(part, solution, allowed), Message("note_motion.envelope"))
-    yield Points((*_known(note, moved, part), *part.remarks), Message("note_motion.to_know"))
+    yield blocks.Points((*_known(note, moved, part), *part.remarks), Message("note_motion.to_know"))
     yield from drive_blocks(moved)
     yield from _runs(moved, part)
 
 
 def _stopped(found: DynamicVerification) -> Iterator[Block]:
     if not found.is_complete:
-        yield Verdict(stopped_sentence(found), passes=False)
+        yield blocks.Verdict(stopped_sentence(found), passes=False)
 
 
-def _verdict(note: Note, used: float | None, part: DynamicPart) -> Verdict:
+def _verdict(note: Note, used: float | None, part: DynamicPart) -> blocks.Verdict:
     largest = Measure("tension", part.max_tension)
     good = part.slack_time == 0.0 and part.verdict == "converged" and (used is None or used <= 1.0)
     if used is None:
-        return Verdict(Message("note_motion.no_limit", T=largest), good)
+        return blocks.Verdict(Message("note_motion.no_limit", T=largest), good)
     basis = Message("note_motion.by_checks")
     if not _is_checked(note):
         basis = Message("note_motion.by_mbl", factor=f"{note.solution.safety_factor:g}")
     key = "note_motion.within" if used <= 1.0 else "note_motion.beyond"
-    return Verdict(Message(key, T=largest, used=f"{used:.3f}", basis=basis), good)
+    return blocks.Verdict(Message(key, T=largest, used=f"{used:.3f}", basis=basis), good)
 
 
 def _is_checked(note: Note) -> bool:
@@ -218,7 +206,7 @@ def _passes(used: Sequence[float | None]) -> Column:
 # ------------------------------------------------------------------ what it comes to
 
 
-def _outcome(part: DynamicPart) -> Facts:
+def _outcome(part: DynamicPart) -> blocks.Facts:
     balance = part.governing.history.balance
     listed: list[tuple[str, float | None, Quantity]] = [
         (Message("note_motion.anywhere"), part.max_tension, _BARE),
@@ -232,8 +220,8 @@ def _outcome(part: DynamicPart) -> Facts:
             (Message("note_motion.energy", what=term(name)), getattr(balance, energy), _ENERGY)
         )
     listed.append((Message("note_motion.energy_part"), balance.numerical_part, _PART))
-    facts = tuple(Fact(*each) for each in listed)
-    return Facts("motion_outcome", facts, Message("note_motion.outcome"))
+    facts = tuple(blocks.Fact(*each) for each in listed)
+    return blocks.Facts("motion_outcome", facts, Message("note_motion.outcome"))
 
 
 def _extremes(part: DynamicPart) -> Iterator[Table]:
@@ -344,7 +332,7 @@ def body_motion_blocks(note: SystemNote) -> Iterator[Block]:
     assert governing.line is not None
     yield from _stopped(found)
     yield Text(Message("note_system.motion_about"))
-    yield Verdict(Several(_said(found), " "), found.verdict == "converged")
+    yield blocks.Verdict(Several(_said(found), " "), found.verdict == "converged")
     yield _lines(note, found)
     units = tuple(DYNAMIC_QUANTITY_OF[each.quantity] for each in found.body)
     names = column("columns.quantity", map(_label, units))
@@ -355,7 +343,7 @@ def body_motion_blocks(note: SystemNote) -> Iterator[Block]:
     caption = Message("note_system.motion_history", line=governing.line)
     yield Figure(history(governing, at_rest), caption)
     remarks = dict.fromkeys(each for part in found.parts for each in part.remarks)
-    yield Points((Message("note_motion.ends"), *remarks), Message("note_motion.to_know"))
+    yield blocks.Points((Message("note_motion.ends"), *remarks), Message("note_motion.to_know"))
 
 
 def _said(found: DynamicVerification) -> Iterator[Message]:

@@ -8,21 +8,9 @@ from dataclasses import replace
 from operator import itemgetter
 from typing import TYPE_CHECKING
 
+from catopt.answers import blocks
 from catopt.answers import size as sized
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Points,
-    Step,
-    Table,
-    Text,
-    Trail,
-    Value,
-    exact,
-    measured,
-    named,
-    texts,
-)
+from catopt.answers.blocks import Block, Section, Table, Text, Value, exact, measured, named, texts
 from catopt.answers.note import (
     Cell,
     column,
@@ -44,7 +32,6 @@ from catopt.quantities import GREEK, QUANTITIES
 from catopt.words import Cited, Measure, Message, Several, Told, say, term
 
 if TYPE_CHECKING:
-    from catopt.answers.blocks import Section
     from catopt.loads.component import LoadComponent, Loads
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.size import SizeNote
@@ -57,7 +44,7 @@ _DIGITS = 5
 _FORCE = named("horizontal_force", "")
 
 
-def size_note_answer(note: SizeNote) -> Answer:
+def size_note_answer(note: SizeNote) -> blocks.Answer:
     """Lay out the note of a sizing."""
     line = note.line
     sections = (
@@ -81,8 +68,8 @@ def size_note_answer(note: SizeNote) -> Answer:
     return note_answer(note, "note_size.kind_size", sections, file="size_file")
 
 
-def _section(name: str, blocks: Iterable[Block]) -> Section:
-    return section(name, blocks, "note_size")
+def _section(name: str, parts: Iterable[Block]) -> Section:
+    return section(name, parts, "note_size")
 
 
 # ------------------------------------------------------------------ what is recommended
@@ -144,7 +131,7 @@ def _identity(note: SizeNote) -> Iterator[Block]:
         Message("note_size.identity_step", change=each.change, check=each.words)
         for each in note.sizing.limits
     ]
-    yield Points(tuple(governs), Message("note_size.identity_governs"))
+    yield blocks.Points(tuple(governs), Message("note_size.identity_governs"))
     rows = (
         (name, (value, QUANTITIES[key]), term(at)) for name, key, value, at in _found_rows(note)
     )
@@ -223,7 +210,7 @@ def _loads(note: SizeNote) -> Iterator[Block]:
     for at in cases:
         for part in at.parts:
             yield from _part(at, part, common)
-    yield Points(tuple(common), Message("note_size.loads_common"))
+    yield blocks.Points(tuple(common), Message("note_size.loads_common"))
     if has_parts:
         yield small("note_size.loads_legend")
 
@@ -267,7 +254,7 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     forces = _forces(of)
     steps = (*(_step(*each) for each in forces), *_total(of, forces))
     under = Message("note_size.loads_under", load_case=term(at.load_case), title=of.title)
-    yield Trail("size_load", steps, caption=under)
+    yield blocks.Trail("size_load", steps, caption=under)
     rows: list[Sequence[Cell]] = []
     for force in of.components:
         for each in force.numbers:
@@ -276,21 +263,21 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
             rows.append((force.name, symbol, value, each.meaning))
     keys = [f"columns.{name}" for name in ("force", "symbol", "value", "meaning")]
     yield from_rows("size_numbers", keys, rows, Message("columns.numbers"))
-    yield Points(tuple(each for each in of.assumptions if each not in common))
+    yield blocks.Points(tuple(each for each in of.assumptions if each not in common))
 
 
-def _total(of: Loads, forces: Sequence[tuple[LoadComponent, float]]) -> Iterator[Step]:
+def _total(of: Loads, forces: Sequence[tuple[LoadComponent, float]]) -> Iterator[blocks.Step]:
     """Add the forces up: along the ship, and where there are any across it, both."""
     along = [force for each, force in forces if each.axis != "sway"]
     across = [force for each, force in forces if each.axis == "sway"]
     X, Y, total = math.fsum(along), math.fsum(across), Message("note_size.loads_total")
     named_along = Message("note_size.loads_along") if across else total
-    yield Step(named_along, X, _FORCE, terms=tuple((force,) for force in along))
+    yield blocks.Step(named_along, X, _FORCE, terms=tuple((force,) for force in along))
     if across:
         terms = tuple((force,) for force in across)
-        yield Step(Message("note_size.loads_across"), Y, _FORCE, terms=terms)
+        yield blocks.Step(Message("note_size.loads_across"), Y, _FORCE, terms=terms)
         root, numbers, both = "√({X:()}² + {Y:()}²)", {"X": X, "Y": Y}, of.horizontal_force
-        yield Step(total, both, _FORCE, formula=root, numbers=numbers, digits=_DIGITS)
+        yield blocks.Step(total, both, _FORCE, formula=root, numbers=numbers, digits=_DIGITS)
 
 
 def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
@@ -300,18 +287,11 @@ def _forces(of: Loads) -> list[tuple[LoadComponent, float]]:
     return [(each, signs[each.axis] * each.force) for each in of.components]
 
 
-def _step(of: LoadComponent, force: float) -> Step:
+def _step(of: LoadComponent, force: float) -> blocks.Step:
     numbers = {number.symbol: number.value for number in of.numbers} | {"g": STANDARD_GRAVITY}
     name = Several((of.name, of.note), "; ") if of.note else of.name
-    return Step(
-        name,
-        force,
-        _FORCE,
-        formula=of.factors,
-        numbers=numbers,
-        digits=_DIGITS,
-        source=of.source.text,
-    )
+    source = of.source.text
+    return blocks.Step(name, force, _FORCE, "", of.factors, numbers, source=source, digits=_DIGITS)
 
 
 # ------------------------------------------------------------------ the choice
@@ -454,9 +434,9 @@ def _lines(of: SystemSolution, load_case: str) -> Table:
 
 def _assumptions(note: SizeNote) -> Iterator[Block]:
     of = note.sizing
-    yield Points(tuple(of.assumptions))
-    yield Points(tuple(of.defaults), Message("note_size.assumptions_defaults"))
-    yield Points(tuple(of.recalled), Message("note_size.assumptions_recalled"))
+    yield blocks.Points(tuple(of.assumptions))
+    yield blocks.Points(tuple(of.defaults), Message("note_size.assumptions_defaults"))
+    yield blocks.Points(tuple(of.recalled), Message("note_size.assumptions_recalled"))
 
 
 def _inputs(note: SizeNote) -> Iterator[Block]:

@@ -8,23 +8,9 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from catopt.answers import blocks
 from catopt.answers import system as body
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Fact,
-    Facts,
-    Figure,
-    Step,
-    Table,
-    Text,
-    Trail,
-    Verdict,
-    exact,
-    measured,
-    named,
-)
+from catopt.answers.blocks import Block, Figure, Section, Text, Verdict, exact, measured, named
 from catopt.answers.check import checked_body
 from catopt.answers.note import about, case_sections, column, note_answer, opening, section, small
 from catopt.answers.note_motion import body_motion_blocks
@@ -39,7 +25,6 @@ from catopt.verify.truss_words import part_sentence
 from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
-    from catopt.answers.blocks import Section
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import SystemNote
@@ -55,7 +40,7 @@ _RESIDUAL_MOMENT = Quantity("moment_left", "", "", "N*m", "N*m", 1.0, 2, "scient
 _M, _N, _NM = (exact(unit) for unit in ("m", "N", "N m"))
 
 
-def system_note_answer(note: SystemNote) -> Answer:
+def system_note_answer(note: SystemNote) -> blocks.Answer:
     """Lay out the note of a moored body."""
     sections = (
         *_opening(note),
@@ -80,8 +65,8 @@ def system_note_answer(note: SystemNote) -> Answer:
     )
 
 
-def _section(name: str, blocks: Iterable[Block]) -> Section:
-    return section(name, blocks, "note_system")
+def _section(name: str, parts: Iterable[Block]) -> Section:
+    return section(name, parts, "note_system")
 
 
 # ------------------------------------------------------------------ what decides
@@ -210,7 +195,7 @@ def _elevation(note: SystemNote) -> Iterator[Block]:
 
 
 def _results(note: SystemNote) -> Iterator[Block]:
-    yield Facts("system_results", tuple(_facts(note)))
+    yield blocks.Facts("system_results", tuple(_facts(note)))
     yield small("note_system.results_about", steps=note.solution.steps)
     rule = note.report.rule
     if rule.horizontal_force is not None and rule.line is not None:
@@ -224,7 +209,7 @@ def _results(note: SystemNote) -> Iterator[Block]:
         yield Text(Several((Message("note_system.results_no_rule"), Sentence(rule.why_not)), " "))
 
 
-def _facts(note: SystemNote) -> Iterator[Fact]:
+def _facts(note: SystemNote) -> Iterator[blocks.Fact]:
     """List what the command says of the body, and more of its place and stiffness."""
     yield from body.body_facts(note.report)
     solution = note.solution
@@ -243,7 +228,7 @@ def _facts(note: SystemNote) -> Iterator[Fact]:
         ("residual_moment", _RESIDUAL_MOMENT, solution.residual.moment, turns),
     ):
         if is_there:
-            yield Fact(Message(f"note_system.results_{key}"), value, quantity)
+            yield blocks.Fact(Message(f"note_system.results_{key}"), value, quantity)
 
 
 def _lines(note: SystemNote) -> Iterator[Block]:
@@ -255,7 +240,7 @@ def _lines(note: SystemNote) -> Iterator[Block]:
     directions = [line.direction for line in solution.lines]
     towards = column("note_system.workbook_direction", directions, named("angle", ""))
     columns.append(replace(towards, only="workbook"))
-    yield Table("system_lines", tuple(columns), marked=solution.most_loaded)
+    yield blocks.Table("system_lines", tuple(columns), marked=solution.most_loaded)
     known = body.lines_used(note.checks)
     if note.used is None:
         known = Message("note_system.lines_unknown")
@@ -288,7 +273,7 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
             yield Verdict(lost, passes=False)
 
 
-def _further(responses: Iterable[Response | None]) -> Iterator[Column]:
+def _further(responses: Iterable[Response | None]) -> Iterator[blocks.Column]:
     """Yield what only workbooks have of places of rest."""
     every = list(responses)
     for name, key, attribute in (
@@ -348,18 +333,18 @@ def _balance(note: SystemNote) -> Iterator[Block]:
         said.insert(1, Message("note_system.balance_yaw"))
     yield Text(Several(said, " "))
     yield _pulls(note)
-    yield Trail("balance", tuple(steps_of(note)), Message("note_system.balance_wanted"))
+    yield blocks.Trail("balance", tuple(steps_of(note)), Message("note_system.balance_wanted"))
 
 
-def _pulls(note: SystemNote) -> Table:
+def _pulls(note: SystemNote) -> blocks.Table:
     """Tabulate H, its direction and its parts along x and y; with arms the moment, too."""
     system, lines = note.solution.system, note.solution.lines
     anchors, fairleads = [line.leg.anchor for line in lines], [line.fairlead for line in lines]
     pulls = [_pull(line) for line in lines]
 
-    def of(symbol: str, quantity: Quantity, values: Iterable[float]) -> Column:
+    def of(symbol: str, quantity: Quantity, values: Iterable[float]) -> blocks.Column:
         named = Message("note_system.balance_symbol", symbol=symbol)
-        return Column(named, tuple(values), quantity)
+        return blocks.Column(named, tuple(values), quantity)
 
     columns = [of("xA", _M, (at[0] for at in anchors)), of("yA", _M, (at[1] for at in anchors))]
     if system.has_arms:
@@ -377,7 +362,7 @@ def _pulls(note: SystemNote) -> Table:
     numbers = column("columns.line", range(1, len(lines) + 1))
     caption = Message("note_system.balance_pulls")
     marked = note.solution.most_loaded
-    return Table("pulls", (numbers, *columns), caption, marked=marked)
+    return blocks.Table("pulls", (numbers, *columns), caption, marked=marked)
 
 
 def _pull(line: LegState) -> tuple[float, float]:
@@ -393,7 +378,7 @@ def _moment(line: LegState, note: SystemNote) -> float:
     return rx * fy - ry * fx
 
 
-def steps_of(note: SystemNote) -> Iterator[Step]:
+def steps_of(note: SystemNote) -> Iterator[blocks.Step]:
     """Follow the balance: the sums over the lines against the load, and the most loaded span."""
     solution, system = note.solution, note.solution.system
     pulls = [_pull(line) for line in solution.lines]

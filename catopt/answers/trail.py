@@ -77,19 +77,8 @@ def step_of(
     source: str = "",
 ) -> Step:
     """Make a step by the key of its name; `numbers` has those of all steps of its trail."""
-    put_in = numbers if "{" in formula else {}
-    return Step(
-        Message(key),
-        value,
-        quantity,
-        symbol,
-        formula,
-        put_in,
-        tuple(terms),
-        stated,
-        equation,
-        source,
-    )
+    used, name, sums = numbers if "{" in formula else {}, Message(key), tuple(terms)
+    return Step(name, value, quantity, symbol, formula, used, sums, stated, equation, source)
 
 
 def is_uniform(solution: Solution) -> bool:

@@ -15,10 +15,9 @@ from catopt.checks.case import check_case, is_of_load
 from catopt.checks.remarks import NO_CHECK
 from catopt.errors import CatoptError
 from catopt.notes.directory import Asked, asked_in, case_path
-from catopt.notes.models import both_models, doubts_of_models
 from catopt.notes.motion import InMotion, allowed_tensions, in_motion, motion_files, motion_warnings
 from catopt.notes.origin import SourceFile, origin_of, read_source
-from catopt.notes.sheet import AnyNote, sheet_of
+from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
 from catopt.words import Message, is_said
 
 if TYPE_CHECKING:

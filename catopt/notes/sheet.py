@@ -13,6 +13,7 @@ from catopt.checks.least_diameter import LeastDiameter, least_diameters
 from catopt.errors import CatoptError
 from catopt.model import Anchor, Load
 from catopt.mooring.solve import solve_system
+from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from catopt.model import Case, Line
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.origin import Origin
+    from catopt.verify.result import Verification
 
 PART = 0.01
 """By how much of its distance from the fairlead an anchor is put elsewhere."""
@@ -173,3 +175,32 @@ def _of_a_body(solution: SystemSolution) -> Iterator[AnchorMoved]:
             continue
         offset = math.hypot(found.position.x - start.x, found.position.y - start.y)
         yield AnchorMoved(way, max(each.tension for each in found.lines), offset)
+
+
+# ------------------------------------------------------------------ the truss model
+
+
+def both_models(case: Case, load_case: str = "") -> tuple[Verification | None, str]:
+    """Solve a body, or a line under its load, by both models; say why where there is no answer.
+
+    `load_case` is the name of the load case that is the load of a line.
+    """
+    from catopt.verify.case import LOAD, verify_case
+
+    try:
+        if case.system is not None:
+            return verify_case(case), ""
+        found = verify_case(replace(case, load_cases=()))
+    except CatoptError as error:
+        return None, error.message
+    (part,) = found.parts
+    return replace(found, parts=(replace(part, name=load_case or LOAD),)), ""
+
+
+def doubts_of_models(found: Verification | None, failure: str, what: str) -> Iterator[str]:
+    """Yield what the truss model leaves in doubt, of a "line" or a "body"."""
+    if found is not None and not found.is_settled:
+        differ = found.verdict == "differs"
+        yield Message("notes.models_differ" if differ else "notes.models_unresolved")
+    if failure:
+        yield Message(f"notes.{what}_not_verified", why=failure)

@@ -15,10 +15,9 @@ from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
 from catopt.notes.directory import Asked, case_path
-from catopt.notes.models import both_models, doubts_of_models
 from catopt.notes.motion import Progress, motion_files
 from catopt.notes.origin import SourceFile, origin_of, read_source
-from catopt.notes.sheet import AnyNote, sheet_of
+from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
 from catopt.quantities import QUANTITIES
 from catopt.ties import first_largest
 from catopt.verify.motion_words import doubts, stopped_sentence

@@ -11,9 +11,8 @@ import pytest
 from catopt.casefile.schema import CaseTable
 from catopt.catenary import case_curve
 from catopt.errors import NotConvergedError
-from catopt.notes.inputs import inputs_of
 from catopt.notes.line import Note, read_note
-from catopt.notes.origin import file_name
+from catopt.notes.origin import file_name, inputs_of
 
 from .conftest import report_with
 from .further_cases import further_note
