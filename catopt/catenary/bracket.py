@@ -11,21 +11,12 @@ from typing import NamedTuple
 
 
 class Bracket(NamedTuple):
-    """Two places with the root between them.
+    """Two places with the root between them: the function is below 0 at `low`, above 0 at `high`.
 
-    Attributes
-    ----------
-    low, high : float
-        The function is below 0 at the one and above 0 at the other.
-    f_low, f_high : float
-        Its values there; halved while the same end stays (the Illinois rule), infinite when the
-        value says nothing but its sign.
-    stayed : int
-        Which end stayed at the last step: -1 the lower, 1 the upper, 0 none yet.
-    last : float
-        Size of the function at the last trial.
-    is_slow : bool
-        Whether the last trial did not halve it.
+    f_low and f_high are its values there: halved while the same end stays (the Illinois rule),
+    infinite when only the sign is known. Of the last step `stayed` is the end that stayed (-1 the
+    lower, 1 the upper, 0 none yet), `last` the size of the function, `is_slow` if that did not
+    halve.
     """
 
     low: float

@@ -175,9 +175,9 @@ def _check_heaviest(without: Solution, position: float, condition: Condition) ->
     """Refuse where even a clump weight without bound leaves too much angle at the anchor.
 
     Under a known horizontal force a clump weight at `position` (m from the anchor) draws the line
-    above it straight down, and the anchor angle falls with its weight all the way. What does not
-    stretch keeps it off the bed where it is shorter than the fairlead is high: then the part below
-    is a line of its own up to that place.
+    above straight down, and the anchor angle falls with its weight. What does not stretch keeps it
+    off the bed where it is shorter than the fairlead is high: the part below is then a line of its
+    own.
     """
     below, above = _parted(without.line, position)
     over_bed = without.fairlead_height - math.fsum(part.length for part in above)

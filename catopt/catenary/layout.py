@@ -15,26 +15,11 @@ from catopt.catenary.state import State
 class Stretch:
     """A uniform part of the line that either hangs or lies on the bed throughout.
 
-    Attributes
-    ----------
-    start, length : float
-        Unstretched arc length of its lower-s end, and its unstretched length, m.
-    submerged_weight, compliance : float
-        N/m and 1/EA in 1/N.
-    x, z : float
-        Where its lower-s end is, m (z above the seabed).
-    horizontal_force, vertical_force : float
-        On its lower-s end, N.
-    friction : float
-        What its tension gains per unstretched length towards the fairlead by bed friction, N/m.
-    on_bed : bool
-        Whether it lies on the bed.
-    piece : int
-        Which piece of the line it belongs to, counted from the anchor.
-    gathered : float
-        Part of its reach that is used: below 1 where a slack line lies in bights on the bed.
-    slope : float
-        Sine of the inclination of a stretch that has neither weight nor force.
+    All of its lower-s end: `start` the unstretched arc length there, x and z (m, z above the
+    seabed) and the forces on it (N). compliance is 1/EA (1/N), friction what its tension gains per
+    unstretched length towards the fairlead (N/m), `piece` counts from the anchor. `gathered` is the
+    part of its reach that is used: below 1 where a slack line lies in bights on the bed. `slope` is
+    the sine of the inclination of a stretch that has neither weight nor force.
     """
 
     start: float

@@ -12,16 +12,9 @@ LEAST_FORCE, GREATEST_FORCE = 1e-30, 1e30
 
 
 class LineProblem(NamedTuple):
-    """A line, where its ends are, and the bed.
+    """A line with all that its equilibrium depends on, save the load.
 
-    Attributes
-    ----------
-    pieces : Pieces
-        The line.
-    anchor_height, fairlead_height : float
-        Above the bed, m.
-    friction : float
-        Coulomb coefficient of the bed.
+    Heights are above the bed (m), friction is the Coulomb coefficient of the bed.
     """
 
     pieces: Pieces

@@ -29,18 +29,11 @@ from catopt.catenary.upper_part import (
 
 
 class Touchdown(NamedTuple):
-    """Where the line comes down on the bed.
+    """Where the line comes down on the bed, with horizontal force H (N) in what hangs above.
 
-    Attributes
-    ----------
-    H : float
-        Horizontal force of what hangs above, N.
-    piece, rest : int, float
-        Piece in which the stretch on the bed begins, and how much of it is below, m.
-    clump : int
-        Joint of the clump weight at which it touches down; -1 when there is none.
-    carried : float
-        What the bed has to carry of that clump weight if nothing lifts it from below, N.
+    The stretch on the bed begins in `piece`, `rest` (m) of which is below. `clump` is the joint of
+    the clump weight at which it touches down (-1: none), `carried` what the bed has to carry of
+    that clump weight if nothing lifts it from below, N.
     """
 
     H: float

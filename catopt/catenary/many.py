@@ -65,26 +65,11 @@ def fill(
     regime: Any,
     out: Any,
 ) -> None:
-    """Solve lines `first` to `end` (not included).
+    """Solve lines `first` to `end` (not included) into `status`, `regime` and `out`, by COLUMNS.
 
-    Parameters
-    ----------
-    known : int
-        What `wanted` holds: spans, tensions or forces.
-    wanted, height, anchor_height, friction : array, shape (n,)
-        Per line.
-    length, weight, compliance, position, point_weight : array, shape (n or 1, segments or loads)
-        Per line, or one row for all.
-    point_friction : array, shape (loads,)
-        Coulomb coefficients of the point loads of all lines; below 0 for that of the bed.
-    pieces, owner, runs
-        Work space for one line (pieces.split, runs.runs_of).
-    first, end : int
-        Range of lines.
-    status, regime : array of int, shape (n,)
-        Written to.
-    out : array, shape (n, 12)
-        Written to; COLUMNS names its columns.
+    `wanted` holds what is `known`: spans, tensions or forces, one a line like height, anchor_height
+    and friction. Tables have a row a line, or one for all; point_friction, one for all lines, is
+    below 0 for that of the bed. pieces, owner and runs are work space (pieces.split, runs.runs_of).
     """
     nan = math.nan
     is_one_line = (

@@ -19,21 +19,12 @@ NO_TOUCHDOWN = -1
 class Part(NamedTuple):
     """A hanging part; the line's pieces are counted from the anchor.
 
-    Attributes
-    ----------
-    H : float
-        Horizontal force, N; 0 when it hangs straight.
-    slope : float
-        Sine of the inclination of pieces that have neither weight nor force; 0 for others.
-    top, top_length : int, float
-        Piece in which the part ends above, and how much of that piece lies below the end, m.
-    bottom, bottom_length : int, float
-        Piece in which it ends below, and how much of that piece lies above the end, m.
-    piece, V : int, float
-        A piece of the part and the vertical force at the lower end of its share in it, N.
-    touchdown : int
-        How it ends below: NO_TOUCHDOWN at the anchor, 2 k inside piece k, 2 k + 1 at the clump
-        weight on the joint below piece k.
+    H is its horizontal force (N; 0 when it hangs straight), `slope` the sine of the inclination of
+    pieces that have neither weight nor force. It ends above in piece `top`, top_length (m) of which
+    lies below the end, and below in piece `bottom`, bottom_length (m) of which lies above the end.
+    V (N) is the vertical force at the lower end of its share in `piece`. `touchdown` says how it
+    ends below: NO_TOUCHDOWN at the anchor, 2 k inside piece k, 2 k + 1 at the clump weight below
+    piece k.
     """
 
     H: float
@@ -85,22 +76,12 @@ def with_slope(part: Part, slope: float) -> Part:
 
 
 class PartReach(NamedTuple):
-    """How far a part reaches, from its lower to its upper end.
+    """How far a part reaches from its lower to its upper end: x and z, m.
 
-    Attributes
-    ----------
-    x, z : float
-        m.
-    x_H, z_H, z_V : float
-        Derivatives by H and by a shift of V along the whole part, m/N; dx/dV = dz/dH. All 0
-        without horizontal force.
-    V_top, V_bottom : float
-        Vertical force at its ends, N.
-    low : float
-        Its lowest point above its lower end, m; 0 or below.
-    smallest : int
-        The piece with the smallest vertical force at its lower end; not the one in which it touches
-        down, where that is 0 exactly.
+    x_H, z_H and z_V are derivatives by H and by a shift of V along the whole part (m/N; dx/dV =
+    dz/dH), all 0 without horizontal force. V_top and V_bottom act at its ends (N). `low` is its
+    lowest point above its lower end (m; 0 or below), `smallest` the piece with the smallest
+    vertical force at its lower end; not the one in which it touches down, where that is 0 exactly.
     """
 
     x: float

@@ -12,18 +12,11 @@ from catopt.model import Line
 class Pieces(NamedTuple):
     """Uniform pieces from the anchor up; lists of float, or arrays in compiled code.
 
-    Attributes
-    ----------
-    length : sequence of float, shape (n,)
-        Unstretched, m.
-    weight : sequence of float, shape (n,)
-        Submerged, N/m.
-    compliance : sequence of float, shape (n,)
-        1/EA in 1/N; 0 for an inextensible piece.
-    load : sequence of float, shape (2 n + 2,)
-        First the submerged weight hung on the joint below each piece k, N, 0 at both ends of the
-        line; then the Coulomb coefficients of these point loads on the bed, below 0 where it is
-        the bed's. One sequence and not two, because each one passed costs every call its time.
+    length is unstretched (m), weight submerged (N/m), compliance 1/EA (1/N; 0: inextensible).
+    `load`, of 2 n + 2 numbers, has first the submerged weight hung on the joint below each piece k
+    (N; 0 at both ends of the line), then the Coulomb coefficients of these point loads on the bed,
+    below 0 where it is the bed's. One sequence and not two, because each one passed costs every
+    call its time.
     """
 
     length: Any
@@ -141,19 +134,9 @@ def split(
 ) -> None:
     """Cut segments at point loads, into as many pieces as there are segments and point loads.
 
-    A point load on a joint leaves a piece of length 0, which the kernel passes over; point loads
-    in one place become one.
-
-    Parameters
-    ----------
-    length, weight, compliance : sequence of float, shape (segments,)
-        Of the segments: m, N/m, 1/N.
-    position, point_weight, point_friction : sequence of float, shape (loads,)
-        Of the point loads, by rising position: m, N, Coulomb coefficient (below 0: the bed's).
-    pieces : Pieces
-        Written to; its sequences have segments + loads (and one more) entries.
-    owner : sequence of int, shape (segments + loads,)
-        Written to: the segment of each piece.
+    A point load on a joint leaves a piece of length 0, which the kernel passes over; point loads in
+    one place become one. They come by rising position (m), with weight (N) and Coulomb coefficient
+    (below 0: the bed's). Writes `pieces`, and the segment of each to `owner`.
     """
     piece = 0
     load = 0

@@ -32,16 +32,9 @@ _RUNS_PER_PIECE = 4
 class Runs(NamedTuple):
     """Work space for the runs of one line: lists, or arrays in compiled code.
 
-    Attributes
-    ----------
-    piece, on_bed : sequence of int
-        Which piece each run is part of; 1 where it lies on the bed.
-    length, H, V : sequence of float
-        Unstretched length, m, and the forces on its lower end, N.
-    friction : sequence of float
-        What its tension gains towards the fairlead by friction on the bed, N/m.
-    slope : sequence of float
-        Sine of the inclination of a run without weight or force.
+    Of each run the piece, on_bed (1 on the bed), the unstretched length (m), the forces on its
+    lower end (N), what friction on the bed adds to its tension towards the fairlead (N/m), and
+    `slope`, the sine of the inclination of one without weight or force.
     """
 
     piece: Any

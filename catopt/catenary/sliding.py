@@ -41,15 +41,10 @@ from catopt.catenary.upper_part import WELL_HUNG, lying_end, upper_part
 class Onset(NamedTuple):
     """Where the tight part of a line begins, on the bed.
 
-    Attributes
-    ----------
-    code : int
-        2 k inside piece k, 2 k + 1 at the clump weight on the joint below piece k; -1 nowhere.
-    x : float
-        How much of the piece lies below the place, m; or the part of the clump weight's friction
-        that does not act.
-    part : Part
-        The part that leaves the bed there, or further down if its horizontal force is 0.
+    code is 2 k inside piece k, 2 k + 1 at the clump weight on the joint below piece k, -1 nowhere;
+    x how much of the piece lies below the place (m), or the part of the clump weight's friction
+    that does not act; `part` what leaves the bed there, or further down if its horizontal force is
+    0.
     """
 
     code: int

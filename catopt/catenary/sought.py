@@ -41,17 +41,10 @@ class Found(FoundQuantity):
 
 
 class Condition(NamedTuple):
-    """What is asked of a line.
+    """What is asked of a line, in words (`text`).
 
-    Attributes
-    ----------
-    text : str
-        In words.
-    miss : callable
-        Of a line: what is missing of the condition, positive above it, and the size it is
-        measured by.
-    reading : callable
-        Of a line: what it has of the quantity that the condition is about, in words.
+    Of a line `miss` gives what is missing of it, positive above it, and the size it is measured by;
+    `reading` puts into words what the line has of the quantity.
     """
 
     text: str
@@ -68,18 +61,9 @@ _NAMES = {
 
 @dataclass(frozen=True)
 class Sought:
-    """An unknown, and how the condition put on it depends on it.
+    """An unknown (as in `FoundQuantity`), and how the condition put on it depends on it.
 
-    Attributes
-    ----------
-    quantity, number
-        As in `FoundQuantity`.
-    condition : Condition
-        What it is to meet.
-    at : callable
-        The line with a value of the unknown.
-    falls : bool
-        Whether what is missing falls as the unknown grows.
+    `at` gives the line with a value of the unknown; `falls`: what is missing falls as that grows.
     """
 
     quantity: Literal["length", "clump_weight", "horizontal_force"]

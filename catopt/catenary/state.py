@@ -51,27 +51,13 @@ LOOSE: Final = -5
 
 
 class State(NamedTuple):
-    """Equilibrium of one line.
+    """Equilibrium of one line; status and regime are codes above.
 
-    Attributes
-    ----------
-    status, regime : int
-        Codes above.
-    H, V : float
-        Forces at the fairlead, N.
-    span : float
-        m.
-    height_error : float
-        Computed height of the fairlead less the one asked for, m.
-    grounded : float
-        Unstretched length on the bed, m.
-    H_anchor, V_anchor : float
-        Forces on the anchor end, N.
-    touchdown : int
-        Where the suspended part ends (suspended.py), or IN_PARTS, TURNED or LOOSE.
-    x_H, x_V, z_H, z_V : float
-        Derivatives of span and height by H and V at the fairlead, m/N; 0 where H is 0 and
-        for a line that was solved from its anchor.
+    H and V act at the fairlead, H_anchor and V_anchor on the anchor end (N). height_error is the
+    computed height of the fairlead less the one asked for (m), grounded the unstretched length on
+    the bed (m), `touchdown` where the suspended part ends (suspended.py), or IN_PARTS, TURNED or
+    LOOSE. x_H, x_V, z_H and z_V are derivatives of span and height by H and V at the fairlead
+    (m/N); 0 where H is 0 and for a line that was solved from its anchor.
     """
 
     status: int

@@ -23,21 +23,11 @@ FIRST_TOUCHDOWN = -2
 
 
 class SuspendedPart(NamedTuple):
-    """The suspended part: reach (m), derivatives by H and V at the fairlead (m/N), and its end.
+    """The suspended part: reach (m), derivatives by H and V at the fairlead (m/N; dx/dV = dz/dH).
 
-    Attributes
-    ----------
-    x, z : float
-        Reach.
-    x_H, z_H, z_V : float
-        Derivatives; dx/dV = dz/dH.
-    touchdown : int
-        Where it ends: NO_TOUCHDOWN at the anchor, else 2 k or 2 k + 1.
-    bottom, bottom_length : int, float
-        Piece in which it ends, and the unstretched length of that piece that hangs,
-        m.
-    V : float
-        Vertical force at its lower end, N: at the anchor, or just above the clump weight.
+    It ends in piece `bottom`, of which bottom_length (unstretched, m) hangs, with the vertical
+    force V (N) at the anchor or just above the clump weight; touchdown is NO_TOUCHDOWN, 2 k or 2 k
+    + 1.
     """
 
     x: float

@@ -15,27 +15,12 @@ from catopt.model.system import Leg, System
 class Arrangement(NamedTuple):
     """Where the ends of the lines are and what the lines are made of.
 
-    Lists in plain code, arrays in compiled code. The pieces of line k are those from `first[k]`
-    to `first[k + 1]`; `load` begins at twice `first[k] + k`.
-
-    Attributes
-    ----------
-    anchor_x, anchor_y, anchor_height : sequence of float, shape (lines,)
-        m.
-    arm_x, arm_y : sequence of float, shape (lines,)
-        Fairleads in the body's axes, m.
-    fairlead_height : sequence of float, shape (lines,)
-        Above the seabed, m.
-    friction : float
-        Coulomb coefficient of the bed.
-    first : sequence of int, shape (lines + 1,)
-        First piece of each line.
-    length, weight, compliance, load : sequence of float
-        As in catenary.pieces.Pieces, line after line.
-    slack_span : sequence of float, shape (lines,)
-        The longest span at which a line pulls to no side, m; below 0 when there is none.
-    slack_V, slack_V_anchor, slack_grounded : sequence of float
-        Its vertical forces (N) and the length on the bed (m) there.
+    Lists in plain code, arrays in compiled code. Anchors and heights (above the seabed) in m, arms
+    are the fairleads in the body's axes (m), friction the Coulomb coefficient of the bed. The
+    pieces of line k (as in catenary.pieces.Pieces, line after line) are those from `first[k]` to
+    `first[k + 1]`; `load` begins at twice `first[k] + k`. slack_span is the longest span at which a
+    line pulls to no side (m; below 0 when there is none), with its vertical forces (N) and length
+    on the bed (m) there.
     """
 
     anchor_x: Any
@@ -59,16 +44,8 @@ class Arrangement(NamedTuple):
 class Lines(NamedTuple):
     """What is known of each line at a position of the body; written to by the kernel.
 
-    Attributes
-    ----------
-    H, V : sequence of float, shape (lines,)
-        Forces at the fairlead, N; nan before the first position.
-    span, grounded : sequence of float
-        m.
-    H_anchor, V_anchor : sequence of float
-        Forces on the anchor, N.
-    H_S, V_S : sequence of float
-        Derivatives of H and V by the span, the height held, N/m.
+    H and V at the fairlead (N; nan before the first position), span and grounded length (m), forces
+    on the anchor (N); H_S and V_S are derivatives of H and V by the span, the height held (N/m).
     """
 
     H: Any

@@ -21,20 +21,11 @@ ROUNDING = 1e-12
 
 
 class Pull(NamedTuple):
-    """Force of all lines on the body, and how it falls as the body moves.
+    """Force of all lines on the body (N, N, N m), and how it falls as the body moves.
 
-    Attributes
-    ----------
-    status : int
-        Of the line that has no answer there (catenary.state); CONVERGED when all have.
-    line : int
-        That line.
-    x, y, moment : float
-        N, N, N m.
-    xx, xy, yy, xm, ym, mm : float
-        Stiffness: minus the derivatives by x, y (N/m) and yaw (N, N m).
-    total : float
-        Sum of the horizontal forces of the lines, N.
+    status is CONVERGED, or that of the `line` that has no answer there (catenary.state). xx to mm
+    are the stiffness: minus the derivatives by x, y (N/m) and yaw (N, N m). `total` is the sum of
+    the horizontal forces of the lines, N.
     """
 
     status: int

@@ -26,26 +26,10 @@ CURVE_POINTS = 41
 
 @dataclass(frozen=True, repr=False)
 class SystemReport(Shown):
-    """What was asked of a moored body.
+    """What was asked of a moored body: empty or None where it was not asked for.
 
-    Attributes
-    ----------
-    case : Case
-        With its system.
-    solution : SystemSolution
-        Under the load of the case.
-    rule : SharingRule
-        What the rule of practice makes of it.
-    line_out : tuple of LineOut
-        Every line gone in turn; empty when not asked for.
-    circle : WatchCircle or None
-        For a force of the size of the case's; None when not asked for or when there is no force.
-    curves : tuple of RestoringCurve
-        One for each direction asked for.
-    levels : tuple of AtLevel
-        One for each water level asked for.
-    held : tuple of HeldBody
-        The linearised stiffness in six freedoms, about the waterline, where it was asked for.
+    The circle is for a force of the size of the case's (None where it has none), the curves one for
+    each direction, `held` the linearised stiffness in six freedoms, about the waterline.
     """
 
     case: Case

@@ -46,22 +46,12 @@ class BodyLoad(NamedTuple):
 
 
 class Freedom(NamedTuple):
-    """How the body may move.
+    """How the body may move: in_plane in x and y, in_yaw in yaw.
 
-    Attributes
-    ----------
-    in_plane, in_yaw : bool
-        Whether it is free in x and y, and in yaw.
-    arm : float
-        A length by which yaw counts as much as a move, m, above 0.
-    stride : float
-        The longest first step, m; each further one may be half as long again.
-    scale : float
-        A force that is small for these lines, N: below it a residual is judged by this one.
-    floor : float
-        Stiffness to go by where no line holds the body, N/m.
-    exact : float
-        Residual at which to stop, as a part of the forces.
+    arm is a length by which yaw counts as much as a move (m, above 0), stride the longest first
+    step (m; each further one may be half as long again), scale a force that is small for these
+    lines (N: below it a residual is judged by this one), floor the stiffness to go by where no line
+    holds the body (N/m), exact the residual at which to stop, as a part of the forces.
     """
 
     in_plane: bool
@@ -83,22 +73,11 @@ class BodyProblem(NamedTuple):
 
 
 class Rest(NamedTuple):
-    """Where the body came to rest.
+    """Where the body came to rest (m, m, rad) and the pull of all lines there.
 
-    Attributes
-    ----------
-    status : int
-        CONVERGED, or what stopped it.
-    line : int
-        The line that has no answer, -1 when none stopped it.
-    x, y, yaw : float
-        m, m, rad.
-    steps : int
-        Newton steps taken.
-    force_error, moment_error : float
-        What is left unbalanced, N and N m; with TURNS_OVER the least moment left at any heading.
-    pull : Pull
-        Of all lines there.
+    status is CONVERGED or what stopped it, `line` the one that has no answer (-1: none), steps
+    those of Newton. The errors are what is left unbalanced, N and N m; with TURNS_OVER the least
+    moment left at any heading.
     """
 
     status: int

@@ -45,16 +45,10 @@ and how far the last steps to a heading may take it from where it was found."""
 
 
 class Heading(NamedTuple):
-    """The body at one yaw, x and y at rest.
+    """The body at one yaw, x and y at rest if the status of `rest` says so.
 
-    Attributes
-    ----------
-    rest : Rest
-        Where it is; its status says whether it is at rest.
-    left : float
-        Moment that nothing balances, N m, above 0 where it turns the body on.
-    stiffness : float
-        By which it falls as the body turns, N m.
+    `left` is the moment that nothing balances (N m), above 0 where it turns the body on;
+    `stiffness` says by how much it falls as the body turns, N m.
     """
 
     rest: Rest

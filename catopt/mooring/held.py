@@ -33,18 +33,9 @@ FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 @dataclass(frozen=True)
 class HeldLine:
-    """One line at that place.
+    """One line at that place: fairlead x, y, height above the bed (m), span, length on the bed (m).
 
-    Attributes
-    ----------
-    fairlead : (float, float, float)
-        x, y and height above the bed, m.
-    span : float
-        Horizontal distance from the anchor to the fairlead, m.
-    horizontal_force, vertical_force : float
-        With which it pulls on the body, towards the anchor and down, N.
-    grounded : float
-        Unstretched length on the bed, m.
+    It pulls on the body with horizontal_force towards its anchor and vertical_force down, N.
     """
 
     fairlead: Vector
@@ -114,19 +105,7 @@ class HeldBody:
 
 @dataclass(frozen=True)
 class NetworkAtRest:
-    """Lines between points with their joints at rest, the body held.
-
-    Attributes
-    ----------
-    network : Network
-        What it is of.
-    runs : tuple of Run
-        Its lines, from their anchors.
-    joints : JointsAtRest
-        Places of all points, forces at all ends, and what is left over.
-    body : HeldBody
-        What the lines do to the body.
-    """
+    """Lines between points with their joints at rest, the body held; `runs` from their anchors."""
 
     network: Network
     runs: tuple[Run, ...]

@@ -64,20 +64,10 @@ class Run(NamedTuple):
 
 
 class JointsAtRest(NamedTuple):
-    """Lines whose joints have come to rest.
+    """Lines whose joints have come to rest: x, y and height (m) of every point, ends of every line.
 
-    Attributes
-    ----------
-    places : tuple of (float, float, float)
-        Of every point: x, y and height, m.
-    ends : tuple of Ends
-        Of every line.
-    reactions : tuple of float
-        With which the bed carries each point, N.
-    residual : float
-        Largest force left over at a joint, N.
-    steps : int
-        Of Newton's method.
+    reactions (N) are those with which the bed carries each point, residual the largest force left
+    over at a joint (N), steps those of Newton's method.
     """
 
     places: tuple[Vector, ...]
@@ -113,14 +103,8 @@ def _from_other_end(load: PointLoad, length: float) -> PointLoad:
 def joints_at_rest(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> JointsAtRest:
     """Bring the joints of a network to rest: `held` has the place of its anchors and fairleads, m.
 
-    Raises
-    ------
-    NoEquilibriumError
-        Friction leaves open where a joint lies, or a line that does not stretch is too short.
-    FloatsUpError
-        A buoy would float above the water surface.
-    NotConvergedError
-        With the force left over.
+    Raises NoEquilibriumError where friction leaves open where a joint lies or a line that does not
+    stretch is too short, FloatsUpError, or NotConvergedError with the force left over.
     """
     found = _Search(network, runs, held).rest() if len(held) < len(network.points) else None
     if found is None:

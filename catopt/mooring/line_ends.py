@@ -26,18 +26,10 @@ NEAREST = 1e-9
 
 
 class Ends(NamedTuple):
-    """A line between two points.
+    """A line between two points; empty but for state and problem where the kernel has no answer.
 
-    Attributes
-    ----------
-    state : State
-        Of the kernel; where it has no answer, the rest is empty.
-    problem : LineProblem
-        What it solves.
-    first, second : (float, float, float)
-        Force of the line on either point, N.
-    stiffness : 6 x 6
-        Minus the derivatives of both forces by the places of both points, N/m.
+    `first` and `second` are the forces of the line on either point (N), `stiffness` (6 x 6) minus
+    the derivatives of both by the places of both points, N/m.
     """
 
     state: State

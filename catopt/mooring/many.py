@@ -50,22 +50,9 @@ def static_equilibria(
 ) -> None:
     """Bring the body to rest under each load, every time from the same start.
 
-    Parameters
-    ----------
-    x, y, yaw, force_x, force_y, moment : sequence of float, shape (n,)
-        Where the body starts, or is held, and the load.
-    freedom, arrangement
-        As for `static_equilibrium`.
-    start : Lines
-        What is known of the lines near the start; written to.
-    lines : Lines
-        Work space.
-    status, line, steps : sequence of int, shape (n,)
-        Written to, as in Rest.
-    body : sequence of float, shape (n * len(BODY),)
-        Written to, load after load.
-    per_line : sequence of float, shape (n * len(PER_LINE) * lines,)
-        Written to: for each load, for each column, line after line.
+    x, y, yaw are where the body starts, or is held. `start`, what is known of the lines near there,
+    is written to; `lines` is work space. Also written: status, line, steps as in Rest; `body` load
+    after load by BODY; `per_line` for each load, for each column of PER_LINE, line after line.
     """
     count = len(arrangement.anchor_x)
     pull = pull_at(x[0], y[0], yaw[0], arrangement, start, True)

@@ -14,25 +14,12 @@ from catopt.ties import first_largest
 
 @dataclass(frozen=True)
 class Response:
-    """One place of rest.
+    """One place of rest of the body: m, m, rad.
 
-    Attributes
-    ----------
-    x, y, yaw : float
-        Of the body, m, m, rad.
-    offset : float
-        Distance from the zero-load position, m.
-    largest_tension : float
-        At a fairlead, N.
-    most_loaded : int
-        The line that carries it, the first of several alike, counted from 0 in the system as it was
-        given.
-    largest_anchor_tension : float
-        N.
-    largest_uplift : float
-        Largest vertical force on an anchor, N; 0 or less where none is lifted.
-    least_grounded : float
-        Shortest length on the bed of any line, m.
+    offset counts from the zero-load position (m); tensions in N, at a fairlead for the largest.
+    most_loaded is the line that carries it, the first of several alike, counted from 0 in the
+    system as given. largest_uplift is the largest vertical force on an anchor (N; 0 or less where
+    none is lifted), least_grounded the shortest length on the bed of any line (m).
     """
 
     x: float

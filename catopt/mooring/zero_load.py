@@ -34,21 +34,7 @@ NOTHING = BodyLoad(0.0, 0.0, 0.0)
 
 @dataclass(frozen=True)
 class ZeroLoadPosition:
-    """A system and its zero-load position.
-
-    Attributes
-    ----------
-    system : System
-        The system; its load plays no part.
-    arrangement : Arrangement
-        Its lines as numbers.
-    freedom : Freedom
-        How its body may move.
-    neutral : Rest
-        The body under no load.
-    lines : Lines
-        The lines there.
-    """
+    """A system (its load plays no part), its lines and freedom as numbers, at rest in `neutral`."""
 
     system: System
     arrangement: Arrangement
