@@ -164,6 +164,7 @@ class ndarray:  # noqa: N801 - the name it takes the place of
     __rsub__ = _by(_turned(operator.sub))
     __mul__ = __rmul__ = _by(operator.mul)
     __truediv__ = _by(operator.truediv)
+    __rtruediv__ = _by(_turned(operator.truediv))
     __lt__ = _by(operator.lt)
     __le__ = _by(operator.le)
     __gt__ = _by(operator.gt)

@@ -43,6 +43,7 @@ OPERATIONS = {
     "sum": lambda n: n.array(ROW) + n.array(ROW),
     "sum with one": lambda n: n.array(ROW) + 1.5,
     "one less": lambda n: 1.0 - n.array(ROW),
+    "one over": lambda n: 1.0 / n.array(ROW),
     "product": lambda n: 2.0 * n.array(ROW) * 3.0,
     "table less a row": lambda n: n.array(TABLE) - n.array(TABLE[0]),
     "table over a row": lambda n: n.array(TABLE) / n.array([3.0, 7.0, 0.1]),
