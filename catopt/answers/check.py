@@ -142,7 +142,7 @@ def _use(results: Sequence[CheckResult]) -> tuple[blocks.Column, blocks.Column, 
 
 def kind_name(kind: str) -> Message:
     """Name a kind of check: ``Uplift angle``."""
-    return Message(f"kinds.{kind}")
+    return Message(f"checks.{kind}_kind")
 
 
 def tightest_checks(report: CheckReport) -> dict[str, CheckResult]:

@@ -158,7 +158,7 @@ def _motion(motion: Motion, moved: InMotion) -> Iterator[Fact]:
         for axis in _AXES:
             size, phase = getattr(motion, axis), getattr(motion, f"{axis}_phase")
             if size:
-                along = _said(f"{axis}_of")
+                along = _said(f"{axis}_motion")
                 yield Fact(_said("amplitude_of", axis=along), size, _M)
                 yield Fact(_said("phase", axis=along), phase, _DEGREES)
         return
@@ -190,7 +190,7 @@ def _raos(raos: Raos) -> Table:
             _lag(complex(raos.response[row, k])) if of > 0.0 else None
             for row, of in zip(rows, size, strict=True)
         ]
-        along = _said(f"{axis}_of")
+        along = _said(f"{axis}_motion")
         columns.append(Column(along, tuple(size), significant("m/m", 4)))
         columns.append(Column(_said("phase", axis=along), tuple(lags), _DEGREES))
     return Table("motion_raos", tuple(columns), _said("rao_table"))
