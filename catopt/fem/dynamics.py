@@ -230,7 +230,10 @@ def run_system_dynamics(
     at_anchor : bool
         It breaks at its anchor instead: its lower end is then free.
 
-    Raises as `run_dynamics`.
+    Raises
+    ------
+    InputError, NotConvergedError
+        As for `run_dynamics`.
     """
     is_led = position is not None
     _check_system(is_led, motion, force, mean_force)

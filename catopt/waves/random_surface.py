@@ -62,8 +62,11 @@ def random_waves(
         Lowest and highest angular frequency, rad/s; `frequency_range` when not given. The energy
         outside is left out, and the waves' Hs is smaller by that.
 
-    Raises InputError for a count below 1 or not a multiple of the directions, a range that is empty
-    or not above 0, a spreading not above 0.
+    Raises
+    ------
+    InputError
+        For a count below 1 or not a multiple of the directions, a range that is empty or not above
+        0, a spreading not above 0.
     """
     low, high = frequency_range(spectrum) if between is None else between
     _check(count, direction, spreading, bands, low, high)
