@@ -10,15 +10,7 @@ from catopt.decks.deck import Deck, Notes, Piece, Point
 
 @dataclass(frozen=True)
 class Chain:
-    """A mooring line of a deck, from its anchor to its fairlead.
-
-    Attributes
-    ----------
-    points : sequence of Point
-        One more than pieces.
-    pieces : sequence of Piece
-        In order from the anchor.
-    """
+    """A mooring line of a deck, from its anchor to its fairlead; one point more than pieces."""
 
     points: Sequence[Point]
     pieces: Sequence[Piece]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, TypeVar
+from typing import Literal, TypedDict, TypeVar, Unpack
 
 from catopt.errors import InputError, Problem
 from catopt.words.message import Message
@@ -24,24 +24,11 @@ class Row:
 
 @dataclass(frozen=True)
 class LineType:
-    """What a line is made of.
+    """What a line is made of, with its line of the file.
 
-    Attributes
-    ----------
-    row : int
-        Line of the file.
-    diameter : float
-        Volume-equivalent, m.
-    mass : float
-        In air, kg/m.
-    EA : float
-        N.
-    friction : float or None
-        Of the line on the bed, where the deck has it by line type.
-    drag : (float, float, float, float) or None
-        Cd across on d, Cd along on pi d, Ca across and along on the displaced water.
-    MBL, nominal_diameter : float or None
-        N and m, where the deck has them.
+    `diameter`: volume-equivalent, m; `mass`: in air, kg/m; `EA`, `MBL`: N; `friction`: on the bed,
+    where the deck has it by line type; `drag`: Cd across on d, Cd along on pi d, Ca across and
+    along on the displaced water.
     """
 
     row: int
@@ -97,30 +84,31 @@ LONGEST = 80
 """Characters of a deck that a refusal shows."""
 
 
+class Limits(TypedDict, total=False):
+    """What a number has to lie above, or be no less than."""
+
+    above: float
+    at_least: float
+
+
 @dataclass
 class Notes:
     """What is wrong with a deck and what is to be said of it, gathered while it is read.
 
-    Attributes
-    ----------
-    source : str
-        Name of the file.
-    only : int or None
-        The one line that is wanted, counted from 1.
-    problems, remarks : list
-        What was noted.
+    `source`: name of the file; `only`: the one line that is wanted, counted from 1; `problems`:
+    with their lines of the file.
     """
 
     source: str = ""
     only: int | None = None
-    problems: list[Problem] = field(default_factory=list)
+    problems: dict[Problem, int] = field(default_factory=dict)
     remarks: list[Message] = field(default_factory=list)
 
     def refuse(self, row: int, found: str, allowed: str) -> None:
         """Note what is wrong in a line of the file; 0: in the whole of it. Long words are cut."""
         if len(found) > LONGEST:
             found = f"{found[:LONGEST]}..."
-        self.problems.append(Problem(f"line {row}" if row else "file", found, allowed))
+        self.problems[Problem(f"line {row}" if row else "file", found, allowed)] = row
 
     def say(self, key: str, /, **values: object) -> None:
         """Note a remark, once."""
@@ -131,13 +119,13 @@ class Notes:
     def raise_if_any(self) -> None:
         """Raise InputError with every problem, in the order of the file."""
         if self.problems:
+            raise InputError(sorted(self.problems, key=self.problems.__getitem__), self.source)
 
-            def place(problem: Problem) -> int:
-                word = problem.key.removeprefix("line ")
-                return int(word) if word.isdigit() else 0
-
-            found = sorted(dict.fromkeys(self.problems), key=place)
-            raise InputError(found, self.source)
+    def want(self, sections: Mapping[str, Sequence[Row]]) -> None:
+        """Refuse a deck without line types, points or lines."""
+        for name in ("types", "points", "lines"):
+            if not sections.get(name):
+                self.refuse(0, "", f"the section with {name} is missing or empty")
 
     def by_name(self, entries: Mapping[Row, T]) -> dict[str, T]:
         """Key the entries of a section by their first word, which stands once."""
@@ -148,31 +136,16 @@ class Notes:
             found[row.words[0]] = entry
         return found
 
-    def number(
-        self,
-        row: Row,
-        column: int,
-        name: str,
-        *,
-        above: float = -math.inf,
-        at_least: float = -math.inf,
-    ) -> float:
+    def number(self, row: Row, column: int, name: str, **limits: Unpack[Limits]) -> float:
         """Read a number by its column; NaN where it is none, which is noted."""
         if column >= len(row.words):
             self.refuse(row.number, "", f"{name} is missing in column {column + 1}")
             return math.nan
-        return self.value(row.number, row.words[column], name, above=above, at_least=at_least)
+        return self.value(row.number, row.words[column], name, **limits)
 
-    def value(
-        self,
-        row: int,
-        word: str,
-        name: str,
-        *,
-        above: float = -math.inf,
-        at_least: float = -math.inf,
-    ) -> float:
+    def value(self, row: int, word: str, name: str, **limits: Unpack[Limits]) -> float:
         """Read a number, with Fortran's D for an exponent too."""
+        above, at_least = limits.get("above", -math.inf), limits.get("at_least", -math.inf)
         try:
             found = float(word.lower().replace("d", "e"))
         except ValueError:

@@ -53,37 +53,28 @@ def parse_mappp(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         notes.say("repeat", line=number, angle=angle)
         turned = _turned(points, pieces, angle)
         points, pieces = points | turned[0], pieces + turned[1]
-    return Deck(
-        given.get("gravity", math.nan), given.get("density", math.nan), depth, types, points, pieces
-    )
+    gravity, density = (given.get(key, math.nan) for key in ("gravity", "density"))
+    return Deck(gravity, density, depth, types, points, pieces)
 
 
 def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
     found: dict[str, list[Row]] = {name: [] for name in _SECTIONS}
-    number_of_section, skip = -1, 0
+    section, skip = -1, 0
     for number, line in enumerate(text.splitlines(), start=1):
+        words = tuple(line.split("!")[0].split())
         if line.startswith("-"):
-            number_of_section, skip = number_of_section + 1, _HEADINGS
-            continue
-        if number_of_section < 0 or number_of_section >= len(_SECTIONS):
+            section, skip = section + 1, _HEADINGS
+        elif not 0 <= section < len(_SECTIONS):
             if line.strip():
                 allowed = "four sections are wanted, and no line before them"
                 notes.refuse(number, line.strip()[:40], allowed)
-            continue
-        if skip:
+        elif skip:
             skip -= 1
-            continue
-        name = _SECTIONS[number_of_section]
-        words = tuple(line.split("!")[0].split())
-        if not words:
-            continue
-        if name == "options" and line[0] in " \t":
+        elif words and _SECTIONS[section] == "options" and line[0] in " \t":
             notes.say("commented", line=number, text=" ".join(words)[:40])
-            continue
-        found[name].append(Row(number, words))
-    for name in ("types", "points", "lines"):
-        if not found[name]:
-            notes.refuse(0, "", f"the section with {name} is missing or empty")
+        elif words:
+            found[_SECTIONS[section]].append(Row(number, words))
+    notes.want(found)
     return found
 
 

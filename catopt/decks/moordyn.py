@@ -8,10 +8,9 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping
-from types import MappingProxyType
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.decks.deck import Deck, LineType, Notes, Piece, Point, Row
+from catopt.decks.deck import Deck, End, Limits, LineType, Notes, Piece, Point, Row
 
 _SECTIONS = (
     (r"ROD\s+(TYPES|DICTIONARY)", "rod types"),
@@ -28,16 +27,14 @@ _SECTIONS = (
 )
 """Key words of the sections; the first that is found decides."""
 
-_REFUSED = MappingProxyType(
-    {
-        "rods": "catopt has no rods; hold the lines' ends where the rod would (Fixed or Coupled)",
-        "failures": "lines do not fail in a case; take the section out, and see catopt system "
-        "--without for a lost line",
-        "control": "lines that are paid out or hauled in have no case; give each its length and "
-        "take the section out",
-        "external loads": "forces and dampings of their own have no case; take the section out",
-    }
-)
+_REFUSED = {
+    "rods": "catopt has no rods; hold the lines' ends where the rod would (Fixed or Coupled)",
+    "failures": "lines do not fail in a case; take the section out, and see catopt system "
+    "--without for a lost line",
+    "control": "lines that are paid out or hauled in have no case; give each its length and "
+    "take the section out",
+    "external loads": "forces and dampings of their own have no case; take the section out",
+}
 """Sections that change the answer, with the way out."""
 
 _MEANINGS = {
@@ -55,13 +52,12 @@ _MEANINGS = {
 _NAMES = {key: meaning for meaning, keys in _MEANINGS.items() for key in keys.split()}
 """What the keys of OPTIONS mean, in lower case; several readers, several names."""
 
-_ENDS: Mapping[str, str] = MappingProxyType(
-    {
-        **dict.fromkeys(("fixed", "fix", "anchor"), "fixed"),
-        **dict.fromkeys(("coupled", "vessel", "ves", "cpld", "fairlead"), "coupled"),
-        **dict.fromkeys(("free", "point", "connect", "con"), "free"),
-    }
-)
+_KINDS: Mapping[End, str] = {
+    "fixed": "fixed fix anchor",
+    "coupled": "coupled vessel ves cpld fairlead",
+    "free": "free point connect con",
+}
+_ENDS = {word: end for end, words in _KINDS.items() for word in words.split()}
 _BED = frozenset({"seabed", "ground", "floor"})
 _COLUMNS_1, _COLUMNS_2 = 9, (10, 11, 13)
 """Of LINE TYPES, in the two versions."""
@@ -80,29 +76,22 @@ def parse_moordyn(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
         notes.say("outputs", line=sections["outputs"][0].number)
     for row in sections.get("rod types", ()):
         notes.say("rod_type", line=row.number, name=row.words[0])
-    for name in ("types", "points", "lines"):
-        if not sections.get(name):
-            notes.refuse(0, "", f"the section with {name} is missing or empty")
+    notes.want(sections)
     options = _options(sections.get("options", []), notes, given)
     first = sections["types"][0] if sections.get("types") else None
     is_first_version = first is not None and len(first.words) == _COLUMNS_1
     notes.say("version", version=1 if is_first_version else 2)
     bodies = dict(_bodies(sections.get("bodies", []), notes))
-    depth = options["depth"]
+    gravity, density, depth, friction = (
+        options[k] for k in ("gravity", "density", "depth", "friction")
+    )
     types = {row: _type(row, notes) for row in sections.get("types", ())}
     points = {row: _point(row, depth, bodies, notes) for row in sections.get("points", ())}
     pieces = [_piece(row, notes, first=is_first_version) for row in sections.get("lines", ())]
-    if options["friction"] > 0.0:
-        notes.say("friction_at_rest", friction=options["friction"])
-    return Deck(
-        options["gravity"],
-        options["density"],
-        depth,
-        notes.by_name(types),
-        notes.by_name(points),
-        pieces,
-        options["friction"],
-    )
+    if friction > 0.0:
+        notes.say("friction_at_rest", friction=friction)
+    named = notes.by_name(types), notes.by_name(points)
+    return Deck(gravity, density, depth, *named, pieces, friction)
 
 
 def _sections(text: str, notes: Notes) -> dict[str, list[Row]]:
@@ -184,7 +173,7 @@ def _option(row: Row, meaning: str, found: dict[str, float], notes: Notes) -> No
         return
     if meaning in found:
         notes.say("twice", line=row.number, key=key, value=value)
-    low = {"at_least": 0.0} if meaning == "friction" else {"above": 0.0}
+    low: Limits = {"at_least": 0.0} if meaning == "friction" else {"above": 0.0}
     found[meaning] = notes.value(row.number, value, key, **low)
 
 
@@ -271,7 +260,7 @@ def _bodies(rows: list[Row], notes: Notes) -> Iterator[tuple[str, Point]]:
             notes.refuse(row.number, f"{turned[0]:g} {turned[1]:g} {turned[2]:g} deg", allowed)
         if end == "coupled":
             notes.say("body", line=row.number, name=row.words[0])
-        yield row.words[0], Point(row.number, row.words[0], end, x, y, z)  # type: ignore[arg-type]
+        yield row.words[0], Point(row.number, row.words[0], end, x, y, z)
 
 
 def _point(row: Row, depth: float, bodies: Mapping[str, Point], notes: Notes) -> Point:
@@ -295,25 +284,16 @@ def _point(row: Row, depth: float, bodies: Mapping[str, Point], notes: Notes) ->
         x, y, z = x + body.x, y + body.y, z + body.z
     if len(row.words) not in (9, 12):
         notes.refuse(row.number, f"{len(row.words)} columns", "9 or 12 are wanted")
-        return Point(row.number, name, end or "free", x, y, z)  # type: ignore[arg-type]
+        return Point(row.number, name, end or "free", x, y, z)
     at = 7
     if len(row.words) == 12:
         at = 10
         if any(notes.number(row, k, "force") for k in (7, 8, 9)):
             allowed = "a constant force on a point has no case; give mass and volume instead"
             notes.refuse(row.number, " ".join(row.words[7:10]), allowed)
-    return Point(
-        row.number,
-        name,
-        end or "free",  # type: ignore[arg-type]
-        x,
-        y,
-        z,
-        notes.number(row, 5, "Mass", at_least=0.0),
-        notes.number(row, 6, "Volume", at_least=0.0),
-        notes.number(row, at, "CdA", at_least=0.0),
-        notes.number(row, at + 1, "Ca", at_least=0.0),
-    )
+    columns = ((5, "Mass"), (6, "Volume"), (at, "CdA"), (at + 1, "Ca"))
+    of_body = (notes.number(row, column, key, at_least=0.0) for column, key in columns)
+    return Point(row.number, name, end or "free", x, y, z, *of_body)
 
 
 def _piece(row: Row, notes: Notes, *, first: bool) -> Piece:

@@ -21,20 +21,12 @@ _UNREAD = {
     "unread_words": "^(name|comments|type|material|cost|anchorType|d_nom|ID|platformID|"
     "z_location|adjustable|lengthAdjust|EAd|EAd_Lm|anchor_types)$",
 }
+_ROPE_VOLUME = math.sqrt(4.0 * 679.0 / 1380.0 / math.pi)
 _FAMILIES = {
     "chain": (20.0e3, 1.80, 85.6e9, -3.93e7, 0.0, 9.11e2, 1.21e9, -2.19e9),
     "chain_studlink": (21.9e3, 1.89, 88.0e9, 0.0, 0.0, 9.11e2, 1.21e9, -2.19e9),
     "wire": (5293.0, 1.18, 97.1e9, 0.0, 0.0, 0.0, 1022e6, 0.0),
-    "polyester": (
-        679.0,
-        math.sqrt(4.0 * 679.0 / 1380.0 / math.pi),
-        0.0,
-        0.0,
-        14.0,
-        0.0,
-        308e6,
-        0.0,
-    ),
+    "polyester": (679.0, _ROPE_VOLUME, 0.0, 0.0, 14.0, 0.0, 308e6, 0.0),
 }
 """m/d2, d_vol/d, EA/d2, EA/d3, EA/MBL, MBL/d, MBL/d2, MBL/d3 by MoorPy 1.3.0, MoorProps_default."""
 

@@ -21,14 +21,9 @@ NOT_FOR_THIS: Final = (
 
 @dataclass(frozen=True)
 class Asked:
-    """What the user says beside the deck.
+    """What the user says beside the deck: m/s2, kg/m3 and m, where the deck has none.
 
-    Attributes
-    ----------
-    gravity, density, depth : float or None
-        m/s2, kg/m3 and m, where the deck has none.
-    line : int or None
-        Only this line, counted from 1 as they come in the deck.
+    `line`: only this one, counted from 1 as they come in the deck.
     """
 
     gravity: float | None = None
@@ -39,14 +34,9 @@ class Asked:
 
 @dataclass(frozen=True)
 class Imported:
-    """A deck as a case, and what has to be known of it.
+    """A deck as a case: one line between its ends, or equal lines around a body.
 
-    Attributes
-    ----------
-    case : Case
-        One line between its ends, or equal lines around a body.
-    remarks : tuple of Message
-        What decides a number, and what of the deck the case has not, with its line.
+    `remarks`: what decides a number, and what of the deck the case has not, with its line.
     """
 
     case: Case
@@ -68,13 +58,6 @@ def is_deck(text: str) -> bool:
     """
     begins = (r"(?mi)^.*---.*\bLINE\s+(TYPES|DICTIONARY)\b", *_BEGINS)
     return any(re.search(each, text) is not None for each in begins)
-
-
-def is_mappp(text: str) -> bool:
-    """Whether a deck is one of MAP++, which knows no segments of lines."""
-    return re.search(r"(?mi)^-.*SOLVER OPTIONS", text) is not None and not re.search(
-        r"(?i)numsegs", text
-    )
 
 
 def read_deck(text: str, source: str = "", asked: Asked | None = None) -> Imported:
@@ -145,7 +128,9 @@ def read_any_deck(
         if unfit(said):
             notes.refuse(row, unfit(said), "take it out of the file")
     notes.raise_if_any()
-    parse = parse_mappp if is_mappp(text) else parse_moordyn
+    parse = parse_moordyn
+    if re.search(r"(?mi)^-.*SOLVER OPTIONS", text) and not re.search(r"(?i)numsegs", text):
+        parse = parse_mappp  # which knows no segments of lines
     for begins, other in zip(_BEGINS, (parse_ontology, parse_orcaflex), strict=True):
         parse = other if re.search(begins, text) else parse
     deck = parse(text, notes, given)

@@ -10,10 +10,12 @@ import cmath
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from itertools import groupby
+from operator import attrgetter
 from statistics import fmean
 
 from catopt.decks.chains import Chain
-from catopt.decks.deck import Deck, LineType, Notes, Point
+from catopt.decks.deck import Deck, LineType, Notes, Piece, Point
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site, System
 
 ROUNDING = 5e-5
@@ -28,23 +30,37 @@ def case_of(deck: Deck, chains: Sequence[Chain], notes: Notes, title: str) -> Ca
 
     Raises InputError with everything that a case cannot say, by the lines of the file.
     """
-    used = {piece.type for chain in chains for piece in chain.pieces}
-    friction = friction_of(deck, used, notes)
+    pieces = [piece for chain in chains for piece in chain.pieces]
     ends = [point for chain in chains for point in (chain.anchor, chain.fairlead)]
-    check_depth(deck, ends, notes)
-    notes.raise_if_any()
-    for name in dict.fromkeys(piece.type for chain in chains for piece in chain.pieces):
-        say_type(deck, name, notes)
+    site, source = site_of(deck, pieces, ends, notes)
     if any(chain.fairlead.z > 0.0 for chain in chains):
         notes.say("above_water")
     lines = [_line(deck, chain) for chain in chains]
-    source = f"{notes.source}; g = {deck.gravity:g} m/s^2, water {deck.density:g} kg/m^3"
-    site = Site(deck.depth, friction, deck.density)
     make = _one_line if len(chains) == 1 else _body
     return replace(make(deck, chains, lines, site, notes), title=title, source=source)
 
 
-def friction_of(deck: Deck, used: Collection[str], notes: Notes) -> float:
+def site_of(
+    deck: Deck, pieces: Sequence[Piece], ends: Sequence[Point], notes: Notes
+) -> tuple[Site, str]:
+    """Return the site of lines and where they are from; what they are made of is checked and said.
+
+    InputError with all that was noted so far, and for ends of lines that are below the bed.
+    """
+    used = dict.fromkeys(piece.type for piece in pieces)
+    friction = _friction(deck, used, notes)
+    for point in ends:
+        if point.z < -deck.depth * (1.0 + 1e-9):
+            allowed = f"it is below the bed at {-deck.depth:g} m; give WtrDpth or Z anew"
+            notes.refuse(point.row, f"Z {point.z:g} m", allowed)
+    notes.raise_if_any()
+    for name in used:
+        _say_type(deck, name, notes)
+    source = f"{notes.source}; g = {deck.gravity:g} m/s^2, water {deck.density:g} kg/m^3"
+    return Site(deck.depth, friction, deck.density), source
+
+
+def _friction(deck: Deck, used: Collection[str], notes: Notes) -> float:
     """Take the friction of the bed: one for all, which MAP++ has by line type."""
     if deck.friction is not None:
         return deck.friction
@@ -57,15 +73,7 @@ def friction_of(deck: Deck, used: Collection[str], notes: Notes) -> float:
     return max(found)
 
 
-def check_depth(deck: Deck, ends: Sequence[Point], notes: Notes) -> None:
-    """Refuse ends of lines that are below the bed."""
-    for point in ends:
-        if point.z < -deck.depth * (1.0 + 1e-9):
-            allowed = f"it is below the bed at {-deck.depth:g} m; give WtrDpth or Z anew"
-            notes.refuse(point.row, f"Z {point.z:g} m", allowed)
-
-
-def say_type(deck: Deck, name: str, notes: Notes) -> None:
+def _say_type(deck: Deck, name: str, notes: Notes) -> None:
     """Say the weight in water of a line type, and its drag."""
     kind = deck.types[name]
     notes.say(
@@ -88,21 +96,24 @@ def weight_of(deck: Deck, kind: LineType) -> float:
     return (kind.mass - volume * deck.density) * deck.gravity
 
 
+def hung_weight(deck: Deck, point: Point) -> float:
+    """Return the weight in water of what hangs at a point, N."""
+    return (point.mass - deck.density * point.volume) * deck.gravity
+
+
 def _line(deck: Deck, chain: Chain) -> Line:
     """Put the pieces together; those of one type that follow each other are one segment."""
-    lengths: list[tuple[str, list[float]]] = []
-    for piece in chain.pieces:
-        if not lengths or lengths[-1][0] != piece.type:
-            lengths.append((piece.type, []))
-        lengths[-1][1].append(piece.length)
-    segments = [_segment(deck, name, math.fsum(each)) for name, each in lengths]
+    segments = [
+        _segment(deck, name, math.fsum(piece.length for piece in pieces))
+        for name, pieces in groupby(chain.pieces, key=attrgetter("type"))
+    ]
     loads = []
     for number, point in enumerate(chain.points[1:-1], start=1):
         if point.mass or point.volume or point.drag_area:
             loads.append(
                 PointLoad(
                     math.fsum(piece.length for piece in chain.pieces[:number]),
-                    (point.mass - deck.density * point.volume) * deck.gravity,
+                    hung_weight(deck, point),
                     mass=point.mass,
                     name=f"point {point.name}",
                     drag_area=point.drag_area or None,

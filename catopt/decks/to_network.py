@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from catopt.decks.chains import check_meeting
 from catopt.decks.deck import Deck, Notes
-from catopt.decks.to_case import check_depth, friction_of, height_of, say_type, weight_of
+from catopt.decks.to_case import height_of, hung_weight, site_of, weight_of
 from catopt.errors import InputError
-from catopt.model import Line, Segment, Site
+from catopt.model import Line, Segment
 from catopt.model.network import LineBetween, Network, Point, PointKind
 
 _KIND: dict[str, PointKind] = {"fixed": "anchor", "coupled": "fairlead", "free": "joint"}
@@ -25,20 +25,15 @@ def network_of(deck: Deck, notes: Notes, title: str) -> Network:
     Raises InputError with everything that a file of lines with joints cannot say.
     """
     meeting = check_meeting(deck, notes)
-    used = {piece.type for piece in deck.pieces}
-    friction = friction_of(deck, used, notes)
     points = [point for name, point in deck.points.items() if meeting[name]]
-    check_depth(deck, [point for point in points if point.end != "free"], notes)
-    notes.raise_if_any()
-    for name in dict.fromkeys(piece.type for piece in deck.pieces):
-        say_type(deck, name, notes)
+    ends = [point for point in points if point.end != "free"]
+    site, source = site_of(deck, deck.pieces, ends, notes)
     notes.say("at_rest_alone")
     made = []
     for point in points:
         kind = _KIND[point.end]
         if kind == "joint":
-            weight = (point.mass - deck.density * point.volume) * deck.gravity
-            made.append(Point(point.name, kind, submerged_weight=weight))
+            made.append(Point(point.name, kind, submerged_weight=hung_weight(deck, point)))
         else:
             made.append(Point(point.name, kind, point.x, point.y, height_of(deck, point.z)))
     lines = []
@@ -47,8 +42,6 @@ def network_of(deck: Deck, notes: Notes, title: str) -> Network:
         weight = weight_of(deck, kind_of)
         segment = Segment(piece.length, weight, EA=kind_of.EA, MBL=kind_of.MBL, name=piece.type)
         lines.append(LineBetween(Line([segment]), *piece.ends, name=f"{number}"))
-    source = f"{notes.source}; g = {deck.gravity:g} m/s^2, water {deck.density:g} kg/m^3"
-    site = Site(deck.depth, friction, deck.density)
     try:
         return Network(site, tuple(made), tuple(lines), title, source)
     except InputError as error:

@@ -6,13 +6,10 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, Unpack
 
-from catopt.decks.deck import Notes
+from catopt.decks.deck import Limits, Notes
 from catopt.errors import need_package
-
-if TYPE_CHECKING:
-    import yaml
 
 
 @dataclass(frozen=True)
@@ -26,16 +23,7 @@ class Item:
 class Table:
     """A mapping: what is read of it is noted, so that the rest can be named.
 
-    Parameters
-    ----------
-    row : int
-        Line of the file.
-    items : mapping of str to Item
-        By key.
-    notes : Notes
-        Takes problems and remarks.
-    opened : list of Table
-        All tables of the file that were looked into.
+    `notes` takes problems and remarks; `opened` has all tables of the file that were looked into.
     """
 
     def __init__(
@@ -63,14 +51,7 @@ class Table:
             return default
         return found.value
 
-    def number(
-        self,
-        key: str,
-        default: float | None = None,
-        *,
-        above: float = -math.inf,
-        at_least: float = -math.inf,
-    ) -> float:
+    def number(self, key: str, default: float | None = None, **limits: Unpack[Limits]) -> float:
         """Return a number; without a default it has to be there."""
         word = self.text(key)
         if not word and default is not None:
@@ -78,7 +59,7 @@ class Table:
         if not word:
             self.notes.refuse(self.row, "", f"{key} is missing")
             return math.nan
-        return self.notes.value(self.items[key].row, word, key, above=above, at_least=at_least)
+        return self.notes.value(self.items[key].row, word, key, **limits)
 
     def numbers(self, key: str, count: int) -> list[float]:
         """Return a list of numbers, NaN for each that is not given."""
@@ -125,10 +106,10 @@ class Table:
         for name in [each for each in below.items if each not in ("keys", "data")]:
             yield name, below.table(name)
 
-    def rows(self, keys: str = "keys", data: str = "data") -> Iterator[Table]:
+    def rows(self) -> Iterator[Table]:
         """Yield the rows of ``keys`` and ``data``, each as a table."""
-        heads = [str(each.value) for each in self.items_of(keys)]
-        yield from self._rows(heads, self.items_of(data))
+        heads = [str(each.value) for each in self.items_of("keys")]
+        yield from self._rows(heads, self.items_of("data"))
 
     def columns(self, first: str) -> Iterator[Table]:
         """Yield the rows below a key that names its columns, ``A, B, C``, by its first."""
@@ -176,35 +157,32 @@ def parse_yaml(text: str, notes: Notes) -> Table:
     need_package("PyYAML", "yaml", notes.source, module="yaml")
     import yaml
 
+    found = Item(1, None)
     try:
         node = yaml.compose(text, Loader=yaml.SafeLoader)
-        found = _item(node, notes, set()) if node is not None else Item(1, None)
+        found = _item(node, notes, set()) if node is not None else found
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         row = mark.line + 1 if mark is not None else 0
         notes.refuse(row, "", f"it is no YAML: {getattr(error, 'problem', None) or error}")
-        found = Item(1, None)
     except RecursionError:
         notes.refuse(0, "", "tables or lists are nested too deeply, or in themselves")
-        found = Item(1, None)
     if not notes.problems and not isinstance(found.value, dict):
         notes.refuse(found.row, "", "keys with values are wanted")
     notes.raise_if_any()
     return Table(found.row, found.value, notes, [])
 
 
-def _item(node: yaml.Node, notes: Notes, seen: set[int]) -> Item:
-    """Turn a node into an item; an alias is refused, which would let a small file grow large."""
-    import yaml
-
+def _item(node: Any, notes: Notes, seen: set[int]) -> Item:
+    """Turn a node of PyYAML into an item; an alias, which lets a small file grow, is refused."""
     row = node.start_mark.line + 1
-    if isinstance(node, yaml.ScalarNode):
+    if node.id == "scalar":
         return Item(row, None if node.tag.endswith(":null") else str(node.value))
     if id(node) in seen:
         notes.refuse(row, "an alias (*)", "write the table out where it is meant")
         return Item(row, None)
     seen.add(id(node))
-    if isinstance(node, yaml.SequenceNode):
+    if node.id == "sequence":
         return Item(row, [_item(each, notes, seen) for each in node.value])
     found: dict[str, Item] = {}
     for key, value in node.value:

@@ -24,16 +24,9 @@ LEAST_VOLUME = 1e-9
 class BodyInWater:
     """Mass (kg, or kg/m) and volume (m3, or m2) that together have a submerged weight.
 
-    Attributes
-    ----------
-    mass, volume : float
-        Of the whole body, or per unstretched length.
-    is_known : bool
-        Whether the mass is that of the case; otherwise it stands in, which changes nothing at rest.
-    drag_area : float
-        Of a point load, times its drag coefficient, m2.
-    added_mass : float
-        Coefficient of a point load, on the displaced water.
+    Both are of the whole body, or per unstretched length. `is_known`: whether the mass is that of
+    the case; otherwise it stands in, which changes nothing at rest; `drag_area`: of a point load,
+    times its drag coefficient, m2; `added_mass`: its coefficient, on the displaced water.
     """
 
     mass: float

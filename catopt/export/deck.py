@@ -18,8 +18,8 @@ def deck_of(model: Model) -> Deck:
     pieces: list[Piece] = []
     for part in model.parts:
         last = len(part.joints) - 1
-        for index, (joint, body) in enumerate(zip(part.joints, part.loads, strict=True)):
-            name = str(len(points) + 1)
+        for index, joint in enumerate(part.joints):
+            name, body = str(len(points) + 1), joint.body
             x, y, height = part.line.at(joint.arc)
             end: End = "fixed" if index == 0 else "coupled" if index == last else "free"
             of_body = (body.mass, body.volume, body.drag_area, body.added_mass)
@@ -28,7 +28,7 @@ def deck_of(model: Model) -> Deck:
         first = len(points) - last
         for number, piece in enumerate(part.pieces, start=first):
             ends = (str(number), str(number + 1))
-            pieces.append(Piece(0, part.types[piece.segment].name, ends, piece.length))
+            pieces.append(Piece(0, piece.type.name, ends, piece.length))
     types = {each.name: _line_type(each, friction) for each in model.types}
     density = model.solved.case.site.water_density
     return Deck(STANDARD_GRAVITY, density, model.surface, types, points, pieces, friction)

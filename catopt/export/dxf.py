@@ -27,7 +27,7 @@ from catopt.export.dxf_groups import (
     tables,
     text,
 )
-from catopt.export.expected import expected, heading
+from catopt.export.expected import exported, heading
 from catopt.export.exported import Exported, Source
 from catopt.export.exported_line import ExportedLine, ExportedLines
 
@@ -119,8 +119,7 @@ def dxf_drawing(solved: ExportedLines, *, sources: Sequence[Source] = ()) -> Exp
         *section("ENTITIES", _entities(sheet, remarks)),
         (0, "EOF"),
     ]
-    answers = tuple(expected(line) for line in solved.lines)
-    return Exported("dxf", solved.case.title, file_text(groups), remarks, answers, tuple(sources))
+    return exported("dxf", solved, file_text(groups), remarks, sources)
 
 
 def _remarks(solved: ExportedLines) -> Iterator[str]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from operator import attrgetter
 from typing import Any
 
 from catopt._version import __version__
 from catopt.catenary.solution import Solution
-from catopt.export.exported import Source
+from catopt.export.exported import Exported, Format, Source
 from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.text import folded, plain, significant
 
@@ -15,7 +16,27 @@ ROUNDING = 1e-12
 """Of a number over the fairlead tension: what is below it is shown as 0."""
 
 
-def expected(line: ExportedLine) -> dict[str, Any]:
+_FOUND = (
+    ("span_m", "span", "m", "span"),
+    ("horizontal_force_N", "H", "N", "horizontal_force"),
+    ("fairlead_vertical_force_N", "V at fairlead", "N", "fairlead.vertical_force"),
+    ("fairlead_tension_N", "T at fairlead", "N", "fairlead.tension"),
+    ("anchor_tension_N", "T at anchor", "N", "anchor.tension"),
+    ("anchor_vertical_force_N", "V at anchor", "N", "anchor.vertical_force"),
+    ("grounded_length_m", "on the bed", "m", "grounded_length"),
+)
+"""Key in a document, words and unit in a file, and where a `Solution` has it."""
+
+
+def exported(
+    to: Format, solved: ExportedLines, text: str, remarks: Iterable[str], sources: Iterable[Source]
+) -> Exported:
+    """Put the text of a file together with what should be found by whoever runs it."""
+    answers = tuple(_expected(line) for line in solved.lines)
+    return Exported(to, solved.case.title, text, tuple(remarks), answers, tuple(sources))
+
+
+def _expected(line: ExportedLine) -> dict[str, Any]:
     """List what should be found: under the case's friction, and where the bed has none."""
     at_rest = None if line.at_rest is None else _forces(line.at_rest)
     return {"name": line.name, **_forces(line.solution), "without_friction": at_rest}
@@ -74,25 +95,9 @@ def _sentence(solution: Solution) -> str:
     rounding = ROUNDING * solution.fairlead.tension
     return ", ".join(
         f"{words} {significant(forces[key] if abs(forces[key]) > rounding else 0.0)} {unit}"
-        for key, words, unit in (
-            ("span_m", "span", "m"),
-            ("horizontal_force_N", "H", "N"),
-            ("fairlead_vertical_force_N", "V at fairlead", "N"),
-            ("fairlead_tension_N", "T at fairlead", "N"),
-            ("anchor_tension_N", "T at anchor", "N"),
-            ("anchor_vertical_force_N", "V at anchor", "N"),
-            ("grounded_length_m", "on the bed", "m"),
-        )
+        for key, words, unit, _ in _FOUND
     )
 
 
 def _forces(solution: Solution) -> dict[str, float]:
-    return {
-        "span_m": solution.span,
-        "horizontal_force_N": solution.horizontal_force,
-        "fairlead_vertical_force_N": solution.fairlead.vertical_force,
-        "fairlead_tension_N": solution.fairlead.tension,
-        "anchor_tension_N": solution.anchor.tension,
-        "anchor_vertical_force_N": solution.anchor.vertical_force,
-        "grounded_length_m": solution.grounded_length,
-    }
+    return {key: attrgetter(name)(solution) for key, _, _, name in _FOUND}

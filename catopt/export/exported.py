@@ -22,22 +22,9 @@ class Source:
 class Exported:
     """The input of another program.
 
-    Attributes
-    ----------
-    format : {"moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"}
-        Whose.
-    title : str
-        Of the case.
-    text : str
-        Of the file, ASCII.
-    remarks : tuple of str
-        What the other program takes otherwise than the case says; they stand in the file too.
-    expected : tuple of dict
-        Of each line, what the closed form says (`catopt.export.expected`).
-    sources : tuple of Source
-        What the case was read from.
-    version : str
-        Of catopt.
+    `title`: of the case; `text`: of the file, ASCII; `remarks`: what the other program takes
+    otherwise than the case says, which stands in the file too; `expected`: of each line, what the
+    closed form says (`catopt.export.expected`); `sources`: what the case was read from.
     """
 
     format: Format

@@ -11,27 +11,18 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.model import Case, Line
 from catopt.mooring.case import report_system
-from catopt.mooring.solution import LegState, SystemSolution
+from catopt.mooring.solution import SystemSolution
 
 
 @dataclass(frozen=True)
 class ExportedLine:
     """One line between its two ends.
 
-    Attributes
-    ----------
-    name : str
-        ``line 1``, or the name that its leg has.
-    solution : Solution
-        Its equilibrium in its own vertical plane, by closed form.
-    at_rest : Solution or None
-        The same line between the same ends on a bed without friction; None where that is no other.
-    own_tension : float
-        At the fairlead, N: of the line as the case has it, where `solution` has another EA.
-    anchor : (float, float)
-        x and y of the anchor, m.
-    heading : float
-        From the anchor to the fairlead, counter-clockwise from x, rad.
+    `name`: ``line 1``, or that of its leg; `solution`: its equilibrium in its own vertical plane;
+    `at_rest`: the same between the same ends on a bed without friction, None where that is no
+    other; `own_tension`: at the fairlead, N, of the line as the case has it, where `solution` has
+    another EA; `anchor`: its x and y, m; `heading`: from there to the fairlead, counter-clockwise
+    from x, rad.
     """
 
     name: str
@@ -52,11 +43,8 @@ class ExportedLine:
         `distance`, `height`: horizontally from the anchor, and above the bed, m.
         """
         x, y = self.anchor
-        return (
-            x + distance * math.cos(self.heading),
-            y + distance * math.sin(self.heading),
-            height,
-        )
+        cosine, sine = math.cos(self.heading), math.sin(self.heading)
+        return x + distance * cosine, y + distance * sine, height
 
     def in_plane(self, arc: float) -> tuple[float, float]:
         """Distance and height of the point `arc` (m, unstretched) from the anchor, m."""
@@ -142,21 +130,17 @@ def _body(case: Case, EA: float | None) -> ExportedLines:
         case = replace(case, system=replace(case.system, legs=legs))
         solved = report_system(case).solution
     lines = tuple(
-        _of_leg(state, number, before.tension)
+        ExportedLine(
+            state.leg.name or f"line {number}",
+            state.solution,
+            _at_rest(state.solution),
+            before.tension,
+            anchor=state.leg.anchor,
+            heading=state.direction + math.pi,
+        )
         for number, (state, before) in enumerate(zip(solved.lines, own.lines, strict=True), start=1)
     )
     return ExportedLines(case, lines, solved, EA, own.warnings)
-
-
-def _of_leg(state: LegState, number: int, own_tension: float) -> ExportedLine:
-    return ExportedLine(
-        state.leg.name or f"line {number}",
-        state.solution,
-        _at_rest(state.solution),
-        own_tension,
-        anchor=state.leg.anchor,
-        heading=state.direction + math.pi,
-    )
 
 
 def _with_EA(line: Line, EA: float) -> Line:

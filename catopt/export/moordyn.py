@@ -7,17 +7,32 @@ numbers stands before the first section, where both programs pass over it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
-from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck
 from catopt.export.deck import deck_of
-from catopt.export.expected import expected, heading
+from catopt.export.expected import exported, heading
 from catopt.export.exported import Exported, Source
 from catopt.export.exported_line import ExportedLines
-from catopt.export.moordyn_model import DAMPING, ELEMENTS, STEP, Model, model_of
+from catopt.export.moordyn_model import ELEMENTS, ROUNDING, Model, model_of, resting
 from catopt.export.moordyn_remarks import remarks_of
 from catopt.export.text import significant
+
+SINKING = 1e-3
+"""How deep the bed's springs let the line's own weight sink in, m."""
+
+OWN_STIFFNESS = 3.0e6
+"""MoorDyn's own bottom stiffness, Pa/m, where nothing lies on the bed by its weight."""
+
+STEP = 0.4
+"""Time step over the time that a wave of tension takes through the shortest element.
+
+MoorDyn's RK2 with a damping of 0.8 of critical is stable to 0.95.
+"""
+
+DAMPING = 0.8
+"""Of each element, over critical: MoorDyn's recommendation, written as -0.8."""
 
 
 def moordyn_input(
@@ -41,16 +56,9 @@ def moordyn_input(
         *_line_types(deck),
         *_points(deck),
         *_lines(deck, model),
-        *_options(model),
+        *_options(deck, model),
     ]
-    return Exported(
-        "moordyn",
-        solved.case.title,
-        "\n".join(lines) + "\n",
-        remarks,
-        tuple(expected(line) for line in solved.lines),
-        tuple(sources),
-    )
+    return exported("moordyn", solved, "\n".join(lines) + "\n", remarks, sources)
 
 
 def _header(model: Model, remarks: Sequence[str], sources: Sequence[Source]) -> Iterator[str]:
@@ -78,7 +86,7 @@ def _missed(model: Model) -> float:
     for part in model.parts:
         H = part.line.expected.horizontal_force
         for piece in part.pieces if H > 0.0 else ():
-            weight = abs(part.types[piece.segment].segment.submerged_weight)
+            weight = abs(piece.type.segment.submerged_weight)
             missed.append(weight * (piece.length / piece.elements) ** 2 / (8.0 * H))
     return max(missed)
 
@@ -109,25 +117,28 @@ def _lines(deck: Deck, model: Model) -> Iterator[str]:
     yield "--- LINES ---"
     yield "ID LineType AttachA AttachB UnstrLen NumSegs Outputs"
     yield "(#) (name) (#) (#) (m) (-) (-)"
-    elements = (piece.elements for part in model.parts for piece in part.pieces)
-    for number, (piece, count) in enumerate(zip(deck.pieces, elements, strict=True), start=1):
+    for number, (piece, cut) in enumerate(zip(deck.pieces, model.pieces, strict=True), start=1):
         ends = " ".join(piece.ends)
-        yield f"{number} {piece.type} {ends} {significant(piece.length)} {count} -"
+        yield f"{number} {piece.type} {ends} {significant(piece.length)} {cut.elements} -"
 
 
-def _options(model: Model) -> Iterator[str]:
-    site = model.solved.case.site
-    friction = max(line.solution.seabed_friction for line in model.solved.lines)
+def _options(deck: Deck, model: Model) -> Iterator[str]:
+    stiffness = _bed_stiffness(model)
+    step, damping = _step(model, stiffness), _bed_damping(model, stiffness)
     yield "--- OPTIONS ---"
     for value, key, words in (
         (0.0, "writeLog", "no log file"),
-        (model.step, "dtM", f"time step (s): {STEP:g} of a tension wave through an element"),
-        (STANDARD_GRAVITY, "g", "standard gravity (m/s^2)"),
-        (site.water_density, "rho", "water density (kg/m^3)"),
-        (model.surface, "WtrDpth", "water depth (m)"),
-        (model.bed_stiffness, "kBot", "bed stiffness (Pa/m): what lies on it sinks in by 1 mm"),
-        (model.bed_damping, "cBot", "bed damping (Pa-s/m): critical"),
-        (friction, "FrictionCoefficient", "of line on bed; acts on what moves"),
+        (
+            _rounded_down(step),
+            "dtM",
+            f"time step (s): {STEP:g} of a tension wave through an element",
+        ),
+        (deck.gravity, "g", "standard gravity (m/s^2)"),
+        (deck.density, "rho", "water density (kg/m^3)"),
+        (deck.depth, "WtrDpth", "water depth (m)"),
+        (stiffness, "kBot", "bed stiffness (Pa/m): what lies on it sinks in by 1 mm"),
+        (_rounded_down(damping), "cBot", "bed damping (Pa-s/m): critical"),
+        (deck.friction or 0.0, "FrictionCoefficient", "of line on bed; acts on what moves"),
         (1.0, "ICgenDynamic", "let it come to rest by itself: MoorDyn's other way can stop early"),
         (100.0, "CdScaleIC", "drag while it comes to rest, over that of the line"),
         (1.0, "dtIC", "how long the tensions have to keep still (s)"),
@@ -136,3 +147,50 @@ def _options(model: Model) -> Iterator[str]:
     ):
         yield f"{significant(value)} {key} {words}"
     yield "--- END ---"
+
+
+def _bed_stiffness(model: Model) -> float:
+    """Return a stiffness by which lines, and weights that lie on the bed, sink in by 1 mm."""
+    wanted = [
+        each.segment.submerged_weight / (each.body.diameter * SINKING) for each in model.types
+    ]
+    for part, index, reaction in resting(model.parts):
+        area = sum(
+            0.5 * piece.length / piece.elements * piece.type.body.diameter
+            for piece in part.pieces[index - 1 : index + 1]
+        )
+        wanted.append(reaction / (area * SINKING))
+    largest = max(wanted)
+    if largest <= 0.0:
+        return OWN_STIFFNESS
+    unit = _unit(largest)
+    return math.ceil(largest / unit * (1.0 - ROUNDING)) * unit
+
+
+def _bed_damping(model: Model, stiffness: float) -> float:
+    """Return what is critical for the line that is the lightest for its diameter."""
+    return min(
+        2.0 * math.sqrt(stiffness * each.body.mass / each.body.diameter) for each in model.types
+    )
+
+
+def _step(model: Model, stiffness: float) -> float:
+    """Return a step at which neither the line's nor the bed's springs make the run unstable."""
+    times = []
+    for piece in model.pieces:
+        kind, element = piece.type, piece.length / piece.elements
+        times.append(element * math.sqrt(kind.body.mass / kind.segment.EA))
+        times.append(math.sqrt(kind.body.mass / (stiffness * kind.body.diameter)))
+    return STEP * min(times)
+
+
+def _rounded_down(value: float) -> float:
+    """Round to two significant digits, towards 0."""
+    unit = _unit(value)
+    return math.floor(value / unit * (1.0 + ROUNDING)) * unit
+
+
+def _unit(value: float) -> float:
+    """Return what the second significant digit counts."""
+    scale: float = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return scale

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from catopt.export.body_in_water import (
-    STEEL_DENSITY,
-)
+from catopt.export.body_in_water import STEEL_DENSITY
 from catopt.export.exported_line import ExportedLines
-from catopt.export.moordyn_model import Model, Part, is_above, resting
+from catopt.export.moordyn_model import Model, is_above, resting
 from catopt.export.text import significant
 from catopt.model import Segment
 from catopt.words.message import Message
@@ -62,7 +60,7 @@ def _on_stand_ins(model: Model) -> Iterator[str]:
             f"mass in air not known of {', '.join(unknown)}: that of steel ({STEEL_DENSITY:g} "
             "kg/m3) with the submerged weight of the case stands in. At rest it changes nothing."
         )
-    if any(not body.is_known for part in model.parts for body in part.loads):
+    if any(not joint.body.is_known for part in model.parts for joint in part.joints):
         yield (
             "mass in air not known of a point load: a weight without volume, or a volume without "
             "mass, with its submerged weight stands in. At rest it changes nothing."
@@ -94,18 +92,17 @@ def _on_the_bed(model: Model) -> Iterator[str]:
             "a point load rests on the bed: a point of MoorDyn does not feel the bed, the line at "
             "its two sides carries it, for which kBot is made stiff enough to let it sink by 1 mm."
         )
-    if any(low for part in model.parts for low in _near_the_bed(part)):
+    heights = (
+        part.line.at(joint.arc)[2]
+        for part in model.parts
+        for joint in part.joints
+        if joint.body.mass > 0.0 or joint.body.volume > 0.0
+    )
+    if any(height < MOORPY_REACH for height in heights):
         yield (
             "MoorPy lets the bed carry some of a point load that hangs less than 2 m above it: set "
             "zTol of its points to 0.001 before it solves."
         )
-
-
-def _near_the_bed(part: Part) -> Iterator[bool]:
-    """Yield for each joint that bears a weight whether it is within MoorPy's reach of the bed."""
-    for joint, body in zip(part.joints, part.loads, strict=True):
-        if body.mass > 0.0 or body.volume > 0.0:
-            yield part.line.at(joint.arc)[2] < MOORPY_REACH
 
 
 def _on_the_water(model: Model) -> Iterator[str]:

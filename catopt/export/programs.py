@@ -10,7 +10,7 @@ from typing import Literal
 from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, Point
 from catopt.export.deck import deck_of
-from catopt.export.expected import expected, heading
+from catopt.export.expected import exported, heading
 from catopt.export.exported import Exported, Source
 from catopt.export.exported_line import ExportedLines
 from catopt.export.mappp import mappp_lines
@@ -28,19 +28,10 @@ ProgramFormat = Literal["map", "moorpy", "ontology", "orcaflex"]
 class Program:
     """A program that takes lines at rest.
 
-    Attributes
-    ----------
-    name : str
-        Of the program.
-    first : str
-        What the file is.
-    lines : callable
-        From the deck, and what the file says of itself, to its lines.
-    remarks : callable
-        What the program takes otherwise.
-    true_depth : bool
-        Whether all of a line weighs what it weighs in water, above the water too; for another
-        program the depth is raised to the highest point of the lines.
+    `first`: what the file is; `lines`: from the deck, and what the file says of itself, to its
+    lines; `remarks`: what the program takes otherwise; `true_depth`: whether all of a line weighs
+    what it weighs in water, above the water too; for another program the depth is raised to the
+    highest point of the lines.
     """
 
     name: str
@@ -55,14 +46,8 @@ def program_input(
 ) -> Exported:
     """Write lines for a program.
 
-    Parameters
-    ----------
-    to : {"map", "moorpy", "ontology", "orcaflex"}
-        Which one.
-    solved : ExportedLines
-        The lines where they hang; every segment has an EA.
-    sources : sequence of Source
-        What the case was read from.
+    `solved`: the lines where they hang; every segment has an EA; `sources`: what the case was read
+    from.
 
     Raises
     ------
@@ -85,10 +70,8 @@ def program_input(
     model = model_of(solved, true_depth=program.true_depth, program=program.name)
     remarks = (*common_remarks(model), *program.remarks(model), *_of_the_water(model))
     said = heading(program.first, solved, (), remarks, sources)
-    lines = program.lines(deck_of(model), said)
-    answers = tuple(expected(line) for line in solved.lines)
-    text = "\n".join(lines) + "\n"
-    return Exported(to, solved.case.title, text, remarks, answers, tuple(sources))
+    text = "\n".join(program.lines(deck_of(model), said)) + "\n"
+    return exported(to, solved, text, remarks, sources)
 
 
 def _of_the_water(model: Model) -> Iterator[str]:
@@ -131,7 +114,7 @@ def _of_ontology(model: Model) -> Iterator[str]:
 
 def _of_orcaflex(model: Model) -> Iterator[str]:
     yield Message("export.orcaflex", contact=max(each.body.diameter for each in model.types))
-    if any(body.drag_area for part in model.parts for body in part.loads):
+    if any(joint.body.drag_area for part in model.parts for joint in part.joints):
         yield Message("export.orcaflex_clumps")
 
 

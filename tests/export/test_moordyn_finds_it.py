@@ -20,8 +20,7 @@ from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
 from catopt.export.body_in_water import of_segment
 from catopt.export.exported_line import ExportedLine, ExportedLines, exported_lines
-from catopt.export.moordyn import moordyn_input
-from catopt.export.moordyn_model import SINKING
+from catopt.export.moordyn import SINKING, moordyn_input
 
 from .cases import FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
 

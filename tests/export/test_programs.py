@@ -56,7 +56,7 @@ def test_a_map_file_reads_back_as_the_same_deck(case: Case, EA: float | None) ->
     notes = Notes()
     given = {"gravity": G, "density": written.density, "depth": written.depth}
     back = parse_mappp(program_input("map", solved).text, notes, given)
-    assert notes.problems == []
+    assert not notes.problems
     assert bare(back) == bare(written)
 
 
