@@ -114,15 +114,10 @@ def solve_system_many(
 
 
 class Batch:
-    """A system at its zero-load position, ready for loads in compiled code.
+    """A system at its zero-load position, ready for loads in compiled code; its own plays no part.
 
     Worth keeping where loads come a few at a time: the zero-load position, some milliseconds, is
     found once.
-
-    Parameters
-    ----------
-    system : System
-        Its own load plays no part.
 
     Raises
     ------
@@ -142,11 +137,13 @@ class Batch:
         zero_load = self._zero_load
         neutral = zero_load.neutral
         status, line, steps = (np.empty(n, dtype=np.int64) for _ in range(3))
-        body = np.empty(n * len(BODY))
-        per_line = np.empty(n * len(PER_LINE) * count)
+        body = np.empty(n * BODY)
+        per_line = np.empty(n * PER_LINE * count)
         if n > 0:
             compiled(static_equilibria, _A_LINE * n * count)(
-                *(np.full(n, value) for value in (neutral.x, neutral.y, neutral.yaw)),
+                neutral.x,
+                neutral.y,
+                neutral.yaw,
                 np.ascontiguousarray(forces[:, 0]),
                 np.ascontiguousarray(forces[:, 1]),
                 moments,
@@ -161,8 +158,8 @@ class Batch:
                 per_line,
             )
         solved = status == CONVERGED
-        body = np.where(solved[:, None], body.reshape(n, len(BODY)), np.nan)
-        lines = np.where(solved[:, None, None], per_line.reshape(n, len(PER_LINE), count), np.nan)
+        body = np.where(solved[:, None], body.reshape(n, BODY), np.nan)
+        lines = np.where(solved[:, None, None], per_line.reshape(n, PER_LINE, count), np.nan)
         return SystemSolutions(
             status,
             line,

@@ -47,11 +47,6 @@ def one_line_out(system: System) -> tuple[LineOut, ...]:
 
     What happens on the way there, when the line parts, is dynamics and not looked at.
 
-    Parameters
-    ----------
-    system : System
-        With its load.
-
     Raises
     ------
     NoEquilibriumError, NotConvergedError

@@ -2,39 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Any
 
 from catopt.mooring.arrangement import Arrangement, Lines
 from catopt.mooring.balance import pull_at
 from catopt.mooring.descent import BodyLoad, BodyProblem, Freedom
 from catopt.mooring.static_equilibrium import static_equilibrium
 
-BODY: Final = (
-    "x",
-    "y",
-    "yaw",
-    "force_error",
-    "moment_error",
-    "pull_x",
-    "pull_y",
-    "pull_moment",
-    "xx",
-    "xy",
-    "yy",
-    "xm",
-    "ym",
-    "mm",
-)
-"""Columns that `static_equilibria` writes of the body, as in Rest and Pull."""
-
-PER_LINE: Final = ("H", "V", "span", "grounded", "H_anchor", "V_anchor")
-"""Columns that it writes of each line, as in Lines."""
+BODY, PER_LINE = 14, 6
+"""Columns that are written of the body: x, y, yaw, force_error, moment_error as in Rest and x, y,
+moment, xx, xy, yy, xm, ym, mm as in Pull; of each line: H, V, span, grounded, H_anchor, V_anchor
+as in Lines."""
 
 
 def static_equilibria(
-    x: Any,
-    y: Any,
-    yaw: Any,
+    x: float,
+    y: float,
+    yaw: float,
     force_x: Any,
     force_y: Any,
     moment: Any,
@@ -50,24 +34,21 @@ def static_equilibria(
 ) -> None:
     """Bring the body to rest under each load, every time from the same start.
 
-    x, y, yaw are where the body starts, or is held. `start`, what is known of the lines near there,
-    is written to; `lines` is work space. Also written: status, line, steps as in Rest; `body` load
-    after load by BODY; `per_line` for each load, for each column of PER_LINE, line after line.
+    x, y, yaw are where the body starts. `start`, what is known of the lines near there, is written
+    to; `lines` is work space. Also written: status, line, steps as in Rest; `body` load after load
+    by BODY; `per_line` for each load, for each column of PER_LINE, line after line.
     """
     count = len(arrangement.anchor_x)
-    pull = pull_at(x[0], y[0], yaw[0], arrangement, start, True)
-    for i in range(len(x)):
-        if i > 0 and (x[i] != x[i - 1] or y[i] != y[i - 1] or yaw[i] != yaw[i - 1]):
-            pull = pull_at(x[i], y[i], yaw[i], arrangement, start, True)
+    pull = pull_at(x, y, yaw, arrangement, start, True)
+    for i in range(len(force_x)):
         for k in range(count):
             lines.H[k], lines.V[k], lines.span[k] = start.H[k], start.V[k], start.span[k]
             lines.H_S[k], lines.V_S[k] = start.H_S[k], start.V_S[k]
             lines.grounded[k] = start.grounded[k]
             lines.H_anchor[k], lines.V_anchor[k] = start.H_anchor[k], start.V_anchor[k]
         load = BodyLoad(force_x[i], force_y[i], moment[i])
-        rest = static_equilibrium(
-            x[i], y[i], yaw[i], pull, BodyProblem(load, freedom, arrangement, lines)
-        )
+        problem = BodyProblem(load, freedom, arrangement, lines)
+        rest = static_equilibrium(x, y, yaw, pull, problem)
         status[i], line[i], steps[i] = rest.status, rest.line, rest.steps
         end = rest.pull
         at = i * 14

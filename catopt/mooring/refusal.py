@@ -5,11 +5,7 @@ from __future__ import annotations
 import math
 
 from catopt.catenary.state import NOT_CONVERGED, TOO_SHORT
-from catopt.errors import (
-    CatoptError,
-    NoEquilibriumError,
-    NotConvergedError,
-)
+from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError
 from catopt.model.system import System
 from catopt.mooring.descent import Rest
 from catopt.words import Message
@@ -21,22 +17,6 @@ def refusal(rest: Rest, system: System) -> CatoptError:
         key = "mooring.not_at_rest" if rest.line < 0 else "mooring.not_at_rest_for_line"
         values = {"steps": rest.steps, "x": rest.x, "y": rest.y, "number": rest.line + 1}
         return NotConvergedError(Message(key, **values))
-    return _of_line(rest, system)
-
-
-def turns_over(moment: float, rest: Rest) -> CatoptError:
-    """Say that the lines cannot carry a moment (N m), and the largest that they carry."""
-    missing = rest.moment_error
-    # Over a full turn the moment of the lines has a mean of zero: below that is rounding.
-    largest = max(abs(moment) - missing, 0.0)
-    return NoEquilibriumError(
-        Message("mooring.turns_over", moment=moment, largest=largest, missing=missing),
-        "moment",
-        missing,
-    )
-
-
-def _of_line(rest: Rest, system: System) -> CatoptError:
     leg = system.legs[rest.line]
     fairlead = leg.fairlead
     cosine, sine = math.cos(rest.yaw), math.sin(rest.yaw)
@@ -46,8 +26,14 @@ def _of_line(rest: Rest, system: System) -> CatoptError:
     )
     assert rest.status == TOO_SHORT
     missing = math.hypot(span, leg.fairlead_height - leg.anchor_height) - leg.line.length
-    return NoEquilibriumError(
-        Message("mooring.too_short", number=rest.line + 1, span=span, missing=missing),
-        "length",
-        missing,
-    )
+    values = {"number": rest.line + 1, "span": span, "missing": missing}
+    return NoEquilibriumError(Message("mooring.too_short", **values), "length", missing)
+
+
+def turns_over(moment: float, rest: Rest) -> CatoptError:
+    """Say that the lines cannot carry a moment (N m), and the largest that they carry."""
+    missing = rest.moment_error
+    # Over a full turn the moment of the lines has a mean of zero: below that is rounding.
+    largest = max(abs(moment) - missing, 0.0)
+    values = {"moment": moment, "largest": largest, "missing": missing}
+    return NoEquilibriumError(Message("mooring.turns_over", **values), "moment", missing)

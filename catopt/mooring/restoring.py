@@ -10,7 +10,7 @@ from typing import Any
 from catopt.model.system import System
 from catopt.model.validity import Findings
 from catopt.mooring.response import Response, response_of
-from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
+from catopt.mooring.zero_load import zero_load_position
 
 __all__ = ["RestoringCurve", "offset_curve", "restoring_curve"]
 
@@ -64,16 +64,9 @@ class RestoringCurve:
 def restoring_curve(
     system: System, *, direction: float, offsets: Sequence[float]
 ) -> RestoringCurve:
-    """Force that holds a body at offsets along a direction.
+    """Force that holds a body at offsets along a direction; the system's own load plays no part.
 
-    Parameters
-    ----------
-    system : System
-        Its own load plays no part.
-    direction : float
-        Counter-clockwise from x, rad.
-    offsets : sequence of float
-        From the zero-load position along the direction, m.
+    `direction`: counter-clockwise from x, rad; `offsets`: from the zero-load position along it, m.
 
     Raises
     ------
@@ -82,77 +75,45 @@ def restoring_curve(
     InputError, NotConvergedError
         As for `solve_system`.
     """
-    _check("offsets", offsets, direction, "m")
-    zero_load = zero_load_position(system)
-    cosine, sine = math.cos(direction), math.sin(direction)
-    points = []
-    for offset in offsets:
-        x = zero_load.neutral.x + offset * cosine
-        y = zero_load.neutral.y + offset * sine
-        rest, lines = zero_load.held(x, y)
-        along = -(rest.pull.x * cosine + rest.pull.y * sine)
-        across = -(rest.pull.y * cosine - rest.pull.x * sine)
-        points.append((float(offset), 0.0, along, across, response_of(zero_load, rest, lines)))
-    return _curve(zero_load, direction, True, points)
+    return _curve(system, direction, offsets, is_held=True)
 
 
 def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -> RestoringCurve:
-    """Offset of a free body under forces along a direction.
+    """Offset of a free body under forces along a direction; its own load plays no part.
 
-    Parameters
-    ----------
-    system : System
-        Its own load plays no part.
-    direction : float
-        Counter-clockwise from x, rad.
-    forces : sequence of float
-        On the body along the direction, N.
+    `direction`: counter-clockwise from x, rad; `forces`: on the body along it, N.
 
     Raises
     ------
     InputError, NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
-    _check("forces", forces, direction, "N")
-    zero_load = zero_load_position(system)
-    cosine, sine = math.cos(direction), math.sin(direction)
-    points = []
-    for force in forces:
-        rest, lines = zero_load.under((force * cosine, force * sine))
-        x, y = rest.x - zero_load.neutral.x, rest.y - zero_load.neutral.y
-        points.append(
-            (
-                x * cosine + y * sine,
-                y * cosine - x * sine,
-                float(force),
-                0.0,
-                response_of(zero_load, rest, lines),
-            )
-        )
-    return _curve(zero_load, direction, False, points)
+    return _curve(system, direction, forces, is_held=False)
 
 
 def _curve(
-    zero_load: ZeroLoadPosition,
-    direction: float,
-    is_held: bool,
-    points: Sequence[tuple[float, float, float, float, Response]],
+    system: System, direction: float, values: Sequence[float], *, is_held: bool
 ) -> RestoringCurve:
-    return RestoringCurve(
-        zero_load.system,
-        direction,
-        is_held,
-        offset=tuple(point[0] for point in points),
-        across=tuple(point[1] for point in points),
-        force=tuple(point[2] for point in points),
-        force_across=tuple(point[3] for point in points),
-        responses=tuple(point[4] for point in points),
-    )
-
-
-def _check(key: str, values: Sequence[float], direction: float, unit: str) -> None:
     found = Findings("restoring curve")
     found.number("direction", direction, "rad")
+    key, unit = ("offsets", "m") if is_held else ("forces", "N")
     for index, value in enumerate(values):
         found.number(f"{key}[{index}]", float(value), unit)
     found.raise_if_any()
+    zero_load = zero_load_position(system)
+    start = zero_load.neutral
+    cosine, sine = math.cos(direction), math.sin(direction)
+    points = []
+    for value in values:
+        if is_held:
+            rest, lines = zero_load.held(start.x + value * cosine, start.y + value * sine)
+            x, y = rest.pull.x, rest.pull.y
+        else:
+            rest, lines = zero_load.under((value * cosine, value * sine))
+            x, y = rest.x - start.x, rest.y - start.y
+        along, across = x * cosine + y * sine, y * cosine - x * sine
+        known = (float(value), 0.0)
+        numbers = (*known, -along, -across) if is_held else (along, across, *known)
+        points.append((*numbers, response_of(zero_load, rest, lines)))
+    columns = zip(*points, strict=True) if points else [()] * 5
+    return RestoringCurve(system, direction, is_held, *columns)

@@ -15,38 +15,28 @@ FEWEST_LINES = 4
 """Two lines carry FT = F, not the half of F that N / 4 would say."""
 
 
-def loaded_half(lines: int) -> tuple[tuple[float, float], ...]:
-    """Lines that the rule counts, for a force along one of an even number of evenly spaced lines.
-
-    For each line less than a quarter turn from the force: its angle to the force, rad, and its
-    horizontal force over that of the most loaded line, which is the cosine of the angle. Lines a
-    quarter turn or more away carry nothing. InputError: fewer than 4 lines, or an odd number.
-    """
-    if lines < FEWEST_LINES or lines % 2:
-        problem = Problem("lines", str(lines), "the rule wants an even number, 4 or more")
-        raise InputError([problem], "load sharing")
-    last = (lines - 1) // 4
-    angles = [2.0 * math.pi * k / lines for k in range(-last, last + 1)]
-    return tuple((angle, math.cos(angle)) for angle in angles)
-
-
 def load_sharing_factor(lines: int) -> float:
     """Force that the lines carry together, over the horizontal force of the most loaded one.
 
     The rule of practice (ARGEMA) that S4 quotes: for N evenly spaced lines and a force along one of
     them, that line carries F and the others of the loaded half F cos(angle), each along itself.
-    Their sum along the force is (N / 4) F.
+    Lines a quarter turn or more away carry nothing. The sum along the force is (N / 4) F.
 
     It is the balance of equal lines without pretension whose pull grows in proportion to how far
     they are drawn out. It is no equilibrium of catenaries, which stiffen as they are drawn out and
-    pull on the other side too.
+    pull on the other side too. InputError: fewer than 4 lines, or an odd number.
 
     Examples
     --------
     >>> round(load_sharing_factor(6), 12)
     1.5
     """
-    return math.fsum(share * math.cos(angle) for angle, share in loaded_half(lines))
+    if lines < FEWEST_LINES or lines % 2:
+        problem = Problem("lines", str(lines), "the rule wants an even number, 4 or more")
+        raise InputError([problem], "load sharing")
+    last = (lines - 1) // 4
+    shares = [math.cos(2.0 * math.pi * k / lines) for k in range(-last, last + 1)]
+    return math.fsum(share * share for share in shares)
 
 
 SAME_ANGLE = 1e-6
@@ -80,27 +70,27 @@ def sharing_rule(system: System) -> SharingRule:
     """
     count = len(system.legs)
     if count < FEWEST_LINES or count % 2:
-        return _not(Message("mooring.wants_even", count=count))
+        return _not("even", count=count)
     first = system.legs[0]
     for leg in system.legs:
         is_same = leg.line == first.line and leg.anchor_radius == first.anchor_radius
         if not is_same or leg.fairlead_height != first.fairlead_height:
-            return _not(Message("mooring.wants_equal"))
+            return _not("equal")
     turns = sorted((leg.azimuth - first.azimuth) % (2.0 * math.pi) for leg in system.legs)
     for index, turn in enumerate(turns):
         even = 2.0 * math.pi * index / count
         if min(abs(turn - even), abs(turn - even - 2.0 * math.pi)) > SAME_ANGLE:
-            return _not(Message("mooring.wants_spaced"))
+            return _not("spaced")
     force = math.hypot(*system.force)
     if force == 0.0 or system.moment != 0.0:
-        return _not(Message("mooring.wants_force"))
+        return _not("force")
     against = math.atan2(-system.force[1], -system.force[0])
     for index, leg in enumerate(system.legs):
         away = math.remainder(leg.azimuth - against, 2.0 * math.pi)
         if abs(away) <= SAME_ANGLE:
             return SharingRule(force / load_sharing_factor(count), index)
-    return _not(Message("mooring.wants_along"))
+    return _not("along")
 
 
-def _not(why: str) -> SharingRule:
-    return SharingRule(None, None, why)
+def _not(wanted: str, **values: object) -> SharingRule:
+    return SharingRule(None, None, Message(f"mooring.wants_{wanted}", **values))

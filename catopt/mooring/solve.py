@@ -116,13 +116,9 @@ def _leg_state(
     worst = max(abs(own.residual.height), abs(own.residual.span))
     if not worst <= LINE_LIMIT * max(leg.line.length, span):
         raise NotConvergedError(Message("mooring.misses_fairlead", number=index + 1, missing=worst))
-    return LegState(leg, own, (x, y), _direction(to_x, to_y))
-
-
-def _direction(x: float, y: float) -> float:
-    """Angle above -pi and up to pi, whichever side of both rounding leaves it on."""
-    angle = math.atan2(y, x)
-    return angle if angle > _AGAINST_X else math.pi
+    # Above -pi and up to pi, whichever side of both rounding leaves it on.
+    angle = math.atan2(to_y, to_x)
+    return LegState(leg, own, (x, y), angle if angle > _AGAINST_X else math.pi)
 
 
 def _warnings(
@@ -135,22 +131,12 @@ def _warnings(
     ]
     if not is_held(rest.pull, zero_load.freedom):
         found.insert(0, Message("mooring.drifts"))
-    found += [
-        Message(
-            "mooring.other_heading",
-            yaw=math.degrees(other.yaw),
-            x=_metres(other.x),
-            y=_metres(other.y),
-        )
-        for other in others
-    ]
+    for other in others:
+        x, y = (f"{round(each, 3) + 0.0:.3f}" for each in (other.x, other.y))
+        found.append(Message("mooring.other_heading", yaw=math.degrees(other.yaw), x=x, y=y))
     return tuple(found)
 
 
 def of_line(number: int, said: str) -> Message:
     """Say of which line something is said, counted from 1."""
     return Message("mooring.of_line", number=number, warning=said)
-
-
-def _metres(length: float) -> str:
-    return f"{round(length, 3) + 0.0:.3f}"

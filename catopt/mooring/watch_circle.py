@@ -50,16 +50,9 @@ class WatchCircle:
 
 
 def watch_circle(system: System, *, force: float, directions: int = 120) -> WatchCircle:
-    """Let a force go round a body.
+    """Let a force (N) go round a body in so many directions, 3 or more, evenly from 0.
 
-    Parameters
-    ----------
-    system : System
-        Its own load plays no part.
-    force : float
-        Size, N.
-    directions : int
-        How many, evenly from 0; at least 3.
+    The system's own load plays no part.
 
     Raises
     ------

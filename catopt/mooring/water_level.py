@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from catopt.errors import InputError
 from catopt.model.system import System
 from catopt.model.validity import Findings
 from catopt.mooring.response import Response, response_of
@@ -36,12 +35,7 @@ class AtLevel:
 def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
     """Solve a system at several water levels; every fairlead rises and falls with the water.
 
-    Parameters
-    ----------
-    system : System
-        With its load.
-    levels : sequence of float
-        Above that of the case, m.
+    The system is under its load; levels are above that of the case, m.
 
     Raises
     ------
@@ -51,21 +45,15 @@ def at_levels(system: System, levels: Sequence[float]) -> tuple[AtLevel, ...]:
         As for `solve_system`.
     """
     found = Findings("water levels")
+    lowest = min(leg.fairlead_height for leg in system.legs)
     for index, level in enumerate(levels):
-        lowest = min(leg.fairlead_height for leg in system.legs)
         found.number(f"levels[{index}]", float(level), "m", at_least=-lowest)
-    if found.problems:
-        raise InputError(found.problems, found.source)
+    found.raise_if_any()
     answers = []
     for level in levels:
         zero_load = zero_load_position(system.raised(float(level)))
         rest, lines = zero_load.under(system.force, system.moment)
-        pull = rest.pull
-        answers.append(
-            AtLevel(
-                float(level),
-                response_of(zero_load, rest, lines),
-                ((pull.xx, pull.xy), (pull.xy, pull.yy)),
-            )
-        )
+        stiffness = ((rest.pull.xx, rest.pull.xy), (rest.pull.xy, rest.pull.yy))
+        response = response_of(zero_load, rest, lines)
+        answers.append(AtLevel(float(level), response, stiffness))
     return tuple(answers)

@@ -125,18 +125,10 @@ def _reachable(system: System) -> tuple[float, float]:
             rise = leg.fairlead_height - leg.anchor_height
             left = leg.line.length**2 - rise**2
             if left <= 0.0:
-                missing = abs(rise) - leg.line.length
-                raise NoEquilibriumError(
-                    Message(
-                        "mooring.too_short_to_hang",
-                        number=index + 1,
-                        length=leg.line.length,
-                        rise=abs(rise),
-                        missing=missing,
-                    ),
-                    "length",
-                    missing,
-                )
+                length, missing = leg.line.length, abs(rise) - leg.line.length
+                values = {"length": length, "rise": abs(rise), "missing": missing}
+                said = Message("mooring.too_short_to_hang", number=index + 1, **values)
+                raise NoEquilibriumError(said, "length", missing)
             centre = (leg.anchor[0] - leg.fairlead[0], leg.anchor[1] - leg.fairlead[1])
             discs.append((index, centre, math.sqrt(left)))
     x, y = 0.0, 0.0
@@ -151,11 +143,8 @@ def _reachable(system: System) -> tuple[float, float]:
                 x, y = cx + share * (x - cx), cy + share * (y - cy)
         if worst_line < 0:
             return x, y
-    raise NoEquilibriumError(
-        Message("mooring.none_reach", number=worst_line + 1, missing=worst),
-        "length",
-        worst,
-    )
+    said = Message("mooring.none_reach", number=worst_line + 1, missing=worst)
+    raise NoEquilibriumError(said, "length", worst)
 
 
 def is_held(pull: Pull, freedom: Freedom) -> bool:

@@ -8,7 +8,7 @@ import pytest
 
 import catopt
 from catopt.errors import InputError
-from catopt.mooring.sharing_rule import load_sharing_factor, loaded_half
+from catopt.mooring.sharing_rule import load_sharing_factor
 
 
 def test_the_sums_of_six_eight_and_ten_lines() -> None:
@@ -26,18 +26,6 @@ def test_the_sums_of_six_eight_and_ten_lines() -> None:
 @pytest.mark.parametrize("lines", [4, 6, 8, 10, 12, 14, 36, 100])
 def test_the_factor_is_a_quarter_of_the_number_of_lines(lines: int) -> None:
     assert load_sharing_factor(lines) == pytest.approx(lines / 4.0, rel=1e-15)
-
-
-@pytest.mark.parametrize("lines", [4, 6, 8, 10])
-def test_the_loaded_half_is_symmetric_and_pulls_along_the_force_only(lines: int) -> None:
-    half = loaded_half(lines)
-    assert all(abs(angle) < 0.5 * math.pi for angle, _ in half)
-    assert len(half) == {4: 1, 6: 3, 8: 3, 10: 5}[lines]
-    assert max(share for _, share in half) == 1.0
-    # Terms of order 1 that cancel in pairs: double precision.
-    assert math.fsum(share * math.sin(angle) for angle, share in half) == pytest.approx(
-        0.0, abs=1e-15
-    )
 
 
 @pytest.mark.parametrize("lines", [-6, 0, 1, 2, 3, 5, 7, 9])
