@@ -52,24 +52,14 @@ class HeldLine:
 
 @dataclass(frozen=True)
 class HeldBody:
-    """What the lines do to a body that is held.
+    """What the lines do to a body that is held at a displacement: m and rad, by FREEDOMS.
 
-    Attributes
-    ----------
-    displacement : tuple of 6 float
-        Surge, sway, heave (m), roll, pitch, yaw (rad).
-    origin_height : float
-        Of the body's origin above the bed when nothing is displaced, m.
-    lines : tuple of HeldLine
-        In the order of `System.legs`.
-    load : tuple of 6 float
-        Of the lines on the body: three forces (N), three moments about its origin (N m). The
-        body's own weight and buoyancy are no part of it.
-    stiffness : tuple of 6 tuples of 6 float
-        Minus the derivatives of the load by a small further displacement: N/m, N, N m/rad.
-        Rotations are about axes through the origin that stay parallel to x, y and z. It is
-        symmetric where the moment of the lines about the origin is zero and no line lies on a bed
-        with friction.
+    `origin_height`: of the body's origin above the bed when nothing is displaced, m; `lines`: in
+    the order of `System.legs`; `load`: of the lines on the body, three forces (N) and three moments
+    about its origin (N m), its own weight and buoyancy no part of it; `stiffness`: minus the
+    derivatives of the load by a small further displacement, N/m, N, N m/rad. Rotations are about
+    axes through the origin that stay parallel to x, y and z. It is symmetric where the moment of
+    the lines about the origin is zero and no line lies on a bed with friction.
     """
 
     displacement: tuple[float, ...]
@@ -180,21 +170,10 @@ def held_body(
 ) -> HeldBody:
     """Say what the lines do to a body that is held, and the linearised stiffness there.
 
-    Parameters
-    ----------
-    system : System
-        Its lines; force and moment play no part. Fairlead heights hold for no displacement.
-    origin_height : float
-        Of the point above the bed about which moments and rotations are taken, m: the water depth
-        for the waterline.
-    displacement : tuple of 6 float
-        Surge, sway, heave (m), roll, pitch, yaw (rad); the body is turned by roll first, then
-        pitch, then yaw.
-
-    Returns
-    -------
-    HeldBody
-        Load and stiffness of the lines.
+    `system`: its force and moment play no part, its fairlead heights hold for no displacement;
+    `origin_height`: of the point above the bed about which moments and rotations are taken, m, the
+    water depth for the waterline; `displacement`: surge, sway, heave (m), roll, pitch, yaw (rad);
+    the body is turned by roll first, then pitch, then yaw.
 
     Raises
     ------
@@ -215,17 +194,12 @@ def held_body(
     >>> round(body.stiffness[0][0], 1), round(body.load[2] / 1e3, 1)
     (41181.2, -1607.2)
     """
-    points = [
-        point
-        for k, leg in enumerate(system.legs)
-        for point in (
-            Point(f"anchor {k}", "anchor", *leg.anchor, leg.anchor_height),
-            Point(f"fairlead {k}", "fairlead", *leg.fairlead, leg.fairlead_height),
-        )
-    ]
-    lines = [
-        LineBetween(leg.line, f"anchor {k}", f"fairlead {k}") for k, leg in enumerate(system.legs)
-    ]
+    points, lines = [], []
+    for k, leg in enumerate(system.legs):
+        anchor = Point(f"anchor {k}", "anchor", *leg.anchor, leg.anchor_height)
+        fairlead = Point(f"fairlead {k}", "fairlead", *leg.fairlead, leg.fairlead_height)
+        points += [anchor, fairlead]
+        lines.append(LineBetween(leg.line, anchor.name, fairlead.name))
     site = Site(origin_height, system.seabed_friction)
     return hold(Network(site, tuple(points), tuple(lines)), displacement).body
 
@@ -240,12 +214,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     K_bb - K_bj K_jj^-1 K_jb; a fairlead at r off the origin carries forces into moments, and
     turning the force F on it about the origin adds [F][r] (cross-product matrices).
 
-    Parameters
-    ----------
-    network : Network
-        Its lines and points; the origin of the body is at x = y = 0, on the water surface.
-    displacement : tuple of 6 float
-        As for `held_body`.
+    The origin of the body is at x = y = 0, on the water surface; `displacement` as for `held_body`.
 
     Raises
     ------
@@ -281,7 +250,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
         state = end.state
         for at, force in ((run.first, end.first), (run.second, end.second)):
             if at in arms:
-                _add(load, (*force, *_cross(arms[at], force)))
+                _add(load, (*force, *_times(_skew(arms[at]), force)))
                 for row, turned in zip(
                     stiffness[3:], product(_skew(force), _skew(arms[at])), strict=True
                 ):
@@ -313,14 +282,11 @@ def _ends_held(
             arms[k] = a, b, c = _times(turn, (x, y, height - depth))
             surge, sway, heave = displacement[:3]
             held[k] = (surge + a, sway + b, depth + heave + c)
-            _check_above_bed(point, held[k][2])
+            if not held[k][2] >= 0.0:
+                found = f"{point.name} at {held[k][2]:.6g} m"
+                allowed = "its fairlead must not be below the bed"
+                raise InputError([Problem("displacement", found, allowed)], "held body")
     return arms, held
-
-
-def _check_above_bed(point: Point, height: float) -> None:
-    if not height >= 0.0:
-        found, allowed = f"{point.name} at {height:.6g} m", "its fairlead must not be below the bed"
-        raise InputError([Problem("displacement", found, allowed)], "held body")
 
 
 def _check_pull(runs: Sequence[Run], found: JointsAtRest) -> None:
@@ -377,10 +343,6 @@ def _rotation(roll: float, pitch: float, yaw: float) -> Matrix:
 def _skew(v: Sequence[float]) -> Matrix:
     """Build the matrix that crosses v with what it multiplies."""
     return ((0.0, -v[2], v[1]), (v[2], 0.0, -v[0]), (-v[1], v[0], 0.0))
-
-
-def _cross(a: Sequence[float], b: Sequence[float]) -> Vector:
-    return _times(_skew(a), b)
 
 
 def _times(matrix: Matrix, v: Sequence[float]) -> Vector:

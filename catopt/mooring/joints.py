@@ -8,7 +8,7 @@ the forces at its end push back by more than a part of what they pulled at its s
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -16,21 +16,10 @@ from catopt.catenary.pieces import Pieces, cut
 from catopt.catenary.refusal import refusal
 from catopt.catenary.state import CONVERGED
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
-from catopt.model import Line, Load, PointLoad
+from catopt.model import Line, Load
 from catopt.model.network import LineBetween, Network
 from catopt.mooring.line_ends import Ends, Matrix, Vector, ends_of
 from catopt.words import Message
-
-__all__ = [
-    "UNIT",
-    "JointsAtRest",
-    "Run",
-    "assembled",
-    "joints_at_rest",
-    "product",
-    "runs_of",
-    "solve",
-]
 
 TOLERANCE = 1e-9
 """Force left over at a joint, over the largest end force of a line."""
@@ -88,16 +77,10 @@ def _run(number: int, given: LineBetween, network: Network) -> Run:
     kinds = network.points[first].kind, network.points[second].kind
     if kinds[1] == "anchor" and kinds[0] != "anchor":
         first, second = second, first
-        line = Line(
-            line.segments[::-1],
-            [_from_other_end(load, line.length) for load in line.point_loads],
-        )
+        loads = [replace(load, position=line.length - load.position) for load in line.point_loads]
+        line = Line(line.segments[::-1], loads)
     pieces, segment_of = cut(line)
     return Run(given.name or f"{number}", first, second, line, pieces, segment_of)
-
-
-def _from_other_end(load: PointLoad, length: float) -> PointLoad:
-    return replace(load, position=length - load.position)
 
 
 def joints_at_rest(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> JointsAtRest:
@@ -132,9 +115,10 @@ class _Search:
         best = math.inf
         for step in range(_STEPS):
             forces, laid = self.forces(at, ends)
-            largest = max(math.hypot(*each[:3]) for each in _pulls(ends))
+            largest = max(math.hypot(*pull) for each in ends for pull in (each.first, each.second))
             left = max(math.hypot(*forces[3 * k : 3 * k + 3]) for k in range(len(self.joints)))
-            limit = TOLERANCE * largest + ROUNDING * self.stride * _stiffest(ends)
+            stiffest = max(each.stiffness[i][i] for each in ends for i in range(6))
+            limit = TOLERANCE * largest + ROUNDING * self.stride * stiffest
             if left <= limit and (left == 0.0 or not left < 0.5 * best):
                 reactions = [0.0] * len(at)
                 for k, point in enumerate(self.joints):
@@ -173,11 +157,7 @@ class _Search:
         return left, laid
 
     def step(
-        self,
-        at: list[Vector],
-        ends: list[Ends],
-        forces: list[float],
-        laid: dict[int, float],
+        self, at: list[Vector], ends: list[Ends], forces: list[float], laid: dict[int, float]
     ) -> tuple[list[Vector], list[Ends]]:
         """Take a step of Newton's method, or as much of it as goes down."""
         matrix = assembled(self.runs, ends, self.motions, len(forces))
@@ -220,16 +200,6 @@ class _Search:
 
 
 UNIT: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-
-
-def _pulls(ends: Sequence[Ends]) -> Iterator[tuple[float, ...]]:
-    for each in ends:
-        yield each.first
-        yield each.second
-
-
-def _stiffest(ends: Sequence[Ends]) -> float:
-    return max(each.stiffness[i][i] for each in ends for i in range(6))
 
 
 def _solved(run: Run, at: Sequence[Vector], friction: float, known: Ends | None = None) -> Ends:
@@ -326,19 +296,15 @@ def _check(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:
     site = network.site
     for point, place, reaction in zip(network.points, found.places, found.reactions, strict=True):
         if reaction > 0.0 and site.seabed_friction > 0.0:
-            raise NoEquilibriumError(
-                Message("mooring.joint_on_bed", name=point.name, reaction=reaction),
-                "force",
-                reaction,
-            )
+            said = Message("mooring.joint_on_bed", name=point.name, reaction=reaction)
+            raise NoEquilibriumError(said, "force", reaction)
         above = place[2] - site.water_depth
         if point.submerged_weight < 0.0 and above > 1e-9 * site.water_depth:
             values = {"name": point.name, "above": above, "lift": -point.submerged_weight}
             raise FloatsUpError(Message("mooring.joint_floats_up", **values))
     for run, each in zip(runs, found.ends, strict=True):
         is_anchored = network.points[run.first].kind == "anchor"
-        if each.state.grounded > 0.0 and site.seabed_friction > 0.0 and not is_anchored:
-            values = {"number": run.name, "length": each.state.grounded}
-            raise NoEquilibriumError(
-                Message("mooring.drags_both_ways", **values), "force", each.state.grounded
-            )
+        length = each.state.grounded
+        if length > 0.0 and site.seabed_friction > 0.0 and not is_anchored:
+            said = Message("mooring.drags_both_ways", number=run.name, length=length)
+            raise NoEquilibriumError(said, "force", length)

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
 from catopt.model.system import Leg, System
 from catopt.shown import Shown
@@ -75,8 +76,6 @@ class LegState:
         lying = [stretch for stretch in self.solution.stretches if stretch.on_bed]
         if not lying:
             return None
-        from catopt.catenary.layout import end_of
-
         distance, _ = end_of(lying[-1], lying[-1].length)
         return self.at(distance)
 
