@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from types import MappingProxyType
+from typing import NamedTuple
 
-from catopt.loads.component import LoadComponent, Number
-from catopt.loads.drag import drag_component
+from catopt.loads.component import LoadComponent
+from catopt.loads.drag import wind_on_ship
 from catopt.loads.environment import Wind
 from catopt.loads.ship import Ship
 from catopt.loads.source import BLENDERMANN, LoadSource
@@ -15,18 +15,11 @@ from catopt.model.validity import Findings
 from catopt.words import Message, term
 
 
-@dataclass(frozen=True)
-class WindType:
+class WindType(NamedTuple):
     """Coefficients of a kind of ship.
 
-    Attributes
-    ----------
-    transverse : float
-        CDt, beam wind, referred to the lateral area.
-    bow, stern : float
-        CDlAF, wind from ahead and from astern, referred to the frontal area.
-    delta : float
-        Cross-force parameter.
+    Of beam wind (CDt, on the lateral area), of wind from ahead and from astern (CDlAF, on the
+    frontal area), and the cross-force parameter delta.
     """
 
     transverse: float
@@ -83,60 +76,20 @@ def pressure_centre(angle: float, length: float, lateral_centre: float) -> float
 
 def wind_type(kind: str) -> WindType:
     """Look a kind of ship up by its key in `TYPES`; an unknown one is refused."""
-    if kind not in TYPES:
-        found = Findings("wind after Blendermann")
-        found.add("kind", repr(kind), "one of " + ", ".join(TYPES))
-        found.raise_if_any()
+    found = Findings("wind after Blendermann")
+    found.word("kind", kind, tuple(TYPES))
+    found.raise_if_any()
     return TYPES[kind]
 
 
 def blendermann_loads(
     ship: Ship, wind: Wind, kind: str, *, angle: float, air_density: float
 ) -> tuple[LoadComponent, LoadComponent]:
-    """Wind along and across a ship.
+    """Wind at 10 m along and across a ship of a kind, a key of `TYPES`; another is refused.
 
-    Parameters
-    ----------
-    ship : Ship
-        Its frontal and lateral areas count.
-    wind : Wind
-        At 10 m.
-    kind : str
-        A key of `TYPES`.
-    angle : float
-        From the bow to where the wind comes from, rad.
-    air_density : float
-        kg/m3.
-
-    Raises
-    ------
-    InputError
-        For an unknown kind.
+    The angle is from the bow to where the wind comes from, rad; the density in kg/m3.
     """
     cx, cy = coefficients(wind_type(kind), angle, ship.frontal_area / ship.lateral_area)
     note = Message("loads.wind_note", kind=term(kind), angle=math.degrees(angle))
-    air = (air_density, wind.speed)
-    frontal = Number("AF", ship.frontal_area, "m2", Message("loads.frontal_area"))
-    lateral = Number("AL", ship.lateral_area, "m2", Message("loads.lateral_area"))
-    return (
-        drag_component(
-            Message("loads.wind_along"),
-            "wind",
-            air,
-            frontal,
-            Number("CX", cx, "", Message("loads.coefficient_here")),
-            _SOURCE,
-            axis="surge",
-            note=note,
-        ),
-        drag_component(
-            Message("loads.wind_across"),
-            "wind",
-            air,
-            lateral,
-            Number("CY", cy, "", Message("loads.coefficient_here")),
-            _SOURCE,
-            axis="sway",
-            note=note,
-        ),
-    )
+    along, across = ("AF", "CX", cx, _SOURCE), ("AL", "CY", cy, _SOURCE)
+    return wind_on_ship(ship, wind, air_density, along, across, note)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final, Literal, get_args
 
 from catopt.constants import SEA_WATER_DENSITY
+from catopt.errors import InputError, Problem
 from catopt.loads.buoy_shape import BuoyShape, Floating
 from catopt.loads.component import LoadComponent, Loads, Number
 from catopt.loads.drag import drag_component
@@ -13,6 +14,9 @@ from catopt.loads.environment import SeaState, SurfaceCurrent, WaterLevels, Wind
 from catopt.loads.source import CALMAR, LoadSource
 from catopt.model.validity import Findings
 from catopt.words import Measure, Message, Several, term
+
+Stream = tuple[float, float]
+"""Density, kg/m3, and speed, m/s."""
 
 AIR_DENSITY: Final = 1.29
 """kg/m3; CALMAR prints "129", a misprint."""
@@ -33,18 +37,12 @@ ChainSpeed = Literal["surface", "current"]
 
 _FORCES = LoadSource(CALMAR, "section 5", "A")
 _CHAIN = LoadSource(CALMAR, "5.2.1", "A")
-_GROWTH = "loads.growth"
 
 
 def surface_speed(wind: Wind, current: SurfaceCurrent, sea: SeaState, depth: float) -> float:
     """Speed of the water at the surface, m/s: tide + 0.015 wind + wave (CALMAR, A).
 
-    Parameters
-    ----------
-    wind, current, sea : Wind, SurfaceCurrent, SeaState
-        All from one side.
-    depth : float
-        Of the water, m.
+    All are from one side; the depth of the water in m.
     """
     from catopt.waves.current import wind_driven_speed
 
@@ -67,12 +65,11 @@ def buoy_loads(
 ) -> Loads:
     """Add up the forces of wind, current and waves on a buoy and its chain.
 
+    All are from one side, at the same time, and so are the loads. Static: no motion of the buoy, no
+    vortex shedding.
+
     Parameters
     ----------
-    shape : BuoyShape
-        The buoy.
-    wind, current, sea : Wind, SurfaceCurrent, SeaState
-        All from one side, at the same time.
     levels : WaterLevels
         The waves and the height of the chain are those of high water.
     chain_diameter : float
@@ -87,11 +84,6 @@ def buoy_loads(
     water_density : float
         kg/m3.
 
-    Returns
-    -------
-    Loads
-        All along one direction. Static: no motion of the buoy, no vortex shedding.
-
     Raises
     ------
     InputError
@@ -100,26 +92,21 @@ def buoy_loads(
     """
     _check(current, levels, chain_diameter, marine_growth, chain_speed)
     floating = shape.afloat(pull, water_density)
-    _check_afloat(floating, levels)
+    keel = floating.keel_depth
+    if keel >= levels.low:
+        refused = f"the buoy reaches {keel:.2f} m below the water: it would touch the bed"
+        raise InputError([Problem("levels.low", f"{levels.low:g} m", refused)], "buoy loads")
     steady = surface_speed(wind, current, SeaState(sea.period, 0.0), levels.high)
     speed = surface_speed(wind, current, sea, levels.high)
     at_chain = speed if chain_speed == "surface" else steady
     water, air = (water_density, speed), (AIR_DENSITY, wind.speed)
-    components = [
-        *_hull(floating, water, air, marine_growth),
-        *_superstructure(shape, air),
-    ]
+    components = list(_above_and_on_hull(floating, water, air, marine_growth))
     if chain_diameter > 0.0:
-        height = levels.deepest(sea) - floating.keel_depth
+        height = levels.deepest(sea) - keel
         components.append(_chain((water_density, at_chain), chain_diameter, height, marine_growth))
+    weather = {"wind": wind.speed, "tide": current.speed, "height": sea.hmax}
     return Loads(
-        Message(
-            "loads.buoy_in",
-            buoy=shape.name,
-            wind=wind.speed,
-            tide=current.speed,
-            height=sea.hmax,
-        ),
+        Message("loads.buoy_in", buoy=shape.name, **weather),
         tuple(components),
         (*_assumptions(wind, current, sea, levels, speed), _afloat(floating)),
         _warnings(sea, levels),
@@ -127,42 +114,38 @@ def buoy_loads(
     )
 
 
-def _hull(
-    floating: Floating, water: tuple[float, float], air: tuple[float, float], growth: float
+def _above_and_on_hull(
+    of: Floating, water: Stream, air: Stream, growth: float
 ) -> Iterator[LoadComponent]:
-    wet = Number("A", floating.hull_area_in_water(growth), "m2", Message("loads.hull_in_water"))
-    dry = Number("A", floating.hull_area_in_air, "m2", Message("loads.hull_in_air"))
-    note = Message(_GROWTH) if growth > 0.0 else ""
-    current, wind = Message("loads.current_on_hull"), Message("loads.wind_on_hull")
-    yield drag_component(current, "current", water, wet, _cd(), _FORCES, note=note)
-    yield drag_component(wind, "wind", air, dry, _cd(), _FORCES)
+    """Make the current on the hull, and the wind on what of the buoy is above the water."""
+    wet, note = of.hull_area_in_water(growth), next(iter(_grown(growth)), "")
+    yield _drag("loads.current_on_hull", water, wet, "loads.hull_in_water", note=note)
+    yield _drag("loads.wind_on_hull", air, of.hull_area_in_air, "loads.hull_in_air")
+    if of.shape.tower_area > 0.0:
+        yield _drag("loads.wind_on_tower", air, of.shape.tower_area, "loads.tower")
+    if of.shape.topmark_area > 0.0:
+        yield _drag("loads.wind_on_topmark", air, of.shape.topmark_area, "loads.topmark")
 
 
-def _superstructure(shape: BuoyShape, air: tuple[float, float]) -> Iterator[LoadComponent]:
-    parts = (
-        (shape.tower_area, "loads.wind_on_tower", "loads.tower"),
-        (shape.topmark_area, "loads.wind_on_topmark", "loads.topmark"),
-    )
-    for area, name, meaning in parts:
-        if area > 0.0:
-            number = Number("A", area, "m2", Message(meaning))
-            yield drag_component(Message(name), "wind", air, number, _cd(), _FORCES)
+def _chain(water: Stream, diameter: float, height: float, growth: float) -> LoadComponent:
+    area = (CHAIN_WIDTH * diameter + 2.0 * growth) * height
+    said = Message("loads.chain_note", diameter=diameter * 1e3, height=height)
+    note = Several((said, *_grown(growth)))
+    return _drag("loads.current_on_chain", water, area, "loads.chain_area", _CHAIN, note)
 
 
-def _chain(
-    water: tuple[float, float], diameter: float, height: float, growth: float
+def _grown(growth: float) -> list[Message]:
+    return [Message("loads.growth")] if growth > 0.0 else []
+
+
+def _drag(
+    name: str, stream: Stream, area: float, what: str, source: LoadSource = _FORCES, note: str = ""
 ) -> LoadComponent:
-    width = CHAIN_WIDTH * diameter + 2.0 * growth
-    area = Number("A", width * height, "m2", Message("loads.chain_area"))
-    notes = [Message("loads.chain_note", diameter=diameter * 1e3, height=height)]
-    if growth > 0.0:
-        notes.append(Message(_GROWTH))
-    name, note = Message("loads.current_on_chain"), Several(notes)
-    return drag_component(name, "current", water, area, _cd(), _CHAIN, note=note)
-
-
-def _cd() -> Number:
-    return Number("Cd", DRAG_COEFFICIENT, "", Message("loads.drag_coefficient"))
+    """Make a force by the one coefficient of drag; what the area, m2, is of has a key."""
+    of = Number("A", area, "m2", Message(what))
+    drag = Number("Cd", DRAG_COEFFICIENT, "", Message("loads.drag_coefficient"))
+    kind: Literal["wind", "current"] = "wind" if ".wind_" in name else "current"
+    return drag_component(Message(name), kind, stream, of, drag, source, note=note)
 
 
 def _check(
@@ -171,45 +154,29 @@ def _check(
     found = Findings("buoy loads")
     found.number("chain_diameter", diameter, "m", at_least=0.0, at_most=0.2)
     found.number("marine_growth", growth, "m", at_least=0.0, at_most=0.5)
-    if at not in get_args(ChainSpeed):
-        found.add("chain_speed", repr(at), "one of " + ", ".join(get_args(ChainSpeed)))
+    found.word("chain_speed", at, get_args(ChainSpeed))
     if levels.high > DEEPEST:
-        found.add(
-            "levels.high", f"{levels.high:g} m", f"CALMAR holds down to {DEEPEST:g} m of water"
-        )
+        limit = f"CALMAR holds down to {DEEPEST:g} m of water"
+        found.add("levels.high", f"{levels.high:g} m", limit)
     if current.speed > FASTEST:
         found.add("current.speed", f"{current.speed:g} m/s", f"CALMAR holds up to {FASTEST:g} m/s")
     found.raise_if_any()
-
-
-def _check_afloat(floating: Floating, levels: WaterLevels) -> None:
-    if floating.keel_depth >= levels.low:
-        found = Findings("buoy loads")
-        found.add(
-            "levels.low",
-            f"{levels.low:g} m",
-            f"the buoy reaches {floating.keel_depth:.2f} m below the water: it would touch the bed",
-        )
-        found.raise_if_any()
 
 
 def _assumptions(
     wind: Wind, current: SurfaceCurrent, sea: SeaState, levels: WaterLevels, speed: float
 ) -> tuple[str, ...]:
     orbital = sea.surface_velocity(levels.high)
-    driven = speed - current.speed - orbital
-    return (
-        Message("loads.one_side"),
-        Message(
-            "loads.surface_speed",
-            speed=speed,
-            tide=current.speed,
-            wind=wind.speed,
-            driven=driven,
-            orbital=orbital,
-            depth=levels.high,
-        ),
+    said = Message(
+        "loads.surface_speed",
+        speed=speed,
+        tide=current.speed,
+        wind=wind.speed,
+        driven=speed - current.speed - orbital,
+        orbital=orbital,
+        depth=levels.high,
     )
+    return Message("loads.one_side"), said
 
 
 def _afloat(floating: Floating) -> str:

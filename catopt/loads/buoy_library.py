@@ -27,14 +27,7 @@ def buoys() -> tuple[BuoyShape, ...]:
 
 
 def buoy(name: str, among: tuple[BuoyShape, ...] | None = None) -> BuoyShape:
-    """Look a buoy up.
-
-    Parameters
-    ----------
-    name : str
-        Such as ``"pillar 1.8 m"``.
-    among : tuple of BuoyShape, optional
-        Instead of catopt's own.
+    """Look a buoy up, such as ``"pillar 1.8 m"``, among some or catopt's own.
 
     Raises
     ------
@@ -52,11 +45,6 @@ def buoy(name: str, among: tuple[BuoyShape, ...] | None = None) -> BuoyShape:
 def read_buoys(path: str | os.PathLike[str]) -> tuple[BuoyShape, ...]:
     """Read a file of buoys of one's own (TOML, of the form of catopt's buoys.toml).
 
-    Parameters
-    ----------
-    path : path
-        The file.
-
     Raises
     ------
     InputError
@@ -67,20 +55,7 @@ def read_buoys(path: str | os.PathLike[str]) -> tuple[BuoyShape, ...]:
 
 
 def parse_buoys(text: str, source: str = "") -> tuple[BuoyShape, ...]:
-    """Read the text of a file of buoys.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str
-        Name of the file, for messages.
-
-    Raises
-    ------
-    InputError
-        With every problem of the text.
-    """
+    """Read the text of a file of buoys, whose source is named in messages of every problem."""
     file, findings = Table.of_file(text, source, SCHEMA, ("origin", "buoy"))
     origin = file.text("origin", required=False) or "the user's own"
     read = [_read(table, origin, findings) for table in file.tables("buoy")]

@@ -14,40 +14,28 @@ from catopt.words import Message
 class BuoyShape:
     """A buoy: an upright cylinder with, if any, a closed tail tube below and a tower above.
 
-    Attributes
-    ----------
-    name : str
-        Short.
-    hull_diameter, hull_depth : float
-        Of the cylinder and its height from bottom to deck, m.
-    mass : float
-        With everything on it, without the mooring, kg.
-    least_freeboard : float
-        That the mooring must leave, m.
-    tower_height, tower_width : float
-        Of the tower's outline above the deck, m.
-    tower_solidity : float
-        Share of the outline that stops the wind, 0 to 1.
-    topmark_area : float
-        Of topmark, lantern and radar reflector as the wind sees them, m2.
-    tube_diameter, tube_length : float
-        Of the tail tube below the hull, m; 0 without one.
-    origin : str
-        Whose geometry this is.
+    Lengths in m; the tail tube has none where there is none.
     """
 
     name: str
     hull_diameter: float
     hull_depth: float
+    """From bottom to deck."""
     mass: float
+    """With everything on it, without the mooring, kg."""
     least_freeboard: float = 0.0
+    """That the mooring must leave."""
     tower_height: float = 0.0
     tower_width: float = 0.0
+    """Of the tower's outline above the deck."""
     tower_solidity: float = 1.0
+    """Share of the outline that stops the wind, 0 to 1."""
     topmark_area: float = 0.0
+    """Of topmark, lantern and radar reflector as the wind sees them, m2."""
     tube_diameter: float = 0.0
     tube_length: float = 0.0
     origin: str = "the user's own"
+    """Whose geometry this is."""
 
     def __post_init__(self) -> None:
         found = Findings(f"buoy {self.name}".rstrip())
@@ -69,23 +57,21 @@ class BuoyShape:
             found.add("tube_diameter", f"{self.tube_diameter:g} m", "wider than the hull")
         draught = self._draught(SEA_WATER_DENSITY, 0.0)
         if draught <= 0.0:
-            found.add(
-                "mass",
-                f"{self.mass:g} kg",
-                "less than its tail tube displaces: the hull would float above the water",
-            )
+            light = "less than its tail tube displaces: the hull would float above the water"
+            found.add("mass", f"{self.mass:g} kg", light)
         elif self.hull_depth - draught <= self.least_freeboard:
-            most = SEA_WATER_DENSITY * (self.tube_volume + self._depth_left * self.waterplane_area)
-            found.add(
-                "mass",
-                f"{self.mass:g} kg",
+            heavy = (
                 f"floats, without a mooring, with a freeboard of {self.hull_depth - draught:.2f} m,"
-                f" not above the least one of {self.least_freeboard:g} m: below {most:.0f} kg",
+                f" not above the least one of {self.least_freeboard:g} m: "
+                f"below {SEA_WATER_DENSITY * self._most_volume:.0f} kg"
             )
+            found.add("mass", f"{self.mass:g} kg", heavy)
 
     @property
-    def _depth_left(self) -> float:
-        return self.hull_depth - self.least_freeboard
+    def _most_volume(self) -> float:
+        """Displaced at the least freeboard, m3."""
+        depth = self.hull_depth - self.least_freeboard
+        return self.tube_volume + depth * self.waterplane_area
 
     @property
     def waterplane_area(self) -> float:
@@ -107,27 +93,11 @@ class BuoyShape:
         return (volume - self.tube_volume) / self.waterplane_area
 
     def reserve_buoyancy(self, water_density: float = SEA_WATER_DENSITY) -> float:
-        """Vertical pull that leaves it its least freeboard, N.
-
-        rho g (volume up to that freeboard) - m g.
-
-        Parameters
-        ----------
-        water_density : float
-            kg/m3.
-        """
-        volume = self.tube_volume + self._depth_left * self.waterplane_area
-        return STANDARD_GRAVITY * (water_density * volume - self.mass)
+        """Vertical pull that leaves it its least freeboard, N: rho g (volume up to that) - m g."""
+        return STANDARD_GRAVITY * (water_density * self._most_volume - self.mass)
 
     def afloat(self, pull: float = 0.0, water_density: float = SEA_WATER_DENSITY) -> Floating:
-        """Float it under the vertical pull of its mooring.
-
-        Parameters
-        ----------
-        pull : float
-            Downwards, N.
-        water_density : float
-            kg/m3.
+        """Float it under the vertical pull of its mooring, N, downwards; the density in kg/m3.
 
         Raises
         ------
@@ -140,13 +110,8 @@ class BuoyShape:
         found.raise_if_any()
         reserve = self.reserve_buoyancy(water_density)
         if pull > reserve:
-            found.add(
-                "pull",
-                f"{pull / 1e3:.3g} kN",
-                Message(
-                    "loads.above_reserve", reserve=reserve / 1e3, freeboard=self.least_freeboard
-                ),
-            )
+            values = {"reserve": reserve / 1e3, "freeboard": self.least_freeboard}
+            found.add("pull", f"{pull / 1e3:.3g} kN", Message("loads.above_reserve", **values))
         found.raise_if_any()
         draught = self._draught(water_density, pull)
         if draught <= 0.0:
@@ -157,19 +122,7 @@ class BuoyShape:
 
 @dataclass(frozen=True)
 class Floating:
-    """A buoy afloat.
-
-    Attributes
-    ----------
-    shape : BuoyShape
-        The buoy.
-    pull : float
-        Of its mooring, downwards, N.
-    water_density : float
-        kg/m3.
-    draught : float
-        Of the hull, m.
-    """
+    """A buoy afloat: the pull of its mooring is downwards (N), the draught is the hull's (m)."""
 
     shape: BuoyShape
     pull: float
@@ -193,13 +146,7 @@ class Floating:
         return self.water_density * volume
 
     def hull_area_in_water(self, growth: float = 0.0) -> float:
-        """Seen by the current: hull and tail tube, m2.
-
-        Parameters
-        ----------
-        growth : float
-            Thickness of marine growth all round, m.
-        """
+        """Seen by the current: hull and tail tube, m2, with a marine growth (m) all round."""
         tube = self.shape.tube_length * (self.shape.tube_diameter + 2.0 * growth)
         hull = self.draught * (self.shape.hull_diameter + 2.0 * growth)
         return hull + tube if self.shape.tube_length > 0.0 else hull

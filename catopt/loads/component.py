@@ -15,19 +15,7 @@ from the side that wind, current and waves come from."""
 
 @dataclass(frozen=True)
 class Number:
-    """A number that goes into a formula.
-
-    Attributes
-    ----------
-    symbol : str
-        As the formula writes it.
-    value : float
-        SI.
-    unit : str
-        SI; empty for a pure number.
-    meaning : str
-        What it is.
-    """
+    """A number that goes into a formula, in SI: its unit is empty for a pure number."""
 
     symbol: str
     value: float
@@ -51,37 +39,21 @@ class _Symbol(str):
 
 @dataclass(frozen=True)
 class LoadComponent:
-    """One force.
-
-    Attributes
-    ----------
-    name : str
-        What pushes on what: ``"current on the hull"``.
-    kind : {"wind", "current", "wave drift", "wave"}
-        For sums by cause; a wave is the maximum of an oscillating force. The current on a buoy
-        includes the motion of the water in waves.
-    axis : {"along", "surge", "sway"}
-        See `Axis`.
-    factors : tuple of str
-        What is multiplied, the symbols of `numbers` in braces and a power behind a colon:
-        ``("1/2", "{rho}", "{V:2}", "{A}", "{Cd}")``; g is gravity.
-    numbers : tuple of Number
-        What was put in.
-    force : float
-        N, with the sign of its axis.
-    source : LoadSource
-        Of the formula and its coefficients, as sure as the weakest of them.
-    note : str
-        What else to know.
-    """
+    """One force: what pushes on what, such as ``"current on the hull"``."""
 
     name: str
     kind: Literal["wind", "current", "wave drift", "wave"]
+    """For sums by cause; a wave is the maximum of an oscillating force. The current on a buoy
+    includes the motion of the water in waves."""
     axis: Axis
     factors: tuple[str, ...]
+    """What is multiplied, the symbols of `numbers` in braces and a power behind a colon:
+    ``("1/2", "{rho}", "{V:2}", "{A}", "{Cd}")``; g is gravity."""
     numbers: tuple[Number, ...]
     force: float
+    """N, with the sign of its axis."""
     source: LoadSource
+    """Of the formula and its coefficients, as sure as the weakest of them."""
     note: str = ""
 
     @property
@@ -98,27 +70,16 @@ class LoadComponent:
 
 @dataclass(frozen=True)
 class Loads:
-    """All horizontal forces on a buoy or a ship.
-
-    Attributes
-    ----------
-    title : str
-        On what, and in what weather.
-    components : tuple of LoadComponent
-        In the order of the computation.
-    assumptions : tuple of str
-        What the answer rests on.
-    warnings : tuple of str
-        What an engineer should know: a wave cut by breaking, figures out of their range.
-    method : str
-        By which: ``"22TCN-222-95"``.
-    """
+    """All horizontal forces on a buoy or a ship in some weather, in the order of computation."""
 
     title: str
     components: tuple[LoadComponent, ...]
     assumptions: tuple[str, ...] = ()
+    """What the answer rests on."""
     warnings: tuple[str, ...] = ()
+    """What an engineer should know: a wave cut by breaking, figures out of their range."""
     method: str = ""
+    """By which: ``"22TCN-222-95"``."""
 
     def along(self, axis: Axis) -> float:
         """Sum of the forces along an axis, N."""

@@ -24,17 +24,10 @@ _DEEP_WATER_LENGTH: Final = 1.56
 
 @dataclass(frozen=True)
 class Wind:
-    """Wind at a height.
-
-    Attributes
-    ----------
-    speed : float
-        m/s, of the averaging time that the formula wants: 30 s for a ship after UFC 4-159-03.
-    height : float
-        Above the water, m.
-    """
+    """Wind at a height above the water, m."""
 
     speed: float
+    """m/s, of the averaging time that the formula wants: 30 s for a ship after UFC 4-159-03."""
     height: float = 10.0
 
     def __post_init__(self) -> None:
@@ -51,15 +44,7 @@ class Wind:
         found.raise_if_any()
 
     def at(self, height: float, exponent: float = 0.12) -> float:
-        """Speed at another height, by a power law; m/s.
-
-        Parameters
-        ----------
-        height : float
-            Above the water, m.
-        exponent : float
-            0.12 in DTOcean (C).
-        """
+        """Speed at another height, m, by a power law (exponent 0.12 in DTOcean, C); m/s."""
         found = Findings("Wind.at")
         found.number("height", height, "m", above=0.0)
         found.number("exponent", exponent, "", at_least=0.0, at_most=0.5)
@@ -69,13 +54,7 @@ class Wind:
 
 @dataclass(frozen=True)
 class SurfaceCurrent:
-    """Tidal current at the surface.
-
-    Attributes
-    ----------
-    speed : float
-        m/s, without what the wind and the waves add.
-    """
+    """Tidal current at the surface, m/s, without what the wind and the waves add."""
 
     speed: float
 
@@ -93,45 +72,26 @@ class SurfaceCurrent:
 
 @dataclass(frozen=True)
 class SeaState:
-    """Waves by height and period.
-
-    Attributes
-    ----------
-    period : float
-        Of the waves that count, s: the peak period, or that of the largest wave.
-    significant_height : float or None
-        Hs, m; None: `maximum_height` / 1.85.
-    maximum_height : float or None
-        Hmax from trough to crest, m; None: 1.85 Hs (IALA CALMAR, A).
-    """
+    """Waves by height and period."""
 
     period: float
+    """Of the waves that count, s: the peak period, or that of the largest wave."""
     significant_height: float | None = None
+    """Hs, m; None: `maximum_height` / 1.85."""
     maximum_height: float | None = None
+    """Hmax from trough to crest, m; None: 1.85 Hs (IALA CALMAR, A)."""
 
     def __post_init__(self) -> None:
         found = Findings("SeaState")
         found.number("period", self.period, "s", above=0.0, at_most=_LONGEST_PERIOD)
-        given = {
-            "significant_height": self.significant_height,
-            "maximum_height": self.maximum_height,
-        }
-        for key, height in given.items():
-            if height is not None:
-                found.number(key, height, "m", at_least=0.0, at_most=_HIGHEST_WAVE)
-        if self.significant_height is None and self.maximum_height is None:
+        heights = ("significant_height", "maximum_height")
+        found.numbers(self, "m", *heights, at_least=0.0, at_most=_HIGHEST_WAVE)
+        hs, hmax = self.significant_height, self.maximum_height
+        if hs is None and hmax is None:
             found.add("significant_height", "", "missing; it or maximum_height is wanted")
-        elif (
-            not found.problems
-            and self.significant_height is not None
-            and self.maximum_height is not None
-            and self.maximum_height < self.significant_height
-        ):
-            found.add(
-                "maximum_height",
-                f"{self.maximum_height:g} m",
-                f"below the significant height of {self.significant_height:g} m",
-            )
+        found.raise_if_any()
+        if hs is not None and hmax is not None and hmax < hs:
+            found.add("maximum_height", f"{hmax:g} m", f"below the significant height of {hs:g} m")
         found.raise_if_any()
 
     @property
@@ -153,13 +113,8 @@ class SeaState:
     def breaking_height(self, depth: float) -> float:
         """Height above which a wave of this period breaks, m (IALA CALMAR, A).
 
-        The lower of 0.14 x 1.56 T^2 (steepness) and 0.78 of the water depth. CALMAR takes the
+        The lower of 0.14 x 1.56 T^2 (steepness) and 0.78 of the water depth, m. CALMAR takes the
         second only for waves that keep the first; both limit a wave, and so they do here.
-
-        Parameters
-        ----------
-        depth : float
-            Of the water, m, above 0.
         """
         steep = _STEEPEST * _DEEP_WATER_LENGTH * self.period * self.period
         return min(steep, _DEPTH_LIMIT * depth)
@@ -175,14 +130,9 @@ class SeaState:
         return wave_number(2.0 * math.pi / self.period, depth)
 
     def surface_velocity(self, depth: float) -> float:
-        """Largest horizontal velocity of the water at the still water level, m/s.
+        """Largest horizontal velocity at the still water level of water of a depth (m), m/s.
 
         Of a linear wave of the height `height_in`: u = (pi H/T) / tanh(k d).
-
-        Parameters
-        ----------
-        depth : float
-            Of the water, m, above 0.
         """
         height = self.height_in(depth)
         omega = 2.0 * math.pi / self.period
@@ -193,13 +143,7 @@ class SeaState:
 
 @dataclass(frozen=True)
 class WaterLevels:
-    """Water depth at low and at high water.
-
-    Attributes
-    ----------
-    low, high : float
-        m, of the still water.
-    """
+    """Depth of the still water at low and at high water, m."""
 
     low: float
     high: float

@@ -15,10 +15,7 @@ _ALONG: Final = 1e-9
 class Headings:
     """Angles from the bow to where wind, current and waves come from, rad: 0 from ahead.
 
-    Attributes
-    ----------
-    wind, current, waves : float
-        From -pi to pi; positive to one side, negative to the other.
+    From -pi to pi; positive to one side, negative to the other.
     """
 
     wind: float = 0.0
@@ -34,29 +31,20 @@ class Headings:
     def seen_at(self, heading: float) -> Headings:
         """Turn directions that are counted from any one line into angles from a bow.
 
-        Parameters
-        ----------
-        heading : float
-            Of the bow, counted from the same line, rad.
+        The heading of the bow counts from the same line, rad.
 
         Examples
         --------
         >>> Headings(wind=0.0, current=0.5).seen_at(0.2).current
         0.3
         """
-        return Headings(
-            *(_wrapped(each - heading) for each in (self.wind, self.current, self.waves))
-        )
+        every = (self.wind, self.current, self.waves)
+        return Headings(*(math.remainder(each - heading, 2.0 * math.pi) for each in every))
 
     @property
     def head_on(self) -> bool:
         """Whether everything comes from ahead."""
         return max(abs(self.wind), abs(self.current), abs(self.waves)) < _ALONG
-
-
-def _wrapped(angle: float) -> float:
-    """Bring an angle between -pi and pi."""
-    return math.remainder(angle, 2.0 * math.pi)
 
 
 HEAD_ON: Final = Headings()

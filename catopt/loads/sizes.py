@@ -51,7 +51,7 @@ def neighbours(size: float, series: Sequence[float]) -> tuple[float | None, floa
     """Pick the next smaller and the next larger of a rising series, kg; None beyond its ends."""
     smaller = [each for each in series if each < size]
     larger = [each for each in series if each > size]
-    return (smaller[-1] if smaller else None, larger[0] if larger else None)
+    return max(smaller, default=None), min(larger, default=None)
 
 
 def _check(series: Sequence[float]) -> None:

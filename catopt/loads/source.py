@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
-from catopt.catalogue.figure import RECALLED, Confidence, weakest
-from catopt.model.validity import Findings
+from catopt.catalogue.figure import RECALLED, Confidence
+from catopt.errors import InputError, Problem
 
 CALMAR = "IALA CALMAR technical reference, 27 February 2014"
 UFC = "UFC 4-159-03 Design: Moorings, 3 October 2005 (superseded by the edition of 12 March 2020)"
@@ -19,20 +18,13 @@ NAVFAC = "NAVFAC DM 7.02 (1986), table 1 of chapter 3"
 
 @dataclass(frozen=True)
 class LoadSource:
-    """A document and the place in it.
-
-    Attributes
-    ----------
-    document, clause : str
-        What to open, and where in it.
-    confidence : {"A", "B", "C", "R"}
-        A read in the primary document; B in two secondary ones, or in one and checked by numbers;
-        C in one secondary one; R recalled, read in none.
-    """
+    """A document to open and the clause in it, with the confidence of what stands there."""
 
     document: str
     clause: str
     confidence: Confidence
+    """A read in the primary document; B in two secondary ones, or in one and checked by numbers; C
+    in one secondary one; R recalled, read in none."""
 
     @property
     def recalled(self) -> bool:
@@ -45,18 +37,11 @@ class LoadSource:
         return f"{self.document}, {self.clause} [{self.confidence}]"
 
 
-def joined(sources: Iterable[LoadSource], document: str, clause: str) -> LoadSource:
-    """Cite one document for what rests on several sources: as sure as the weakest of them."""
-    return LoadSource(document, clause, weakest(each.confidence for each in sources))
-
-
 def refuse_recalled(where: str, key: str, what: str, instead: str, *, allowed: bool) -> None:
     """Raise InputError unless the caller asked for recalled figures.
 
     The message names function and argument, what was read in no document, and the way out.
     """
-    if allowed:
-        return
-    found = Findings(where)
-    found.add(key, what, f"recalled (R), read in no document: {instead}, or set allow_recalled")
-    found.raise_if_any()
+    if not allowed:
+        out = f"recalled (R), read in no document: {instead}, or set allow_recalled"
+        raise InputError([Problem(key, what, out)], where)

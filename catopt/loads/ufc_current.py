@@ -80,48 +80,33 @@ def transverse_load(
 ) -> LoadComponent:
     """Compute the current across a ship: 1/2 rho V^2 LwL T Cyc sin(theta).
 
-    Parameters
-    ----------
-    ship : Ship
-        Afloat.
-    speed : float
-        Of the current, m/s.
-    depth : float
-        Of the water, m.
-    angle : float
-        From the bow to where the current comes from, rad.
-    water_density : float
-        kg/m3.
-    exponent : float
-        K; 2 or 3.
+    Speed in m/s, depth in m, density in kg/m3; the angle is from the bow to where the current comes
+    from, rad; the exponent K is 2 or 3.
     """
     ship.check_afloat(depth)
-    chi = ship_parameter(ship.length_waterline, ship.midship_area, ship.breadth, ship.displacement)
+    length, ratio = ship.length_waterline, ship.draught / depth
+    chi = ship_parameter(length, ship.midship_area, ship.breadth, ship.displacement)
     deep = deep_coefficient(chi)
-    coefficient = transverse_coefficient(ship.draught / depth, deep, exponent=exponent)
+    coefficient = transverse_coefficient(ratio, deep, exponent=exponent)
+    note = Message(
+        "loads.transverse_note",
+        chi=chi,
+        deep=deep,
+        shallow=SHALLOW_COEFFICIENT,
+        exponent=exponent,
+        ratio=ratio,
+        coefficient=coefficient,
+        factor=coefficient / deep,
+    )
     return drag_component(
         Message("loads.current_across"),
         "current",
         (water_density, speed),
-        Number(
-            "LwL T",
-            ship.length_waterline * ship.draught,
-            "m2",
-            Message("loads.length_times_draught"),
-        ),
+        Number("LwL T", length * ship.draught, "m2", Message("loads.length_times_draught")),
         Number("Cyc sin", coefficient * math.sin(angle), "", Message("loads.coefficient_here")),
         _ACROSS,
         axis="sway",
-        note=Message(
-            "loads.transverse_note",
-            chi=chi,
-            deep=deep,
-            shallow=SHALLOW_COEFFICIENT,
-            exponent=exponent,
-            ratio=ship.draught / depth,
-            coefficient=coefficient,
-            factor=coefficient / deep,
-        ),
+        note=note,
     )
 
 
@@ -159,72 +144,44 @@ def longitudinal_loads(
 ) -> tuple[LoadComponent, ...]:
     """Compute the current along a ship: form, friction and locked propeller (eq. 15 to 23, A).
 
-    Parameters
-    ----------
-    ship : Ship
-        Afloat.
-    speed : float
-        Of the current, m/s.
-    angle : float
-        From the bow to where the current comes from, rad.
-    water_density : float
-        kg/m3.
-    viscosity : float
-        Kinematic, m2/s.
+    Speed in m/s, density in kg/m3, kinematic viscosity in m2/s; the angle is from the bow to where
+    the current comes from, rad.
     """
-    water = (water_density, speed)
-    cosine = math.cos(angle)
-    reynolds = speed * ship.length_waterline * abs(cosine) / viscosity
-    surface = wetted_surface(ship.draught, ship.length_waterline, ship.displacement)
-    parts = [
-        (
-            "loads.current_form",
-            "B T",
-            ship.breadth * ship.draught,
-            "Cxcb",
-            _FORM_COEFFICIENT,
-            _FORM,
-            "",
-        ),
-        (
-            "loads.current_friction",
-            "S",
-            surface,
-            "Cxca",
-            friction_coefficient(reynolds),
-            _FRICTION,
-            Message("loads.reynolds", number=reynolds),
-        ),
-    ]
-    if ship.propeller is not None:
-        ratio = PROPELLER_AREA_RATIOS[ship.propeller]
-        area = propeller_area(ship.length_waterline, ship.breadth, ratio)
-        note = Message("loads.propeller_note", kind=term(ship.propeller), ratio=ratio)
-        parts.append(
-            (
-                "loads.current_propeller",
-                "Ap",
-                area,
-                "Cprop",
-                _PROPELLER_COEFFICIENT,
-                _PROPELLER,
-                note,
-            )
-        )
-    return tuple(
-        drag_component(
-            Message(key),
+    length, cosine = ship.length_waterline, math.cos(angle)
+
+    def part(
+        name: str, of: tuple[str, float], by: tuple[str, float], source: LoadSource, note: str = ""
+    ) -> LoadComponent:
+        """Make a part of an area, m2, and a coefficient, each behind its symbol."""
+        letter, coefficient = by
+        return drag_component(
+            Message(name),
             "current",
-            water,
-            Number(symbol, area, "m2", Message("loads.area")),
+            (water_density, speed),
+            Number(*of, "m2", Message("loads.area")),
             Number(f"{letter} cos", coefficient * cosine, "", Message("loads.coefficient_here")),
             source,
             axis="surge",
             sign=-1.0,
             note=note,
         )
-        for key, symbol, area, letter, coefficient, source, note in parts
-    )
+
+    reynolds = speed * length * abs(cosine) / viscosity
+    section = ("B T", ship.breadth * ship.draught)
+    surface = ("S", wetted_surface(ship.draught, length, ship.displacement))
+    by_friction = ("Cxca", friction_coefficient(reynolds))
+    said = Message("loads.reynolds", number=reynolds)
+    parts = [
+        part("loads.current_form", section, ("Cxcb", _FORM_COEFFICIENT), _FORM),
+        part("loads.current_friction", surface, by_friction, _FRICTION, said),
+    ]
+    if ship.propeller is not None:
+        ratio = PROPELLER_AREA_RATIOS[ship.propeller]
+        blades = ("Ap", propeller_area(length, ship.breadth, ratio))
+        said = Message("loads.propeller_note", kind=term(ship.propeller), ratio=ratio)
+        by_blades = ("Cprop", _PROPELLER_COEFFICIENT)
+        parts.append(part("loads.current_propeller", blades, by_blades, _PROPELLER, said))
+    return tuple(parts)
 
 
 def yaw_moment(

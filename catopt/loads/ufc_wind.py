@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from catopt.loads.component import LoadComponent, Number
-from catopt.loads.drag import drag_component
+from catopt.loads.component import LoadComponent
+from catopt.loads.drag import wind_on_ship
 from catopt.loads.environment import Wind
 from catopt.loads.ship import Ship
 from catopt.loads.source import UFC, LoadSource, refuse_recalled
@@ -28,29 +28,18 @@ _GIVE = "give the coefficient of your edition, or take Blendermann's"
 
 @dataclass(frozen=True)
 class UfcWind:
-    """Coefficients of a ship.
-
-    Attributes
-    ----------
-    transverse : float
-        Cyw, on the lateral area.
-    from_ahead, from_astern : float
-        Cxw, on the frontal area.
-    zero_angle : float
-        theta_x, wind angle without a longitudinal force, rad, counted as UFC counts: 180 deg is
-        bow-on.
-    superstructure : {"single", "distributed"}
-        Which shape function the longitudinal force has.
-    recalled : bool
-        Whether a coefficient is recalled rather than the user's own.
-    """
+    """Coefficients of a ship: Cyw on the lateral area, Cxw from ahead and astern on the frontal."""
 
     transverse: float
     from_ahead: float
     from_astern: float
     zero_angle: float
+    """theta_x, wind angle without a longitudinal force, rad, counted as UFC counts: 180 deg is
+    bow-on."""
     superstructure: Superstructure
+    """Which shape function the longitudinal force has."""
     recalled: bool = False
+    """Whether a coefficient is recalled rather than the user's own."""
 
     def __post_init__(self) -> None:
         found = Findings("UfcWind")
@@ -67,18 +56,10 @@ class UfcWind:
 def longitudinal_shape(angle: float, zero_angle: float, superstructure: Superstructure) -> float:
     """fxw: 1 at 0, 0 at theta_x, -1 at 180 deg (UFC eq. 6 and 7, page 77, A).
 
-    Case I: cos(phi), phi = 90 deg theta/theta_x below theta_x and 90 deg (theta - theta_x)/
-    (180 deg - theta_x) + 90 deg above. Case II: [sin(gamma) - sin(5 gamma)/10]/0.9 with gamma =
-    phi + 90 deg.
-
-    Parameters
-    ----------
-    angle : float
-        theta, rad, counted as UFC counts; symmetrical about the ship's axis.
-    zero_angle : float
-        theta_x, rad.
-    superstructure : {"single", "distributed"}
-        Case I or II.
+    Case I, single: cos(phi), phi = 90 deg theta/theta_x below theta_x and 90 deg (theta - theta_x)/
+    (180 deg - theta_x) + 90 deg above. Case II, distributed: [sin(gamma) - sin(5 gamma)/10]/0.9
+    with gamma = phi + 90 deg. The angle theta, rad, is counted as UFC counts, and theta_x is the
+    zero angle, rad; it is symmetrical about the ship's axis.
     """
     theta = math.acos(max(-1.0, min(1.0, math.cos(angle))))
     quarter = 0.5 * math.pi
@@ -112,26 +93,9 @@ def ufc_wind_loads(
 ) -> tuple[LoadComponent, LoadComponent]:
     """Wind along and across a ship: 1/2 rho V^2 A C f.
 
-    Parameters
-    ----------
-    ship : Ship
-        Its frontal and lateral areas count.
-    wind : Wind
-        Mean of 30 s at 10 m (UFC 3-8.1, page 42).
-    of : UfcWind
-        Coefficients.
-    angle : float
-        From the bow to where the wind comes from, rad: 0 from ahead.
-    air_density : float
-        kg/m3; 1.221 in UFC.
-    allow_recalled : bool
-        Must be set, for the transverse shape function is recalled (R), unless the wind is along
-        the ship.
-
-    Raises
-    ------
-    InputError
-        When recalled figures are not allowed.
+    The wind is the mean of 30 s at 10 m (UFC 3-8.1, page 42), its angle from the bow to where it
+    comes from, rad: 0 from ahead; the density, kg/m3, is 1.221 in UFC. Off the ship's axis recalled
+    figures must be allowed, for the transverse shape function is one (R).
     """
     along_axis = abs(math.sin(angle)) < _ALONG
     across = 0.0 if along_axis else transverse_shape(angle, allow_recalled=allow_recalled)
@@ -140,28 +104,13 @@ def ufc_wind_loads(
         refuse_recalled("ufc_wind_loads", "of", what, _GIVE, allowed=allow_recalled)
     shape = longitudinal_shape(math.pi - angle, of.zero_angle, of.superstructure)
     along = of.from_ahead if shape < 0.0 else of.from_astern
-    air = (air_density, wind.speed)
     values = {"angle": math.degrees(angle), "along": shape, "across": across}
-    note = Message("loads.ufc_wind_note", **values)
-    return (
-        drag_component(
-            Message("loads.wind_along"),
-            "wind",
-            air,
-            Number("Ax", ship.frontal_area, "m2", Message("loads.frontal_area")),
-            Number("Cxw fxw", along * shape, "", Message("loads.coefficient_here")),
-            _RECALLED if of.recalled else _LONGITUDINAL,
-            axis="surge",
-            note=note,
-        ),
-        drag_component(
-            Message("loads.wind_across"),
-            "wind",
-            air,
-            Number("Ay", ship.lateral_area, "m2", Message("loads.lateral_area")),
-            Number("Cyw fyw", of.transverse * across, "", Message("loads.coefficient_here")),
-            _RECALLED,
-            axis="sway",
-            note=note,
-        ),
+    source = _RECALLED if of.recalled else _LONGITUDINAL
+    return wind_on_ship(
+        ship,
+        wind,
+        air_density,
+        ("Ax", "Cxw fxw", along * shape, source),
+        ("Ay", "Cyw fyw", of.transverse * across, _RECALLED),
+        Message("loads.ufc_wind_note", **values),
     )
