@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
 from catopt.errors import NoAnswerError
 from catopt.loads.holding_data import ANCHORS, CURVES, DATA_SETS, SOILS, DataSet, HoldingCurve
-from catopt.loads.sizes import ANCHOR_MASSES, neighbours, next_size
+from catopt.loads.sizes import ANCHOR_MASSES, NextSize, neighbours, next_size
 from catopt.loads.source import UFC, LoadSource, refuse_recalled
 from catopt.model.validity import Findings
 from catopt.words import Measure, Message, Several, term
@@ -22,21 +22,12 @@ _STEEPEST_LIMIT: Final = math.radians(10.0)
 
 @dataclass(frozen=True)
 class HoldingCapacity:
-    """What an anchor holds at the most, pulled horizontally.
-
-    Attributes
-    ----------
-    capacity : float
-        N.
-    curve : HoldingCurve
-        That it is from.
-    others : tuple of (str, float)
-        What the other data sets say, N.
-    """
+    """What an anchor holds at the most, pulled horizontally, N, by a curve."""
 
     capacity: float
     curve: HoldingCurve
     others: tuple[tuple[str, float], ...] = ()
+    """What the other data sets say, N."""
 
     @property
     def note(self) -> Message:
@@ -46,51 +37,26 @@ class HoldingCapacity:
         if source.recalled:
             notes.append(Message("loads.capacity_recalled"))
         for name, value in self.others:
-            notes.append(
-                Message("loads.capacity_other", data=name, capacity=Measure("tension", value))
-            )
+            capacity = Measure("tension", value)
+            notes.append(Message("loads.capacity_other", data=name, capacity=capacity))
         return Several(notes)
 
 
-@dataclass(frozen=True)
-class DragAnchorSize:
-    """An anchor that holds a pull.
-
-    Attributes
-    ----------
-    anchor, soil : str
-        Kinds.
-    needed_mass, mass : float
-        The least, and the next size sold, kg.
-    capacity : HoldingCapacity
-        Of the size sold.
-    horizontal_force : float
-        Pull, N.
-    safety_factor : float
-        That was wanted.
-    factor_source : LoadSource or None
-        Of the factor; None for the user's own.
-    smaller, larger : float or None
-        Its neighbours in the series, kg.
-    """
+@dataclass(frozen=True, kw_only=True)
+class DragAnchorSize(NextSize):
+    """An anchor that holds a pull."""
 
     anchor: str
     soil: str
-    needed_mass: float
-    mass: float
     capacity: HoldingCapacity
-    horizontal_force: float
-    safety_factor: float
+    """Of the size sold."""
     factor_source: LoadSource | None
-    smaller: float | None
-    larger: float | None
+    """Of the factor; None for the user's own."""
 
     @property
-    def factor(self) -> float | None:
-        """Capacity over pull; None without a pull."""
-        if self.horizontal_force == 0.0:
-            return None
-        return self.capacity.capacity / self.horizontal_force
+    def held(self) -> float:
+        """Its capacity, N."""
+        return self.capacity.capacity
 
 
 def default_factor(anchor: str) -> float:
@@ -98,11 +64,6 @@ def default_factor(anchor: str) -> float:
 
     The table has 1.5 for stockless and balanced-fluke anchors and 2.0 for high-efficiency drag
     anchors; every anchor but the stockless one is taken for one of these, on the safe side.
-
-    Parameters
-    ----------
-    anchor : str
-        Kind.
     """
     return 1.5 if anchor == "stockless" else 2.0
 
@@ -117,17 +78,9 @@ def holding_capacity(
 ) -> HoldingCapacity:
     """Ultimate holding capacity HR (m/mR)^b (UFC eq. 26, page 105, A; the figures C or R).
 
-    Parameters
-    ----------
-    anchor, soil : str
-        One of `ANCHORS` and of `SOILS`.
-    mass : float
-        In air, kg.
-    data : {"lower", "UFC", "DTOcean", "Vryhof"}
-        Data set; the lowest of those that have the anchor when left out. A recalled figure (R) is
-        used so only to lower a figure that was read.
-    allow_recalled : bool
-        Whether recalled figures may stand alone.
+    The anchor is one of `ANCHORS` in one of `SOILS`; the mass is in air, kg. Of the data sets that
+    have it the lowest counts unless one is named: a recalled figure (R) is used so only to lower a
+    figure that was read, and stands alone only where that is allowed.
 
     Raises
     ------
@@ -153,14 +106,12 @@ def size_drag_anchor(
     series: Sequence[float] = ANCHOR_MASSES,
     allow_recalled: bool = False,
 ) -> DragAnchorSize:
-    """Pick the next size that holds a pull.
+    """Pick the next size of a rising series, kg, that holds a pull at the anchor, N.
+
+    The rest is as of `holding_capacity`.
 
     Parameters
     ----------
-    anchor, soil, data, allow_recalled
-        As of `holding_capacity`.
-    horizontal_force : float
-        At the anchor, N.
     safety_factor : float, optional
         On the ultimate capacity; `default_factor` when left out.
     uplift_angle : float
@@ -168,8 +119,6 @@ def size_drag_anchor(
     uplift_limit : float
         Largest allowed, rad; 0, for UFC keeps the pull horizontal (table 3-18, A). At most 10 deg
         (TU Delft, C).
-    series : sequence of float
-        Masses sold, rising, kg.
 
     Raises
     ------
@@ -185,26 +134,34 @@ def size_drag_anchor(
     mass = next_size(needed, series, Message("loads.anchor_in", anchor=anchor, soil=term(soil)))
     smaller, larger = neighbours(mass, series)
     return DragAnchorSize(
-        anchor,
-        soil,
-        needed,
-        mass,
-        _lowest(curves, mass),
-        horizontal_force,
-        factor,
-        FACTOR_SOURCE if safety_factor is None else None,
-        smaller,
-        larger,
+        anchor=anchor,
+        soil=soil,
+        needed_mass=needed,
+        mass=mass,
+        smaller=smaller,
+        larger=larger,
+        capacity=_lowest(curves, mass),
+        horizontal_force=horizontal_force,
+        safety_factor=factor,
+        factor_source=FACTOR_SOURCE if safety_factor is None else None,
     )
 
 
 def _curves(anchor: str, soil: str, data: str, allow_recalled: bool) -> tuple[HoldingCurve, ...]:
     """Gather the curves to be used."""
-    _check_names(anchor, soil, data)
+    found = Findings("holding capacity")
+    if anchor not in ANCHORS:
+        found.add("anchor", repr(anchor), "one of " + "; ".join(ANCHORS))
+    found.word("soil", soil, SOILS)
+    found.word("data", data, ("lower", *DATA_SETS))
+    found.raise_if_any()
     of_anchor = [curve for curve in CURVES if curve.anchor == anchor]
     own = [curve for curve in of_anchor if curve.soil == soil and data in ("lower", curve.data)]
     if not own:
-        _refuse(anchor, soil, data, of_anchor)
+        there = ", ".join(f"{curve.data} in {curve.soil}" for curve in of_anchor)
+        lacks = f"no figures of {anchor} for data {data!r}; there are: {there}"
+        found.add("soil", repr(soil), lacks)
+        found.raise_if_any()
     if all(curve.source.recalled for curve in own):
         what = f"the figures of {anchor} in {soil} after {own[0].data}"
         instead = "take another anchor or data set"
@@ -212,27 +169,8 @@ def _curves(anchor: str, soil: str, data: str, allow_recalled: bool) -> tuple[Ho
     return tuple(own)
 
 
-def _check_names(anchor: str, soil: str, data: str) -> None:
-    found = Findings("holding capacity")
-    if anchor not in ANCHORS:
-        found.add("anchor", repr(anchor), "one of " + "; ".join(ANCHORS))
-    if soil not in SOILS:
-        found.add("soil", repr(soil), "one of " + ", ".join(SOILS))
-    if data not in ("lower", *DATA_SETS):
-        found.add("data", repr(data), "one of lower, " + ", ".join(DATA_SETS))
-    found.raise_if_any()
-
-
-def _refuse(anchor: str, soil: str, data: str, known: Iterable[HoldingCurve]) -> None:
-    there = ", ".join(f"{curve.data} in {curve.soil}" for curve in known)
-    found = Findings("holding capacity")
-    found.add("soil", repr(soil), f"no figures of {anchor} for data {data!r}; there are: {there}")
-    found.raise_if_any()
-
-
 def _lowest(curves: Sequence[HoldingCurve], mass: float) -> HoldingCapacity:
-    by_capacity: Callable[[HoldingCurve], float] = lambda curve: curve.capacity(mass)  # noqa: E731
-    lowest = min(curves, key=by_capacity)
+    lowest = min(curves, key=lambda curve: curve.capacity(mass))
     others = tuple((c.data, c.capacity(mass)) for c in curves if c is not lowest)
     return HoldingCapacity(lowest.capacity(mass), lowest, others)
 
@@ -245,11 +183,6 @@ def _check(horizontal: float, factor: float, angle: float, limit: float) -> None
     found.number("uplift_limit", limit, "rad", at_least=0.0, at_most=_STEEPEST_LIMIT)
     found.raise_if_any()
     if angle > limit:
-        raise NoAnswerError(
-            Message(
-                "loads.pulled_up",
-                angle=math.degrees(angle),
-                above=math.degrees(angle - limit),
-                limit=math.degrees(limit),
-            )
-        )
+        ends = {"angle": angle, "above": angle - limit, "limit": limit}
+        degrees = {name: math.degrees(each) for name, each in ends.items()}
+        raise NoAnswerError(Message("loads.pulled_up", **degrees))

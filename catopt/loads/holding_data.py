@@ -28,22 +28,10 @@ _TONNE: Final = 1000.0
 
 @dataclass(frozen=True)
 class HoldingCurve:
-    """Ultimate holding capacity H = HR (m/mR)^b.
+    """Ultimate holding capacity H = HR (m/mR)^b of a kind of anchor in a kind of soil.
 
-    Attributes
-    ----------
-    anchor, soil : str
-        Kind of anchor and of soil.
-    data : {"UFC", "DTOcean", "Vryhof"}
-        Data set.
-    reference_capacity : float
-        HR, N.
-    reference_mass : float
-        mR, kg.
-    exponent : float
-        b.
-    source : LoadSource
-        Of HR and b.
+    The reference capacity HR is in N, the reference mass mR in kg; b is the exponent, and the
+    source that of HR and b.
     """
 
     anchor: str
@@ -66,8 +54,6 @@ class HoldingCurve:
 
 
 _UFC_SOURCE = LoadSource(UFC, "eq. 26, page 105 (read); HR and b of table 5-3 recalled", "R")
-_DTO_SOURCE = LoadSource(DTOCEAN, "drag anchors", "C")
-_MK6_SOURCE = LoadSource(MOORPY, "Stevpris Mk6", "C")
 
 # HR in kips for 10 000 lbf, and b.
 _UFC: Final[dict[str, _Rows]] = {
@@ -91,36 +77,27 @@ _DTO: Final[dict[str, _Rows]] = {
 }
 
 # kN for 1 t, and b.
-_MK6: Final[_Rows] = {
-    "soft clay": (509.96, 0.93),
-    "medium clay": (701.49, 0.93),
-    "sand": (904.21, 0.92),
+_VRYHOF: Final[dict[str, _Rows]] = {
+    "Stevpris Mk6": {
+        "soft clay": (509.96, 0.93),
+        "medium clay": (701.49, 0.93),
+        "sand": (904.21, 0.92),
+    },
 }
 
+_SETS: Final[tuple[tuple[DataSet, dict[str, _Rows], float, float, LoadSource], ...]] = (
+    ("UFC", _UFC, _KIP, _UFC_MASS, _UFC_SOURCE),
+    ("DTOcean", _DTO, _TONNE * STANDARD_GRAVITY, _TONNE, LoadSource(DTOCEAN, "drag anchors", "C")),
+    ("Vryhof", _VRYHOF, 1e3, _TONNE, LoadSource(MOORPY, "Stevpris Mk6", "C")),
+)
+"""Rows of each data set, the unit of their capacities, N, the mass they are for, kg, the source."""
 
-def _curves() -> tuple[HoldingCurve, ...]:
-    found: list[HoldingCurve] = []
-
-    def add(
-        anchor: str,
-        rows: _Rows,
-        data: DataSet,
-        unit: float,
-        mass: float,
-        source: LoadSource,
-    ) -> None:
-        for soil, (reference, exponent) in rows.items():
-            found.append(HoldingCurve(anchor, soil, data, reference * unit, mass, exponent, source))
-
-    for anchor, rows in _UFC.items():
-        add(anchor, rows, "UFC", _KIP, _UFC_MASS, _UFC_SOURCE)
-    for anchor, rows in _DTO.items():
-        add(anchor, rows, "DTOcean", _TONNE * STANDARD_GRAVITY, _TONNE, _DTO_SOURCE)
-    add("Stevpris Mk6", _MK6, "Vryhof", 1e3, _TONNE, _MK6_SOURCE)
-    return tuple(found)
-
-
-CURVES: Final = _curves()
+CURVES: Final = tuple(
+    HoldingCurve(anchor, soil, data, capacity * unit, mass, exponent, source)
+    for data, anchors, unit, mass, source in _SETS
+    for anchor, rows in anchors.items()
+    for soil, (capacity, exponent) in rows.items()
+)
 """Every curve."""
 
 ANCHORS: Final = tuple(dict.fromkeys(curve.anchor for curve in CURVES))

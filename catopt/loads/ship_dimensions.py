@@ -66,22 +66,10 @@ _TABLE: Final = MappingProxyType(
 
 
 def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
-    """Estimate main dimensions from the deadweight, between the rows of a table of averages.
+    """Estimate main dimensions from the deadweight, kg, between the rows of a table of averages.
 
     Between two rows the logarithms are interpolated, so that a dimension goes with a power of the
-    deadweight there.
-
-    Parameters
-    ----------
-    kind : {"tanker", "bulk carrier", "general cargo"}
-        Of ship.
-    deadweight : float
-        kg.
-
-    Raises
-    ------
-    InputError
-        For another kind of ship, or a deadweight beyond the table.
+    deadweight there. Another kind of ship and a deadweight beyond the table are refused.
 
     Examples
     --------
@@ -90,8 +78,7 @@ def ship_dimensions(kind: str, deadweight: float) -> ShipDimensions:
     ShipDimensions(length=210.0, breadth=32.2, moulded_depth=16.4, draught=12.6)
     """
     found = Findings("ship dimensions")
-    if kind not in get_args(ShipKind):
-        found.add("kind", repr(kind), "one of " + ", ".join(get_args(ShipKind)))
+    found.word("kind", kind, get_args(ShipKind))
     found.raise_if_any()
     rows = _TABLE[kind]
     tonnes, known = deadweight / _TONNE, sorted(rows)

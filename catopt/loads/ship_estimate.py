@@ -51,25 +51,11 @@ def estimated_tanker(
     propeller: str = "tanker",
     lateral_centre: float = 0.0,
 ) -> Ship:
-    """Make a tanker out of its main dimensions.
+    """Make a tanker out of its main dimensions, in m: length over all, depth from deck to keel.
 
-    Parameters
-    ----------
-    name : str
-        For titles.
-    length, breadth, draught : float
-        Over all, and afloat, m.
-    moulded_depth : float
-        From the deck to the keel, m.
-    condition : {"loaded", "ballast"}
-        For the block coefficient.
-    frontal_area, lateral_area : float, optional
-        Above water, m2; estimated when left out.
-    propeller : str
-        As of `Ship`.
-    lateral_centre : float
-        Of a lateral area that is given, m forward of midships; that of the estimated one follows
-        from a deckhouse at the stern.
+    The block coefficient is that of the condition. The areas above water, m2, are estimated when
+    left out; `lateral_centre` is of an area that is given, m forward of midships: that of the
+    estimated one follows from a deckhouse at the stern.
 
     Raises
     ------
@@ -77,18 +63,14 @@ def estimated_tanker(
         A deck below the water, or what no hull can be.
     """
     found = Findings(f"ship {name}".rstrip())
-    if condition not in get_args(Condition):
-        found.add("condition", repr(condition), "one of " + ", ".join(get_args(Condition)))
+    found.word("condition", condition, get_args(Condition))
     found.number("length_overall", length, "m", above=0.0)
     found.number("breadth", breadth, "m", above=0.0)
     found.number("draught", draught, "m", above=0.0)
     found.number("moulded_depth", moulded_depth, "m", above=0.0)
     if not found.problems and moulded_depth <= draught:
-        found.add(
-            "moulded_depth",
-            f"{moulded_depth:g} m",
-            f"not above the draught of {draught:g} m: the deck would be under water",
-        )
+        low = f"not above the draught of {draught:g} m: the deck would be under water"
+        found.add("moulded_depth", f"{moulded_depth:g} m", low)
     found.raise_if_any()
     freeboard = moulded_depth - draught
     waterline = WATERLINE * length

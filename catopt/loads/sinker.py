@@ -8,7 +8,8 @@ from types import MappingProxyType
 from typing import Final, Literal
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
-from catopt.loads.sizes import SINKER_MASSES, neighbours, next_size
+from catopt.errors import InputError, Problem
+from catopt.loads.sizes import SINKER_MASSES, NextSize, neighbours, next_size
 from catopt.loads.source import CALMAR, NAVFAC, LoadSource, refuse_recalled
 from catopt.model.anchor import sinker_needed
 from catopt.model.validity import Findings
@@ -27,33 +28,24 @@ FACTOR_SOURCE: Final = LoadSource(CALMAR, "6.2.6", "A")
 
 @dataclass(frozen=True)
 class SoilFriction:
-    """Friction of a sinker on a soil.
-
-    Attributes
-    ----------
-    soil : str
-        Name.
-    low, high : float
-        tan(delta) of mass concrete, from and to; the lower one is used.
-    steel : float or None
-        tan(delta) of steel, recalled (R); None where nothing is recalled.
-    source : LoadSource
-        Of concrete's figures.
-    note : str
-        Key of what else to know.
-    """
+    """Friction of a sinker on a soil: tan(delta) of mass concrete, of which the lower is used."""
 
     soil: str
     low: float
     high: float
     steel: float | None
+    """tan(delta) of steel, recalled (R); None where nothing is recalled."""
     source: LoadSource
+    """Of concrete's figures."""
     note: str = ""
+    """Key of what else to know."""
 
 
 _LAND = "a figure for foundations on land: soft mud is not covered"
 _NAVFAC = LoadSource(NAVFAC, f"mass concrete; {_LAND}", "A")
 _STEEL = LoadSource(NAVFAC, f"steel; {_LAND}", "R")
+
+_CALMAR = LoadSource(CALMAR, "7.2, phi = 45 deg", "A")
 
 _TABLE: Final = (
     SoilFriction("clean sound rock", 0.70, 0.70, None, _NAVFAC),
@@ -63,93 +55,45 @@ _TABLE: Final = (
     SoilFriction("sandy silt", 0.30, 0.35, 0.20, _NAVFAC),
     SoilFriction("hard clay", 0.40, 0.50, None, _NAVFAC),
     SoilFriction("stiff clay", 0.30, 0.35, None, _NAVFAC),
-    SoilFriction(
-        "IALA default",
-        1.0,
-        1.0,
-        None,
-        LoadSource(CALMAR, "7.2, phi = 45 deg", "A"),
-        "loads.optimistic",
-    ),
+    SoilFriction("IALA default", 1.0, 1.0, None, _CALMAR, "loads.optimistic"),
 )
 
 SOIL_FRICTION: Final = MappingProxyType({each.soil: each for each in _TABLE})
 """Soils by name."""
 
 
-@dataclass(frozen=True)
-class SinkerSize:
-    """A sinker that does not slide.
-
-    Attributes
-    ----------
-    material : {"concrete", "steel"}
-        Of what.
-    density : float
-        kg/m3.
-    friction : float
-        tan(delta) on the soil.
-    friction_source : LoadSource or None
-        Of it; None for the user's own.
-    needed_mass, mass : float
-        The least, and the next size, in air, kg.
-    submerged_weight : float
-        Of that size, N.
-    horizontal_force, vertical_force : float
-        Of the line on it, N, the vertical one upwards.
-    safety_factor : float
-        That was wanted.
-    smaller, larger : float or None
-        Its neighbours in the series, kg.
-    notes : tuple of str
-        What an engineer should know.
-    """
+@dataclass(frozen=True, kw_only=True)
+class SinkerSize(NextSize):
+    """A sinker that does not slide; masses in air, densities in kg/m3."""
 
     material: Material
     density: float
     friction: float
+    """tan(delta) on the soil."""
     friction_source: LoadSource | None
-    needed_mass: float
-    mass: float
+    """Of it; None for the user's own."""
     submerged_weight: float
-    horizontal_force: float
+    """N."""
     vertical_force: float
-    safety_factor: float
-    smaller: float | None
-    larger: float | None
+    """Of the line on it, upwards, N."""
     notes: tuple[str, ...] = ()
+    """What an engineer should know."""
 
     @property
-    def factor(self) -> float | None:
-        """What it holds over the horizontal pull; None without a pull."""
-        if self.horizontal_force == 0.0:
-            return None
-        held = holding_force(self.submerged_weight, self.vertical_force, self.friction)
-        return held / self.horizontal_force
+    def held(self) -> float:
+        """Horizontal pull at which it slides, N."""
+        return holding_force(self.submerged_weight, self.vertical_force, self.friction)
 
 
 def submerged_weight(mass: float, density: float, water_density: float) -> float:
-    """Weight in water g m (1 - rho_w/rho), N.
-
-    Parameters
-    ----------
-    mass : float
-        In air, kg.
-    density, water_density : float
-        kg/m3.
-    """
+    """Weight in water g m (1 - rho_w/rho), N, of a mass in air, kg, and densities in kg/m3."""
     return STANDARD_GRAVITY * mass * (1.0 - water_density / density)
 
 
 def holding_force(weight: float, vertical_force: float, friction: float) -> float:
-    """Horizontal pull at which it slides, mu (W - V); 0 for one that is lifted, N.
+    """Horizontal pull at which it slides, mu (W - V), N; 0 for one that is lifted.
 
-    Parameters
-    ----------
-    weight, vertical_force : float
-        In water, and of the line upwards, N.
-    friction : float
-        mu.
+    The weight W is in water; the vertical force V of the line is upwards.
     """
     return max(0.0, friction * (weight - vertical_force))
 
@@ -157,36 +101,22 @@ def holding_force(weight: float, vertical_force: float, friction: float) -> floa
 def friction_of(
     soil: str, material: Material = "concrete", *, allow_recalled: bool = False
 ) -> tuple[float, LoadSource]:
-    """Lower friction coefficient of a soil, with its source.
+    """Lower friction coefficient of a soil, a key of `SOIL_FRICTION`, with its source.
 
-    Parameters
-    ----------
-    soil : str
-        A key of `SOIL_FRICTION`.
-    material : {"concrete", "steel"}
-        Of the sinker. Steel's figures are recalled (R).
-    allow_recalled : bool
-        Whether they may be used.
-
-    Raises
-    ------
-    InputError
-        For a soil without a figure: soft mud has none. Measure, and give a friction.
+    Steel's figures are recalled (R), and have to be allowed. A soil without a figure is refused:
+    soft mud has none. Measure, and give a friction.
     """
     found = Findings("sinker")
     if soil not in SOIL_FRICTION:
         listed = "; ".join(SOIL_FRICTION)
         found.add("soil", repr(soil), f"one of {listed}; for others, soft mud too, give friction")
-    if material not in DENSITIES:
-        found.add("material", repr(material), "concrete or steel")
-    found.raise_if_any()
+    _check_material(found, material)
     row = SOIL_FRICTION[soil]
     if material == "concrete":
         return row.low, row.source
     if row.steel is None:
-        found.add("soil", repr(soil), "no figure for steel on it: give friction")
-        found.raise_if_any()
-    assert row.steel is not None
+        refused = Problem("soil", repr(soil), "no figure for steel on it: give friction")
+        raise InputError([refused], "sinker")
     what = f"friction of steel on {soil}"
     refuse_recalled("sinker", "soil", what, "give friction", allowed=allow_recalled)
     return row.steel, _STEEL
@@ -207,26 +137,10 @@ def size_sinker(
 ) -> SinkerSize:
     """Pick the next size that does not slide: mu (W - V) >= SF H, W in water.
 
-    Parameters
-    ----------
-    horizontal_force, vertical_force : float
-        Of the line on the sinker, N, the vertical one upwards.
-    soil : str, optional
-        A key of `SOIL_FRICTION`; it or `friction`.
-    friction : float, optional
-        tan(delta) of one's own.
-    material : {"concrete", "steel"}
-        Of the sinker.
-    density : float, optional
-        kg/m3; that of `DENSITIES` when left out.
-    safety_factor : float
-        On the horizontal force.
-    water_density : float
-        kg/m3.
-    series : sequence of float
-        Masses, rising, kg.
-    allow_recalled : bool
-        Whether recalled figures (R) may be used.
+    The forces are those of the line on the sinker, N, the vertical one upwards; the factor is on
+    the horizontal one. Either a soil is given, a key of `SOIL_FRICTION`, or tan(delta) of one's
+    own. The density, kg/m3, is that of `DENSITIES` when left out; the masses of the series rise,
+    kg. Recalled figures (R) are used where they are allowed.
 
     Raises
     ------
@@ -240,38 +154,39 @@ def size_sinker(
     else:
         assert friction is not None
         mu = friction
-    rho = DENSITIES[_material(material)] if density is None else density
+    if density is None:
+        _check_material(Findings("sinker"), material)
+    rho = DENSITIES[material] if density is None else density
     _check_density(rho, water_density)
     weight = sinker_needed(horizontal_force, vertical_force, mu, safety_factor)
     needed = weight / submerged_weight(1.0, rho, water_density)
     mass = next_size(needed, series, Message(_SINKERS[material]))
     smaller, larger = neighbours(mass, series)
     return SinkerSize(
-        material,
-        rho,
-        mu,
-        source,
-        needed,
-        mass,
-        submerged_weight(mass, rho, water_density),
-        horizontal_force,
-        vertical_force,
-        safety_factor,
-        smaller,
-        larger,
-        _notes(soil, material, density),
+        material=material,
+        density=rho,
+        friction=mu,
+        friction_source=source,
+        needed_mass=needed,
+        mass=mass,
+        smaller=smaller,
+        larger=larger,
+        submerged_weight=submerged_weight(mass, rho, water_density),
+        horizontal_force=horizontal_force,
+        vertical_force=vertical_force,
+        safety_factor=safety_factor,
+        notes=_notes(soil, material, density),
     )
 
 
 _SINKERS: Final = {"concrete": "loads.concrete_sinker", "steel": "loads.steel_sinker"}
 
 
-def _material(material: str) -> str:
+def _check_material(found: Findings, material: str) -> None:
+    """Raise InputError for what was found, and for an unknown material."""
     if material not in DENSITIES:
-        found = Findings("sinker")
         found.add("material", repr(material), "concrete or steel")
-        found.raise_if_any()
-    return material
+    found.raise_if_any()
 
 
 def _notes(soil: str | None, material: str, density: float | None) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from catopt.errors import NoAnswerError
@@ -28,6 +29,30 @@ SINKER_MASSES: Final = tuple(
 """kg, in air: steps for sinkers, which are cast to order. catopt's own list."""
 
 _ROUNDING = 1e-9
+
+
+@dataclass(frozen=True, kw_only=True)
+class NextSize:
+    """The next size sold that holds a pull: masses in kg, forces in N."""
+
+    needed_mass: float
+    mass: float
+    smaller: float | None
+    larger: float | None
+    """Its neighbours in the series."""
+    horizontal_force: float
+    safety_factor: float
+    """That was wanted."""
+
+    @property
+    def held(self) -> float:
+        """Horizontal pull that it holds, N."""
+        raise NotImplementedError
+
+    @property
+    def factor(self) -> float | None:
+        """What it holds over the pull; None without a pull."""
+        return None if self.horizontal_force == 0.0 else self.held / self.horizontal_force
 
 
 def next_size(needed: float, series: Sequence[float], what: str) -> float:

@@ -7,12 +7,12 @@ sources and the estimates of the ship are stated.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Final
 
 from catopt.loads.component import Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
-from catopt.loads.ship_estimate import estimated_tanker, estimates
+from catopt.loads.ship_estimate import Condition, estimated_tanker, estimates
 from catopt.loads.ship_loads import METHODS, ship_loads
 from catopt.loads.wave_drift import DriftWave
 from catopt.words import Message, Sentence
@@ -44,21 +44,12 @@ _STATEMENTS: Final = {
 
 @dataclass(frozen=True)
 class TankerComparison:
-    """Computed beside printed.
-
-    Attributes
-    ----------
-    loads : Loads
-        The computed forces, component by component.
-    printed : float
-        N.
-    estimates : tuple of str
-        What S3 does not print of the ship, and what was taken.
-    """
+    """Computed beside printed, N."""
 
     loads: Loads
     printed: float
     estimates: tuple[str, ...]
+    """What S3 does not print of the ship, and what was taken."""
 
     @property
     def ratio(self) -> float:
@@ -77,14 +68,8 @@ class TankerComparison:
         return Sentence(Message(_STATEMENTS[agreement, side], **values))
 
 
-def tanker(condition: Literal["loaded", "ballast"] = "loaded") -> Ship:
-    """S3's ship of 50,000 DWT, with what is not printed estimated.
-
-    Parameters
-    ----------
-    condition : {"loaded", "ballast"}
-        Draught 12.4 or 3.2 m.
-    """
+def tanker(condition: Condition = "loaded") -> Ship:
+    """S3's ship of 50,000 DWT at a draught of 12.4 or 3.2 m, with what is not printed estimated."""
     return estimated_tanker(
         f"tanker of 50,000 DWT, {condition}",
         _LENGTH,
@@ -96,20 +81,14 @@ def tanker(condition: Literal["loaded", "ballast"] = "loaded") -> Ship:
 
 
 def compare_tanker(
-    condition: Literal["loaded", "ballast"] = "loaded",
+    condition: Condition = "loaded",
     drift: DriftWave = "sea state",
     method: str = METHODS[0],
 ) -> TankerComparison:
     """Compute the force on S3's tanker, head to everything, beside the printed 450 kN.
 
-    Parameters
-    ----------
-    condition : {"loaded", "ballast"}
-        Draught 12.4 or 3.2 m.
-    drift : {"sea state", "largest wave"}
-        Mean drift of the sea whose Hmax is 3.5 m, or of regular waves of that height.
-    method : str
-        One of `catopt.loads.METHODS`; by 22TCN 222-95 it is wind and current alone.
+    The drift is that of the sea whose Hmax is 3.5 m, or of regular waves of that height; the method
+    one of `catopt.loads.METHODS`: by 22TCN 222-95 it is wind and current alone.
     """
     loads = ship_loads(
         tanker(condition),
