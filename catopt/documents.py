@@ -26,6 +26,7 @@ __all__ = [
     "MOST_BYTES_OF_DATA",
     "Path",
     "dotted",
+    "figures",
     "parse_json",
     "parse_toml",
     "read_text",
@@ -45,6 +46,7 @@ _DEEPEST = 20
 """Tables and arrays within each other; a case file needs 6, a document of catopt's own 8."""
 
 _PLACE = re.compile(r" \(at (line (\d+), column \d+|end of document)\)$")
+_UNIT = re.compile("_(m|N|kg|rad|USD)(_per_(m|m3|s))?$")
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 _HINTS = (
@@ -147,6 +149,12 @@ def dotted(path: Path) -> str:
         else:
             text += ("." if text else "") + (part if _BARE_KEY.fullmatch(part) else repr(part))
     return text
+
+
+def figures(of: object, keys: str) -> dict[str, Any]:
+    """List attributes by keys that end in their unit, if any: ``mass_kg`` is the mass, in kg."""
+    found = {key: getattr(of, _UNIT.sub("", key)) for key in keys.split()}
+    return {k: list(value) if isinstance(value, tuple) else value for k, value in found.items()}
 
 
 def unfit(text: str) -> str:

@@ -3,22 +3,15 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import TYPE_CHECKING, Any
 
 from catopt.design.mooring_point import under
+from catopt.documents import figures
 from catopt.model.design import loads_of
 from catopt.words.saved import messages_in
 
 if TYPE_CHECKING:
     from catopt.design.result import DesignPoint, DesignResult, Neighbour
-
-_UNIT = re.compile("_(m|N|kg|rad|USD)(_per_(m|m3|s))?$")
-
-
-def figures(of: object, keys: str) -> dict[str, Any]:
-    """List attributes by keys that end in their unit, if any: ``mass_kg`` is the mass, in kg."""
-    return {key: getattr(of, _UNIT.sub("", key)) for key in keys.split()}
 
 
 def design_document(result: DesignResult) -> dict[str, Any]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
-from catopt.loads.component import LoadComponent, Loads
+from catopt.documents import figures
+from catopt.loads.component import Axis, LoadComponent, Loads
 
 if TYPE_CHECKING:
     from catopt.loads.weathervane import Lying
@@ -14,29 +15,13 @@ SCHEMA = "catopt.loads/1"
 
 
 def loads_document(of: Loads, *others: Loads, lyings: Sequence[Lying] = ()) -> dict[str, Any]:
-    """Lay loads out for JSON, in SI.
-
-    Parameters
-    ----------
-    of : Loads
-        On a buoy or a ship.
-    *others : Loads
-        By other methods, for comparison.
-    lyings : sequence of Lying
-        The cases of which the worst is laid out.
-    """
+    """Lay loads out for JSON, in SI: others are by other methods, of the lyings it is the worst."""
     document = {
         "schema": SCHEMA,
-        "title": of.title,
-        "horizontal_force_N": of.horizontal_force,
-        "along_N": of.along("along"),
-        "surge_N": of.along("surge"),
-        "sway_N": of.along("sway"),
+        **figures(of, "title horizontal_force_N"),
+        **{f"{axis}_N": of.along(axis) for axis in get_args(Axis)},
         "components": [_component(each) for each in of.components],
-        "assumptions": list(of.assumptions),
-        "recalled": list(of.recalled),
-        "warnings": list(of.warnings),
-        "method": of.method,
+        **figures(of, "assumptions recalled warnings method"),
         "others": [loads_document(each) for each in others],
     }
     return document | ({"headings": [lying_document(each) for each in lyings]} if lyings else {})
@@ -46,31 +31,16 @@ def lying_document(of: Lying) -> dict[str, Any]:
     """Lay out how a ship lies, in SI."""
     return {
         "condition": of.afloat.condition,
-        "wind_from_rad": of.directions.wind,
-        "current_from_rad": of.directions.current,
-        "waves_from_rad": of.directions.waves,
-        "heading_rad": of.heading,
-        "depth_m": of.depth,
-        "horizontal_force_N": of.loads.horizontal_force,
-        "method": of.loads.method,
+        **{f"{name}_from_rad": angle for name, angle in vars(of.directions).items()},
+        **figures(of, "heading_rad depth_m"),
+        **figures(of.loads, "horizontal_force_N method"),
     }
 
 
 def _component(of: LoadComponent) -> dict[str, Any]:
     return {
-        "name": of.name,
-        "kind": of.kind,
-        "axis": of.axis,
-        "force_N": of.force,
-        "formula": of.formula,
-        "numbers": [
-            {"symbol": n.symbol, "value": n.value, "unit": n.unit, "meaning": n.meaning}
-            for n in of.numbers
-        ],
-        "source": {
-            "document": of.source.document,
-            "clause": of.source.clause,
-            "confidence": of.source.confidence,
-        },
+        **figures(of, "name kind axis force_N formula"),
+        "numbers": [dict(vars(each)) for each in of.numbers],
+        "source": dict(vars(of.source)),
         "note": of.note,
     }

@@ -54,10 +54,11 @@ def ship_loads(
 ) -> Loads:
     """Add up the forces of wind, current and waves on a ship, by one method.
 
+    They are along (surge) and across (sway) the ship. Static means: slow drift and wave-frequency
+    motions come on top.
+
     Parameters
     ----------
-    ship : Ship
-        Afloat.
     wind : Wind
         Mean of 30 s at 10 m.
     current : SurfaceCurrent
@@ -86,12 +87,6 @@ def ship_loads(
         Whether recalled figures (R) may be used beside coefficients of one's own; UFC's transverse
         wind is one.
 
-    Returns
-    -------
-    Loads
-        Along (surge) and across (sway) the ship. Static means: slow drift and wave-frequency
-        motions come on top.
-
     Raises
     ------
     InputError
@@ -102,33 +97,35 @@ def ship_loads(
     if isinstance(wind_on, UfcWind):
         method = UFC_ALONE
     _check_method(method, wind_on, headings)
+    warnings: tuple[str, ...]
     if method == TCN:
-        components = tcn_loads(
-            ship,
-            wind,
-            current,
-            sea,
-            depth,
-            headings=headings,
-            wave_coefficient=wave_coefficient,
-            water_density=water_density,
-        )
+        own: dict[str, Any] = {"headings": headings, "wave_coefficient": wave_coefficient}
+        components = tcn_loads(ship, wind, current, sea, depth, **own, water_density=water_density)
         notes = (Message("loads.tcn_basis"), Message("loads.tcn_current"))
-        warnings = _tcn_warnings(sea, wave_coefficient)
+        without = wave_coefficient is None and sea.hmax > 0.0
+        warnings = (Message("loads.tcn_no_waves"),) if without else ()
     else:
         is_recalled = method == UFC_ALONE and not isinstance(wind_on, UfcWind)
         blow = _RECALLED_WIND if is_recalled else wind_on
+        stream = {"angle": headings.current, "water_density": water_density}
+        waves: dict[str, Any] = {"reflection": reflection, "of": drift}
+        size = (ship.length_waterline, ship.breadth)
         components = (
             *_wind(ship, wind, blow, headings.wind, allow_recalled or is_recalled),
-            *_ufc(ship, current, sea, depth, headings, reflection, drift, water_density),
+            *longitudinal_loads(ship, current.speed, **stream),
+            transverse_load(ship, current.speed, depth, **stream),
+            *ship_drift(
+                sea, *size, depth, angle=headings.waves, **waves, water_density=water_density
+            ),
         )
         notes = (Message("loads.steady"), Message("loads.box_drift"))
         warnings = _warnings(current, sea, depth, headings, drift)
+    # Across a ship that lies head on there is nothing.
+    shown = (each for each in components if not (headings.head_on and each.axis == "sway"))
+    weather = {"wind": wind.speed, "current": current.speed, "height": sea.hs}
     return Loads(
-        Message(
-            "loads.ship_in", ship=ship.name, wind=wind.speed, current=current.speed, height=sea.hs
-        ),
-        tuple(each for each in components if _counts(each, headings)),
+        Message("loads.ship_in", ship=ship.name, **weather),
+        tuple(shown),
         (_lie(headings, is_balanced), *notes),
         warnings,
         method,
@@ -136,15 +133,10 @@ def ship_loads(
 
 
 def every_method(*on: Any, headings: Headings = HEAD_ON, **how: Any) -> tuple[Loads, ...]:
-    """Compute the loads by every method that applies, in the order of `METHODS`.
+    """Compute the loads by every method that applies, in the order of `METHODS`; as `ship_loads`.
 
     UFC alone is left out where the wind is off the bow: its coefficients there were not read. The
     last of the methods says so.
-
-    Parameters
-    ----------
-    *on, headings, **how
-        As of `ship_loads`, but for the method.
     """
     off_the_bow = _is_off_the_bow(headings)
     *first, last = (
@@ -157,31 +149,14 @@ def every_method(*on: Any, headings: Headings = HEAD_ON, **how: Any) -> tuple[Lo
 
 
 def governing_loads(methods: Sequence[str], *on: Any, **how: Any) -> Loads:
-    """Compute the loads by one method, or the largest of several.
-
-    Parameters
-    ----------
-    methods : sequence of str
-        Of `METHODS`, one at least.
-    *on, **how
-        As of `ship_loads`.
-    """
+    """Compute the loads by one of `METHODS`, or the largest of several; as `ship_loads`."""
     every = [ship_loads(*on, method=method, **how) for method in methods]
     governs = largest(every, lambda each: each.horizontal_force)
     if len(every) == 1:
         return governs
-    forces = Several(
-        (
-            Message(
-                "loads.by_method",
-                method=each.method,
-                force=Measure("horizontal_force", each.horizontal_force),
-            )
-            for each in every
-        ),
-        ", ",
-    )
-    said = Message("loads.largest_of", forces=forces)
+    measured = [(of.method, Measure("horizontal_force", of.horizontal_force)) for of in every]
+    by_method = [Message("loads.by_method", method=name, force=force) for name, force in measured]
+    said = Message("loads.largest_of", forces=Several(by_method, ", "))
     return replace(governs, assumptions=(said, *governs.assumptions))
 
 
@@ -199,15 +174,13 @@ coefficient and the zero angle, which were not read, do not count."""
 
 def _check_method(method: str, wind_on: str | UfcWind, headings: Headings) -> None:
     found = Findings("loads on a ship")
-    if method not in METHODS:
-        found.add("method", repr(method), "one of " + ", ".join(METHODS))
+    found.word("method", method, METHODS)
     if method == UFC_ALONE and isinstance(wind_on, str) and _is_off_the_bow(headings):
-        found.add(
-            "Headings.wind",
-            f"{math.degrees(headings.wind):g} deg off the bow",
+        allowed = (
             f"{UFC_ALONE} has coefficients here for wind along the ship only: take "
-            f"{UFC_BLENDERMANN}, or give the coefficients of your edition (UfcWind)",
+            f"{UFC_BLENDERMANN}, or give the coefficients of your edition (UfcWind)"
         )
+        found.add("Headings.wind", f"{math.degrees(headings.wind):g} deg off the bow", allowed)
     found.raise_if_any()
 
 
@@ -216,69 +189,20 @@ def _is_off_the_bow(headings: Headings) -> bool:
     return abs(math.sin(headings.wind)) > _ALONG
 
 
-def _ufc(
-    ship: Ship,
-    current: SurfaceCurrent,
-    sea: SeaState,
-    depth: float,
-    headings: Headings,
-    reflection: float,
-    drift: DriftWave,
-    water_density: float,
-) -> tuple[LoadComponent, ...]:
-    """Compute current after UFC and the mean drift of the waves."""
-    stream = {"angle": headings.current, "water_density": water_density}
-    return (
-        *longitudinal_loads(ship, current.speed, **stream),
-        transverse_load(ship, current.speed, depth, **stream),
-        *ship_drift(
-            sea,
-            ship.length_waterline,
-            ship.breadth,
-            depth,
-            angle=headings.waves,
-            reflection=reflection,
-            of=drift,
-            water_density=water_density,
-        ),
-    )
-
-
 def _wind(
     ship: Ship, wind: Wind, wind_on: str | UfcWind, angle: float, allow_recalled: bool
 ) -> tuple[LoadComponent, ...]:
+    air = {"angle": angle, "air_density": AIR_DENSITY}
     if isinstance(wind_on, UfcWind):
-        return ufc_wind_loads(
-            ship,
-            wind,
-            wind_on,
-            angle=angle,
-            air_density=AIR_DENSITY,
-            allow_recalled=allow_recalled,
-        )
-    return blendermann_loads(ship, wind, wind_on, angle=angle, air_density=AIR_DENSITY)
-
-
-def _counts(component: LoadComponent, headings: Headings) -> bool:
-    """Whether a component is shown: across a ship that lies head on there is nothing."""
-    return not (headings.head_on and component.axis == "sway")
+        return ufc_wind_loads(ship, wind, wind_on, **air, allow_recalled=allow_recalled)
+    return blendermann_loads(ship, wind, wind_on, **air)
 
 
 def _lie(headings: Headings, is_balanced: bool) -> Message:
     if headings.head_on:
         return Message("loads.collinear")
-    return Message(
-        "loads.heading_found" if is_balanced else "loads.heading_given",
-        wind=math.degrees(headings.wind),
-        current=math.degrees(headings.current),
-        waves=math.degrees(headings.waves),
-    )
-
-
-def _tcn_warnings(sea: SeaState, wave_coefficient: float | None) -> tuple[str, ...]:
-    if wave_coefficient is None and sea.hmax > 0.0:
-        return (Message("loads.tcn_no_waves"),)
-    return ()
+    key = "loads.heading_found" if is_balanced else "loads.heading_given"
+    return Message(key, **{name: math.degrees(each) for name, each in vars(headings).items()})
 
 
 def _warnings(

@@ -53,13 +53,7 @@ def wave_length_factor(length_over_wave: float) -> float:
 
 
 def wave_height(sea: SeaState) -> float:
-    """Return the height that 5 % of the waves exceed, m: Hs sqrt(ln 20/2), of Rayleigh's law.
-
-    Parameters
-    ----------
-    sea : SeaState
-        Its significant height counts.
-    """
+    """Return the height that 5 % of the waves exceed, m: Hs sqrt(ln 20/2), of Rayleigh's law."""
     return sea.hs * math.sqrt(0.5 * math.log(20.0))
 
 
@@ -76,58 +70,44 @@ def tcn_loads(
 ) -> tuple[LoadComponent, ...]:
     """Compute wind, current and waves on a ship after 22TCN 222-95 (R).
 
-    Parameters
-    ----------
-    ship : Ship
-        Under water its areas are B T and LwL T.
-    wind, current, sea : Wind, SurfaceCurrent, SeaState
-        Wind that 2 % of the season exceeds.
-    depth : float
-        Of the water, m; for the wave length.
-    headings : Headings
-        Angles from the bow. Speeds count by their components along and across.
-    wave_coefficient : float or None
-        chi of the standard's curve over draught and wave length, which was not found: the user's.
-        None leaves the waves out.
-    water_density : float
-        kg/m3.
-
-    Returns
-    -------
-    tuple of LoadComponent
-        The wave load is the maximum of an oscillating force, not a mean.
-
-    Raises
-    ------
-    InputError
-        A negative coefficient; waves neither along nor across the ship, which 5.4 has not.
+    The wind is one that 2 % of the season exceeds; speeds count by their components along and
+    across, and the areas under water are B T and LwL T. The depth, m, is for the wave length, the
+    water's density in kg/m3. The wave load is the maximum of an oscillating force, not a mean; the
+    wave coefficient is chi of the standard's curve over draught and wave length, which was not
+    found: the user's. None leaves the waves out. A negative one is refused, and so are waves
+    neither along nor across the ship, which 5.4 has not.
     """
+    ahead, abeam = ship.breadth * ship.draught, ship.length_waterline * ship.draught
     seen_ahead = Number("An", ship.frontal_area, "m2", Message("loads.frontal_area"))
     seen_abeam = Number("Aq", ship.lateral_area, "m2", Message("loads.lateral_area"))
-    hull_ahead = Number("At", ship.breadth * ship.draught, "m2", Message("loads.breadth_draught"))
-    hull_abeam = Number(
-        "Al", ship.length_waterline * ship.draught, "m2", Message("loads.length_times_draught")
-    )
+    hull_ahead = Number("At", ahead, "m2", Message("loads.breadth_draught"))
+    hull_abeam = Number("Al", abeam, "m2", Message("loads.length_times_draught"))
     of_breadth, of_length = (
         Number("xi", silhouette_factor(size), "", Message("loads.silhouette", size=size))
         for size in (ship.breadth, ship.length_overall)
     )
-    ahead, abeam = math.cos(headings.wind), math.sin(headings.wind)
-    along, across = math.cos(headings.current), math.sin(headings.current)
+    blows, flows = wind.speed, current.speed
+    along, across = -blows * math.cos(headings.wind), blows * math.sin(headings.wind)
+    astern, aside = -flows * math.cos(headings.current), flows * math.sin(headings.current)
+    components = (
+        _stream("loads.wind_along", along, WIND_ALONG, seen_ahead, _WIND, of_breadth),
+        _stream("loads.wind_across", across, WIND_ACROSS, seen_abeam, _WIND, of_length),
+        _stream("loads.current_along", astern, CURRENT, hull_ahead, _CURRENT),
+        _stream("loads.current_across", aside, CURRENT, hull_abeam, _CURRENT),
+    )
+    if wave_coefficient is None:
+        return components
+    sine, cosine = _on_an_axis(headings.waves, wave_coefficient)
+    chi = Number("chi", wave_coefficient, "", Message("loads.wave_coefficient"))
+    rho = Number("rho", water_density, "kg/m3", Message("loads.water_density"))
+    ratio = ship.length_waterline * sea.wave_number(depth) / (2.0 * math.pi)
+    reduced = Message("loads.wave_length_factor", ratio=ratio)
+    gamma = Number("gamma1", wave_length_factor(ratio), "", reduced)
+    height = Number("h", wave_height(sea), "m", Message("loads.height_5_percent"))
     return (
-        _stream("wind_along", -wind.speed * ahead, WIND_ALONG, seen_ahead, _WIND, of_breadth),
-        _stream("wind_across", wind.speed * abeam, WIND_ACROSS, seen_abeam, _WIND, of_length),
-        _stream("current_along", -current.speed * along, CURRENT, hull_ahead, _CURRENT),
-        _stream("current_across", current.speed * across, CURRENT, hull_abeam, _CURRENT),
-        *_waves(
-            ship,
-            sea,
-            depth,
-            headings.waves,
-            wave_coefficient,
-            water_density,
-            (hull_ahead, hull_abeam),
-        ),
+        *components,
+        _wave("loads.wave_along", -cosine, (chi,), (rho, height, hull_ahead)),
+        _wave("loads.wave_across", sine, (chi, gamma), (rho, height, hull_abeam)),
     )
 
 
@@ -135,32 +115,41 @@ def _stream(
     key: str, speed: float, factor: float, area: Number, source: LoadSource, *more: Number
 ) -> LoadComponent:
     """Make the load of wind or current along or across: k A V^2, and xi for the wind."""
-    axis: Axis = "surge" if key.endswith("along") else "sway"
-    unit = Message("loads.in_kn", value=factor * 1e-3)
     numbers = (
-        Number("k", factor, "N s2/m4", unit),
+        Number("k", factor, "N s2/m4", Message("loads.in_kn", value=factor * 1e-3)),
         area,
         Number("V", abs(speed), "m/s", Message("loads.speed_component")),
         *more,
     )
-    factors = ("{k}", f"{{{area.symbol}}}", "{V:2}", *(f"{{{each.symbol}}}" for each in more))
+    factors = ("{k}", *_symbols(area), "{V:2}", *_symbols(*more))
     force = factor * area.value * speed * abs(speed) * math.prod(each.value for each in more)
     kind: Literal["wind", "current"] = "wind" if source is _WIND else "current"
-    return LoadComponent(Message(f"loads.{key}"), kind, axis, factors, numbers, force, source)
+    return LoadComponent(Message(key), kind, _axis(key), factors, numbers, force, source)
 
 
-def _waves(
-    ship: Ship,
-    sea: SeaState,
-    depth: float,
-    angle: float,
-    chi: float | None,
-    water_density: float,
-    areas: tuple[Number, Number],
-) -> tuple[LoadComponent, ...]:
-    """Make the largest load of the waves, along or across the ship."""
-    if chi is None:
-        return ()
+def _wave(
+    key: str, share: float, by: tuple[Number, ...], of: tuple[Number, Number, Number]
+) -> LoadComponent:
+    """Make the largest load of the waves by their factors, of density, height and area."""
+    (chi, *reduced), (rho, height, area) = by, of
+    weight = rho.value * STANDARD_GRAVITY * height.value * chi.value
+    force = weight * math.prod(each.value for each in reduced) * area.value * share
+    factors = (*_symbols(*by), "{rho}", "{g}", "{h}", *_symbols(area))
+    note = Message("loads.oscillating")
+    return LoadComponent(Message(key), "wave", _axis(key), factors, (*by, *of), force, _WAVE, note)
+
+
+def _axis(key: str) -> Axis:
+    return "surge" if key.endswith("along") else "sway"
+
+
+def _symbols(*numbers: Number) -> tuple[str, ...]:
+    """Write symbols as factors."""
+    return tuple(f"{{{each.symbol}}}" for each in numbers)
+
+
+def _on_an_axis(angle: float, chi: float) -> tuple[float, float]:
+    """Sine and cosine of an angle along or across the ship; for another, 0, if chi allows it."""
     sine, cosine = math.sin(angle), math.cos(angle)
     is_along, is_across = abs(sine) < _ON_AXIS, abs(cosine) < _ON_AXIS
     found = Findings("22TCN 222-95")
@@ -169,37 +158,7 @@ def _waves(
         allowed = "its wave load is for waves from ahead, from astern or from the beam"
         found.add("waves", f"{math.degrees(angle):g} deg off the bow", allowed)
     found.raise_if_any()
-    height = Number("h", wave_height(sea), "m", Message("loads.height_5_percent"))
-    water = Number("rho", water_density, "kg/m3", Message("loads.water_density"))
-    coefficient = Number("chi", chi, "", Message("loads.wave_coefficient"))
-    weight = water_density * STANDARD_GRAVITY * height.value * chi
-    ratio = ship.length_waterline * sea.wave_number(depth) / (2.0 * math.pi)
-    reduced = wave_length_factor(ratio)
-    gamma = Number("gamma1", reduced, "", Message("loads.wave_length_factor", ratio=ratio))
-    ahead, abeam = areas
-    note = Message("loads.oscillating")
-    return (
-        LoadComponent(
-            Message("loads.wave_along"),
-            "wave",
-            "surge",
-            ("{chi}", "{rho}", "{g}", "{h}", "{At}"),
-            (coefficient, water, height, ahead),
-            -weight * ahead.value * (cosine if is_along else 0.0),
-            _WAVE,
-            note,
-        ),
-        LoadComponent(
-            Message("loads.wave_across"),
-            "wave",
-            "sway",
-            ("{chi}", "{gamma1}", "{rho}", "{g}", "{h}", "{Al}"),
-            (coefficient, gamma, water, height, abeam),
-            weight * reduced * abeam.value * (sine if is_across else 0.0),
-            _WAVE,
-            note,
-        ),
-    )
+    return sine if is_across else 0.0, cosine if is_along else 0.0
 
 
 def _between(table: tuple[tuple[float, float], ...], at: float) -> float:

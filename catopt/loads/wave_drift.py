@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Final, Literal, get_args
+from typing import Literal, get_args
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.loads.component import LoadComponent, Number
@@ -39,26 +39,13 @@ def flat_side_drift(
     """Mean force per metre on a side that reflects the waves, N/m.
 
     1/2 rho g (R a)^2 times `depth_factor`, a the amplitude. Over an irregular sea the mean of
-    a^2/2 is m0 = Hs^2/16; for one regular wave a = Hmax/2 (not above breaking).
-
-    Parameters
-    ----------
-    sea : SeaState
-        Height and period.
-    depth : float
-        Of the water, m.
-    reflection : float
-        R, 0 to 1; 1, all of the wave, is the upper bound.
-    of : {"sea state", "largest wave"}
-        See `DriftWave`.
-    water_density : float
-        kg/m3.
+    a^2/2 is m0 = Hs^2/16; for one regular wave a = Hmax/2 (not above breaking). The reflection R is
+    from 0 to 1; 1, all of the wave, is the upper bound. Depth in m, density in kg/m3.
     """
     found = Findings("wave drift")
     found.number("depth", depth, "m", above=0.0)
     found.number("reflection", reflection, "", at_least=0.0, at_most=1.0)
-    if of not in get_args(DriftWave):
-        found.add("of", repr(of), "one of " + ", ".join(get_args(DriftWave)))
+    found.word("of", of, get_args(DriftWave))
     found.raise_if_any()
     factor = depth_factor(sea.wave_number(depth), depth)
     square = _half_mean_square(sea, depth, of)
@@ -70,12 +57,6 @@ def _half_mean_square(sea: SeaState, depth: float, of: DriftWave) -> float:
     if of == "sea state":
         return sea.hs**2 / 16.0
     return (0.5 * sea.height_in(depth)) ** 2 / 2.0
-
-
-_MEAN_SQUARE: Final = {
-    "sea state": "loads.mean_square_sea",
-    "largest wave": "loads.mean_square_wave",
-}
 
 
 def width_across(length: float, breadth: float, angle: float) -> float:
@@ -96,30 +77,18 @@ def ship_drift(
 ) -> tuple[LoadComponent, LoadComponent]:
     """Mean drift on a ship, taken for a box that reflects the waves.
 
-    The width across the waves, L |sin| + B |cos|, times `flat_side_drift`, along the waves.
-
-    Parameters
-    ----------
-    sea : SeaState
-        Height and period.
-    length, breadth : float
-        m.
-    depth : float
-        Of the water, m.
-    angle : float
-        From the bow to where the waves come from, rad.
-    reflection, of, water_density
-        As of `flat_side_drift`.
+    The width across the waves, L |sin| + B |cos|, m, times `flat_side_drift`, along the waves; the
+    angle is from the bow to where they come from, rad. The rest is as of `flat_side_drift`.
     """
     per_metre = flat_side_drift(
         sea, depth, reflection=reflection, of=of, water_density=water_density
     )
     sine, cosine = math.sin(angle), math.cos(angle)
     width = width_across(length, breadth, angle)
-    square = _half_mean_square(sea, depth, of)
+    mean = "loads.mean_square_sea" if of == "sea state" else "loads.mean_square_wave"
     numbers = (
         Number("rho", water_density, "kg/m3", Message("loads.water_density")),
-        Number("m", square, "m2", Message(_MEAN_SQUARE[of])),
+        Number("m", _half_mean_square(sea, depth, of), "m2", Message(mean)),
         Number("R", reflection, "", Message("loads.reflection")),
         Number("D", depth_factor(sea.wave_number(depth), depth), "", Message("loads.depth_factor")),
         Number("W", width, "m", Message("loads.width")),

@@ -30,17 +30,13 @@ _HALVINGS: Final = 60
 class CurrentYaw(NamedTuple):
     """Where the current across a ship acts: ec/LwL = a + b theta (UFC eq. 25, A).
 
-    Attributes
-    ----------
-    intercept, slope : float
-        a, and b per degree; theta is 180 deg bow-on. ec is forward of midships.
-    recalled : bool
-        Whether they are of table 4-10, which was not read.
+    The intercept a, and the slope b per degree; theta is 180 deg bow-on. ec is forward of midships.
     """
 
     intercept: float
     slope: float
     recalled: bool = False
+    """Whether they are of table 4-10, which was not read."""
 
 
 YAW_TYPES: Final = MappingProxyType(
@@ -54,18 +50,11 @@ YAW_TYPES: Final = MappingProxyType(
 
 @dataclass(frozen=True)
 class Turning:
-    """What a ship turns about, and what turns it.
-
-    Attributes
-    ----------
-    yaw : CurrentYaw
-        Of the current.
-    mooring_point : float or None
-        m forward of midships; None: the bow, half the waterline.
-    """
+    """What a ship turns about, and what turns it."""
 
     yaw: CurrentYaw
     mooring_point: float | None = None
+    """m forward of midships; None: the bow, half the waterline."""
 
     def lever(self, ship: Ship) -> float:
         """Return how far forward of midships the mooring holds a ship, m."""
@@ -73,44 +62,24 @@ class Turning:
 
 
 class Afloat(NamedTuple):
-    """A ship in one condition.
-
-    Attributes
-    ----------
-    condition : str
-        ``"loaded"`` or ``"ballast"``; empty where there is one.
-    ship : Ship
-        At its draught.
-    wind_on : str
-        Its kind for the wind, after Blendermann.
-    """
+    """A ship in one condition."""
 
     condition: str
+    """``"loaded"`` or ``"ballast"``; empty where there is one."""
     ship: Ship
     wind_on: str
+    """Its kind for the wind, after Blendermann."""
 
 
 @dataclass(frozen=True)
 class Lying:
-    """How a ship lies, and what the mooring holds.
-
-    Attributes
-    ----------
-    afloat : Afloat
-        The ship.
-    directions : Headings
-        That wind, current and waves come from, counted from any one line.
-    heading : float
-        Of the bow, from the same line, rad.
-    loads : Loads
-        At that heading.
-    depth : float
-        Of the water, m.
-    """
+    """How a ship lies in water of a depth, m, and what the mooring holds at that heading."""
 
     afloat: Afloat
     directions: Headings
+    """That wind, current and waves come from, counted from any one line."""
     heading: float
+    """Of the bow, from the same line, rad."""
     loads: Loads
     depth: float
 
@@ -139,23 +108,8 @@ def equilibrium_headings(
     The forces across the ship turn it about the mooring point: wind at Blendermann's CN/CY, current
     at UFC's ec, the drift of the box amidships. A heading is one of equilibrium where their moments
     cancel, and stable where a small turn is turned back. Roots are sought between headings half a
-    degree apart.
-
-    Parameters
-    ----------
-    ship, wind, current, sea, depth
-        As of `catopt.loads.ship_loads`.
-    directions : Headings
-        That wind, current and waves come from, counted from any one line.
-    turning : Turning
-        Mooring point and yaw of the current.
-    wind_on, reflection, drift, water_density
-        As of `catopt.loads.ship_loads`.
-
-    Returns
-    -------
-    tuple of float
-        From -pi to pi, counted as the directions are; one at least.
+    degree apart. They are from -pi to pi and, as the directions, counted from any one line. The
+    rest is as of `catopt.loads.ship_loads`.
 
     Raises
     ------
@@ -253,25 +207,11 @@ def every_lying(
     wave_coefficient: float | None = None,
     **how: Any,
 ) -> tuple[Lying, ...]:
-    """Find how a ship lies in each condition and depth under each set of directions.
+    """Find how a ship lies in each condition and depth (m) under each set of directions.
 
-    Parameters
-    ----------
-    ships : sequence of Afloat
-        Loaded, in ballast.
-    wind, current, sea
-        As of `catopt.loads.ship_loads`.
-    depths : sequence of float
-        Of the water, m: at high and at low water.
-    directions : sequence of Headings
-        Each is one case.
-    methods : sequence of str
-        Of the loads at the heading; of several the largest.
-    turning : Turning, optional
-        Of a ship that weathervanes: then every stable heading counts. Without it the directions are
-        angles from the bow.
-    wave_coefficient, **how
-        As of `catopt.loads.ship_loads`.
+    The loads at a heading are by one of the methods, or by several the largest. A ship that turns
+    weathervanes: then every stable heading counts. Otherwise the directions are angles from the
+    bow. The rest is as of `catopt.loads.ship_loads`.
     """
     found = []
     for each, depth, case in product(ships, depths, directions):

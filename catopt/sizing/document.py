@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from catopt.design.document import figures
+from catopt.documents import figures
 from catopt.loads.document import loads_document, lying_document
 from catopt.units import Dimension
 
