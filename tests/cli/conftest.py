@@ -2,70 +2,78 @@
 
 from __future__ import annotations
 
+import csv
 import json
+import shlex
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import jsonschema
+import openpyxl
 import pytest
 
+from catopt import schemas
 from catopt.__main__ import main
+from catopt.verify.dynamic import verify_dynamic
 
 CASES = Path(__file__).parents[2] / "cases"
-BUOY = CASES / "buoy-9.5m" / "case.toml"
-SLACK = CASES / "buoy-9.5m-slack" / "case.toml"
+OWN = Path(__file__).parent / "cases"
+"""Case files of these tests."""
+BROKEN = Path(__file__).parent / "broken_sizing"
 
-CHAIN_AND_WIRE = """
-title = "Chain, wire and a clump weight"
-[site]
-water_depth = "56 m"
-[line]
-fairlead_height = "71.4 m"
-[[line.segments]]
-name = "wire"
-length = "750 m"
-submerged_weight = "30.4 kgf/m"
-mass = "34.9 kg/m"
-EA = "382 MN"
-MBL = "6140 kN"
-[[line.segments]]
-name = "chain"
-length = "332 m"
-submerged_weight = "150 kgf/m"
-mass = "178.7 kg/m"
-[[line.point_loads]]
-name = "clump"
-position = "800 m"
-submerged_weight = "50 kN"
-[load]
-horizontal_force = "1.2 MN"
-[checks]
-safety_factor = 2.0
-"""
+NAMED = {
+    "BUOY": CASES / "buoy-9.5m" / "case.toml",
+    "SLACK": CASES / "buoy-9.5m-slack" / "case.toml",
+    "TANKER": CASES / "tanker-20m-sinker" / "case.toml",
+    "SOUGHT": CASES / "tanker-20m-find-length" / "case.toml",
+    "FSO": CASES / "fso-rang-dong" / "case.toml",
+    "DESIGN": CASES / "design-buoy-9.5m" / "case.toml",
+    "FATIGUE": CASES / "fatigue-chain-20m" / "case.toml",
+    "FLEET": CASES / "study-fleet" / "study.toml",
+    "STUDY": CASES / "study-buoy-9.5m" / "study.toml",
+    "CASES": CASES,
+    "BROKEN": BROKEN,
+}
+BUOY, SLACK, TANKER, SOUGHT, FSO, DESIGN, *_ = NAMED.values()
+
+OPTIONS = {
+    "LOADS_BUOY": "loads buoy 'pillar 1.8 m' --depth '12 m' --low-water '10 m' --wind '25 m/s' "
+    "--current '1.5 m/s' --hs '2 m' --period '6 s' --chain '25 mm'",
+    "LOADS_SHIP": "loads ship --length '234 m' --breadth '31.3 m' --draught '12.4 m' "
+    "--frontal-area '582.18 m^2' --lateral-area '1217.4 m^2' --propeller tanker --depth '20 m' "
+    "--wind '20 m/s' --current '1.2 m/s' --hmax '3.5 m' --period '8 s'",
+    "SIZE_BUOY": "size buoy 'pillar 2.4 m' --depth '12 m' --low-water '10 m' --wind '25 m/s' "
+    "--current '1.5 m/s' --hs '1.5 m' --period '6 s' --soil 'clean fine to medium sand'",
+    "SIZE_OWN": "size buoy --depth '9.5 m' --force '0.343 tf' --reserve-buoyancy '12 kN'",
+    "SIZE_SHIP": "size tanker --length '234 m' --breadth '31.3 m' --draught '12.4 m' "
+    "--moulded-depth '16 m' --depth '22 m' --low-water '20 m' --wind '20 m/s' "
+    "--current '1.2 m/s' --hmax '3.5 m' --period '8 s'",
+    "AT_REST": "--line-out --watch-circle --curve '180 deg' --curve 1.0 --level '-2 m' --level 2",
+    "EVERYTHING": "AT_REST --stiffness --held '5 m, 0, -1 m, 0, 2 deg, 0'",
+    "VANE": "--weathervane --current-yaw series-60",
+    "SEA": "--wind '25 m/s' --current '1 m/s' --hs '7 m' --period '12 s'",
+    "SHIP": "--length '234 m' --breadth '31.3 m' --draught '12.4 m' --frontal-area '580 m^2' "
+    "--lateral-area '1200 m^2' --depth '14 m'",
+    "SMALL": "size tanker --length '120 m' --breadth '18 m' --draught '7 m' --depth '22 m'",
+}
+"""What many commands begin with."""
 
 
-CHAIN_IN_MOTION = """
-title = "A chain in motion"
-[site]
-water_depth = "20 m"
-[line]
-[[line.segments]]
-length = "120 m"
-submerged_weight = "1110 N/m"
-mass = "130 kg/m"
-EA = "400 MN"
-drag_diameter = "76 mm"
-drag_normal = 2.4
-[load]
-horizontal_force = "300 kN"
-[motion]
-period = "8 s"
-surge = "0.5 m"
-[dynamics]
-duration = "24 s"
-elements = 20
-"""
+def typed(line: str) -> list[str]:
+    """Split a command as a shell does; words in capitals stand for files and options above."""
+    found: list[str] = []
+    for word in shlex.split(line):
+        if word in OPTIONS:
+            found += typed(OPTIONS[word])
+        else:
+            name, *below = word.split("/")
+            found.append(str(NAMED[name].joinpath(*below)) if name in NAMED else word)
+    return found
+
+
+CHAIN_IN_MOTION = (OWN / "moving.toml").read_text("utf-8")
 """Three periods of a line that stays taut."""
 
 
@@ -79,13 +87,6 @@ class Ran:
 
 
 Run = Callable[..., Ran]
-
-
-def without_digest(path: Path) -> dict[str, Any]:
-    """Read a document that --out wrote; it has the digest of its case beside what is printed."""
-    document: dict[str, Any] = json.loads(path.read_text("utf-8"))
-    assert len(document.pop("case_sha256")) == 64
-    return document
 
 
 @pytest.fixture
@@ -102,25 +103,89 @@ def run(capsys: pytest.CaptureFixture[str]) -> Run:
 
 
 @pytest.fixture
-def chain_and_wire(tmp_path: Path) -> Path:
-    """Write a case with two segments and a clump weight, of which one segment's MBL is known."""
-    path = tmp_path / "chain-and-wire.toml"
-    path.write_text(CHAIN_AND_WIRE, encoding="utf-8")
-    return path
+def inside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Work in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
 
 
 @pytest.fixture
-def sought(tmp_path: Path) -> Path:
-    """Write the buoy's case, asking for the length of chain that just lies down at its anchor."""
-    path = tmp_path / "sought.toml"
-    question = '[find]\nquantity = "length"\nanchor_angle = "0 deg"\n'
-    path.write_text(BUOY.read_text("utf-8") + question, encoding="utf-8")
+def stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Press Ctrl-C in the middle of a run in motion."""
+
+    def tell(done: int, total: int) -> None:
+        if done > total / 14:  # half of the run; its proof takes up to six times as much
+            raise KeyboardInterrupt
+
+    def stops(*args: Any, **options: Any) -> Any:
+        return verify_dynamic(*args, **options | {"progress": tell})
+
+    monkeypatch.setattr("catopt.verify.dynamic.verify_dynamic", stops)
+
+
+def changed(case: Path, folder: Path, *changes: tuple[str, str]) -> Path:
+    """Write a case of its own into a folder: another one with some of its text replaced."""
+    text = case.read_text("utf-8")
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    path = folder / "changed.toml"
+    path.write_text(text, encoding="utf-8")
     return path
 
 
-@pytest.fixture
-def too_short(tmp_path: Path) -> Path:
-    """Write the buoy's case with 1 m of line too little to reach the fairlead."""
-    path = tmp_path / "too-short.toml"
-    path.write_text(BUOY.read_text("utf-8").replace('"20 m"', '"8.5 m"'), encoding="utf-8")
-    return path
+# ------------------------------------------------------------------ what was printed and written
+
+
+def words(text: str) -> str:
+    """Undo the breaking of lines and the spaces between columns."""
+    return " ".join(text.split())
+
+
+def fits(text: str, width: int = 80) -> bool:
+    """Whether no line is too long, no word cut off and nothing coloured."""
+    return max(map(len, text.splitlines())) <= width and "…" not in text and "\x1b" not in text
+
+
+def validate(document: dict[str, Any]) -> None:
+    jsonschema.Draft202012Validator(schemas.schema(document["schema"])).validate(document)
+
+
+def read_document(text: str) -> dict[str, Any]:
+    """Read one valid document and nothing else."""
+    document: dict[str, Any] = json.loads(text)
+    validate(document)
+    return document
+
+
+def document_of(run: Run, *arguments: object, status: int = 0) -> dict[str, Any]:
+    """Run a command with --json; nothing stands beside the document but what is written."""
+    ran = run(*arguments, "--json")
+    assert ran.status == status, ran.err
+    assert not ran.err or status or "--out" in arguments
+    return read_document(ran.out)
+
+
+def without_digest(path: Path) -> dict[str, Any]:
+    """Read a document that --out wrote; it has the digest of its case beside what is printed."""
+    document: dict[str, Any] = json.loads(path.read_text("utf-8"))
+    if (path.parent / "case.toml").exists():
+        assert len(document.pop("case_sha256")) == 64
+    return document
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def names(directory: Path) -> set[str]:
+    return {path.name for path in directory.iterdir()}
+
+
+def sheets(path: Path) -> dict[str, list[list[Any]]]:
+    """Every sheet of a workbook, as rows of values."""
+    book = openpyxl.load_workbook(path)
+    found = {sheet.title: [list(r) for r in sheet.iter_rows(values_only=True)] for sheet in book}
+    book.close()
+    return found

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
+from io import BytesIO
 from itertools import product
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import openpyxl
 import pytest
 
 from catopt import catalogue, read_case, verify_case
@@ -37,132 +39,33 @@ from catopt.verify.truss_words import part_sentence, rough_sentence
 from catopt.waves import Sea, jonswap, random_waves
 from catopt.words import Message, is_term, say, term
 
-from .cases import CASE_TEXTS, FILES
-from .conftest import BUOY, CASES, SLACK, Run
-from .test_catalog import QUESTIONS
-from .vietnamese import numbers, said_alike
+from .cases import write_files
+from .commands import MANY
+from .conftest import BUOY, Run, fits, names, typed
 
-DESIGN = CASES / "design-buoy-9.5m" / "case.toml"
-TANKER = CASES / "tanker-20m-sinker" / "case.toml"
-SOUGHT = CASES / "tanker-20m-find-length" / "case.toml"
-FSO = CASES / "fso-rang-dong" / "case.toml"
 FAMILIES = [family.name for family in catalogue.families()]
-SEA = ("--wind", "25 m/s", "--current", "1 m/s", "--hs", "7 m", "--period", "12 s")
-SHIP = (
-    *("--length", "234 m", "--breadth", "31.3 m", "--draught", "12.4 m"),
-    *("--frontal-area", "580 m^2", "--lateral-area", "1200 m^2", "--depth", "14 m"),
-)
-SMALL = (
-    *("size", "tanker", "--length", "120 m", "--breadth", "18 m", "--draught", "7 m"),
-    *("--depth", "22 m"),
-)
-EVERYTHING = (
-    "--line-out", "--watch-circle", "--curve", "180 deg", "--curve", "1.0", "--level", "-2 m",
-    "--level", "2",
-)  # fmt: skip
-
-COMMANDS: list[Sequence[object]] = [
-    ["solve", BUOY, "--profile"],
-    ["solve", BUOY, "--method", "pso", "--runs", "2", "--iterations", "50"],
-    ["solve", SLACK],
-    ["solve", SOUGHT],
-    ["solve", TANKER],
-    ["check", TANKER],
-    ["check", DESIGN],
-    ["design", DESIGN],
-    *(["catalog", *question] for question in QUESTIONS),
-    ["catalog", "show", "chain stud-link U2", "--diameter", "60 mm"],
-    ["catalog", "search", "--mbl", "500 kN", "--recalled"],
-    *(["catalog", "show", name] for name in FAMILIES if name != "chain stud-link"),
-    ["curve", SOUGHT, "--over", "offset"],
-    ["curve", BUOY, "--to", "1 kN", "--points", "4"],
-    ["curve", SLACK, "--over", "offset"],
-    ["curve", CASES / "ship-200m-sinker" / "case.toml"],
-    ["curve", DESIGN],
-    ["curve", "chain-and-wire.toml"],
-    ["curve", "buoyed.toml", "--to", "400 kN"],
-    ["curve", "bights.toml"],
-    [
-        *("loads", "buoy", "pillar 1.8 m", "--depth", "12 m", *SEA),
-        *("--chain", "25 mm", "--growth", "20 mm", "--pull", "3 kN"),
-    ],
-    ["loads", "ship", *SHIP, *SEA, "--propeller", "tanker"],
-    [
-        *("loads", "ship", *SHIP, *SEA, "--current", "2 m/s", "--kind", "tanker ballast"),
-        *("--drift", "largest-wave", "--wind-angle", "30 deg", "--current-angle", "45 deg"),
-    ],
-    ["loads", "ship", "known-ship.toml"],
-    *(["system", case, *EVERYTHING] for case in (FSO, *(f"{name}.toml" for name in CASE_TEXTS))),
-    [
-        *("size", "buoy", "--depth", "12 m", "--low-water", "10 m", "--force", "8 kN"),
-        *("--reserve-buoyancy", "25 kN", "--hs", "1.5 m", "--period", "6 s", "--life", "3 years"),
-        *("--wear", "0.2 mm/year", "--soil", "gravel or coarse sand", "--prefer", "lightest"),
-        *("--chain", "chain open-link 4D Q2", "--code", "IALA-CALMAR"),
-    ],
-    ["size", "buoy", "pillar 1.8 m", "--depth", "12 m"],
-    [*SMALL, "--ballast-draught", "4 m", "--dwt", "9000 t"],
-    [*SMALL, "--low-water", "7.5 m", "--anchor", "stockless", "--soil", "soft clay"],
-    [*SMALL, "--anchor", "sinker", "--clump-weight", "5 t", "--clump-weight", "10 t"],
-    [*SMALL, "--buoy", "mooring buoy 5.0 m", "--lines", "4", "--low-water", "20 m"],
-    ["verify", DESIGN, "--elements", "40"],
-    ["verify", FSO, "--elements", "60"],
-    ["verify", SLACK],
-    ["verify", "twice.toml", "--elements", "40", "--tolerance", "1e-9"],
-    ["verify", "tension-known.toml"],
-    ["verify", "bights.toml"],
-    ["verify", "at-sea.toml", "--dynamic"],
-    ["verify", "moving.toml", "--dynamic"],
-    ["verify", "raos.toml", "--dynamic"],
-    ["verify", "twice-in-motion.toml", "--dynamic", "--elements", "40"],
-    ["verify", "slack-in-motion.toml", "--dynamic"],
-    ["verify", "led.toml", "--dynamic", "--elements", "40", "--once"],
-    ["verify", "pushed.toml", "--dynamic", "--elements", "40"],
-    ["reproduce", "load_sharing"],
-]
-
-
-@pytest.fixture(autouse=True)
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Work where the cases are, on a terminal of 80 columns."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("COLUMNS", "80")
-    # Figures are drawn from the English in every language and take most of the time.
-    monkeypatch.setattr("catopt.render.picture.pictures", lambda *_, **__: {})
-
-
-def written(command: Sequence[object]) -> None:
-    """Write the files that a command names, and those that they name."""
-    if any(str(each) in FILES for each in command):
-        for name, text in FILES.items():
-            Path(name).write_text(text, encoding="utf-8")
-
-
-def first_of_each() -> Iterator[Any]:
-    """Yield them all, with all but the first of each command among the slow ones."""
-    seen = set()
-    for command in COMMANDS:
-        marks = [pytest.mark.slow] if command[0] in seen else []
-        seen.add(command[0])
-        yield pytest.param(command, marks=marks, id=" ".join(map(str, command)))
+OF_FAMILIES = [f"catalog show '{name}'" for name in FAMILIES if name != "chain stud-link"]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("command", list(first_of_each()))
+@pytest.mark.parametrize("line", [*MANY, *OF_FAMILIES])
 def test_languages_differ_in_words_alone(
-    run: Run, command: Sequence[object], tmp_path: Path
+    run: Run, line: str, inside: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    written(command)
+    # Figures are drawn from the English in every language and take most of the time.
+    monkeypatch.setattr("catopt.render.picture.pictures", lambda *_, **__: {})
+    write_files(inside)
+    command = typed(line)
     english, said = (run(*command, "--lang", each, "--out", each) for each in ("en", "vi"))
     # Two of the lines that go slack in motion do not converge, which is an answer.
     assert english.status == said.status == (4 if "NOT CONVERGED" in english.out else 0), said.err
-    assert "…" not in said.out
-    assert max(map(len, said.out.splitlines())) <= 80
+    assert fits(said.out)
     if command[0] in {"curve", "verify"}:
         assert said_alike(english.out, said.out) <= {english.out.splitlines()[0]}
-    files = {path.name: path.read_bytes() for path in (tmp_path / "en").iterdir()}
-    assert files.keys() == {path.name for path in (tmp_path / "vi").iterdir()}
+    files = {path.name: path.read_bytes() for path in (inside / "en").iterdir()}
+    assert files.keys() == names(inside / "vi")
     for name, content in files.items():
-        other = (tmp_path / "vi" / name).read_bytes()
+        other = (inside / "vi" / name).read_bytes()
         if name.endswith(".xlsx"):
             assert content != other
             assert numbers(content) == numbers(other) != []
@@ -170,104 +73,23 @@ def test_languages_differ_in_words_alone(
             assert content == other
 
 
-SAID: list[tuple[Sequence[object], tuple[str, ...]]] = [
-    (
-        ["solve", BUOY],
-        (
-            "Giải bằng nghiệm giải tích; toàn bộ dây treo, không chạm đáy.",
-            "Góc nghiêng dây neo tại đáy theta0 15.57 deg",
-            "Độ dạt ngang S 17.430 m",
-            "Lực căng tại điểm treo T 4.377 kN 0.4463 tf",
-        ),
-    ),
-    (["check", TANKER], ("Kiểm tra duy nhất đạt.",)),
-    (
-        ["catalog", "show", "nylon", "--diameter", "60 mm"],
-        (
-            "Cáp nylon: nylon 60 mm",
-            "Lực kéo đứt tối thiểu MBL 794.9 kN C MP",
-            "585 d^2 kg/m, d tính bằng m; 20 mm đến 200 mm. C, MP: nylon.mass_d2",
-            "Lực cản dọc dây: chưa biết; danh mục không có số liệu.",
-            "MP: NREL MoorPy, fits to makers' catalogues.",
-        ),
-    ),
-    (
-        ["curve", SOUGHT, "--over", "offset"],
-        (
-            "50 điểm cách đều theo độ dạt so với trạng thái gốc.",
-            "từ 1 % đến 105 % của 1334.544 kN, lực ngang khi một đoạn đạt lực kéo đứt / 5.",
-            "Chiều dài tìm được của đoạn 1: 47.208 m, với điều kiện góc nghiêng dây neo tại đáy",
-            "khối gia tải 1 bắt đầu nhấc (sinker)",
-            "nằm một phần trên đáy → treo hoàn toàn 0.000 450.000 540.354",
-        ),
-    ),
-    (
-        ["loads", "buoy", "pillar 1.8 m", "--depth", "12 m", *SEA, "--chain", "25 mm"],
-        (
-            "pillar 1.8 m, gió 25 m/s, dòng triều 1 m/s, Hmax 13 m",
-            "dòng chảy lên xích: 1/2 rho V^2 A Cd",
-            "IALA CALMAR technical reference, 27 February 2014, 5.2.1 [A]",
-            "Cảnh báo: Sóng lớn nhất 12.95 m vỡ ở độ sâu 12 m với chu kỳ 12 s",
-        ),
-    ),
-    (
-        ["system", FSO, *EVERYTHING],
-        (
-            "Giải bằng nghiệm giải tích; 9 dây, vật nổi tự do theo x và y.",
-            "Độ dạt theo phương x -21.738 m",
-            "Lực 4281.000 kN tác dụng theo mọi hướng",
-            "Giữ tại các độ dạt theo hướng 180.00 deg",
-            "cần số dây chẵn, từ 4 trở lên; hệ này có 9 dây",
-        ),
-    ),
-    (
-        ["size", "buoy", "pillar 1.8 m", "--depth", "12 m"],
-        (
-            "Neo pillar 1.8 m ở độ sâu nước 12 m",
-            "chain open-link 4D Q2 20 mm, 87 m = 3.16 đường lỉn",
-            "Rùa neo rùa neo bê tông 15 t (cần 14 t)",
-            "xích: 86 m thay cho 87 m: không đạt về góc nghiêng dây neo tại đáy (bão",
-            "Lấy theo mặc định vì không cho trước: gió 25 m/s;",
-        ),
-    ),
-    (["verify", "bights.toml"], ("Lưu ý: dây chùng: mô hình dàn chỉ xác định dây đến một thanh",)),
-    (
-        ["verify", "at-sea.toml", "--dynamic"],
-        (
-            "Trường hợp tải trọng storm: dây chuyển động",
-            "2 lần chạy, mỗi lần 24 s",
-            "Quá ít đỉnh để tính cực đại khả dĩ nhất của lực căng tại điểm treo.",
-            "Lưu ý: lực căng tựa tĩnh không kể dòng chảy.",
-        ),
-    ),
-]
+def numbers(workbook: bytes) -> list[tuple[int, str, object, str]]:
+    """List the numbers of a workbook: sheet, cell, value and format."""
+    book = openpyxl.load_workbook(BytesIO(workbook))
+    return [
+        (index, cell.coordinate, cell.value, cell.number_format)
+        for index, sheet in enumerate(book)
+        for row in sheet.iter_rows()
+        for cell in row
+        if cell.data_type == "n" and cell.value is not None
+    ]
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("command", "parts"), [pytest.param(*each, id=str(each[0][0])) for each in SAID]
-)
-def test_the_answer_in_vietnamese_and_the_document_in_english(
-    run: Run, command: Sequence[object], parts: tuple[str, ...]
-) -> None:
-    written(command)
-    shown = " ".join(run(*command, "--lang", "vi").out.split())
-    for part in parts:
-        assert part in shown
-    if "--dynamic" not in command:
-        assert run(*command, "--json", "--lang", "vi").out == run(*command, "--json").out
-
-
-def test_another_language_is_refused(run: Run) -> None:
-    ran = run("solve", BUOY, "--lang", "fr")
-    assert ran.status == 2
-    assert "'fr' is not one of" in ran.err
-
-
-def test_what_is_not_there_is_said_in_vietnamese(run: Run) -> None:
-    written(["no force.toml"])
-    ran = run("system", "no force.toml", "--watch-circle", "--lang", "vi")
-    assert "không có vòng dịch chuyển" in ran.err
+def said_alike(english: str, vietnamese: str) -> set[str]:
+    """Lines with words that are the same in both languages."""
+    in_words = re.compile(r"[^\W\d_]{3,}")
+    lines = (set(text.splitlines()) for text in (english, vietnamese))
+    return {line for line in set.intersection(*lines) if in_words.search(line)}
 
 
 # ------------------------------------------------------------------ what data files say

@@ -6,64 +6,40 @@ import json
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 
-from catopt import schemas
 from catopt.casefile import read_case, write_case
-from catopt.verify.dynamic import verify_dynamic
 from tests.report.further_cases import HARMONIC, SWARM
 from tests.report.page_cases import TEXTS
-from tests.report.page_reader import read_page
 
-from .conftest import BUOY, CASES, Run
+from .conftest import BUOY, CASES, DESIGN, FSO, OWN, SOUGHT, Run, document_of
+from .notes import note_of, page_at
 
-FSO = CASES / "fso-rang-dong" / "case.toml"
-FOUND = CASES / "tanker-20m-find-length" / "case.toml"
-DESIGN = """
-[[load_cases]]
-name = "storm"
-horizontal_force = "300 kN"
-[design]
-[[design.segments]]
-component = "chain studless R3"
-diameters = ["76 mm", "84 mm"]
-lengths = ["120 m", "130 m"]
-"""
-
-
-@pytest.fixture(autouse=True)
-def _inside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
+pytestmark = pytest.mark.usefixtures("inside")
 
 
 @pytest.fixture
-def chain(tmp_path: Path) -> Path:
-    path = tmp_path / "chain.toml"
-    path.write_text(SWARM, encoding="utf-8")
-    return path
+def chain() -> Path:
+    return written("chain.toml", SWARM)
 
 
 @pytest.fixture
-def moving(tmp_path: Path) -> Path:
-    path = tmp_path / "moving.toml"
-    path.write_text(HARMONIC, encoding="utf-8")
-    return path
+def moving() -> Path:
+    return written("moving.toml", HARMONIC)
 
 
 @pytest.fixture
-def states(tmp_path: Path) -> Path:
-    path = tmp_path / "states.toml"
-    path.write_text(TEXTS["states"], encoding="utf-8")
-    return path
+def states() -> Path:
+    return written("states.toml", TEXTS["states"])
+
+
+def written(name: str, text: str) -> Path:
+    Path(name).write_text(text, encoding="utf-8")
+    return Path(name).absolute()
 
 
 def report(run: Run, *arguments: object) -> dict[str, Any]:
-    ran = run("report", *arguments, "--no-verify", "--json")
-    assert (ran.status, ran.err) == (0, "")
-    document: dict[str, Any] = json.loads(ran.out)
-    jsonschema.Draft202012Validator(schemas.schema("catopt.report/1")).validate(document)
-    return document
+    return note_of(run, *arguments, "--no-verify")[0]
 
 
 # ------------------------------------------------------------------ the case is written
@@ -90,13 +66,11 @@ def test_each_command_leaves_a_directory_that_can_be_reported_on(run: Run, comma
 def test_a_body_and_a_line_that_is_sought_can_be_reported_on(run: Run) -> None:
     assert run("system", FSO, "--out", "body").status == 0
     assert "system_elevation" in report(run, "body")["sections"]
-    assert run("solve", FOUND, "--out", "found").status == 0
-    page = read_page(Path(report(run, "found")["path"]).read_bytes())
-    solved = json.loads(run("solve", FOUND, "--json").out)
-    assert (
-        page.table("results").row("Found length of segment 1 L")[1].value
-        == (solved["found"]["value"])
+    assert run("solve", SOUGHT, "--out", "found").status == 0
+    length = (
+        page_at(report(run, "found")["path"]).table("results").row("Found length of segment 1 L")
     )
+    assert length[1].value == document_of(run, "solve", SOUGHT)["found"]["value"]
 
 
 @pytest.mark.slow
@@ -213,7 +187,7 @@ def test_a_case_of_the_users_own_is_never_replaced(run: Run) -> None:
 
 
 def test_a_design_search_refuses_to_replace_it(run: Run) -> None:
-    own = (CASES / "design-buoy-9.5m" / "case.toml").read_text("utf-8")
+    own = DESIGN.read_text("utf-8")
     Path("case.toml").write_text(own, encoding="utf-8")
     ran = run("design", "case.toml", "--out", ".")
     assert (ran.status, ran.out) == (2, "")
@@ -253,10 +227,7 @@ def test_a_case_that_catopt_wrote_is_replaced(run: Run, chain: Path) -> None:
 
 @pytest.mark.slow
 def test_the_case_of_a_design_search_stays_with_its_front(run: Run, moving: Path) -> None:
-    path = Path("search.toml")
-    text = HARMONIC.replace('[load]\nhorizontal_force = "300 kN"\n', "")
-    path.write_text(text + DESIGN, encoding="utf-8")
-    assert run("design", path, "--out", "front").status == 0
+    assert run("design", OWN / "design-in-motion.toml", "--out", "front").status == 0
     before = Path("front/case.toml").read_bytes()
     ran = run("solve", "front", "--design", 1, "--out", "front")
     assert "stays as it is, for the front in design.json goes with it" in ran.err
@@ -295,39 +266,16 @@ def test_a_directory_without_a_case_says_what_is_there(
     assert list(Path().glob("*.html")) == []
 
 
-@pytest.mark.parametrize("option", [["--method", "pso"], ["--dynamic"]], ids=" ".join)
-def test_what_is_of_one_line_is_refused_for_a_body(run: Run, option: list[str]) -> None:
-    ran = run("report", FSO, *option)
-    assert (ran.status, ran.out) == (2, "")
-    assert f"{option[0]}: " in ran.err
-
-
-def test_what_the_line_lacks_is_told_as_by_the_commands(run: Run, states: Path) -> None:
-    ran = run("report", BUOY, "--dynamic")
-    assert ran.status == 2
-    assert "dynamics: missing; write [dynamics] with a duration" in ran.err
-    ran = run("report", FOUND, "--method", "pso")
-    assert ran.status == 2
-    assert "find: " in ran.err
+def test_the_swarm_takes_the_first_load_case(run: Run, states: Path) -> None:
     assert report(run, states, "--method", "pso")["load_case"] == "storm (high water)"
     assert [path.name for path in Path().glob("*.html")] == ["states.html"]
 
 
-def test_ctrl_c_writes_no_note_and_says_so(
-    run: Run, moving: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.usefixtures("stopped")
+def test_ctrl_c_writes_no_note_and_says_so(run: Run, moving: Path) -> None:
     """An older note stays: one of half a run must not take its place."""
-
-    def tell(done: int, total: int) -> None:
-        if done > total / 14:
-            raise KeyboardInterrupt
-
-    def stops(*args: Any, **options: Any) -> Any:
-        return verify_dynamic(*args, **options | {"progress": tell})
-
     assert run("report", moving).status == 0
     older = Path("moving.html").read_bytes()
-    monkeypatch.setattr("catopt.verify.dynamic.verify_dynamic", stops)
     ran = run("report", moving, "--dynamic", "--json")
     assert (ran.status, ran.out) == (130, "")
     assert "stopped in load case load, run 1 of 1, after " in ran.err

@@ -16,7 +16,7 @@ from rich.progress import Progress
 
 from catopt.cli.progress_bar import progress_bar
 
-from .conftest import BUOY, CASES, Run
+from .conftest import BUOY, DESIGN, Run, changed
 
 ESCAPE = "\x1b"
 TITLE = "Phao luồng số 1, θ = 15° [x]"
@@ -49,13 +49,6 @@ def in_terminal(*arguments: str, **environment: str) -> tuple[int, str]:
         shown += part
     os.close(ours)
     return command.wait(), shown.decode("utf-8").replace("\r\n", "\n")
-
-
-def test_what_is_piped_has_no_escape_codes(run: Run) -> None:
-    of_a_study = ["reproduce", "tanker_20m_sinker"]
-    for arguments in (["solve", BUOY], ["solve", BUOY, "--method", "pso"], of_a_study):
-        ran = run(*arguments)
-        assert ESCAPE not in ran.out + ran.err
 
 
 @needs_pty
@@ -121,8 +114,7 @@ def drawn(bar: Progress) -> str:
 @pytest.mark.parametrize("no_color", ["", "1"])
 def test_a_search_shows_its_progress_and_clears_it_away(no_color: str) -> None:
     environment = {"NO_COLOR": no_color} if no_color else {}
-    case = CASES / "design-buoy-9.5m" / "case.toml"
-    status, shown = in_terminal("design", str(case), COLUMNS="80", **environment)
+    status, shown = in_terminal("design", str(DESIGN), COLUMNS="80", **environment)
     assert status == 0
     bars = [line for line in re.split(r"[\r\n]", shown) if "Designs " in plain(line)]
     assert bars
@@ -136,41 +128,12 @@ def plain(text: str) -> str:
     return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", text)
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ("check", CASES / "design-buoy-9.5m" / "case.toml"),
-        ("design", CASES / "design-buoy-9.5m" / "case.toml"),
-        ("curve", BUOY),
-        ("system", CASES / "fso-rang-dong" / "case.toml"),
-        ("reproduce", "tanker_20m_sinker"),
-        pytest.param(("reproduce",), marks=pytest.mark.slow),
-        ("catalog", "list"),
-        ("report", BUOY),
-    ],
-    ids=lambda arguments: arguments[0] if isinstance(arguments, tuple) else arguments,
-)
-def test_every_command_keeps_to_the_width(
-    run: Run,
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path: Path,
-    arguments: tuple[object, ...],
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("COLUMNS", "132")
-    ran = run(*arguments)
-    assert ran.status == 0
-    assert max(map(len, ran.out.splitlines())) <= 132
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii", "utf-8"])
 def test_a_console_without_the_letters_does_not_stop_the_answer(
     tmp_path: Path, encoding: str
 ) -> None:
-    path = tmp_path / "case.toml"
-    text = BUOY.read_text("utf-8").replace("Marker buoy, 9.5 m", TITLE)
-    path.write_text(text, encoding="utf-8")
+    path = changed(BUOY, tmp_path, ("Marker buoy, 9.5 m", TITLE))
     environment = {**os.environ, "PYTHONIOENCODING": encoding}
     answers = {}
     for further in ((), ("--json",)):
@@ -184,43 +147,6 @@ def test_a_console_without_the_letters_does_not_stop_the_answer(
 
 
 def test_brackets_and_codes_in_a_title_are_plain_text(run: Run, tmp_path: Path) -> None:
-    path = tmp_path / "case.toml"
     title = "[red]R3[/red] :warning: 100 %"
-    path.write_text(BUOY.read_text("utf-8").replace("Marker buoy, 9.5 m", title), "utf-8")
+    path = changed(BUOY, tmp_path, ("Marker buoy, 9.5 m", title))
     assert run("solve", path).out.splitlines()[0] == title
-
-
-def test_the_answer_in_words(run: Run, chain_and_wire: Path) -> None:
-    """The figures of S1 in both units, and what the reader needs around them."""
-    shown = " ".join(run("solve", BUOY).out.split())
-    for part in (
-        "Marker buoy, 9.5 m Solved by closed form; the whole line hangs clear of the bed.",
-        "Inclination at the anchor theta0 15.57 deg 0.2717 rad",
-        "Span S 17.430 m",
-        "Fairlead tension T 4.377 kN 0.4463 tf",
-        "Given horizontal force H 3.364 kN 0.3430 tf",
-        "Residual of the height, laid out from the anchor: ",
-    ):
-        assert part in shown
-    shown = " ".join(run("solve", chain_and_wire).out.split())
-    assert "Utilisation: largest tension times 2 over MBL." in shown
-    assert "Line mass in air -" in shown, "the clump weight's mass is not known"
-
-
-def test_what_was_sought_comes_first(run: Run, sought: Path) -> None:
-    shown = " ".join(run("solve", sought).out.split())
-    assert "Found for the inclination at the anchor 0 deg" in shown
-    assert "Found length of segment 1 L 27.8" in shown
-    assert shown.index("Found") < shown.index("Result")
-
-
-def test_warnings_are_shown(run: Run, tmp_path: Path) -> None:
-    """A breaking load below the tension is no error, but it must not go unseen."""
-    path = tmp_path / "weak.toml"
-    text = BUOY.read_text("utf-8")
-    path.write_text(text.replace('length = "20 m"', 'length = "20 m"\nMBL = "4 kN"'), "utf-8")
-    ran = run("solve", path)
-    assert ran.status == 0
-    assert "Warning: segment 1 carries 4.377 kN, more than its MBL of 4 kN" in ran.out
-    warnings = json.loads(run("solve", path, "--json").out)["warnings"]
-    assert any("more than its MBL" in warning for warning in warnings)

@@ -1,0 +1,140 @@
+"""What all commands that answer have in common."""
+
+from __future__ import annotations
+
+import re
+import struct
+from pathlib import Path
+
+import pytest
+
+from catopt.render.picture import DPI, WIDTH
+
+from .cases import write_files
+from .commands import COMMANDS, Command
+from .conftest import Run, fits, names, read_document, rows, sheets, typed, without_digest
+
+each_command = pytest.mark.parametrize("command", COMMANDS, ids=lambda each: each.line)
+SAID_BEFORE = {"design", "study"}
+"""Commands that say on standard error how much they have to compute."""
+COMPUTES = {
+    "solve": "catopt.catenary.case.solve_case", "check": "catopt.checks.case.check_case",
+    "curve": "catopt.catenary.case_curve.curve_case", "verify": "catopt.verify.case.verify_case",
+    "reproduce": "catopt.reproduce.reproduce",
+}  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def _files(inside: Path) -> None:
+    write_files(inside)
+
+
+@each_command
+def test_the_answer_fits_and_nothing_stands_beside_it(
+    run: Run, monkeypatch: pytest.MonkeyPatch, command: Command
+) -> None:
+    for width in 80, 132:
+        monkeypatch.setenv("COLUMNS", str(width))
+        ran = run(*typed(command.line))
+        assert (ran.status, fits(ran.out, width)) == (0, True)
+        assert not ran.err or command.document in SAID_BEFORE
+
+
+@each_command
+def test_the_document_and_the_files(run: Run, inside: Path, command: Command) -> None:
+    out = inside / "new" / "deep"
+    ran = run(*typed(command.line), "--json", "--out", out)
+    assert ran.status == 0
+    assert names(out) == command.files
+    of_study = {"members.csv", "study.sqlite"}  # written while it runs
+    assert ran.err.endswith(f"{len(command.files - of_study)} files written to {out}\n")
+    document = read_document(ran.out)
+    assert document["schema"] == f"catopt.{command.document}/1"
+    assert without_digest(out / f"{command.document}.json") == document
+    for name in command.workbooks:
+        assert set(command.sheets) <= set(sheets(out / f"{name}.xlsx"))
+    for name in command.figures.split():
+        wide, tall = png_size(out / f"{name}.png")
+        assert wide == round(WIDTH * DPI)
+        assert 0.3 * wide < tall < (1.0 if command.document == "solution" else 2.0) * wide
+        assert "</svg>" in (out / f"{name}.svg").read_text("utf-8")
+    for name in command.tables.split():
+        assert without_unit(out / f"{name}.csv") == []
+
+
+def without_unit(path: Path) -> list[str]:
+    """List the headings without a unit over numbers that count nothing."""
+    table = rows(path)
+    return [
+        heading
+        for heading in (table[0] if table else ())
+        if not heading.endswith(")")
+        and all(re.fullmatch(r"-?[\d.]*(e-?\d+)?", row[heading]) for row in table)
+        and any("." in row[heading] for row in table)
+    ]
+
+
+def png_size(path: Path) -> tuple[int, int]:
+    """Width and height from the header of a PNG file."""
+    content = path.read_bytes()
+    assert content.startswith(b"\x89PNG\r\n\x1a\n")
+    width, height = struct.unpack(">II", content[16:24])
+    return width, height
+
+
+@each_command
+def test_a_file_in_the_way_is_2_before_anything_is_computed(
+    run: Run, inside: Path, monkeypatch: pytest.MonkeyPatch, command: Command
+) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("computed, although nothing can be written")
+
+    if computes := COMPUTES.get(command.line.split()[0]):
+        monkeypatch.setattr(computes, never)
+    path = inside / "file"
+    path.write_text("mine", encoding="utf-8")
+    for out in (path, path / "below"):
+        ran = run(*typed(command.line), "--json", "--out", out)
+        assert (ran.status, ran.out) == (2, "")
+        assert "--out: " in ran.err
+    assert path.read_text("utf-8") == "mine"
+
+
+@pytest.mark.slow
+@each_command
+def test_the_document_is_english_in_every_language(run: Run, command: Command) -> None:
+    line = typed(command.line)
+    assert run(*line, "--json", "--lang", "vi").out == run(*line, "--json").out
+
+
+@pytest.mark.parametrize("units", ["tf", "si"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "solve BUOY --profile", "solve TANKER", "check TANKER", "curve BUOY", "system FSO",
+        "design DESIGN", "SIZE_SHIP",
+    ],
+)  # fmt: skip
+def test_no_kilonewton_is_left_on_a_terminal(run: Run, line: str, units: str) -> None:
+    assert "kN" in run(*typed(line)).out
+    assert "kN" not in run(*typed(line), "--units", units).out
+
+
+@pytest.mark.parametrize(
+    ("line", "status", "told"),
+    [
+        *((f"{name} misspelt.toml", 2, "water_depht") for name in
+          ("solve", "check", "curve", "verify", "system", "report")),
+        *((f"{line} too-short.toml", 3, "1 m") for line in
+          ("solve", "solve --method pso", "curve", "verify", "report", "export --to dxf")),
+    ],
+)  # fmt: skip
+def test_without_an_answer_there_is_no_empty_directory(
+    run: Run, inside: Path, line: str, status: int, told: str
+) -> None:
+    before = names(inside)
+    ran = run(*typed(line), "--out", inside / "out")
+    assert (ran.status, ran.out) == (status, "")
+    assert told in ran.err
+    assert "Traceback" not in ran.err
+    assert names(inside) == before
