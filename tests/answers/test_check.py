@@ -17,8 +17,8 @@ from catopt.checks.kinds import CHECK_KINDS, QUANTITY_OF
 from catopt.checks.result import CheckReport
 from catopt.model import Checks, Load, LoadCase
 from catopt.render.workbook import workbook
-from tests.report.conftest import buoy_case
 
+from .results import buoy_case
 from .tables import tables_of
 
 

@@ -1,4 +1,4 @@
-"""Tables of the front of a design search."""
+"""Tables and the figure of the front of a design search."""
 
 from __future__ import annotations
 
@@ -20,7 +20,9 @@ from catopt.answers.design import (
     shown_designs,
 )
 from catopt.checks.kinds import CHECK_KINDS
+from catopt.design.document import design_document
 from catopt.design.result import DesignResult
+from catopt.figures.front import ends, front, front_lines
 from catopt.render.workbook import workbook
 from catopt.words import Message
 
@@ -51,7 +53,7 @@ def test_the_front_has_a_row_a_design(name: str) -> None:
     for row, point in zip(frame.to_dict("records"), result.front, strict=True):
         assert row["Mass in air (t)"] == pytest.approx(point.objectives["mass_kg"] / 1e3, rel=1e-15)
         assert row["Largest span S (m)"] == point.objectives["offset_m"]
-        used = [each.utilisation for each in point.checks.results if each.kind == "tension"]
+        used = (each.utilisation for each in point.checks.results if each.kind == "tension")
         assert row["Tension utilisation (-)"] == max(value for value in used if value is not None)
         assert point.governing is not None
         assert row["Governing check (load case)"] == point.governing.in_case
@@ -107,6 +109,29 @@ def test_the_workbook_has_a_sheet_a_section(name: str) -> None:
     assert book.sheetnames == ["Front", "Recommended", "Components", "Checks", "Search"]
     # A chart of single points: the front has no line between its designs.
     assert len(cast(Any, book["Front"])._charts) == 1
+
+
+def test_the_figure_shows_front_and_three_lines(name: str) -> None:
+    result = result_of(name)
+    document = design_document(result)
+    above, below = front(document), front_lines(result, document)
+    drawn = [(mark.x, mark.y) for mark in above.marks]
+    first, second = result.objectives[:2]
+    places = [(each.objectives[first], each.objectives[second]) for each in result.front]
+    assert drawn[: len(places)] == places
+    chosen = [result.recommended, *ends(document)]
+    numbers = [str(k + 1) for k in (*ends(document), result.recommended)]
+    signs = {mark.role: mark for mark in above.marks[len(places) :]}
+    assert [mark.label.split()[-1] for mark in above.marks[len(places) :]][:3] == numbers
+    present = result.present.point
+    assert present is not None
+    own = present.objectives
+    assert (signs["present"].x, signs["present"].y) == (own[first], own[second])
+    assert ("fails" in str(signs["present"].label)) is not present.checks.passes
+    named = [str(series.label).split(":")[0] for series in below.series]
+    assert named == [f"design {k + 1}" for k in chosen]
+    spans = [max(solution.span for _, solution in result.front[k].checks.solutions) for k in chosen]
+    assert below.series[0].x[-1] == spans[0]
 
 
 def test_which_designs_of_a_front_people_see() -> None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import openpyxl
@@ -44,11 +44,13 @@ from catopt.answers.study import plan_answer, study_answer
 from catopt.answers.system import system_answer
 from catopt.answers.verification import front_answer, verification_answer
 from catopt.casefile import parse_case
+from catopt.catalogue.components import Component
 from catopt.catalogue.document import Answer as Found
 from catopt.catenary.case import solve_case
 from catopt.catenary.case_curve import curve_case
 from catopt.design.search import design_case
 from catopt.loads import Headings, SeaState, Ship, SurfaceCurrent, Wind, ship_loads
+from catopt.model import Case
 from catopt.mooring.case import report_system
 from catopt.notes.front_in_motion import front_in_motion
 from catopt.render.files import csv_files
@@ -67,107 +69,13 @@ from catopt.words import LANGUAGES, Cited, Language, Message, say
 from tests.cli.conftest import CHAIN_IN_MOTION
 from tests.report.notes import LONG, NOTES, answer_named, page_named
 
-from .sizings import around, by_force
+from .results import around, by_force
 
 CASES = Path(__file__).parents[2] / "cases"
-DESIGN = CASES / "design-buoy-9.5m" / "case.toml"
 
 
-def _solution() -> Answer:
-    case = read_case(CASES / "buoy-9.5m" / "case.toml")
-    return solution_answer(case, solve_case(case, "pso"), with_profile=True)
-
-
-def _check() -> Answer:
-    return check_answer(check_case(read_case(CASES / "design-tanker-20m" / "case.toml")))
-
-
-def _curve() -> Answer:
-    return curve_answer(curve_case(read_case(CASES / "tanker-20m-sinker" / "case.toml")))
-
-
-def _system() -> Answer:
-    case = read_case(CASES / "fso-rang-dong" / "case.toml")
-    return system_answer(
-        report_system(
-            case, with_line_out=True, with_circle=True, directions=[math.pi], levels=[1.0]
-        ),
-        check_case(case),
-    )
-
-
-def _checks_of_a_body() -> Answer:
-    return check_answer(check_case(read_case(CASES / "fso-rang-dong" / "case.toml")))
-
-
-def _design() -> Answer:
-    return design_answer(design_case(read_case(DESIGN)))
-
-
-def _loads() -> Answer:
-    ship = Ship("ship", 234.0, 227.0, 31.3, 12.4, 70e3, 380.0, 1200.0, 580.0, "tanker")
-    sea, askew = SeaState(8.0, 2.0), Headings(0.5, 0.0, 0.3)
-    return loads_answer(
-        ship_loads(
-            ship,
-            Wind(20.0),
-            SurfaceCurrent(1.0),
-            sea,
-            20.0,
-            wind_on="tanker loaded",
-            headings=askew,
-        )
-    )
-
-
-def _component() -> Answer:
-    chain = catalogue.component("chain studless R4", 0.076)
-    families = (catalogue.standard().family("chain studless"),)
-    return catalogue_answer(Found("show", families, (chain,)), in_full=True)
-
-
-def _sizes() -> Answer:
-    families = (catalogue.standard().family("nylon"),)
-    return catalogue_answer(Found("show", families, catalogue.standard().sold("nylon")))
-
-
-def _search() -> Answer:
-    found = catalogue.search(MBL_at_least=1e6)
-    return catalogue_answer(Found("search", tuple(catalogue.families()), tuple(found)))
-
-
-def _list() -> Answer:
-    return catalogue_answer(Found("list", tuple(catalogue.families())))
-
-
-def _reproduction() -> Answer:
-    return reproduction_answer(reproduce("load_sharing"))
-
-
-def _size() -> Answer:
-    return size_answer(around())
-
-
-def _size_by_force() -> Answer:
-    return size_answer(by_force())
-
-
-def _verification() -> Answer:
-    """Three load cases."""
-    return verification_answer(verify_case(read_case(DESIGN), elements=20))
-
-
-def _verified_body() -> Answer:
-    case = read_case(CASES / "fso-rang-dong" / "case.toml")
-    return verification_answer(verify_case(case, elements=40))
-
-
-def _front() -> Answer:
-    """Two designs, of which one has no answer."""
-    case = read_case(CASES / "buoy-9.5m" / "case.toml")
-    too_short = replace(case, fairlead_height=30.0)
-    designs = [Design(1, case), Design(2, too_short)]
-    return front_answer(verify_front("Front", designs, elements=20))
+def case(name: str) -> Case:
+    return read_case(CASES / name / "case.toml")
 
 
 _LOADED = '[load]\nhorizontal_force = "300 kN"\n'
@@ -192,37 +100,51 @@ force = ["30 kN", "0 kN"]
 """
 
 
-def _motion() -> Answer:
-    """Five short runs in random waves."""
-    case = parse_case(MOVING + AT_SEA)
-    return motion_answer(verify_dynamic(case, proof="none"), with_series=True)
+def _solution() -> Answer:
+    buoy = case("buoy-9.5m")
+    return solution_answer(buoy, solve_case(buoy, "pso"), with_profile=True)
 
 
-def _fatigue() -> Answer:
-    return fatigue_answer(
-        verify_fatigue(read_case(CASES / "fatigue-chain-20m" / "case.toml"), proof="none")
+def _system() -> Answer:
+    body = case("fso-rang-dong")
+    report = report_system(
+        body, with_line_out=True, with_circle=True, directions=[math.pi], levels=[1.0]
+    )
+    return system_answer(report, check_case(body))
+
+
+def _loads() -> Answer:
+    ship = Ship("ship", 234.0, 227.0, 31.3, 12.4, 70e3, 380.0, 1200.0, 580.0, "tanker")
+    wind, current, sea = Wind(20.0), SurfaceCurrent(1.0), SeaState(8.0, 2.0)
+    askew = Headings(0.5, 0.0, 0.3)
+    return loads_answer(
+        ship_loads(ship, wind, current, sea, 20.0, wind_on="tanker loaded", headings=askew)
     )
 
 
-def _body_in_motion() -> Answer:
-    return motion_answer(verify_dynamic(parse_case(MOVING + ON_THREE)), with_series=True)
+def _families(way: Literal["show", "search", "list"], name: str = "", *found: Component) -> Answer:
+    families = (catalogue.standard().family(name),) if name else tuple(catalogue.families())
+    return catalogue_answer(Found(way, families, found), in_full=len(found) == 1)
+
+
+def _front() -> Answer:
+    """Two designs, of which one has no answer."""
+    buoy = case("buoy-9.5m")
+    designs = [Design(1, buoy), Design(2, replace(buoy, fairlead_height=30.0))]
+    return front_answer(verify_front("Front", designs, elements=20))
 
 
 def _front_in_motion() -> Answer:
     """Two designs, of which one has no answer."""
     strong = MOVING.replace('mass = "130 kg/m"', 'mass = "130 kg/m"\nMBL = "3000 kN"')
     moving = strong + _LOADED + "[checks]\nsafety_factor = 2.0\n"
-    case, too_short = parse_case(moving), parse_case(moving.replace("120 m", "19 m"))
-    designs = [(1, case, (1.0, 2.0)), (2, too_short, (2.0, 1.0))]
+    able, too_short = parse_case(moving), parse_case(moving.replace("120 m", "19 m"))
+    designs = [(1, able, (1.0, 2.0)), (2, too_short, (2.0, 1.0))]
     return front_in_motion_answer(front_in_motion(designs, 2, proof="none"))
 
 
-def _study() -> Answer:
-    """Lay out a line on lengths of which one does not reach, with a limit."""
-    return study_answer(run_study(_studied(), workers=1))
-
-
 def _studied() -> Study:
+    """Lengths of which one does not reach, with a limit."""
     base = read_study(CASES / "study-buoy-9.5m" / "study.toml").base
     axes = (
         Axis({"line.segments[0].length": np.array([9.0, 20.0, 21.0])}, np.array([1.0, 2.0, 3.0])),
@@ -231,24 +153,40 @@ def _studied() -> Study:
     return Study("Marker buoy", base, axes, {"anchor_uplift": 500.0})
 
 
-def _fleet() -> Answer:
-    return study_answer(run_study(CASES / "study-fleet" / "study.toml", workers=1))
-
-
-def _plan() -> Answer:
-    return plan_answer(plan_study(_studied()))
+def _in_motion(text: str, **options: Any) -> Answer:
+    return motion_answer(verify_dynamic(parse_case(MOVING + text), **options), with_series=True)
 
 
 ANSWERS: dict[str, Callable[[], Answer]] = {
-    "solution": _solution, "check": _check, "checks of a body": _checks_of_a_body,
-    "curve": _curve, "system": _system, "loads": _loads,
-    "component": _component, "sizes": _sizes, "search": _search,
-    "list": _list, "design": _design, "reproduction": _reproduction, "size": _size,
-    "size by force": _size_by_force, "verification": _verification,
-    "verified body": _verified_body, "verified front": _front, "motion": _motion,
-    "body in motion": _body_in_motion, "fatigue": _fatigue, "front in motion": _front_in_motion,
-    "study": _study, "fleet": _fleet, "plan of a study": _plan,
-}  # fmt: skip
+    "solution": _solution,
+    "check": lambda: check_answer(check_case(case("design-tanker-20m"))),
+    "checks of a body": lambda: check_answer(check_case(case("fso-rang-dong"))),
+    "curve": lambda: curve_answer(curve_case(case("tanker-20m-sinker"))),
+    "system": _system,
+    "loads": _loads,
+    "component": lambda: _families(
+        "show", "chain studless", catalogue.component("chain studless R4", 0.076)
+    ),
+    "sizes": lambda: _families("show", "nylon", *catalogue.standard().sold("nylon")),
+    "search": lambda: _families("search", "", *catalogue.search(MBL_at_least=1e6)),
+    "list": lambda: _families("list"),
+    "design": lambda: design_answer(design_case(case("design-buoy-9.5m"))),
+    "reproduction": lambda: reproduction_answer(reproduce("load_sharing")),
+    "size": lambda: size_answer(around()),
+    "size by force": lambda: size_answer(by_force()),
+    "verification": lambda: verification_answer(  # of three load cases
+        verify_case(case("design-buoy-9.5m"), elements=20)
+    ),
+    "verified body": lambda: verification_answer(verify_case(case("fso-rang-dong"), elements=40)),
+    "verified front": _front,
+    "motion": lambda: _in_motion(AT_SEA, proof="none"),  # five short runs in random waves
+    "body in motion": lambda: _in_motion(ON_THREE),
+    "fatigue": lambda: fatigue_answer(verify_fatigue(case("fatigue-chain-20m"), proof="none")),
+    "front in motion": _front_in_motion,
+    "study": lambda: study_answer(run_study(_studied(), workers=1)),
+    "fleet": lambda: study_answer(run_study(CASES / "study-fleet" / "study.toml", workers=1)),
+    "plan of a study": lambda: plan_answer(plan_study(_studied())),
+}
 
 
 @cache
@@ -267,21 +205,10 @@ def each_of(kinds: Iterable[str]) -> list[Any]:
     return [pytest.param(k, marks=pytest.mark.slow) if k in BY_TRUSS else k for k in kinds]
 
 
-@pytest.fixture(params=each_of(ANSWERS))
-def answer(request: pytest.FixtureRequest) -> Answer:
-    """Lay out the answer of a command."""
-    return made(request.param)
-
-
-@pytest.fixture(params=each_of((*ANSWERS, *NOTES)))
-def of_any_kind(request: pytest.FixtureRequest) -> Answer:
-    """Lay out an answer or a note."""
-    return made(request.param)
-
-
-@pytest.fixture(params=each_of(NOTES))
-def note(request: pytest.FixtureRequest) -> str:
-    return str(request.param)
+of_an_answer = pytest.mark.parametrize("kind", each_of(ANSWERS))
+of_a_note = pytest.mark.parametrize("kind", each_of(NOTES))
+of_any_kind = pytest.mark.parametrize("kind", each_of((*ANSWERS, *NOTES)))
+in_both_languages = pytest.mark.parametrize("language", LANGUAGES)
 
 
 class Paper:
@@ -307,6 +234,9 @@ class Paper:
         self.lines += [title, *columns, *(cell for row in rows for cell in row)]
 
 
+FOR_PEOPLE = {"all", "people", "not csv"}
+
+
 def tables(answer: Answer) -> Iterator[Table]:
     """Every table and list of facts, as tables."""
     for block in answer.blocks:
@@ -316,18 +246,16 @@ def tables(answer: Answer) -> Iterator[Table]:
             yield block
 
 
-def number(text: str) -> float:
-    return math.nan if text == "" else float(text)
+def alike(text: str, value: float) -> bool:
+    """Equal to the 16 digits that files keep; what is not known is empty."""
+    found = float(text or "nan")
+    return (math.isnan(found) and math.isnan(value)) or math.isclose(found, value, rel_tol=1e-15)
 
 
-def alike(first: float, second: float) -> bool:
-    """Equal to the 16 digits that files keep."""
-    return (math.isnan(first) and math.isnan(second)) or math.isclose(first, second, rel_tol=1e-15)
-
-
-def test_csv_holds_every_number(answer: Answer) -> None:
-    files = csv_files(answer)
-    for table in tables(answer):
+@of_an_answer
+def test_csv_holds_every_number(kind: str) -> None:
+    files = csv_files(made(kind))
+    for table in tables(made(kind)):
         if table.only in {"people", "workbook", "not csv"}:
             assert f"{table.name}.csv" not in files
             continue
@@ -335,24 +263,22 @@ def test_csv_holds_every_number(answer: Answer) -> None:
         assert len(rows) == table.length
         for column in table.for_files():
             for place, row in enumerate(rows):
-                value = column.in_files(place)
+                value, kept = column.in_files(place), row[column.heading]
                 if isinstance(value, int | float) and not isinstance(value, str):
-                    assert alike(number(row[column.heading]), value), column.heading
+                    assert alike(kept, value), column.heading
                 else:
-                    kept = row[column.heading]  # after an apostrophe where it began a formula
-                    assert kept in {value or "", f"'{value}"}
+                    assert kept in {value or "", f"'{value}"}  # where it began a formula
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_people_see_every_number_that_is_for_them(answer: Answer, language: Language) -> None:
+@in_both_languages
+@of_an_answer
+def test_people_see_every_number_that_is_for_them(kind: str, language: Language) -> None:
     paper = Paper()
-    show(paper, answer, language)
+    show(paper, made(kind), language)
     printed = "\n".join(paper.lines)
-    for table in tables(answer):
-        if table.only not in {"all", "people", "not csv"}:
-            continue
+    for table in tables(made(kind)):
         rows = range(table.length) if table.shown is None else table.shown
-        for column in table.columns:
+        for column in table.columns if table.only in FOR_PEOPLE else ():
             if column.only == "files" or column.priority:
                 continue
             for row in rows:
@@ -389,23 +315,25 @@ USERS = {
 """Headings over what users wrote, documents that are cited, or a document read from a file."""
 
 
-def test_all_other_words_are_messages(answer: Answer) -> None:
+@of_an_answer
+def test_all_other_words_are_messages(kind: str) -> None:
     """What is plain text would stay English in Vietnamese."""
-    for block in answer.blocks:
+    for block in made(kind).blocks:
         if isinstance(block, Text | Verdict):
             assert isinstance(block.said, Message), block.said
-    for table in tables(answer):
+    for table in tables(made(kind)):
         assert isinstance(table.caption, Message) or not table.caption
         assert plain_words(table, OWN) == []
 
 
 @pytest.mark.slow
-def test_all_other_words_of_notes_are_messages(note: str) -> None:
-    for table in tables(made(note)):
+@of_a_note
+def test_all_other_words_of_notes_are_messages(kind: str) -> None:
+    for table in tables(made(kind)):
         if table.name != "pieces":  # the equations that they are by
             found = plain_words(table, OWN | USERS)
             assert not [each for each in found if not re.match(r"[\d(<]", each)]
-    for block in made(note).blocks:
+    for block in made(kind).blocks:
         if isinstance(block, Trail):
             assert all(isinstance(step.name, Message) for step in block.steps)
 
@@ -445,9 +373,9 @@ def for_people(table: Table) -> Iterator[tuple[Value, bool]]:
 def numbers_of(answer: Answer) -> Iterator[float]:
     """Yield every number that people see, in SI."""
     for block in answer.blocks:
-        if isinstance(block, Table) and block.only in {"all", "not csv", "people"}:
+        if isinstance(block, Table) and block.only in FOR_PEOPLE:
             yield from (float(value) for value, is_number in for_people(block) if is_number)  # type: ignore[arg-type]
-        elif isinstance(block, Facts) and block.only in {"all", "not csv", "people"}:
+        elif isinstance(block, Facts) and block.only in FOR_PEOPLE:
             for fact in block.facts:
                 if isinstance(fact.value, int | float) and fact.only != "files":
                     yield float(fact.value)
@@ -474,9 +402,10 @@ def words_of(answer: Answer, language: Language) -> Iterator[str]:
                 yield block.text
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_the_page_holds_every_number_and_every_word(note: str, language: Language) -> None:
-    answer, read = made(note), page_named(note, language)
+@in_both_languages
+@of_a_note
+def test_the_page_holds_every_number_and_every_word(kind: str, language: Language) -> None:
+    answer, read = made(kind), page_named(kind, language)
     cells = [cell for table in read.tables for row in table.rows for cell in row]
     shown = {cell.value for cell in cells if cell.value is not None}
     assert list(read.sections) == [section.name for section in answer.sections]
@@ -511,16 +440,18 @@ def cells(answer: Answer, language: Language = "en") -> Iterator[Any]:
     yield from (cell.value for sheet in book for row in sheet.iter_rows() for cell in row)
 
 
-def test_the_workbook_holds_every_number(of_any_kind: Answer) -> None:
-    there = cells(of_any_kind)
+@of_any_kind
+def test_the_workbook_holds_every_number(kind: str) -> None:
+    there = cells(made(kind))
     numbers = {float(f"{each:.16g}") for each in there if isinstance(each, int | float)}
-    for value in in_files(of_any_kind):
+    for value in in_files(made(kind)):
         assert float(f"{value:.16g}") in numbers
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_the_workbook_of_a_note_holds_every_word(note: str, language: Language) -> None:
-    answer = made(note)
+@in_both_languages
+@of_a_note
+def test_the_workbook_of_a_note_holds_every_word(kind: str, language: Language) -> None:
+    answer = made(kind)
     said = plain(" ".join(each for each in cells(answer, language) if isinstance(each, str)))
     for block in answer.blocks:
         if isinstance(block, Text | Verdict):
@@ -529,9 +460,10 @@ def test_the_workbook_of_a_note_holds_every_word(note: str, language: Language) 
             assert all(plain(say(each, language)) in said for each in block.said)
 
 
-def test_both_languages_have_the_same_numbers(note: str) -> None:
+@of_a_note
+def test_both_languages_have_the_same_numbers(kind: str) -> None:
     english, vietnamese = (
-        [cell.value for table in page_named(note, language).tables for row in table.rows
+        [cell.value for table in page_named(kind, language).tables for row in table.rows
          for cell in row]
         for language in LANGUAGES
     )  # fmt: skip

@@ -13,7 +13,7 @@ from catopt.answers.loads import loads_answer
 from catopt.answers.size import size_answer, steady_sentence
 from catopt.words import say
 
-from .sizings import around, by_force
+from .results import around, by_force
 from .tables import tables_of
 
 

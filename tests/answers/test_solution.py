@@ -16,11 +16,11 @@ from catopt.answers.solution import (
     solution_answer,
     swarm_tables,
 )
-from catopt.catenary.case import solve_case
 from catopt.catenary.solution import FoundQuantity, Solution
-from catopt.model import Case, Line, Load, Segment
-from tests.report.conftest import buoy_case
+from catopt.model import Line, Load, Segment
+from tests.figures.kinds import leg
 
+from .results import buoy_case, solved, swarm
 from .tables import tables_of
 
 
@@ -29,8 +29,8 @@ def tables(solution: Solution) -> dict[str, pd.DataFrame]:
     return tables_of(solution_answer(buoy_case(), solution))
 
 
-def test_summary_of_the_buoy_as_s1_prints_it(buoy: Solution) -> None:
-    row = tables(buoy)["summary"].iloc[0]
+def test_summary_of_the_buoy_as_s1_prints_it() -> None:
+    row = tables(solved())["summary"].iloc[0]
     assert row["Inclination at the anchor theta0 (rad)"] == pytest.approx(0.272, abs=0.5e-3)
     assert row["Span S (m)"] == pytest.approx(17.430, abs=0.5e-3)
     assert row["Fairlead tension T (tf)"] == pytest.approx(0.446, abs=0.5e-3)
@@ -41,26 +41,27 @@ def test_summary_of_the_buoy_as_s1_prints_it(buoy: Solution) -> None:
     assert (row["Title"], row["Method"], row["Regime"]) == ("Buoy", "closed-form", "suspended")
 
 
-def test_what_is_not_known_is_empty_and_not_zero(case: Case) -> None:
+def test_what_is_not_known_is_empty_and_not_zero() -> None:
     unknown = Line([Segment(20.0, 93.0)])
     frame = next(given_tables(unknown)).to_dataframe()
     for heading in ("Mass per length m (kg/m)", "Minimum breaking load MBL (kN)"):
         assert frame[heading].isna().all()
     assert frame["Axial stiffness EA (MN)"].iloc[0] == float("inf")
-    row = tables_of(solution_answer(case, solve_case(case)))["inputs"].iloc[0]
+    row = tables(solved())["inputs"].iloc[0]
     assert pd.isna(row["Allowed inclination at the anchor (deg)"])
     assert row["Safety factor SF (-)"] == 5.0
 
 
-def test_swarm_tables(swarm: Solution) -> None:
-    assert swarm.swarm is not None
-    history, runs = (each.to_dataframe() for each in swarm_tables(swarm.swarm))
+def test_swarm_tables() -> None:
+    by_swarm = swarm()
+    assert by_swarm.swarm is not None
+    history, runs = (each.to_dataframe() for each in swarm_tables(by_swarm.swarm))
     assert list(history["Iteration"]) == [1, 2, 3, 4, 5, 6, 7]
     assert list(history["Best objective f (m)"]) == [1.0, 0.3, 1e-3, 1e-8, 3.55e-15, 0.0, 0.0]
     assert runs.to_dict("records") == [
         {"Run": 1, "Objective f (m)": 0.0, "Iterations flown": 7, "Best run": "yes"}
     ]
-    settings = tables(swarm)["swarm_settings"].iloc[0]
+    settings = tables(by_swarm)["swarm_settings"].iloc[0]
     assert settings["Particles"] == 200
 
 
@@ -88,17 +89,17 @@ def test_only_the_load_that_is_given_is_listed(load: Load, heading: str) -> None
     ],
 )
 def test_what_was_found_comes_with_its_condition(
-    buoy: Solution, quantity: Any, value: float, heading: str, shown: float
+    quantity: Any, value: float, heading: str, shown: float
 ) -> None:
     found = FoundQuantity(quantity, value, "inclination at the anchor 0 deg", 0.0, number=2)
-    row = tables(replace(buoy, found=found))["summary"].iloc[0]
+    row = tables(replace(solved(), found=found))["summary"].iloc[0]
     assert row[heading] == shown
     assert row["Condition"] == "inclination at the anchor 0 deg"
-    assert "Condition" not in tables(buoy)["summary"]
+    assert "Condition" not in tables(solved())["summary"]
 
 
-def test_no_two_facts_share_a_heading(leg: Solution) -> None:
-    headings = [column.heading for fact in result_facts(leg) for column in fact.columns()]
+def test_no_two_facts_share_a_heading() -> None:
+    headings = [column.heading for fact in result_facts(leg()) for column in fact.columns()]
     assert len(set(headings)) == len(headings)
 
 

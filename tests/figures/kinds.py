@@ -15,8 +15,8 @@ from catopt.figures.chart import Chart
 from catopt.model import Case, Line, Load, PointLoad, Segment, Site
 from catopt.mooring.solution import SystemSolution
 from catopt.mooring.watch_circle import WatchCircle
-from tests.report.conftest import report_with
-from tests.report.system_page_cases import TURRET, known_note
+from tests.answers.results import report_with
+from tests.report.notes import TURRET, body_note
 
 LONG = (
     "Phao $dấu hiệu$ luồng số 1, độ sâu 9,5 m: a title that somebody made far longer than any "
@@ -32,7 +32,10 @@ def short(height: float, force: float) -> Solution:
 def leg() -> Solution:
     """Solve a leg of wire and chain with a clump weight and a buoy, much of it on the bed."""
     made = Line(
-        [Segment(750.0, 298.0, EA=3.8e8, MBL=6.14e6, name="wire"), Segment(332.0, 1470.0)],
+        [
+            Segment(750.0, 298.0, EA=3.8e8, MBL=6.14e6, name="wire"),
+            Segment(332.0, 1470.0, MBL=6.14e6),
+        ],
         [PointLoad(900.0, 5e4, name="=clump"), PointLoad(1000.0, -2e4)],
     )
     solved = solve(made, height=71.4, horizontal_force=1.2e6, seabed_friction=0.3)
@@ -69,7 +72,7 @@ def _busy() -> Case:
 
 
 def _circle() -> tuple[SystemSolution, WatchCircle]:
-    note = known_note(TURRET)
+    note = body_note(TURRET)
     assert note.report.circle is not None
     return note.solution, note.report.circle
 
@@ -80,7 +83,7 @@ def _there(chart: Chart | None) -> Chart:
 
 
 def _flat() -> Solution:
-    return known_note(TURRET).loaded.solution
+    return body_note(TURRET).loaded.solution
 
 
 KINDS: dict[str, Callable[[], Chart]] = {
@@ -98,12 +101,12 @@ KINDS: dict[str, Callable[[], Chart]] = {
     "front": lambda: front.front(front_document(("mass_kg", "offset_m")), 3),
     "front of three": lambda: front.front(front_document(("mass_kg", "offset_m", "cost_USD"))),
     "lines": lambda: studies.lines_to_scale([("first", short(28.0, 4e3)), (LONG, leg())], 71.4),
-    "plan": lambda: mooring.plan(known_note(TURRET).solution),
-    "near": lambda: _there(mooring.near(known_note(TURRET).solution)),
+    "plan": lambda: mooring.plan(body_note(TURRET).solution),
+    "near": lambda: _there(mooring.near(body_note(TURRET).solution)),
     "track": lambda: mooring.watch_track(*_circle()),
     "round": lambda: mooring.watch_round(*_circle(), 3e6),
     "restoring": lambda: mooring.restoring(
-        known_note(TURRET).report.curves, known_note(TURRET).solution, 4.0
+        body_note(TURRET).report.curves, body_note(TURRET).solution, 4.0
     ),
 }
 """What makes a chart of each kind, by names of their own."""

@@ -22,8 +22,8 @@ from catopt.model import Case, Checks, Line, Load, PointLoad, Segment, Site
 from catopt.quantities import QUANTITIES
 from catopt.render.looks import LOOKS
 from catopt.words import Message
-from tests.report.conftest import report_with
-from tests.report.system_page_cases import EVERY, TURRET, known_note
+from tests.answers.results import report_with
+from tests.report.notes import BODIES, TURRET, body_note
 
 from .kinds import KINDS, LONG, leg, made, short
 
@@ -191,9 +191,9 @@ def test_where_a_run_has_converged_is_said() -> None:
 # ------------------------------------------------------------------ a moored body
 
 
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", BODIES)
 def test_the_plan_has_every_line_with_its_number_and_the_force(name: str) -> None:
-    solution = known_note(name).solution
+    solution = body_note(name).solution
     chart = plan(solution)
     legs = [series for series in chart.series if series.role == "leg"]
     for series, line in zip(legs, solution.lines, strict=True):
@@ -214,17 +214,17 @@ def test_the_plan_has_every_line_with_its_number_and_the_force(name: str) -> Non
 
 
 def test_the_surroundings_show_a_small_offset_and_only_that() -> None:
-    solution = known_note(TURRET).solution
+    solution = body_note(TURRET).solution
     chart = near(solution)
     assert chart is not None
     (way,) = (series for series in chart.series if series.role == "offset-mark")
     length = math.hypot(way.x[1] - way.x[0], way.y[1] - way.y[0])
     assert length == pytest.approx(math.hypot(*solution.offset), rel=1e-12)
-    assert near(known_note("idle").solution) is None
+    assert near(body_note("idle").solution) is None
 
 
 def test_the_watch_circle_closes_and_holds_every_place() -> None:
-    note = known_note(TURRET)
+    note = body_note(TURRET)
     circle = note.report.circle
     assert circle is not None
     (track,) = (s for s in watch_track(note.solution, circle).series if s.role == "first")
@@ -240,7 +240,7 @@ def test_the_watch_circle_closes_and_holds_every_place() -> None:
 
 
 def test_restoring_curves_are_those_of_the_report_up_to_a_multiple_of_the_force() -> None:
-    note = known_note("pulled")
+    note = body_note("pulled")
     curves, force = note.report.curves, math.hypot(*note.solution.system.force)
     whole = restoring(curves, note.solution)
     assert [tuple(each.y) for each in whole.series] == [curve.force for curve in curves]

@@ -49,15 +49,7 @@ _FLAGS = (
 
 
 class Tab:
-    """A page in the browser.
-
-    Attributes
-    ----------
-    messages : list of str
-        What the page, or the browser about it, has put on the console.
-    requests : list of str
-        Addresses that it has asked for.
-    """
+    """A page in the browser, what was put on its console, and the addresses it has asked for."""
 
     def __init__(self, write: int, read: int) -> None:
         self._write, self._read = write, read
@@ -141,11 +133,6 @@ class Tab:
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
 
-    def picture(self, path: Path) -> None:
-        """Save the whole page as a PNG."""
-        taken = self.call("Page.captureScreenshot", captureBeyondViewport=True)
-        path.write_bytes(base64.b64decode(taken["data"]))
-
     def pdf(self) -> bytes:
         """Print to PDF, with the paper that the page asks for."""
         printed = self.call("Page.printToPDF", preferCSSPageSize=True, printBackground=True)
@@ -162,28 +149,24 @@ class Tab:
         return answer
 
     def _note(self, method: str, told: dict[str, Any]) -> None:
-        if method == "Page.loadEventFired":
-            self._loaded = True
-        elif method == "Runtime.consoleAPICalled":
-            self.messages.append(json.dumps(told["args"]))
-        elif method == "Runtime.exceptionThrown":
-            self.messages.append(json.dumps(told["exceptionDetails"]))
-        elif method == "Log.entryAdded":
-            self.messages.append(told["entry"]["text"])
-        elif method == "Network.requestWillBeSent":
-            self.requests.append(told["request"]["url"])
+        match method:
+            case "Page.loadEventFired":
+                self._loaded = True
+            case "Runtime.consoleAPICalled":
+                self.messages.append(json.dumps(told["args"]))
+            case "Runtime.exceptionThrown":
+                self.messages.append(json.dumps(told["exceptionDetails"]))
+            case "Log.entryAdded":
+                self.messages.append(told["entry"]["text"])
+            case "Network.requestWillBeSent":
+                self.requests.append(told["request"]["url"])
 
 
 @contextmanager
 def chromium(folder: Path, font: str = "") -> Iterator[Tab]:
-    """Start the browser with a profile of its own below a folder, and end it in any case.
+    """Start the browser, which writes to a folder, and end it in any case.
 
-    Parameters
-    ----------
-    folder : Path
-        For what the browser writes.
-    font : str
-        Family that all text is shown in; empty for whatever the machine has.
+    All text is in the family `font`; when that is empty, in whatever the machine has.
     """
     surroundings = dict(os.environ)
     if font:
@@ -222,47 +205,3 @@ def chromium(folder: Path, font: str = "") -> Iterator[Tab]:
         with suppress(ProcessLookupError):
             os.killpg(started.pid, signal.SIGKILL)
         started.wait()
-
-
-BEYOND = """(() => {
-  const wide = document.documentElement.clientWidth;
-  return [...document.querySelectorAll("body *")].filter((each) => {
-    if (each.closest(".scroll, svg, script")) return false;
-    const box = each.getBoundingClientRect();
-    return box.right > wide + 0.5 || box.left < -0.5;
-  }).map((each) => each.outerHTML.slice(0, 120));
-})()"""
-"""Elements that stick out, but for what scrolls within its own box."""
-
-OFF_PAPER = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
-  const paper = svg.getBoundingClientRect();
-  return [...svg.querySelectorAll("text")].filter((each) => {
-    const box = each.getBoundingClientRect();
-    return box.left < paper.left - 2 || box.right > paper.right + 2
-      || box.top < paper.top - 2 || box.bottom > paper.bottom + 2;
-  }).map((each) => each.textContent);
-}))()"""
-"""Words of a drawing that are cut off at its edge; boxes are taller than their letters."""
-
-CLASHES = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
-  const texts = [...svg.querySelectorAll("text")];
-  const boxes = texts.map((each) => each.getBoundingClientRect());
-  const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
-  return boxes.flatMap((a, i) => boxes.slice(0, i).flatMap((b, j) => {
-    const clash = shared(a, b, "left", "right") > 2 && shared(a, b, "top", "bottom") > 4;
-    return clash ? [[texts[i].textContent, texts[j].textContent]] : [];
-  }));
-}))()"""
-"""Words of a drawing that stand on each other."""
-
-
-def assert_nothing_sticks_out(tab: Tab, page: Path, width: int, font: str) -> None:
-    """Assert that a page is no wider than its window, and that drawings hold their words apart.
-
-    A page in Liberation Sans is looked at in dark colours.
-    """
-    tab.open(page, width, scheme="dark" if font == "Liberation Sans" else "light")
-    assert tab.value("document.documentElement.scrollWidth") <= width
-    assert tab.value(BEYOND) == []
-    assert tab.value(OFF_PAPER) == []
-    assert tab.value(CLASHES) == []

@@ -1,4 +1,4 @@
-"""Notes of every kind by their names, each computed once."""
+"""Notes of every kind by their names, each computed once, with their pages and workbooks."""
 
 from __future__ import annotations
 
@@ -6,28 +6,42 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pytest
 
 from catopt.answers.blocks import Answer
-from catopt.cli.note_kind import answer_of
-from catopt.notes.line import read_note
+from catopt.casefile.sizing_file import moored_in
+from catopt.cli.note_kind import answer_of, is_of_a_body, note_of_sizing
+from catopt.notes.line import Note, read_note
+from catopt.notes.size import SizeNote
+from catopt.notes.system import SystemNote, read_system_note
+from catopt.render.page import page
+from catopt.render.workbook import workbook
 from catopt.words import Language
 
-from . import further_cases, page_cases, size_page_cases, system_page_cases
+from .page_cases import case_path
 from .page_reader import ReadPage, read_page
-from .rendered import page_of
 
-if TYPE_CHECKING:
-    from catopt.cli.note_kind import AnyNote
-
-OF_A_LINE = ("leg", "states", "slack", "friction", "designed")
-FURTHER = ("swarm", "harmonic", "random")
-OF_A_BODY = ("arms", "raised", "idle", "pulled", "lone")
-SIZINGS = ("size-buoy", "given", "hawser", "six", "sinker")
-NOTES = (*OF_A_LINE, *FURTHER, *OF_A_BODY, *SIZINGS)
-LONG = ("leg", "states", "harmonic", "random", "arms", "raised", "pulled", "hawser", "six")
+TURRET = "fso-rang-dong"
+"""Nine lines in three bundles, force along one of them."""
+LINES = (
+    "buoy-9.5m", "buoy-9.5m-slack", "ship-200m-sinker", "tanker-20m", "tanker-20m-sinker",
+    "leg", "raised", "slack", "friction", "states",
+)  # fmt: skip
+IN_MOTION = ("harmonic", "random")
+"""Two load cases in two seas each, led by a ship."""
+BODIES = (TURRET, "arms", "raised-anchors", "idle", "pulled", "lee", "lone")
+SIZINGS = ("size-buoy", "size-tanker", "given", "hawser", "six", "sinker")
+NOTES = (
+    "leg", "states", "slack", "friction", "designed", "swarm", *IN_MOTION,
+    "arms", "raised-anchors", "idle", "pulled", "lone",
+    "size-buoy", "given", "hawser", "six", "sinker",
+)  # fmt: skip
+"""Notes of every kind, of which every face is looked at."""
+LONG = (
+    "leg", "states", *IN_MOTION, "arms", "raised-anchors", "pulled", "hawser", "six",
+)  # fmt: skip
 """They take seconds each; in motion, and verified under many loads."""
 
 
@@ -37,18 +51,39 @@ def each_note(names: Sequence[str] = NOTES) -> list[Any]:
 
 
 @cache
-def note_named(name: str) -> AnyNote:
+def note_named(name: str) -> Note | SystemNote | SizeNote:
     """Compute the note of a line, of a body or of a sizing."""
-    if name == "designed":
-        with TemporaryDirectory() as folder:
-            return read_note(page_cases.design_directory(Path(folder)))
-    if name in FURTHER:
-        return further_cases.further_note(name)
-    if name in OF_A_BODY:
-        return system_page_cases.known_note(name)
-    if name in size_page_cases.EVERY:
-        return size_page_cases.known_size_note(name)
-    return page_cases.known_note(name)
+    with TemporaryDirectory() as folder:
+        path = case_path(Path(folder), name)
+        moored = moored_in(path)
+        if moored is not None:
+            return note_of_sizing(path, moored)
+        if is_of_a_body(path):
+            return read_system_note(path)
+        if name in (*IN_MOTION, "swarm"):
+            return read_note(path, swarm=name == "swarm", motion=name != "swarm", verify=False)
+        return read_note(path)
+
+
+def line_note(name: str) -> Note:
+    """Return the note of a line."""
+    note = note_named(name)
+    assert isinstance(note, Note)
+    return note
+
+
+def body_note(name: str) -> SystemNote:
+    """Return the note of a moored body."""
+    note = note_named(name)
+    assert isinstance(note, SystemNote)
+    return note
+
+
+def size_note_named(name: str) -> SizeNote:
+    """Return the note of a sizing."""
+    note = note_named(name)
+    assert isinstance(note, SizeNote)
+    return note
 
 
 @cache
@@ -60,4 +95,19 @@ def answer_named(name: str) -> Answer:
 @cache
 def page_named(name: str, language: Language = "en") -> ReadPage:
     """Read the page of a note back."""
-    return read_page(page_of(note_named(name), language))
+    return shown(note_named(name), language)
+
+
+def shown(note: Note | SystemNote | SizeNote, language: Language = "en") -> ReadPage:
+    """Read the page of any note back."""
+    return read_page(page_of(note, language))
+
+
+def page_of(note: Note | SystemNote | SizeNote, language: Language = "en") -> bytes:
+    """Render the page of a note."""
+    return page(answer_of(note), language)
+
+
+def workbook_of(note: Note | SystemNote | SizeNote, language: Language = "en") -> bytes:
+    """Lay the workbook of a note out."""
+    return workbook(answer_of(note), language)

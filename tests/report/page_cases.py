@@ -1,52 +1,28 @@
-"""Cases for the tests of the calculation note, each hanging in a way of its own."""
+"""Case files for the tests of notes, and the directory of a design search."""
 
 from __future__ import annotations
 
 import json
-from functools import cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
-
-from catopt.notes.line import Note, read_note
-from catopt.words import Language
-
-from .page_reader import ReadPage, read_page
-from .rendered import page_of
 
 CASES = Path(__file__).parents[2] / "cases"
-FILES = ("buoy-9.5m", "buoy-9.5m-slack", "ship-200m-sinker", "tanker-20m", "tanker-20m-sinker")
 """Case files that come with catopt."""
-
-
-def own_case(name: str) -> str:
-    """Read one of the case files beside these tests."""
-    return (Path(__file__).parent / "cases" / f"{name}.toml").read_text("utf-8")
-
-
-TEXTS = {name: own_case(name) for name in ("leg", "raised", "slack", "friction", "states")}
-"""Case files as texts, each of a line that hangs in another way."""
-
-EVERY = (*FILES, *TEXTS)
-"""Names of all cases."""
-
-
-@cache
-def known_note(name: str) -> Note:
-    """Read the note of a case, once: it is a value, so that tests may share it."""
-    with TemporaryDirectory() as folder:
-        return read_note(case_path(Path(folder), name))
-
-
-@cache
-def known_page(name: str, language: Language = "en") -> ReadPage:
-    """Read the page of a case back, once."""
-    return read_page(page_of(known_note(name), language))
+TEXTS = {
+    path.stem: path.read_text("utf-8") for path in (Path(__file__).parent / "cases").glob("*.toml")
+}
+"""Case files and sizing files beside these tests, each of a line that hangs in another way."""
+RAOS = (
+    "period,surge,surge_phase,heave,heave_phase\n3,0,90,0.02,40\n8,0.3,90,0.6,10\n20,0.9,90,1,0\n"
+)
 
 
 def case_path(folder: Path, name: str) -> Path:
-    """Return the path of a case; one of the texts is written to a folder."""
-    if name in FILES:
-        return CASES / name / "case.toml"
+    """Return the path of a case; one of the texts is written to a folder, with its ship."""
+    if name == "designed":
+        return design_directory(folder)
+    if name not in TEXTS:
+        return next((CASES / name).glob("*.toml"))
+    (folder / "rao.csv").write_text(RAOS, encoding="utf-8")
     path = folder / f"{name}.toml"
     path.write_text(TEXTS[name], encoding="utf-8")
     return path
@@ -54,9 +30,7 @@ def case_path(folder: Path, name: str) -> Path:
 
 def design_directory(folder: Path, designs: int = 3) -> Path:
     """Write a result directory as ``catopt design --out`` does, with a front by hand."""
-    directory = folder / "result"
-    directory.mkdir()
-    (directory / "case.toml").write_text(TEXTS["states"], encoding="utf-8")
+    too_flat = "uplift angle at the anchor (storm (high water))"
     document = {
         "schema": "catopt.design/1",
         "title": "Buoy chain",
@@ -75,38 +49,31 @@ def design_directory(folder: Path, designs: int = 3) -> Path:
         "recommendation": "The knee of the front.",
         "ends": ["Least mass, design 1: the choices end."],
         "neighbours": [
-            {
-                "change": "chain: 31 m for 30 m", "mass_kg": 3600.0, "offset_m": 29.5,
-                "feasible": True, "governing": "", "utilisation": None, "reason": "",
-            },
-            {
-                "change": "chain: 9 m for 30 m", "mass_kg": None, "offset_m": None,
-                "feasible": False, "governing": "", "utilisation": None, "reason": "too short",
-            },
-            {
-                "change": "chain: 29 m for 30 m", "mass_kg": 3400.0, "offset_m": 28.5,
-                "feasible": False, "governing": "uplift angle at the anchor (storm (high water))",
-                "utilisation": None, "reason": "",
-            },
+            _step("chain: 31 m for 30 m", 3600.0, 29.5, feasible=True),
+            _step("chain: 9 m for 30 m", reason="too short"),
+            _step("chain: 29 m for 30 m", 3400.0, 28.5, governing=too_flat),
         ],
-        "present": {
-            "change": "the line of the case file", "mass_kg": 3450.0, "offset_m": 61.0,
-            "feasible": False, "governing": "offset (storm (high water))", "utilisation": 1.02,
-            "reason": "",
-        },
-        "method": "enumeration",
-        "is_exact": True,
-        "designs": 1234,
-        "evaluations": 1234,
-        "feasible": 321,
-        "interrupted": False,
-        "hypervolume": 1.0,
-        "reference_point": [1.0, 1.0],
-        "seed": 1,
-        "warnings": ["a price was read in no document"],
+        "present": _step(
+            "the line of the case file", 3450.0, 61.0, governing="offset (storm (high water))",
+            utilisation=1.02,
+        ),
+        "method": "enumeration", "is_exact": True, "designs": 1234, "evaluations": 1234,
+        "feasible": 321, "interrupted": False, "hypervolume": 1.0, "reference_point": [1.0, 1.0],
+        "seed": 1, "warnings": ["a price was read in no document"],
     }  # fmt: skip
+    directory = folder / "result"
+    directory.mkdir(parents=True)
+    (directory / "case.toml").write_text(TEXTS["states"], encoding="utf-8")
     (directory / "design.json").write_text(json.dumps(document), encoding="utf-8")
     return directory
+
+
+def _step(
+    change: str, mass: float | None = None, offset: float | None = None, **told: object
+) -> dict[str, object]:
+    """Make a step from the recommended design, which fails unless it is told not to."""
+    step = {"change": change, "mass_kg": mass, "offset_m": offset, "feasible": False}
+    return {**step, "governing": "", "utilisation": None, "reason": "", **told}
 
 
 def _design(index: int, designs: int) -> dict[str, object]:

@@ -1,7 +1,9 @@
-"""A calculation note read back from its HTML."""
+"""A page of catopt read back from its HTML: a calculation note, or an answer of the desk."""
 
 from __future__ import annotations
 
+import math
+import re
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
 
@@ -10,12 +12,10 @@ VOID = {"meta", "link", "br", "img", "input", "hr"}
 
 @dataclass
 class ReadCell:
-    """A cell: its text, the value behind it, its language and its classes."""
+    """A cell: its text, and the value behind it."""
 
     text: str = ""
     value: float | None = None
-    lang: str = ""
-    style: str = ""
 
 
 @dataclass
@@ -30,11 +30,15 @@ class ReadTable:
 
     def row(self, first: str) -> list[ReadCell]:
         """Return the row with a first cell."""
-        return next(row for row in self.rows if row[0].text == first)
+        return self.by_name()[first]
 
-    def column(self, index: int) -> list[ReadCell]:
-        """Return a column."""
-        return [row[index] for row in self.rows]
+    def by_name(self) -> dict[str, list[ReadCell]]:
+        """Return all rows by their first cells."""
+        return {row[0].text: row for row in reversed(self.rows)}
+
+    def texts(self) -> list[list[str]]:
+        """Return what all cells show."""
+        return [[cell.text for cell in row] for row in self.rows]
 
 
 @dataclass
@@ -65,17 +69,16 @@ class ReadPage:
         """Return all tables of a key."""
         return [table for table in self.tables if table.key == key]
 
-    def tagged(self, tag: str) -> list[Element]:
-        """Return all elements of a tag."""
-        return [element for element in self.elements if element.tag == tag]
+    def tagged(self, tag: str, section: str = "") -> list[Element]:
+        """Return all elements of a tag, in a section when one is given."""
+        return [e for e in self.elements if e.tag == tag and section in ("", e.section)]
 
     def styled(self, style: str, section: str = "") -> list[Element]:
         """Return all elements of a class, in a section when one is given."""
         return [
-            element
-            for element in self.elements
-            if style in element.attributes.get("class", "").split()
-            and section in ("", element.section)
+            each
+            for each in self.elements
+            if style in each.attributes.get("class", "").split() and section in ("", each.section)
         ]
 
 
@@ -86,31 +89,30 @@ class _Reader(HTMLParser):
         self._open: list[Element] = []
         self._section = ""
 
-    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self._add(tag, attrs)
-
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         element = self._add(tag, attrs)
         if tag not in VOID:
             self._open.append(element)
 
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._add(tag, attrs)
+
     def _add(self, tag: str, attrs: list[tuple[str, str | None]]) -> Element:
         given = {key: value or "" for key, value in attrs}
-        if tag == "section":
+        if tag == "section" and "id" in given:
             self._section = given["id"]
             self.page.sections[self._section] = ""
         element = Element(tag, given, self._section)
         self.page.elements.append(element)
         tables = self.page.tables
         if tag == "table":
-            tables.append(ReadTable(given["data-key"]))
-        elif tag == "tr" and self._inside("tbody"):
+            tables.append(ReadTable(given.get("data-key", "")))
+        elif tag == "tr" and not self._inside("thead"):
             if "marked" in given.get("class", ""):
                 tables[-1].marked.append(len(tables[-1].rows))
             tables[-1].rows.append([])
-        elif tag in ("td", "th") and self._inside("tbody"):
-            cell = ReadCell(lang=given.get("lang", ""), style=given.get("class", ""))
-            tables[-1].rows[-1].append(cell)
+        elif tag in ("td", "th") and not self._inside("thead"):
+            tables[-1].rows[-1].append(ReadCell())
         elif tag == "th":
             tables[-1].headings.append("")
         elif tag == "data":
@@ -137,10 +139,10 @@ class _Reader(HTMLParser):
             return
         if self._section:
             self.page.sections[self._section] += data
-        if self._inside("td") or (self._inside("tbody") and self._inside("th")):
-            self.page.tables[-1].rows[-1][-1].text += data
-        elif self._inside("thead") and self._inside("th"):
+        if self._inside("thead") and self._inside("th"):
             self.page.tables[-1].headings[-1] += data
+        elif self._inside("td") or self._inside("th"):
+            self.page.tables[-1].rows[-1][-1].text += data
         elif here.tag == "caption":
             self.page.tables[-1].caption += data
 
@@ -148,13 +150,26 @@ class _Reader(HTMLParser):
         return any(element.tag == tag for element in self._open)
 
 
-def read_page(page: bytes) -> ReadPage:
+def read_page(page: bytes | str) -> ReadPage:
     """Read a page; white space at the ends of cells is dropped."""
     reader = _Reader()
-    reader.feed(page.decode())
+    reader.feed(page if isinstance(page, str) else page.decode())
     reader.close()
     for table in reader.page.tables:
         for row in table.rows:
             for cell in row:
                 cell.text = cell.text.strip()
     return reader.page
+
+
+def calculate(printed: str) -> float:
+    """Type an expression of a page, with its numbers put in, into a calculator."""
+    signs = {"\N{NO-BREAK SPACE}": " ", "−": "-", "·": "*", "²": "**2", "^": "**", "√": "sqrt"}
+    for sign, plain in signs.items():
+        printed = printed.replace(sign, plain)
+    text = re.sub(r"tan (\S+)°", r"tan(radians(\1))", printed)
+    text = re.sub(r"asinh (\(?-?[\d.e+-]+\)?)", r"asinh(\1)", text)
+    # What stands side by side is multiplied.
+    text = re.sub(r"(?<=[\d)]) (?=sqrt|asinh|\()", "*", text)
+    names = {key: getattr(math, key) for key in ("sqrt", "asinh", "atan", "tan", "radians")}
+    return float(eval(text, {"__builtins__": {}, "max": max, **names}))

@@ -14,22 +14,7 @@ from .notes import page_named
 from .page_reader import ReadPage, read_page
 
 SHIPPED = sorted(NOTES.glob("*.html"))
-
-
-@pytest.fixture(params=SHIPPED, ids=lambda path: path.stem)
-def shipped(request: pytest.FixtureRequest) -> ReadPage:
-    path: Path = request.param
-    return read_page(path.read_bytes())
-
-
 KINDS = ("leg", "states", "harmonic", "pulled", "size-buoy", "size-tanker", "six")
-
-
-@pytest.fixture(params=[(name, language) for name in KINDS for language in LANGUAGES])
-def of_a_kind(request: pytest.FixtureRequest) -> ReadPage:
-    return page_named(*request.param)
-
-
 SIGNED: dict[Language, list[str]] = {
     "en": ["Revision", "Date", "Prepared", "Checked", "Approved"],
     "vi": ["Lần sửa đổi", "Ngày", "Người lập", "Người kiểm tra", "Người phê duyệt"],
@@ -80,14 +65,14 @@ def check(read: ReadPage) -> None:
         assert len(set(told)) == len(told)
 
 
-def test_a_shipped_note_has_what_a_checker_looks_for(shipped: ReadPage) -> None:
-    check(shipped)
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_a_shipped_note_has_what_a_checker_looks_for(path: Path) -> None:
+    assert len(SHIPPED) >= 14
+    check(read_page(path.read_bytes()))
 
 
 @pytest.mark.slow
-def test_every_kind_has_it_in_both_languages(of_a_kind: ReadPage) -> None:
-    check(of_a_kind)
-
-
-def test_every_case_is_shipped() -> None:
-    assert len(SHIPPED) >= 14
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", KINDS)
+def test_every_kind_has_it_in_both_languages(name: str, language: Language) -> None:
+    check(page_named(name, language))

@@ -11,110 +11,94 @@ import pytest
 from catopt.casefile.schema import CaseTable
 from catopt.catenary import case_curve
 from catopt.errors import NotConvergedError
-from catopt.notes.line import Note, read_note
+from catopt.notes.directory import Asked
+from catopt.notes.line import read_note
 from catopt.notes.origin import file_name, inputs_of
+from catopt.notes.system import read_system_note
+from tests.answers.results import report_with
 
-from .conftest import report_with
-from .further_cases import further_note
-from .page_cases import CASES, EVERY, TEXTS, case_path, design_directory, known_note, known_page
-from .page_reader import ReadPage, read_page
-from .rendered import page_of
+from .notes import LINES, TURRET, line_note, page_named, shown
+from .page_cases import CASES, TEXTS, case_path, design_directory
 
-
-@pytest.fixture(params=EVERY)
-def name(request: pytest.FixtureRequest) -> str:
-    return str(request.param)
-
-
-@pytest.fixture
-def note(name: str) -> Note:
-    return known_note(name)
-
-
-@pytest.fixture
-def page(name: str) -> ReadPage:
-    return known_page(name)
-
-
-@pytest.fixture
-def designed(tmp_path: Path) -> Note:
-    return read_note(design_directory(tmp_path))
+BUOY = case_path(Path(), "buoy-9.5m")
 
 
 def test_a_date_stands_only_where_one_is_given() -> None:
-    path = CASES / "buoy-9.5m" / "case.toml"
-    dated = read_page(page_of(read_note(path, date="21 November 2026")))
-    assert dated.table("identity").row("Date")[1].text == "21 November 2026"
-    plain = read_page(page_of(read_note(path)))
-    assert "Date" not in [row[0].text for row in plain.table("identity").rows]
+    line = read_note(BUOY, date="21 November 2026")
+    body = read_system_note(case_path(Path(), TURRET), asked=Asked("21.11.2026", verify=False))
+    assert shown(line).table("identity").row("Date")[1].text == "21 November 2026"
+    assert shown(body).table("identity").row("Date")[1].text == "21.11.2026"
+    assert "system_verification" not in shown(body).sections
+    assert "Date" not in page_named("buoy-9.5m").table("identity").by_name()
 
 
 def test_a_line_that_is_just_level_at_its_anchor_is_not_said_to_lie_on_the_bed() -> None:
     """The length is sought that gives 0 deg: what lies on the bed is rounding."""
     note = read_note(CASES / "tanker-20m-find-length" / "case.toml", verify=False)
     assert 0.0 < note.solution.grounded_length < 1e-9
-    hangs = read_page(page_of(note)).table("identity").row("How it hangs")[1].text
+    hangs = shown(note).table("identity").row("How it hangs")[1].text
     assert hangs == "the whole line hangs, just level at its anchor"
 
 
-def test_sections_are_there_only_where_there_is_something_to_show(designed: Note) -> None:
-    shown = set(known_page("buoy-9.5m-slack").sections)
-    assert not {"checks", "load_cases", "front", "warnings"} & shown
-    every = read_page(page_of(designed)).sections
-    assert {"checks", "load_cases", "front", "warnings"} | shown == set(every)
+def test_sections_are_there_only_where_there_is_something_to_show() -> None:
+    few = set(page_named("buoy-9.5m-slack").sections)
+    every = page_named("designed").sections
+    optional = {"checks", "load_cases", "front", "warnings"}
+    assert not optional & few
+    assert optional | few == set(every)
 
 
-def test_utilisation_bars_are_as_long_as_the_utilisation(note: Note, page: ReadPage) -> None:
+@pytest.mark.parametrize("name", LINES)
+def test_utilisation_bars_are_as_long_as_the_utilisation(name: str) -> None:
     """In percent, to a tenth; a bar ends at the full width, in another colour."""
     bars = [
-        element for element in page.tagged("rect")
-        if element.attributes.get("class") in ("used", "over")
+        each.attributes for each in page_named(name).tagged("rect")
+        if each.attributes.get("class") in ("used", "over")
     ]  # fmt: skip
-    used = [each.utilisation for each in note.checks.results if each.utilisation is not None]
-    assert len(bars) == len(used)
+    results = line_note(name).checks.results
+    used = [each.utilisation for each in results if each.utilisation is not None]
     for bar, utilisation in zip(bars, used, strict=True):
-        width = float(bar.attributes["width"])
-        assert width == pytest.approx(100.0 * min(max(utilisation, 0.0), 1.0), abs=0.05)
-        assert bar.attributes["class"] == ("over" if utilisation > 1.0 else "used")
+        width = 100.0 * min(max(utilisation, 0.0), 1.0)
+        assert float(bar["width"]) == pytest.approx(width, abs=0.05)
+        assert bar["class"] == ("over" if utilisation > 1.0 else "used")
 
 
-def test_the_load_case_that_governs_is_drawn() -> None:
-    note = known_note("states")
+def test_the_load_case_that_governs_is_drawn_and_verified() -> None:
+    note = line_note("states")
     states = dict(note.checks.solutions)
     assert note.load_case == "storm (high water)"
     assert note.solution.span == states[note.load_case].span
     assert note.case.site.water_depth == 11.0
+    assert note.verification is not None
+    assert [part.name for part in note.verification.parts] == [note.load_case]
 
 
 def test_inputs_of_many_values_are_shown_by_their_ends() -> None:
-    note = read_note(CASES / "buoy-9.5m" / "case.toml")
+    note = line_note("buoy-9.5m")
     lengths = [f"{length} m" for length in range(10, 40)]
     design = {"design": {"segments": [{"lengths": lengths}]}}
     given_so = replace(note, origin=replace(note.origin, inputs=inputs_of(design, CaseTable)))
-    table = read_page(page_of(given_so)).table("inputs")
-    ((_, given, si),) = table.rows
+    ((_, given, si),) = shown(given_so).table("inputs").rows
     assert given.text == '"10 m", "11 m", … "39 m" (30)'
     assert si.text == "10 m, 11 m, … 39 m (30)"
 
 
-def test_the_case_file_is_there_in_full_with_its_hash(tmp_path: Path) -> None:
-    path = case_path(tmp_path, "leg")
-    page = read_page(page_of(read_note(path)))
-    assert page.tagged("pre")[0].text == path.read_text("utf-8")
-    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+def test_a_case_file_with_a_byte_order_mark_is_read_shown_and_hashed_as_it_is(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "windows.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + TEXTS["slack"].replace("\n", "\r\n").encode())
+    (file,) = read_note(path).origin.files
+    assert file.sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
+    assert not file.text.startswith("\ufeff")
+    page = page_named("leg")
+    assert page.tagged("pre")[0].text == TEXTS["leg"]
+    digest = hashlib.sha256(TEXTS["leg"].encode()).hexdigest()
     assert page.table("identity").row("File")[1].text == f"leg.toml, SHA-256 {digest}"
 
 
-def test_a_case_file_with_a_byte_order_mark_is_read_and_hashed_as_it_is(tmp_path: Path) -> None:
-    path = tmp_path / "windows.toml"
-    path.write_bytes(b"\xef\xbb\xbf" + TEXTS["slack"].replace("\n", "\r\n").encode())
-    note = read_note(path)
-    assert note.origin.files[0].sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
-    assert not note.origin.files[0].text.startswith("\ufeff")
-
-
 def test_warnings_of_a_line_come_without_the_name_of_its_only_load() -> None:
-    (warning,) = known_note("slack").warnings
+    (warning,) = line_note("slack").warnings
     assert warning.startswith("the line is slack")
 
 
@@ -126,20 +110,19 @@ def test_a_curve_that_cannot_be_is_left_out_and_said(monkeypatch: pytest.MonkeyP
     note = read_note(CASES / "ship-200m" / "case.toml")
     assert note.curve is None
     assert note.warnings == ("the load curve is left out: it wanders",)
-    assert "curve" not in read_page(page_of(note)).sections
+    assert "curve" not in shown(note).sections
 
 
-def test_the_front_is_that_of_the_document(designed: Note) -> None:
-    page = read_page(page_of(designed))
+def test_the_front_is_that_of_the_document() -> None:
+    designed, page = line_note("designed"), page_named("designed")
     assert designed.chosen is not None
     front = designed.chosen.document["front"]
     table = page.table("front")
     for row, point in zip(table.rows, front, strict=True):
         values = [cell.value for cell in row[1:4]]
         assert values == [point["mass_kg"], point["offset_m"], point["excursion_m"]]
-        assert row[4].text == f"chain studless R3, {point['segments'][0]['length_m']:g} m; " + (
-            "0.25 t, s = 7 m"
-        )
+        length = f"{point['segments'][0]['length_m']:g} m"
+        assert row[4].text == f"chain studless R3, {length}; 0.25 t, s = 7 m"
     assert table.marked == [1]
     assert [row[-1].text for row in page.table("neighbours").rows] == [
         "passes",
@@ -152,22 +135,19 @@ def test_the_front_is_that_of_the_document(designed: Note) -> None:
 
 
 def test_the_recommended_design_is_taken_unless_another_is_named(tmp_path: Path) -> None:
-    directory = design_directory(tmp_path)
-    assert read_note(directory).solution.line.length == 46.0
-    third = read_note(directory, 3)
+    assert line_note("designed").solution.line.length == 46.0
+    third = read_note(design_directory(tmp_path), 3)
     assert third.solution.line.length == 47.0
-    page = read_page(page_of(third))
+    page = shown(third)
     assert page.table("front").marked == [2]
     assert len(page.styled("chosen", "front")) == 2  # in the figure and in its legend
 
 
 @pytest.mark.slow
 def test_a_long_front_is_shown_in_part_and_says_so(tmp_path: Path) -> None:
-    page = read_page(page_of(read_note(design_directory(tmp_path, 12))))
+    page = shown(read_note(design_directory(tmp_path, 12)))
     assert len(page.table("front").rows) == 12
-    other = tmp_path / "long"
-    other.mkdir()
-    page = read_page(page_of(read_note(design_directory(other, 200))))
+    page = shown(read_note(design_directory(tmp_path / "long", 200)))
     rows = [int(row[0].text) for row in page.table("front").rows]
     assert len(rows) <= 28
     assert {1, 2, 200} <= set(rows)  # the ends, and the one that is recommended
@@ -176,25 +156,14 @@ def test_a_long_front_is_shown_in_part_and_says_so(tmp_path: Path) -> None:
     assert len(points) == 201  # all of them in the figure, and one in its legend
 
 
-@pytest.mark.parametrize(
-    ("place", "design", "name"),
-    [
-        ("cases/buoy-9.5m/case.toml", None, "buoy-9.5m.html"),
-        ("mine.toml", None, "mine.html"),
-        ("result", 3, "result-design-3.html"),
-    ],
-)
-def test_a_page_is_named_after_its_case(
-    tmp_path: Path, place: str, design: int | None, name: str
-) -> None:
-    path = tmp_path / place
-    if design is not None:
-        path.mkdir()
-    assert file_name(path, design) == name
+def test_a_page_is_named_after_its_case(tmp_path: Path) -> None:
+    assert file_name(tmp_path / "cases" / "buoy-9.5m" / "case.toml", None) == "buoy-9.5m.html"
+    assert file_name(tmp_path / "mine.toml", None) == "mine.html"
+    assert file_name(design_directory(tmp_path), 3) == "result-design-3.html"
 
 
 def test_allowed_tensions_are_those_of_the_checks() -> None:
-    note = known_note("states")
+    note = line_note("states")
     tensions = [
         check.capacity
         for check in note.checks.results
@@ -202,19 +171,18 @@ def test_allowed_tensions_are_those_of_the_checks() -> None:
     ]
     assert len(tensions) == 2  # by the code, and by the case's own factor, which is stricter
     assert note.allowed == [min(tensions)]
-    assert known_note("leg").allowed == [6140e3 / 2.0, 2500e3 / 2.0]
-    assert known_note("slack").allowed == [None]
+    assert line_note("leg").allowed == [6140e3 / 2.0, 2500e3 / 2.0]
+    assert line_note("slack").allowed == [None]
 
 
 def test_many_runs_are_left_out_and_none_converged_is_said() -> None:
-    note = further_note("swarm")
+    note = line_note("swarm")
     assert note.swarm is not None
     many = replace(
         report_with((1.0, 1e-7)), runs=40, objectives=(1e-7,) * 40, converged_runs=0,
         iterations_flown=(2,) * 40,
     )  # fmt: skip
-    changed = replace(note, swarm=replace(note.swarm, swarm=many))
-    page = read_page(page_of(changed))
+    page = shown(replace(note, swarm=replace(note.swarm, swarm=many)))
     assert len(page.table("swarm_runs").rows) == 30
     assert f"{40 - 30} more runs" in page.sections["swarm"]
     (verdict,) = page.styled("verdict", "swarm")

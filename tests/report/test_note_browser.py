@@ -7,6 +7,9 @@ from __future__ import annotations
 
 import re
 import zlib
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -14,20 +17,8 @@ import pytest
 
 from catopt.words import Language
 
-from .browser import (
-    BEYOND,
-    CHROMIUM,
-    CLASHES,
-    FONTS,
-    OFF_PAPER,
-    Tab,
-    assert_nothing_sticks_out,
-)
-from .notes import note_named
-from .page_cases import known_note
-from .rendered import page_of
-from .system_page_cases import TURRET
-from .system_page_cases import known_note as known_system_note
+from .browser import CHROMIUM, FONTS, Tab, chromium
+from .notes import TURRET, note_named, page_of
 
 pytestmark = [
     pytest.mark.slow,
@@ -43,37 +34,77 @@ A4 = (210.0 / 25.4 * 72.0, 297.0 / 25.4 * 72.0)
 """In points."""
 
 
+@pytest.fixture(scope="session")
+def browsers(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str], Tab]]:
+    """Start a browser for each font that is asked for."""
+    with ExitStack() as started:
+        yield cache(
+            lambda font: started.enter_context(chromium(tmp_path_factory.mktemp("browser"), font))
+        )
+
+
+@pytest.fixture
+def font() -> str:
+    """Name the font of the pages; tests that measure words take all of `FONTS`."""
+    return FONTS[0]
+
+
+@pytest.fixture
+def tab(browsers: Callable[[str], Tab], font: str) -> Tab:
+    return browsers(font)
+
+
+@pytest.fixture
+def quiet(tab: Tab) -> Iterator[Tab]:
+    """Give the tab, and see afterwards that nothing was said and nothing else was asked for."""
+    tab.messages.clear()
+    tab.requests.clear()
+    yield tab
+    assert tab.messages == []
+    assert len(set(tab.requests)) == 1
+
+
 @pytest.fixture(params=NAMES)
 def page(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    name = str(request.param)
-    path = tmp_path / f"{name}.html"
-    path.write_bytes(page_of(note_named(name), NAMES[name]))
+    return written(tmp_path, request.param, NAMES[request.param])
+
+
+def written(folder: Path, name: str, language: Language = "en") -> Path:
+    path = folder / f"{name}.html"
+    path.write_bytes(page_of(note_named(name), language))
     return path
 
 
-@pytest.mark.parametrize("font", FONTS)
-@pytest.mark.parametrize("width", [1200, 390])
-def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> None:
-    assert_nothing_sticks_out(quiet, page, width, font)
+BEYOND = """(() => {
+  const wide = document.documentElement.clientWidth;
+  return [...document.querySelectorAll("body *")].filter((each) => {
+    if (each.closest(".scroll, svg, script")) return false;
+    const box = each.getBoundingClientRect();
+    return box.right > wide + 0.5 || box.left < -0.5;
+  }).map((each) => each.outerHTML.slice(0, 120));
+})()"""
+"""Elements that stick out, but for what scrolls within its own box."""
 
+OFF_PAPER = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
+  const paper = svg.getBoundingClientRect();
+  return [...svg.querySelectorAll("text")].filter((each) => {
+    const box = each.getBoundingClientRect();
+    return box.left < paper.left - 2 || box.right > paper.right + 2
+      || box.top < paper.top - 2 || box.bottom > paper.bottom + 2;
+  }).map((each) => each.textContent);
+}))()"""
+"""Words of a drawing that are cut off at its edge; boxes are taller than their letters."""
 
-def test_the_colours_follow_the_readers_choice(quiet: Tab, page: Path) -> None:
-    colours = {}
-    for scheme in ("light", "dark"):
-        quiet.open(page, 1200, scheme="dark" if scheme == "dark" else "light")
-        for what, of in (("body", "backgroundColor"), ("body", "color"), (".frame", "stroke")):
-            found = quiet.value(f"getComputedStyle(document.querySelector('{what}')).{of}")
-            colours[scheme, what, of] = sum(int(part) for part in re.findall(r"\d+", found)[:3])
-    assert colours["light", "body", "backgroundColor"] > colours["light", "body", "color"]
-    assert colours["dark", "body", "backgroundColor"] < colours["dark", "body", "color"]
-    assert colours["dark", ".frame", "stroke"] != colours["light", ".frame", "stroke"]
-
-
-def test_every_text_stands_out_from_its_ground(quiet: Tab, page: Path) -> None:
-    """By the contrast that WCAG asks of small text, 4.5, in both schemes."""
-    for scheme in ("light", "dark"):
-        quiet.open(page, 1200, scheme="dark" if scheme == "dark" else "light")
-        assert quiet.value(FAINT) == []
+CLASHES = """(() => [...document.querySelectorAll("figure > svg")].flatMap((svg) => {
+  const texts = [...svg.querySelectorAll("text")];
+  const boxes = texts.map((each) => each.getBoundingClientRect());
+  const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
+  return boxes.flatMap((a, i) => boxes.slice(0, i).flatMap((b, j) => {
+    const clash = shared(a, b, "left", "right") > 2 && shared(a, b, "top", "bottom") > 4;
+    return clash ? [[texts[i].textContent, texts[j].textContent]] : [];
+  }));
+}))()"""
+"""Words of a drawing that stand on each other."""
 
 
 FAINT = """(() => {
@@ -98,6 +129,35 @@ FAINT = """(() => {
 """Elements whose words are too near in brightness to what is behind them."""
 
 
+@pytest.mark.parametrize("font", FONTS)
+@pytest.mark.parametrize("width", [1200, 390])
+def test_nothing_sticks_out(quiet: Tab, page: Path, width: int, font: str) -> None:
+    """A page is no wider than its window, and drawings hold their words apart."""
+    quiet.open(page, width, scheme="dark" if font == "Liberation Sans" else "light")
+    assert quiet.value("document.documentElement.scrollWidth") <= width
+    for found in (BEYOND, OFF_PAPER, CLASHES):
+        assert quiet.value(found) == []
+
+
+def test_the_colours_follow_the_readers_choice_and_every_text_stands_out(
+    quiet: Tab, page: Path
+) -> None:
+    """By the contrast that WCAG asks of small text, 4.5, in both schemes."""
+
+    def brightness(element: str, of: str) -> int:
+        found = quiet.value(f"getComputedStyle(document.querySelector('{element}')).{of}")
+        return sum(int(part) for part in re.findall(r"\d+", found)[:3])
+
+    quiet.open(page, 1200, scheme="light")
+    frame = brightness(".frame", "stroke")
+    assert brightness("body", "backgroundColor") > brightness("body", "color")
+    assert quiet.value(FAINT) == []
+    quiet.open(page, 1200, scheme="dark")
+    assert brightness("body", "backgroundColor") < brightness("body", "color")
+    assert brightness(".frame", "stroke") != frame
+    assert quiet.value(FAINT) == []
+
+
 def figures_of(tab: Tab) -> list[str]:
     """List the figures of the page that is open, each of them drawn."""
     drawn: Any = tab.value(
@@ -109,29 +169,34 @@ def figures_of(tab: Tab) -> list[str]:
     return [key for key, _ in drawn]
 
 
-def place_on(tab: Tab, figure: str, share: float) -> tuple[float, float, list[str]]:
-    """Scroll to a figure; return one of its points in the window, and what may be said there.
+PLACE = """(() => {{
+  const figure = document.querySelector("figure[data-figure={figure}]");
+  const svg = figure.querySelector("svg");
+  svg.scrollIntoView({{ block: "center" }});
+  const [texts, places] = [...figure.querySelectorAll("script")]
+    .map((each) => JSON.parse(each.textContent));
+  const shown = places.map((each) =>
+    new DOMPoint(...each).matrixTransform(svg.getScreenCTM()));
+  const at = shown[Math.min(Math.floor({share} * texts.length), texts.length - 1)];
+  const near = (each) => Math.hypot(each.x - at.x, each.y - at.y) < 1.5;
+  return [at.x, at.y, texts.filter((_, index) => near(shown[index]))];
+}})()"""
+"""One of a figure's points in the window, and what may be said there.
 
-    That is what belongs to points within a pixel and a half, for steep curves crowd them.
-    """
-    found: Any = tab.value(
-        f"""(() => {{
-          const figure = document.querySelector("figure[data-figure={figure}]");
-          const svg = figure.querySelector("svg");
-          svg.scrollIntoView({{ block: "center" }});
-          const [texts, places] = [...figure.querySelectorAll("script")]
-            .map((each) => JSON.parse(each.textContent));
-          const shown = places.map((each) =>
-            new DOMPoint(...each).matrixTransform(svg.getScreenCTM()));
-          const at = shown[Math.min(Math.floor({share} * texts.length), texts.length - 1)];
-          const near = (each) => Math.hypot(each.x - at.x, each.y - at.y) < 1.5;
-          return [at.x, at.y, texts.filter((_, index) => near(shown[index]))];
-        }})()"""
+That is what belongs to points within a pixel and a half, for steep curves crowd them.
+"""
+
+
+def readout(tab: Tab, figure: str) -> str:
+    """Read what stands below a figure of what is pointed at."""
+    said: str = tab.value(
+        f"document.querySelector('figure[data-figure={figure}] .readout').textContent"
     )
-    return found[0], found[1], found[2]
+    return said
 
 
-READOUT = "document.querySelector('figure[data-figure={}] .readout').textContent"
+def focus(tab: Tab, figure: str) -> None:
+    tab.value(f"document.querySelector('figure[data-figure={figure}] svg').focus()")
 
 
 @pytest.mark.parametrize("width", [1200, 390])
@@ -139,11 +204,11 @@ def test_pointing_at_a_figure_reads_it(quiet: Tab, page: Path, width: int) -> No
     quiet.open(page, width)
     hint = "Di con trỏ" if NAMES[page.stem] == "vi" else "Point at"
     for figure in figures_of(quiet):
-        assert quiet.value(READOUT.format(figure)).startswith(hint)
+        assert readout(quiet, figure).startswith(hint)
         for share in (0.0, 0.4, 1.0):
-            x, y, texts = place_on(quiet, figure, share)
+            x, y, texts = quiet.value(PLACE.format(figure=figure, share=share))
             quiet.point_at(x, y)
-            assert quiet.value(READOUT.format(figure)) in texts
+            assert readout(quiet, figure) in texts
     style = "getComputedStyle(document.querySelector('figure.on .pointer')).visibility"
     assert quiet.value(style) == "visible"
 
@@ -151,27 +216,21 @@ def test_pointing_at_a_figure_reads_it(quiet: Tab, page: Path, width: int) -> No
 def test_the_arrow_keys_walk_from_end_to_end(quiet: Tab, page: Path) -> None:
     quiet.open(page, 1200)
     figure = figures_of(quiet)[0]
-    quiet.value(f"document.querySelector('figure[data-figure={figure}] svg').focus()")
-    read = READOUT.format(figure)
-    first = quiet.value(read)
-    quiet.press("End")
-    last = quiet.value(read)
-    quiet.press("ArrowLeft")
-    before = quiet.value(read)
-    quiet.press("Home")
-    assert quiet.value(read) == first
-    assert len({first, before, last}) == 3
+    focus(quiet, figure)
+    said = [readout(quiet, figure)]
+    for key in ("End", "ArrowLeft", "Home"):
+        quiet.press(key)
+        said.append(readout(quiet, figure))
+    assert said[0] == said[-1]
+    assert len(set(said)) == 3
 
 
 def test_the_arrow_keys_go_round_the_watch_circle(quiet: Tab, tmp_path: Path) -> None:
-    path = tmp_path / "turret.html"
-    path.write_bytes(page_of(known_system_note(TURRET)))
-    quiet.open(path, 1200)
-    quiet.value("document.querySelector('figure[data-figure=system_watch] svg').focus()")
-    read = READOUT.format("system_watch")
-    assert quiet.value(read).startswith("force towards 0.00 deg")
+    quiet.open(written(tmp_path, TURRET), 1200)
+    focus(quiet, "system_watch")
+    assert readout(quiet, "system_watch").startswith("force towards 0.00 deg")
     quiet.press("End")
-    assert quiet.value(read).startswith("force towards 357.00 deg")
+    assert readout(quiet, "system_watch").startswith("force towards 357.00 deg")
 
 
 def test_everything_is_readable_without_scripts(quiet: Tab, page: Path) -> None:
@@ -247,7 +306,5 @@ def test_a_message_and_a_box_that_sticks_out_are_noticed(tab: Tab, tmp_path: Pat
 @pytest.mark.parametrize("font", FONTS)
 def test_a_page_is_shown_in_one_font(tab: Tab, font: str, tmp_path: Path) -> None:
     """All three are wanted: Debian's fonts-dejavu-core, fonts-liberation and fonts-noto-core."""
-    path = tmp_path / "leg.html"
-    path.write_bytes(page_of(known_note("leg")))
-    tab.open(path, 800)
+    tab.open(written(tmp_path, "leg"), 800)
     assert tab.fonts() == {font}

@@ -1,4 +1,4 @@
-"""Workbooks of notes: laid out for a reader, opened by LibreOffice, the same to the last byte."""
+"""Workbooks: laid out for a reader, opened by LibreOffice, the same to the last byte."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ import re
 import shutil
 import subprocess
 import zipfile
+from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from io import BytesIO
 from pathlib import Path
@@ -17,10 +19,13 @@ import pytest
 from openpyxl.utils import range_boundaries
 
 from catopt.answers.blocks import Figure, Table
+from catopt.answers.solution import solution_answer
+from catopt.catenary.solution import Solution
+from catopt.render.workbook import workbook
 from catopt.words import LANGUAGES, Language
+from tests.answers.results import buoy_case, report_with, solved, swarm
 
-from .notes import answer_named, each_note, note_named
-from .rendered import workbook_of
+from .notes import answer_named, each_note, note_named, workbook_of
 
 NOTES = ("leg", "slack", "states", "designed", "swarm", "harmonic", "arms", "idle", "six", "given")
 
@@ -30,27 +35,45 @@ def made(name: str, language: Language = "en") -> bytes:
     return workbook_of(note_named(name), language)
 
 
+def opened(workbook: bytes, *, values: bool = False) -> Any:
+    return openpyxl.load_workbook(BytesIO(workbook), data_only=values)
+
+
+def cells_of(sheet: Any) -> Iterator[Any]:
+    return (cell for row in sheet.iter_rows() for cell in row)
+
+
+def charts_of(workbook: bytes) -> list[str]:
+    """Read the charts of a workbook, which are native."""
+    with zipfile.ZipFile(BytesIO(workbook)) as package:
+        names = sorted(name for name in package.namelist() if "charts/chart" in name)
+        return [package.read(name).decode("utf-8") for name in names]
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("name", each_note(NOTES))
 def test_every_sheet_is_laid_out_for_a_reader(name: str, language: Language) -> None:
-    sheet: Any
-    for sheet in openpyxl.load_workbook(BytesIO(made(name, language))):
+    for sheet in opened(made(name, language)):
         assert sheet.freeze_panes == "A2"
         assert sheet.page_setup.paperSize == 9
         assert sheet.page_setup.fitToWidth in (None, 1)
         assert sheet.sheet_properties.pageSetUpPr.fitToPage
         assert sheet.print_area
+        area = sheet.print_area.rpartition("!")[2].replace("$", "")
+        _, _, right, bottom = range_boundaries(area)
+        for drawn in sheet._charts:
+            assert drawn.anchor.to.col < right
+            assert drawn.anchor.to.row < bottom
 
 
 @pytest.mark.parametrize("name", each_note(NOTES))
 def test_formulas_give_what_stands_beside_them(name: str) -> None:
     """No cell is an error, and a formula's own value is that of the cells that it names."""
-    values = openpyxl.load_workbook(BytesIO(made(name)), data_only=True)
-    there: Any
+    values = opened(made(name), values=True)
     count = 0
-    for sheet in openpyxl.load_workbook(BytesIO(made(name))):
-        for cell in (cell for row in sheet.iter_rows() for cell in row):
-            there = values[sheet.title]
+    for sheet in opened(made(name)):
+        there = values[sheet.title]
+        for cell in cells_of(sheet):
             assert there[cell.coordinate].data_type != "e", (sheet.title, cell.coordinate)
             if cell.data_type == "f":
                 found = re.fullmatch(r"=([A-Z]\d+)([/-])([A-Z]\d+)", str(cell.value))
@@ -65,33 +88,49 @@ def test_formulas_give_what_stands_beside_them(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", each_note(NOTES))
-def test_charts_are_native_and_lie_within_the_print_area(name: str) -> None:
+def test_charts_are_native(name: str) -> None:
+    charts = charts_of(made(name))
     wanted = sum(isinstance(block, Figure) for block in answer_named(name).blocks)
-    with zipfile.ZipFile(BytesIO(made(name))) as package:
-        charts = [each for each in package.namelist() if "charts/chart" in each]
-        assert len(charts) == wanted > 0
-        for chart in charts:
-            assert b"<c:scatterChart>" in package.read(chart)
-    book = openpyxl.load_workbook(BytesIO(made(name)))
-    sheet: Any
-    for sheet in book:
-        area = sheet.print_area.rpartition("!")[2].replace("$", "")
-        _, _, right, bottom = range_boundaries(area)
-        for drawn in sheet._charts:
-            assert drawn.anchor.to.col < right
-            assert drawn.anchor.to.row < bottom
+    assert len(charts) == wanted > 0
+    assert all("<c:scatterChart>" in chart for chart in charts)
 
 
 def test_charts_read_cells_that_hold_the_figure() -> None:
     """The line in the water: its cells are the places of the chart, in the unit of the field."""
     answer = answer_named("leg")
     (chart,) = (b.chart for b in answer.blocks if isinstance(b, Figure) and b.chart.name == "line")
-    sheet: Any
-    sheet = openpyxl.load_workbook(BytesIO(made("leg"))).worksheets[-1]
+    sheet = opened(made("leg")).worksheets[-1]
     shown = {(row[0].value, row[1].value) for row in sheet.iter_rows(max_col=2)}
     series = next(each for each in chart.series)
     places = set(zip(map(float, series.x), map(float, series.y), strict=True))
     assert {(float(f"{x:.16g}"), float(f"{y:.16g}")) for x, y in places} <= shown
+
+
+def of_the_buoy(solution: Solution) -> bytes:
+    return workbook(solution_answer(buoy_case(), solution))
+
+
+def test_charts_of_a_swarm_read_their_cells() -> None:
+    shape, _, fitness, _ = charts_of(of_the_buoy(swarm()))
+    assert "'Line shape'!$B$2:$B$102" in shape
+    assert "'Line shape'!$C$2:$C$102" in shape
+    logarithmic = ["logBase" in chart for chart in charts_of(of_the_buoy(swarm()))]
+    assert logarithmic == [False, False, True, False]
+    assert "Swarm!$B$2:$B$8" in fitness
+    still = replace(swarm(), swarm=report_with((0.0, 0.0)))
+    assert "logBase" not in charts_of(of_the_buoy(still))[2]
+
+
+def test_numbers_are_numbers_in_the_format_of_their_unit() -> None:
+    book = opened(of_the_buoy(solved()))
+    formats = {row[0].value: row[1].number_format for row in book["Results"].iter_rows(max_col=2)}
+    assert formats["Fairlead tension T (kN)"] == "0.000"
+    assert formats["Fairlead tension T (tf)"] == "0.0000"
+    assert formats["Inclination at the anchor theta0 (deg)"] == "0.00"
+    assert formats["Residual of the span (m)"] == "0.00E+00"
+    values = [cell.value for cell in cells_of(book["Inputs"])]
+    assert "inextensible" in values
+    assert 230.0 in values  # MBL, kN
 
 
 def test_the_same_note_gives_the_same_bytes() -> None:
@@ -136,11 +175,11 @@ def test_libreoffice_opens_recalculates_and_prints_it(tmp_path: Path) -> None:
     for target in ("xlsx", "pdf"):
         written = converted(tmp_path, target)
     for name in names:
-        ours = openpyxl.load_workbook(tmp_path / f"{name}.xlsx", data_only=True)
-        theirs = openpyxl.load_workbook(written / f"{name}.xlsx", data_only=True)
+        ours = opened(made(name), values=True)
+        theirs = opened((written / f"{name}.xlsx").read_bytes(), values=True)
         assert theirs.sheetnames == ours.sheetnames
         for sheet in ours:
-            for cell in (cell for row in sheet.iter_rows() for cell in row):
+            for cell in cells_of(sheet):
                 there = theirs[sheet.title][cell.coordinate]
                 where = f"{name}, {sheet.title}!{cell.coordinate}"
                 assert there.data_type != "e", where

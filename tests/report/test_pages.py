@@ -16,9 +16,8 @@ from catopt.notes.system import SystemNote
 from catopt.quantities import QUANTITIES
 from catopt.units import UNITS
 
-from .notes import each_note, note_named, page_named
-from .page_reader import ReadCell, ReadPage, read_page
-from .rendered import page_of
+from .notes import each_note, note_named, page_named, shown
+from .page_reader import ReadCell, ReadPage
 
 
 @pytest.fixture(params=each_note())
@@ -62,7 +61,7 @@ NUMBER = re.compile(
 )
 
 
-def shown_in_si(cell: ReadCell, heading: str) -> tuple[float, float]:
+def in_si(cell: ReadCell, heading: str) -> tuple[float, float]:
     """Return what a cell shows first, in SI, and half a unit of its last digit."""
     match = NUMBER.match(cell.text.replace("−", "-").replace(",", ""))
     assert match is not None, cell
@@ -74,16 +73,15 @@ def shown_in_si(cell: ReadCell, heading: str) -> tuple[float, float]:
     return float(match["number"]) * factor, half
 
 
-@pytest.mark.parametrize("name", each_note())
-def test_every_number_is_the_rounding_of_the_value_behind_it(name: str) -> None:
+def test_every_number_is_the_rounding_of_the_value_behind_it(page: ReadPage) -> None:
     """Within half of its last digit, and 1e-9 of itself, to which SI values are written."""
     count = 0
-    for table in page_named(name).tables:
+    for table in page.tables:
         for row in table.rows:
             for cell, heading in zip(row, table.headings or [""] * len(row), strict=True):
                 if cell.value is not None:
-                    shown, half = shown_in_si(cell, heading)
-                    assert abs(shown - cell.value) <= half * (1 + 1e-9) + 1e-9 * abs(cell.value)
+                    rounded, half = in_si(cell, heading)
+                    assert abs(rounded - cell.value) <= half * (1 + 1e-9) + 1e-9 * abs(cell.value)
                     count += 1
     assert count > 50
 
@@ -105,9 +103,8 @@ def test_what_the_user_writes_is_text_and_nothing_else(name: str, text: str) -> 
     assert isinstance(note, Note | SystemNote)
     files = (SourceFile(text, f"title = '''{text}'''", "0" * 64),)
     case = replace(note.case, title=text, source=text)
-    page = read_page(
-        page_of(replace(note, case=case, origin=replace(note.origin, files=files, date=text)))
-    )
+    origin = replace(note.origin, files=files, date=text)
+    page = shown(replace(note, case=case, origin=origin))
     assert page.unclosed == []
     assert {each.tag for each in page.elements} == {each.tag for each in page_named(name).elements}
     assert page.tagged("h1")[0].text == text

@@ -10,11 +10,11 @@ import pytest
 from catopt.answers.note_system import system_note_answer
 from catopt.errors import NotConvergedError
 from catopt.notes.directory import Asked
-from catopt.notes.system import SystemNote, directions_of, heading_of, read_system_note
+from catopt.notes.system import directions_of, heading_of, read_system_note
 
-from .page_reader import ReadPage, read_page
-from .rendered import page_of
-from .system_page_cases import EVERY, TURRET, known_note, known_page, system_path
+from .notes import BODIES, TURRET, body_note, page_named, shown
+from .page_cases import case_path
+from .page_reader import calculate
 
 LAST_DIGIT = 1e-15
 """Relative: sums in another order, and a change of unit."""
@@ -24,31 +24,9 @@ NINE_DIGITS = 1e-8
 """Relative, of the largest term: numbers that are put in are written with nine digits."""
 
 
-@pytest.fixture(params=EVERY)
-def name(request: pytest.FixtureRequest) -> str:
-    return str(request.param)
-
-
-@pytest.fixture
-def note(name: str) -> SystemNote:
-    return known_note(name)
-
-
-@pytest.fixture
-def page(name: str) -> ReadPage:
-    return known_page(name)
-
-
-def test_without_the_truss_model_its_section_is_left_out(tmp_path: Path) -> None:
-    note = read_system_note(system_path(tmp_path, TURRET), asked=Asked("21.11.2026", verify=False))
-    page = read_page(page_of(note))
-    assert "system_verification" not in page.sections
-    assert page.table("identity").row("Date")[1].text == "21.11.2026"
-
-
 def test_a_line_that_is_gone_loads_the_others_more() -> None:
     """The utilisation is that of the fairlead's segment at least, by API 1.43 with a line out."""
-    note = known_note(TURRET)
+    note = body_note(TURRET)
     MBL = note.case.line.segments[-1].MBL
     assert MBL is not None
     allowed = MBL / 1.43
@@ -61,7 +39,7 @@ def test_a_line_that_is_gone_loads_the_others_more() -> None:
 def test_a_restoring_curve_goes_half_as_far_again_as_the_load_or_nearly_as_far() -> None:
     """Lines that do not stretch and are nearly taut are too short for more."""
     for name, share in ((TURRET, 1.5), ("lee", 0.9)):
-        note = known_note(name)
+        note = body_note(name)
         far = share * math.hypot(*note.solution.offset)
         for curve in note.report.curves:
             assert curve.offset[-1] == pytest.approx(far, rel=LAST_DIGIT)
@@ -89,20 +67,20 @@ def test_a_body_that_turns_is_told_to_be_free_to_turn_along_the_curves() -> None
     """The moments of its lines vanish on both curves, whatever the moment of the case."""
     told = "free to turn, and no moment acts on it"
     for section in ("system_watch_circle", "system_restoring"):
-        assert told in known_page("arms").sections[section]
-        assert told not in known_page(TURRET).sections[section]
-    system = known_note("arms").solution.system
+        assert told in page_named("arms").sections[section]
+        assert told not in page_named(TURRET).sections[section]
+    system = body_note("arms").solution.system
     assert system.turns
     assert system.moment != 0.0
     # Its four lines are alike, so that all sides are: a moment would break the mirror.
-    circle = known_note("arms").report.circle
+    circle = body_note("arms").report.circle
     assert circle is not None
     mirrored = [circle.responses[k].largest_tension for k in (10, 20)]
     assert mirrored[0] == pytest.approx(mirrored[1], rel=SOLVED)
 
 
 def test_the_title_block_says_what_decides() -> None:
-    page, note = known_page(TURRET), known_note(TURRET)
+    page, note = page_named(TURRET), body_note(TURRET)
     (judged,) = page.styled("verdict", "summary")
     assert judged.text.startswith("All 648 checks pass.")
     told = [element.text for element in page.styled("verdict", "system_identity")]
@@ -120,15 +98,17 @@ def test_the_title_block_says_what_decides() -> None:
     assert force == "4281.000 kN towards 180.00 deg, counter-clockwise from x"
 
 
-def test_a_line_that_the_body_cannot_do_without_is_told() -> None:
-    page = known_page("lone")
+def test_what_does_not_move_and_what_cannot_be_done_without_is_told() -> None:
+    still = page_named("idle").styled("verdict", "system_identity")[1]
+    assert still.text == "The body is 0.000 m from its zero-load position."
+    page = page_named("lone")
     (told,) = page.styled("fails", "system_identity")
     assert told.text == "Without line 1 there is no equilibrium."
     assert "no equilibrium: no line is left" in page.sections["system_line_out"]
 
 
 def test_what_is_overrun_is_told_in_red() -> None:
-    page, note = known_page("pulled"), known_note("pulled")
+    page, note = page_named("pulled"), body_note("pulled")
     sections = ("summary", "system_identity")
     failing = [each.text for section in sections for each in page.styled("fails", section)]
     assert len(failing) == 3  # the checks, the intact body, one line out
@@ -139,29 +119,17 @@ def test_what_is_overrun_is_told_in_red() -> None:
     assert used > 1.0
 
 
-def test_a_body_that_nothing_pushes_stays() -> None:
-    told = [each.text for each in known_page("idle").styled("verdict", "system_identity")]
-    assert told[1] == "The body is 0.000 m from its zero-load position."
-
-
 def test_the_rule_of_practice_stands_beside_the_balance_or_says_why_not() -> None:
-    note, page = known_note("pulled"), known_page("pulled")
+    note, page = body_note("pulled"), page_named("pulled")
     H = note.solution.lines[0].horizontal_force
     told = f"line 1 would carry H = 666.667 kN; by the balance it carries {H / 1e3:.3f} kN"
     assert told in page.sections["system_results"]
-    assert "this system has 9." in known_page(TURRET).sections["system_results"]
+    assert "this system has 9." in page_named(TURRET).sections["system_results"]
 
 
-def value_of(formula: str) -> float:
-    """Work a sum with its numbers put in out, as a pocket calculator would."""
-    plain = formula.replace("−", "-").replace("√", "math.sqrt").replace("²", "**2")
-    return float(eval(plain, {"math": math}))
-
-
-def test_the_pulls_balance_the_force_with_the_numbers_of_the_page(
-    note: SystemNote, page: ReadPage
-) -> None:
-    table = page.table("pulls")
+@pytest.mark.parametrize("name", BODIES)
+def test_the_pulls_balance_the_force_with_the_numbers_of_the_page(name: str) -> None:
+    system, table = body_note(name).solution.system, page_named(name).table("pulls")
     H, angle, along, across = (
         [row[table.headings.index(name)].value for row in table.rows]
         for name in ("H (N)", "φ (deg)", "H cos φ (N)", "H sin φ (N)")
@@ -173,19 +141,21 @@ def test_the_pulls_balance_the_force_with_the_numbers_of_the_page(
         assert (x, y) == (force * math.cos(turn), force * math.sin(turn))
     for axis, values in enumerate((along, across)):
         total = math.fsum(value for value in values if value is not None)
-        assert total + note.solution.system.force[axis] == pytest.approx(0.0, abs=1e-9 * largest)
+        assert total + system.force[axis] == pytest.approx(0.0, abs=1e-9 * largest)
 
 
-def test_every_step_of_the_balance_gives_what_it_says(note: SystemNote, page: ReadPage) -> None:
-    largest = max(line.horizontal_force for line in note.solution.lines)
-    for row in page.table("balance").rows:
+@pytest.mark.parametrize("name", BODIES)
+def test_every_step_of_the_balance_gives_what_it_says(name: str) -> None:
+    solution = body_note(name).solution
+    largest = max(line.horizontal_force for line in solution.lines)
+    for row in page_named(name).table("balance").rows:
         put_in = row[1].text.split("=")[-1]
         value = row[2].value
         assert value is not None
         if "…" not in put_in:
-            arm = max(leg.anchor_radius for leg in note.solution.system.legs)
+            arm = max(leg.anchor_radius for leg in solution.system.legs)
             scale = {"m": arm, "N": largest, "N m": largest * arm}[row[2].text.partition(" ")[2]]
-            assert value_of(put_in) == pytest.approx(value, rel=NINE_DIGITS, abs=1e-8 * scale)
+            assert calculate(put_in) == pytest.approx(value, rel=NINE_DIGITS, abs=1e-8 * scale)
         if row[3].value is not None:
             scale = max(abs(row[3].value), largest if row[2].text.endswith("N") else 1.0)
             moments = largest * 100.0 if row[2].text.endswith("N m") else 0.0
@@ -197,8 +167,8 @@ def test_a_truss_without_an_answer_is_told(tmp_path: Path, monkeypatch: pytest.M
         raise NotConvergedError("it stopped short")
 
     monkeypatch.setattr("catopt.verify.case.verify_case", stops)
-    note = read_system_note(system_path(tmp_path, "idle"))
-    page = read_page(page_of(note))
+    note = read_system_note(case_path(tmp_path, "idle"))
+    page = shown(note)
     assert "it stopped short" in page.sections["warnings"]
     assert "NOT VERIFIED" in page.sections["system_verification"]
 
@@ -212,7 +182,7 @@ def test_what_cannot_be_computed_is_left_out_and_said(
     monkeypatch.setattr("catopt.mooring.case.watch_circle", stops)
     monkeypatch.setattr("catopt.mooring.case.restoring_curve", stops)
     beside = "is left out, for somewhere on it it wanders"
-    note = read_system_note(system_path(tmp_path, TURRET), asked=Asked(verify=False))
+    note = read_system_note(case_path(tmp_path, TURRET), asked=Asked(verify=False))
     of_codes = note.checks.warnings
     codes = ["API-RP-2SK", "DNV-OS-E301-2008-CC1", "API-RP-2SK"]  # the last: not for transients
     assert [each.partition(":")[0] for each in of_codes] == codes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,19 +17,20 @@ from catopt.model import Line, PointLoad, Segment
 from catopt.notes.line import Note
 from catopt.words import Message
 
-from .page_cases import EVERY, known_note, known_page
+from .notes import LINES, line_note, page_named
+from .page_reader import calculate
 
 THEORY = (Path(__file__).parents[2] / "docs" / "theory.md").read_text("utf-8")
 
 
-@pytest.fixture(params=EVERY)
+@pytest.fixture(params=LINES)
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
 
 @pytest.fixture
 def note(name: str) -> Note:
-    return known_note(name)
+    return line_note(name)
 
 
 @pytest.fixture
@@ -53,23 +55,8 @@ def numbered() -> set[str]:
         source, *others = match[1].split("), (")
         found |= {source + (")" if others else "")}
         found |= {f"{source.split()[0]} ({each.rstrip(')')})" for each in others}
+    assert {"S1 (2)", "S1 (5)", "S1 (7)", "S2 (4)", "C1", "S2, below (4)"} <= found
     return found
-
-
-def test_the_theory_has_numbers() -> None:
-    assert {"S1 (2)", "S1 (5)", "S1 (7)", "S2 (4)", "C1", "S2, below (4)"} <= numbered()
-
-
-def calculate(printed: str) -> float:
-    """Type a printed expression into a calculator."""
-    text = printed.replace("−", "-").replace("·", "*").replace("²", "**2")
-    text = re.sub(r"tan (\S+)°", r"tan(radians(\1))", text)
-    text = re.sub(r"asinh (\(?-?[\d.e+-]+\)?)", r"asinh(\1)", text)
-    text = text.replace("√", "sqrt")
-    # What stands side by side is multiplied.
-    text = re.sub(r"(?<=[\d)]) (?=sqrt|asinh|\()", "*", text)
-    names = {key: getattr(math, key) for key in ("sqrt", "asinh", "atan", "tan", "radians")}
-    return float(eval(text, {"__builtins__": {}, "max": max, **names}))
 
 
 @pytest.mark.parametrize(
@@ -90,7 +77,7 @@ def test_the_calculator_reads_what_is_printed(printed: str, value: float) -> Non
 
 def test_the_printed_numbers_give_the_printed_value(name: str) -> None:
     """Nine digits are printed of each number, and differences lose some three of them."""
-    table = known_page(name).table("trail")
+    table = page_named(name).table("trail")
     assert len(table.rows) >= 5
     place = table.headings.index("With numbers put in")
     for row in table.rows:
@@ -109,8 +96,13 @@ def test_every_value_is_that_of_the_solver(steps: tuple[Step, ...]) -> None:
     """Both in double precision; a height out of two long sides loses three digits or so."""
     compared = [step for step in steps if step.stated is not None]
     assert {"span", "fairlead_tension"} <= {key_of(step) for step in compared}
-    for step in compared:
-        assert step.value == pytest.approx(step.stated, rel=1e-9, abs=1e-9), step.name
+    assert_agree(compared)
+
+
+def assert_agree(steps: Iterable[Step]) -> None:
+    for step in steps:
+        if step.stated is not None:
+            assert step.value == pytest.approx(step.stated, rel=1e-9, abs=1e-9), step.name
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.3, 1.0])
@@ -121,15 +113,13 @@ def test_a_line_that_touches_twice_is_followed(friction: float) -> None:
     assert solution.regime == "grounded-in-parts"
     hanging = [each.T1 for each in pieces_of(solution) if not each.on_bed]
     assert (min(hanging) == 0.0) == (friction == 1.0)
-    for step in steps_of(solution):
-        if step.stated is not None:
-            assert step.value == pytest.approx(step.stated, rel=1e-9, abs=1e-9), step.name
+    assert_agree(steps_of(solution))
 
 
 def test_a_wrong_solution_does_not_pass() -> None:
     """The trail works the span out by itself: it does not repeat what the solver has."""
     for name in ("buoy-9.5m", "buoy-9.5m-slack", "leg"):
-        solution = known_note(name).solution
+        solution = line_note(name).solution
         wrong = steps_of(replace(solution, span=1.01 * solution.span))
         (step,) = (each for each in wrong if key_of(each) == "span")
         assert step.value == pytest.approx(solution.span, rel=1e-9)
@@ -145,31 +135,27 @@ def test_every_equation_is_in_the_theory(
 
 
 def test_the_words_about_pieces_cite_equations_of_the_theory() -> None:
-    page = known_page("leg")
+    page = page_named("leg")
     cited = set(re.findall(r"\bC\d\b", page.sections["equations"]))
     assert cited == {"C3", "C5", "C6", "C7", "C8"}
     assert cited <= numbered()
     assert "S2 (28)" in THEORY
 
 
-@pytest.mark.parametrize(
-    ("name", "uniform"),
-    [
-        ("buoy-9.5m", True), ("buoy-9.5m-slack", True), ("tanker-20m", True), ("friction", True),
-        ("ship-200m-sinker", False), ("leg", False), ("raised", False), ("slack", False),
-    ],
-)  # fmt: skip
-def test_one_plain_line_is_followed_by_the_sources_own_equations(name: str, uniform: bool) -> None:
-    solution = known_note(name).solution
-    assert is_uniform(solution) == uniform
-    assert bool(pieces_of(solution)) != uniform
-    sources = {step.equation.split()[0] for step in steps_of(solution) if step.equation}
+def test_one_plain_line_is_followed_by_the_sources_own_equations(
+    name: str, steps: tuple[Step, ...], pieces: tuple[Piece, ...]
+) -> None:
+    """A line of one segment without point loads, with or without friction on a flat bed."""
+    uniform = name in ("buoy-9.5m", "buoy-9.5m-slack", "tanker-20m", "friction")
+    assert is_uniform(line_note(name).solution) == uniform
+    assert bool(pieces) != uniform
+    sources = {step.equation.split()[0] for step in steps if step.equation}
     assert bool(sources & {"S1", "S2"}) == uniform
 
 
 def test_s1s_own_numbers_stand_in_the_trail_of_its_example() -> None:
     """S1 prints an offset of 17.430 m and a tension of 0.446 tf for its buoy."""
-    steps = steps_of(known_note("buoy-9.5m").solution)
+    steps = steps_of(line_note("buoy-9.5m").solution)
     values = {key_of(step): step.value or 0.0 for step in steps}
     assert round(values["span"], 3) == 17.430
     assert round(values["fairlead_tension"] / 9806.65, 3) == 0.446
@@ -195,7 +181,7 @@ def test_pieces_follow_each_other(pieces: tuple[Piece, ...], note: Note) -> None
 
 
 def test_the_table_of_pieces_has_their_numbers(name: str, pieces: tuple[Piece, ...]) -> None:
-    tables = known_page(name).all("pieces")
+    tables = page_named(name).all("pieces")
     assert bool(tables) == bool(pieces)
     for table in tables:
         shown = [[cell.value for cell in row[5:11]] for row in table.rows]
