@@ -13,7 +13,7 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 
@@ -24,6 +24,7 @@ from catopt.web.build import Part, fetched, parts, pieces
 from catopt.web.document import document
 from catopt.words import LANGUAGES, Language
 from tests.report.browser import CHROMIUM, Tab, chromium
+from tests.report.page_reader import read_page
 
 pytestmark = [
     pytest.mark.slow,
@@ -52,6 +53,14 @@ def tab(tmp_path: Path) -> Iterator[Tab]:
         yield opened
 
 
+@pytest.fixture
+def page(made: dict[str, bytes], tmp_path: Path) -> Path:
+    """Write the page as a single file."""
+    path = tmp_path / "catopt.html"
+    path.write_text(document(made), encoding="utf-8")
+    return path
+
+
 def wait(tab: Tab, wanted: str = "ready") -> None:
     """Wait until the page says how a calculation went."""
     until = time.monotonic() + 120.0
@@ -65,31 +74,20 @@ def wait(tab: Tab, wanted: str = "ready") -> None:
 
 
 def displayed(tab: Tab) -> str:
-    found: str = tab.value("document.querySelector('[data-key=results]').textContent")
-    return " ".join(found.split())
+    """Read the table of results, with a space between its cells."""
+    cells: list[str] = tab.value(
+        "[...document.querySelectorAll('[data-key=results] :is(caption, th, td)')]"
+        ".map((each) => each.textContent)"
+    )
+    return " ".join(" ".join(cells).split())
 
 
 def expected(**question: str) -> str:
     """Make the same table by Python outside of the browser."""
-    from html.parser import HTMLParser
-
-    class Read(HTMLParser):
-        text = ""
-        inside = False
-
-        def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-            self.inside |= tag == "table" and ("data-key", "results") in attrs
-
-        def handle_endtag(self, tag: str) -> None:
-            self.inside &= tag != "table"
-
-        def handle_data(self, data: str) -> None:
-            self.text += data if self.inside else ""
-
-    reader = Read()
     reply = ask("whole", {"door": "line", "values": START["line"], **question})
-    reader.feed(reply["html"])
-    return " ".join(reader.text.split())
+    table = read_page(reply["html"]).table("results")
+    rows = [text for row in table.texts() for text in row]
+    return " ".join(" ".join([table.caption, *table.headings, *rows]).split())
 
 
 def choose(tab: Tab, name: str, value: str) -> None:
@@ -99,11 +97,7 @@ def choose(tab: Tab, name: str, value: str) -> None:
     wait(tab)
 
 
-def test_from_disk_both_languages_show_the_digits_of_the_command(
-    tab: Tab, made: dict[str, bytes], tmp_path: Path
-) -> None:
-    page = tmp_path / "catopt.html"
-    page.write_text(document(made), encoding="utf-8")
+def test_from_disk_both_languages_show_the_digits_of_the_command(tab: Tab, page: Path) -> None:
     assert page.stat().st_size <= MOST
     tab.open(page, 1280)
     wait(tab)
@@ -118,11 +112,7 @@ def test_from_disk_both_languages_show_the_digits_of_the_command(
     assert tab.messages == []
 
 
-def test_from_disk_an_error_stands_at_its_field(
-    tab: Tab, made: dict[str, bytes], tmp_path: Path
-) -> None:
-    page = tmp_path / "catopt.html"
-    page.write_text(document(made), encoding="utf-8")
+def test_from_disk_an_error_stands_at_its_field(tab: Tab, page: Path) -> None:
     tab.open(page, 390)
     wait(tab)
     tab.value("""(() => { const field = document.getElementById("line-site.water_depth");
@@ -187,18 +177,13 @@ def axe() -> str:
 )
 def test_every_door_leads_to_its_note_and_nothing_keeps_people_from_it(
     tab: Tab,
-    made: dict[str, bytes],
+    page: Path,
     axe: str,
-    tmp_path: Path,
     width: int,
-    scheme: str,
+    scheme: Literal["light", "dark"],
     languages: tuple[Language, ...],
 ) -> None:
-    page = tmp_path / "catopt.html"
-    page.write_text(document(made), encoding="utf-8")
-    seen = [{"name": "prefers-color-scheme", "value": scheme}]
-    tab.open(page, width)
-    tab.call("Emulation.setEmulatedMedia", features=seen)
+    tab.open(page, width, scheme=scheme)
     wait(tab)
     tab.call("Runtime.evaluate", expression=axe)
     for door in DOORS:
