@@ -23,29 +23,29 @@ def draw(chart: Chart, sheet: Sheet, cells: Sheet, row: int) -> int:
     It begins in a row of `sheet`; returns the first row below it.
     """
     book, curves, top = sheet.book, _curves(chart), cells.row
-    cells.write(top, 0, Text(book.say(chart.title), "title"))
+    cells.write(top, 0, Text(chart.title, "title"))
     made = []
-    for column, ((role, words), places) in enumerate(curves.items()):
-        label, rows = book.say(words), (top + 2, top + 1 + max(len(places), 1))
+    for column, ((role, label), places) in enumerate(curves.items()):
+        rows = (top + 2, top + 1 + max(len(places), 1))
         cells.write(top + 1, 2 * column, Text(label, "text"))
         for place, values in enumerate(places, start=top + 2):
             _write(chart, cells, values, (place, 2 * column))
         made.append(Series(label, rows, 2 * column, 2 * column + 1, _look(role), cells.name))
     cells.row = top + 3 + max(map(len, curves.values()), default=0)
-    y, title = chart.y, axis_title(chart.y, book.language)
+    y, title = chart.y, axis_title(chart.y)
     log = None
     if y.foot is not None:  # a spreadsheet leaves out what is 0 on a logarithmic axis
         title = book.say(Message("answers.no_zeros", axis=title))
         log = y.quantity.to_field(y.low), y.quantity.to_field(y.high)
     native = Native(
-        book.say(chart.title),
-        axis_title(chart.x, book.language),
+        chart.title,
+        axis_title(chart.x),
         title,
         made,
         log,
         from_zero=y.low == 0.0 and log is None,
         size=_SIZE,
-        hidden=[index for index, (_, words) in enumerate(curves) if not words],
+        hidden=[index for index, (_, label) in enumerate(curves) if not label],
     )
     return sheet.chart(native, row)
 

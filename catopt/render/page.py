@@ -6,6 +6,7 @@ import base64
 import hashlib
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -20,6 +21,7 @@ from catopt.answers.blocks import (
     Figure,
     FileText,
     Points,
+    Section,
     Step,
     Table,
     Text,
@@ -32,7 +34,7 @@ from catopt.quantities import GREEK, Quantity
 from catopt.render.looks import stylesheet
 from catopt.render.svg import svg
 from catopt.render.trail import put_in
-from catopt.render.units import as_wanted
+from catopt.render.units import as_wanted, in_language
 from catopt.render.values import SEEN, cell, is_seen, parts_of, shown
 from catopt.words import Language, Message, say
 
@@ -65,6 +67,15 @@ class _Table(NamedTuple):
     marked: int | None = None
 
 
+class _Words(NamedTuple):
+    """A paragraph, or several points."""
+
+    kind: str
+    said: str | Sequence[str]
+    caption: str = ""
+    style: str = ""
+
+
 def page(answer: Answer, language: Language = "en") -> bytes:
     """Render an answer as a page.
 
@@ -72,15 +83,15 @@ def page(answer: Answer, language: Language = "en") -> bytes:
     a name are left out. The page is complete HTML in UTF-8: it refers to no other file and to no
     network.
     """
-    answer, script = as_wanted(answer), _file("script.js")
+    answer, script = as_wanted(answer, language), _file("script.js")
     template = _environment().get_template("page.html")
     # The page's own policy runs the script of this hash and no other.
     script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     return template.render(
         language=language,
         version=__version__,
-        title=say(answer.title, language),
-        kind=say(answer.kind, language),
+        title=answer.title,
+        kind=answer.kind,
         sections=_sections(answer, language),
         footer=say(Message("page.footer", version=__version__), language),
         hover=say(Message("page.hover"), language),
@@ -92,21 +103,19 @@ def page(answer: Answer, language: Language = "en") -> bytes:
 
 def fragment(answer: Answer, language: Language = "en") -> str:
     """Render the sections of an answer that show something, to be put into another page."""
-    sections = [each for each in _sections(as_wanted(answer), language) if each["blocks"]]
-    template = _environment().get_template("sections.html")
-    return template.render(sections=sections, hover=say(Message("page.hover"), language))
+    laid = _sections(as_wanted(answer, language), language)
+    shown, hover = [each for each in laid if each.blocks], say(Message("page.hover"), language)
+    return _environment().get_template("sections.html").render(sections=shown, hover=hover)
 
 
-def _sections(answer: Answer, language: Language) -> list[dict[str, Any]]:
-    return [
-        {
-            "name": section.name,
-            "title": say(section.title, language),
-            "blocks": [laid for each in section.blocks for laid in _block(each, language)],
-        }
-        for section in answer.sections
-        if section.name
-    ]
+def _sections(answer: Answer, language: Language) -> list[Section]:
+    """Lay the sections out; `answer` has its words in the language, but for headings of a page."""
+    laid = []
+    for section in answer.sections:
+        if section.name:
+            seen = (part for each in section.blocks if is_seen(each) for part in _block(each))
+            laid.append(replace(section, blocks=tuple(seen)))
+    return in_language(laid, language)
 
 
 @cache
@@ -131,66 +140,58 @@ def _file(name: str) -> str:
 # ------------------------------------------------------------------ blocks
 
 
-def _block(block: Block, language: Language) -> Iterator[Any]:
-    """Lay a block out as plain values; nothing of what is not for people."""
-    if not is_seen(block):
-        return
+def _block(block: Block) -> Iterator[Any]:
+    """Lay a block out as plain values."""
     match block:
         case Table():
-            yield from _tables(block, language)
+            yield from _tables(block)
         case Facts():
-            yield _facts(block, language)
+            yield _facts(block)
         case Trail():
-            yield _trail(block, language)
+            yield _trail(block)
         case FileText():
             yield {"kind": "file", "of": block}
         case Figure():
-            figure = svg(block.chart, language)
-            yield {"kind": "figure", "caption": say(block.caption, language), "figure": figure}
+            yield {"kind": "figure", "caption": block.caption, "figure": svg(block.chart)}
         case Verdict():
-            said, style = say(block.words, language), f"verdict {block.kind}".rstrip()
-            yield {"kind": "text", "caption": "", "said": said, "style": style}
+            yield _Words("text", block.words, style=f"verdict {block.kind}".rstrip())
         case Text() if block.said:
-            laid = {"caption": say(block.caption, language), "said": say(block.said, language)}
-            yield {"kind": "text", "style": "small" if block.is_small else "", **laid}
-        case Points() | Warnings() if block.said:
-            yield {
-                "kind": "points",
-                "caption": say(block.caption, language) if isinstance(block, Points) else "",
-                "said": [say(each, language) for each in block.said],
-                "style": "warnings" if isinstance(block, Warnings) else "",
-            }
+            yield _Words("text", block.said, block.caption, "small" if block.is_small else "")
+        case Points() if block.said:
+            yield _Words("points", block.said, block.caption)
+        case Warnings() if block.said:
+            yield _Words("points", block.said, style="warnings")
 
 
-def _tables(table: Table, language: Language) -> Iterator[_Table]:
+def _tables(table: Table) -> Iterator[_Table]:
     columns = [each for each in table.columns if each.only not in {"files", "workbook"}]
-    headings = [_Heading(_heading(each, language), each.is_number) for each in columns]
+    headings = [_Heading(_heading(each), each.is_number) for each in columns]
     for caption, rows in parts_of(table):
         yield _Table(
             "table",
             table.name,
-            say(caption, language),
+            caption,
             headings,
-            [[_cell(each, row, language) for each in columns] for row in rows],
+            [[_cell(each, row) for each in columns] for row in rows],
             next((k for k, row in enumerate(rows) if row == table.marked), None),
         )
 
 
-def _heading(column: Column, language: Language) -> str:
+def _heading(column: Column) -> str:
     """Head a column: name, symbol and unit; no unit for a pure number."""
-    label, quantity = _label(column, language), column.quantity
+    label, quantity = _label(column), column.quantity
     if quantity is None or quantity.field_unit == "-":
         return label
     return f"{label} ({quantity.field_unit})"
 
 
-def _label(of: Column | Fact, language: Language) -> str:
+def _label(of: Column | Fact) -> str:
     """Name what has a quantity, with its symbol."""
     symbol = of.quantity.symbol if of.quantity else ""
-    return f"{say(of.name, language)} {GREEK.get(symbol, symbol)}".rstrip()
+    return f"{of.name} {GREEK.get(symbol, symbol)}".rstrip()
 
 
-def _cell(column: Column, row: int, language: Language) -> _Cell:
+def _cell(column: Column, row: int) -> _Cell:
     quantity, si = column.quantity_of(row), _si(column.values[row])
     style = "" if column.is_number else "words"
     passes = column.passes[row] if column.passes else None
@@ -199,7 +200,7 @@ def _cell(column: Column, row: int, language: Language) -> _Cell:
     if si is not None and quantity is not None and abs(si) < quantity.floor:
         si = None  # rounding, which is another on each machine
     is_use = quantity is not None and quantity.key == "utilisation"
-    return _Cell(cell(column, row, language), style, si, si if is_use else None)
+    return _Cell(cell(column, row), style, si, si if is_use else None)
 
 
 def _si(value: object) -> float | None:
@@ -207,29 +208,26 @@ def _si(value: object) -> float | None:
     return value if isinstance(value, int | float) and math.isfinite(value) else None
 
 
-def _facts(block: Facts, language: Language) -> _Table:
+def _facts(block: Facts) -> _Table:
     """Lay named values out, those of quantities in SI, too; words alone have no headings."""
     facts = [each for each in block.facts if each.only in SEEN]
     quantities = [each.quantity for each in facts if each.quantity is not None]
     has_si = any(each.si_unit != each.field_unit for each in quantities)
     only_words = all(isinstance(each.value, str) for each in facts)
     names = ("page.what", "page.value", "page.si")[: 3 if has_si else 2]
-    headings = [
-        _Heading(say(Message(name), language), name != "page.what" and not only_words)
-        for name in names
-    ]
-    rows = [_fact(each, language)[: len(names)] for each in facts]
+    headings = [_Heading(Message(name), name != "page.what" and not only_words) for name in names]
+    rows = [_fact(each)[: len(names)] for each in facts]
     kind = "facts" if only_words and not block.caption else "table"
-    return _Table(kind, block.name, say(block.caption, language), headings, rows)
+    return _Table(kind, block.name, block.caption, headings, rows)
 
 
-def _fact(fact: Fact, language: Language) -> tuple[_Cell, ...]:
+def _fact(fact: Fact) -> tuple[_Cell, ...]:
     """Lay out a name, its value in all its units, and the value in SI."""
     si, quantity = _si(fact.value), fact.quantity
     ways = (quantity, *(fact.also if si is not None else ()))
-    said = " = ".join(shown(fact.value, each, language, unit=True) for each in ways)
+    said = " = ".join(shown(fact.value, each, unit=True) for each in ways)
     in_si = "" if si is None or quantity is None else _in_si(quantity, si)
-    return _Cell(_label(fact, language), "words"), _Cell(said, si=si), _Cell(in_si)
+    return _Cell(_label(fact), "words"), _Cell(said, si=si), _Cell(in_si)
 
 
 def _in_si(quantity: Quantity, si: float) -> str:
@@ -238,11 +236,11 @@ def _in_si(quantity: Quantity, si: float) -> str:
     return exact(quantity.si_unit).format(0.0 if is_zero else si, unit=True)
 
 
-def _trail(block: Trail, language: Language) -> _Table:
+def _trail(block: Trail) -> _Table:
     """Lay steps out: what comes out, its equation, its numbers put in, and what others have."""
     steps = block.steps
     columns: dict[str, list[_Cell]] = {
-        Message("page.what"): [_words(each.name, language) for each in steps]
+        Message("page.what"): [_Cell(each.name, "words") for each in steps]
     }
     if any(each.equation for each in steps):
         columns[Message("page.equation")] = [_Cell(each.equation) for each in steps]
@@ -251,15 +249,11 @@ def _trail(block: Trail, language: Language) -> _Table:
     if block.stated:
         columns[block.stated] = [_result(each, each.stated, "") for each in steps]
     if any(each.source for each in steps):
-        columns[Message("page.source")] = [_words(each.source, language) for each in steps]
+        columns[Message("page.source")] = [_Cell(each.source, "words") for each in steps]
     numbers = {Message("page.value"), block.stated}
-    headings = [_Heading(say(each, language), each in numbers) for each in columns]
+    headings = [_Heading(each, each in numbers) for each in columns]
     rows = list(zip(*columns.values(), strict=True))
-    return _Table("table", block.name, say(block.caption, language), headings, rows)
-
-
-def _words(said: str, language: Language) -> _Cell:
-    return _Cell(say(said, language), "words")
+    return _Table("table", block.name, block.caption, headings, rows)
 
 
 def _result(step: Step, value: float | None, unknown: str) -> _Cell:

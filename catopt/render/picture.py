@@ -32,7 +32,7 @@ from catopt.figures.chart import (
 from catopt.render.looks import COLOURS, LOOKS, SIGNS, Look
 from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
 from catopt.render.units import as_wanted
-from catopt.words import Language, say
+from catopt.words import Language
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -97,10 +97,10 @@ def picture(
 
     `columns` charts stand in a row; `heading` is above all of them, such as the title of a case.
     """
-    drawn = as_wanted([charts] if isinstance(charts, Chart) else list(charts))
+    drawn = as_wanted([charts] if isinstance(charts, Chart) else list(charts), language)
     rows = [drawn[k : k + columns] for k in range(0, len(drawn), columns)]
     wide = WIDTH / columns
-    heights = [max(_height(chart, wide, language) for chart in row) for row in rows]
+    heights = [max(_height(chart, wide) for chart in row) for row in rows]
     with rc_context(STYLE):
         above = fill(heading, 78, max_lines=2, placeholder=" ...")
         room = 0.1 + 0.22 * (above.count("\n") + 1) if above else 0.0
@@ -111,7 +111,7 @@ def picture(
         parts = figure.subfigures(len(rows), columns, squeeze=False, height_ratios=heights)
         for row, places in zip(rows, parts, strict=True):
             for chart, part in zip(row, places, strict=False):
-                _draw(part, chart, wide, language)
+                _draw(part, chart, wide)
         _scale(figure, drawn)
     return figure
 
@@ -127,39 +127,39 @@ def _scale(figure: Figure, charts: Sequence[Chart]) -> None:
             axes.set_aspect(chart.to_scale * y / x, adjustable="box")
 
 
-def _height(chart: Chart, wide: float, language: Language) -> float:
+def _height(chart: Chart, wide: float) -> float:
     """Return the height of a part with its title, titles of axes and legend, inches."""
     tall = _TALL if wide == WIDTH else 2.2
     if chart.to_scale is not None:
         share = chart.to_scale * (chart.y.high - chart.y.low) / (chart.x.high - chart.x.low)
         tall = min((wide - 1.0) * share, _TALLEST)
-    labels, columns = _labels(chart, wide, language)
+    labels, columns = _labels(chart, wide)
     lines = sum(label.count("\n") + 1 for label in labels)
-    title = _title(chart, wide, language).count("\n") + 1
+    title = _title(chart, wide).count("\n") + 1
     return tall + 0.2 * title + 0.19 * -(-lines // columns) + (1.1 if chart.x.second else 0.7)
 
 
-def _title(chart: Chart, wide: float, language: Language) -> str:
-    return fill(say(chart.title, language), int(12.0 * wide))
+def _title(chart: Chart, wide: float) -> str:
+    return fill(chart.title, int(12.0 * wide))
 
 
-def _labels(chart: Chart, wide: float, language: Language) -> tuple[list[str], int]:
+def _labels(chart: Chart, wide: float) -> tuple[list[str], int]:
     """Fold the words of the legend and the notes; choose how many are in a row."""
     letters = int(wide * 72.0 / (_TYPE * _LETTER))
-    said = [say(each, language) for each in (*(of.label for of in legend(chart)), *chart.notes)]
+    said = [*(of.label for of in legend(chart)), *chart.notes]
     longest = max(map(len, said), default=0) + 8
     columns = max(1, min(3, letters // longest, len(said)))
     return [fill(each, letters - 8) for each in said], columns
 
 
-def _draw(part: SubFigure, chart: Chart, wide: float, language: Language) -> None:
+def _draw(part: SubFigure, chart: Chart, wide: float) -> None:
     axes = part.add_subplot()
-    axes.set_title(_title(chart, wide, language), fontsize=9.5, loc="left", parse_math=False)
-    _axes(axes, chart, wide, language)
+    axes.set_title(_title(chart, wide), fontsize=9.5, loc="left", parse_math=False)
+    _axes(axes, chart, wide)
     for area in chart.areas:
         _area(axes, area, chart)
     for level in chart.levels:
-        _level(axes, level, chart, language)
+        _level(axes, level, chart)
     for series in chart.series:
         _series(axes, series, chart)
     for arrow in chart.arrows:
@@ -167,14 +167,14 @@ def _draw(part: SubFigure, chart: Chart, wide: float, language: Language) -> Non
         line = {"color": _colour(look.stroke), "linewidth": look.width * _POINTS}
         _arrow(axes, "-|>", _at(chart, arrow.start), _at(chart, arrow.end), line, zorder=4)
     for mark in chart.marks:
-        _mark(axes, mark, chart, language)
+        _mark(axes, mark, chart)
     for dimension in chart.dimensions:
         _dimension(axes, dimension, chart)
-    _legend(part, chart, wide, language)
+    _legend(part, chart, wide)
 
 
-def _legend(part: SubFigure, chart: Chart, wide: float, language: Language) -> None:
-    labels, columns = _labels(chart, wide, language)
+def _legend(part: SubFigure, chart: Chart, wide: float) -> None:
+    labels, columns = _labels(chart, wide)
     handles = [_handle(LOOKS[each.role]) for each in legend(chart)]
     empty = Line2D([], [], linestyle="none")
     handles += [empty] * (len(labels) - len(handles))
@@ -214,7 +214,7 @@ def _of_line(look: Look) -> dict[str, Any]:
 # ------------------------------------------------------------------ the axes
 
 
-def _axes(axes: Axes, chart: Chart, wide: float, language: Language) -> None:
+def _axes(axes: Axes, chart: Chart, wide: float) -> None:
     x, y = chart.x, chart.y
     if x.foot is not None:
         axes.set_xscale("log")
@@ -230,16 +230,16 @@ def _axes(axes: Axes, chart: Chart, wide: float, language: Language) -> None:
     axes.set_yticks(*_ticked(y, tick_marks(y, up)))
     axes.minorticks_off()
     axes.grid(visible=chart.to_scale is None)
-    axes.set_xlabel(axis_title(x, language), parse_math=False)
-    axes.set_ylabel(axis_title(y, language), parse_math=False)
+    axes.set_xlabel(axis_title(x), parse_math=False)
+    axes.set_ylabel(axis_title(y), parse_math=False)
     if x.second:
         above = axes.secondary_xaxis("top")
         above.set_xticks(*_ticked(x, scale_ticks(x, most)))
-        above.set_xlabel(axis_title(x.second, language))
+        above.set_xlabel(axis_title(x.second))
     if y.second:
         right = axes.secondary_yaxis("right")
         right.set_yticks(*_ticked(y, scale_ticks(y, up)))
-        right.set_ylabel(axis_title(y.second, language))
+        right.set_ylabel(axis_title(y.second))
 
 
 def _ticked(axis: Axis, marks: Sequence[Tick]) -> tuple[list[float], list[str]]:
@@ -271,22 +271,21 @@ def _area(axes: Axes, area: Area, chart: Chart) -> None:
         axes.axhspan(*_all(chart.y, ends), zorder=0.4, **kind)
 
 
-def _level(axes: Axes, level: Level, chart: Chart, language: Language) -> None:
+def _level(axes: Axes, level: Level, chart: Chart) -> None:
     kind = _of_line(LOOKS[level.role]) | {"label": f"_{level.role}"}
-    words = say(level.words, language)
     if level.axis == "x":
         (x,) = _all(chart.x, [level.at])
         axes.axvline(x, **kind)
         if level.share is not None:
             circle = _box("circle,pad=0.25", edgecolor=_colour("quiet"), linewidth=0.8)
             across = axes.get_xaxis_transform()
-            axes.text(x, level.share, words, transform=across, fontsize=8, zorder=7, **circle)
+            axes.text(x, level.share, level.words, transform=across, fontsize=8, zorder=7, **circle)
         return
     ends = _all(chart.x, (max(level.start, chart.x.low), min(level.end, chart.x.high)))
     (y,) = _all(chart.y, [level.at])
     axes.plot(ends, [y, y], **kind)
-    if words:
-        _beside(axes, words, (sum(ends) / 2.0, y), (0.0, -3.0), va="top")
+    if level.words:
+        _beside(axes, level.words, (sum(ends) / 2.0, y), (0.0, -3.0), va="top")
 
 
 def _box(style: str, **look: Any) -> Any:
@@ -310,13 +309,12 @@ def _series(axes: Axes, series: Series, chart: Chart) -> None:
     axes.plot(x, y, **_of_line(look), label=f"_{series.role}", zorder=2.5 if look.sign else 2.0)
 
 
-def _mark(axes: Axes, mark: Mark, chart: Chart, language: Language) -> None:
+def _mark(axes: Axes, mark: Mark, chart: Chart) -> None:
     x, y = _at(chart, (mark.x, mark.y))
     look = LOOKS[mark.role]
     if look.sign == "words":
         halo = _box("square,pad=0.1", edgecolor="none", alpha=0.7)
-        colour, words = _colour(look.fill), say(mark.words, language)
-        axes.text(x, y, words, fontsize=9, color=colour, zorder=6, **halo)
+        axes.text(x, y, mark.words, fontsize=9, color=_colour(look.fill), zorder=6, **halo)
     else:
         axes.plot([x], [y], **_of_line(look), label=f"_{mark.role}", clip_on=False, zorder=5)
 

@@ -7,10 +7,20 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from catopt.figures.chart import Area, Arrow, Axis, Chart, Dimension, Level, Mark, Series, legend
+from catopt.figures.chart import (
+    Area,
+    Arrow,
+    Axis,
+    Chart,
+    Dimension,
+    Level,
+    Mark,
+    Point,
+    Series,
+    legend,
+)
 from catopt.render.looks import LOOKS, SIGNS
 from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
-from catopt.words import Language, say
 
 WIDTH = 640.0
 """Of every figure, in its own units."""
@@ -38,21 +48,6 @@ class Shape(NamedTuple):
     text: str = ""
 
 
-class Point(NamedTuple):
-    """A place in a figure with what is known there, in words; in the figure's units."""
-
-    x: float
-    y: float
-    text: str
-
-
-class Legend(NamedTuple):
-    """An entry below a figure: a sample of 30 by 20 units, and what it is."""
-
-    sample: Shape
-    text: str
-
-
 @dataclass(frozen=True)
 class Figure:
     """A drawing: shapes from the back to the front; points answer to the pointer and the keys."""
@@ -62,7 +57,9 @@ class Figure:
     height: float
     shapes: tuple[Shape, ...]
     points: tuple[Point, ...]
-    legend: tuple[Legend, ...]
+    """Places in the figure's units."""
+    legend: tuple[tuple[Shape, str], ...]
+    """Samples of 30 by 20 units, and what they are."""
     notes: tuple[str, ...]
     width: float = WIDTH
 
@@ -90,26 +87,26 @@ class Frame(NamedTuple):
         return self.across(x), self.up(y)
 
 
-def svg(chart: Chart, language: Language = "en") -> Figure:
+def svg(chart: Chart) -> Figure:
     """Draw a chart; room for words is that of the widest font that a reader may have."""
     frame, values = _frame(chart)
     shapes = [
         *(_area(area, frame) for area in chart.areas),
-        *_axes(chart, frame, values, language),
-        *(each for level in chart.levels for each in _level(level, frame, language)),
+        *_axes(chart, frame, values),
+        *(each for level in chart.levels for each in _level(level, frame)),
         *(each for series in chart.series for each in _series(series, frame)),
         *(each for dimension in chart.dimensions for each in _dimension(dimension, frame)),
         *(each for arrow in chart.arrows for each in _arrow(arrow, frame)),
-        *(_mark(mark, frame, language) for mark in chart.marks),
+        *(_mark(mark, frame) for mark in chart.marks),
     ]
     return Figure(
         chart.name,
-        say(chart.title, language),
+        chart.title,
         frame.bottom + _FOOT,
         tuple(shapes),
-        tuple(Point(*frame.at(x, y), say(said, language)) for x, y, said in chart.points),
-        tuple(Legend(_sample(role), say(label, language)) for role, label in legend(chart)),
-        tuple(say(note, language) for note in chart.notes),
+        tuple(Point(*frame.at(x, y), said) for x, y, said in chart.points),
+        tuple((_sample(role), label) for role, label in legend(chart)),
+        chart.notes,
     )
 
 
@@ -141,9 +138,7 @@ def _frame(chart: Chart) -> tuple[Frame, dict[str, list[Tick]]]:
     return frame, values | {"above": scale_ticks(x, along), "right": beside[1]}
 
 
-def _axes(
-    chart: Chart, frame: Frame, values: dict[str, list[Tick]], language: Language
-) -> Iterator[Shape]:
+def _axes(chart: Chart, frame: Frame, values: dict[str, list[Tick]]) -> Iterator[Shape]:
     _, _, left, right, top, bottom = frame
     has_grid = chart.to_scale is None
     for value, words in values["below"]:
@@ -167,21 +162,21 @@ def _axes(
         yield line("thin", x, top - 5, x, top)
         yield text(words, x, top - 10, style="tick")
     yield shape("rect", "frame", x=left, y=top, width=right - left, height=bottom - top)
-    yield from _titles(chart, frame, language)
+    yield from _titles(chart, frame)
 
 
-def _titles(chart: Chart, frame: Frame, language: Language) -> Iterator[Shape]:
+def _titles(chart: Chart, frame: Frame) -> Iterator[Shape]:
     """Write what the values are, in rows of their own: turned words may be too long."""
     middle = (frame.left + frame.right) / 2
-    below = axis_title(chart.x, language)
+    below = axis_title(chart.x)
     yield text(below, _inside(middle, below), frame.bottom + 52, style="axis")
     row = frame.top - (_SECOND if chart.x.second else 0.0) - 22.0
-    yield text(axis_title(chart.y, language), 2, row, anchor="start", style="axis")
+    yield text(axis_title(chart.y), 2, row, anchor="start", style="axis")
     if chart.y.second:
-        right = axis_title(chart.y.second, language)
+        right = axis_title(chart.y.second)
         yield text(right, WIDTH - 2, row, anchor="end", style="axis")
     if chart.x.second:
-        above = axis_title(chart.x.second, language)
+        above = axis_title(chart.x.second)
         yield text(above, _inside(middle, above), frame.top - 36.0, style="axis")
 
 
@@ -205,23 +200,22 @@ def _area(area: Area, frame: Frame) -> Shape:
     return shape("rect", area.role, x=frame.left, y=high, width=wide, height=low - high)
 
 
-def _level(level: Level, frame: Frame, language: Language) -> Iterator[Shape]:
-    words = say(level.words, language)
+def _level(level: Level, frame: Frame) -> Iterator[Shape]:
     if level.axis == "x":
         x = frame.across(level.at)
         yield line(level.role, x, frame.top, x, frame.bottom)
         if level.share is not None:
             y = frame.bottom - level.share * (frame.bottom - frame.top)
             yield _sign("event", x, y)
-            yield text(words, x, y + 5, style="tick")
+            yield text(level.words, x, y + 5, style="tick")
         return
     y = frame.up(level.at)
     left, right = (
         frame.across(min(max(end, frame.x.low), frame.x.high)) for end in (level.start, level.end)
     )
     yield line(level.role, left, y, right, y)
-    if words and right - left > breadth(words):
-        yield text(words, (left + right) / 2, y + 17, style="tick halo")
+    if level.words and right - left > breadth(level.words):
+        yield text(level.words, (left + right) / 2, y + 17, style="tick halo")
 
 
 def _series(series: Series, frame: Frame) -> Iterator[Shape]:
@@ -241,12 +235,11 @@ def _series(series: Series, frame: Frame) -> Iterator[Shape]:
         yield path(series.role, places)
 
 
-def _mark(mark: Mark, frame: Frame, language: Language) -> Shape:
+def _mark(mark: Mark, frame: Frame) -> Shape:
     x, y = frame.at(mark.x, mark.y)
     if LOOKS[mark.role].sign == "words":
-        words = say(mark.words, language)
         style = mark.role if mark.role == "beside" else f"{mark.role} beside"
-        return text(words, _inside(x, words), y + 5, style=style)
+        return text(mark.words, _inside(x, mark.words), y + 5, style=style)
     return _sign(mark.role, x, y)
 
 

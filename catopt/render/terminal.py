@@ -100,7 +100,7 @@ def _facts(output: Printer, block: Facts, language: Language) -> None:
         symbol = fact.quantity.symbol if fact.quantity else ""
         name = f"{say(fact.name, language)} {symbol}".rstrip()
         ways = (fact.quantity, *(fact.also if fact.value is not None else ()))
-        rows.append([name, *(shown(fact.value, each, language, unit=True) for each in ways)])
+        rows.append([name, *(say(shown(fact.value, each, unit=True), language) for each in ways)])
     width = max(map(len, rows))
     padded = [[*row, *[""] * (width - len(row))] for row in rows]
     # Words that are long fold; what is short is flush right, as numbers are.
@@ -140,7 +140,7 @@ class _Column:
         self.of = of
         self.is_number = of.is_number
         self.name = _name(of, language)
-        self.cells = [cell(of, row, language) for row in rows]
+        self.cells = [say(cell(of, row), language) for row in rows]
 
     @property
     def longest(self) -> int:

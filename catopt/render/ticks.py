@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from catopt.figures.chart import Axis, Scale
 from catopt.quantities import Quantity
-from catopt.words import Language, say
 
 Tick = tuple[float, str]
 """A value in SI, and how it is written."""
@@ -15,10 +14,10 @@ Tick = tuple[float, str]
 _POWERS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def axis_title(of: Axis | Scale, language: Language) -> str:
+def axis_title(of: Axis | Scale) -> str:
     """Say what is along an axis, with its unit."""
-    label, unit = say(of.label, language), of.quantity.field_unit
-    return label if unit == "-" else f"{label} ({unit})".strip()
+    unit = of.quantity.field_unit
+    return of.label if unit == "-" else f"{of.label} ({unit})".strip()
 
 
 def tick_marks(axis: Axis, most: int = 6) -> list[Tick]:

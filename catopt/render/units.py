@@ -1,14 +1,14 @@
-"""The units in which every face shows quantities: those that the reader asks for."""
+"""In which units and language every face shows an answer: those that the reader asks for."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextvars import ContextVar
 from dataclasses import fields, is_dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from catopt.quantities import Quantity, Units
-from catopt.words import Cited, Listed, Measure, Message, Sentence, Several, Told
+from catopt.words import Language, Listed, Measure, Message, Sentence, Several, Told, say
 from catopt.words.labels import Term
 
 if TYPE_CHECKING:
@@ -20,9 +20,18 @@ UNITS: ContextVar[Units] = ContextVar("UNITS", default="")
 _Thing = TypeVar("_Thing")
 
 
-def as_wanted(thing: _Thing) -> _Thing:
-    """Return an answer, a block or drawings in the units that the reader asks for."""
-    return in_units(thing, UNITS.get())
+def as_wanted(thing: _Thing, language: Language = "en") -> _Thing:
+    """Return an answer, a block or drawings in the units that the reader asks for, and said."""
+    return in_language(in_units(thing, UNITS.get()), language)
+
+
+def in_language(thing: _Thing, language: Language) -> _Thing:
+    """Say all messages of an answer, a block or drawings; in English they are what they are."""
+    return thing if language == "en" else _changed(thing, lambda each: _said(each, language))
+
+
+def _said(thing: Any, language: Language) -> Any:
+    return say(thing, language) if isinstance(thing, str) else thing
 
 
 def in_units(thing: _Thing, units: Units) -> _Thing:
@@ -38,7 +47,22 @@ def in_units(thing: _Thing, units: Units) -> _Thing:
     >>> shown.quantity.format(shown.value, unit=True)
     '10.0000 tf'
     """
-    return _converted(thing, units) if units else thing
+    return _changed(thing, lambda each: _converted(each, units)) if units else thing
+
+
+def _changed(thing: Any, change: Callable[[Any], Any]) -> Any:
+    """Change all that a thing consists of, from the inside out."""
+    if isinstance(thing, tuple | list):
+        if all(type(each) in {float, int, bool} for each in thing):
+            return thing
+        made = [_changed(each, change) for each in thing]
+        return type(thing)(*made) if hasattr(thing, "_fields") else type(thing)(made)
+    if isinstance(thing, dict):
+        return {key: _changed(value, change) for key, value in thing.items()}
+    if is_dataclass(thing) and not isinstance(thing, type | Quantity | Measure):
+        parts = {each.name: _changed(getattr(thing, each.name), change) for each in fields(thing)}
+        return change(replace(thing, **parts))
+    return change(thing)
 
 
 def _converted(thing: Any, units: Units) -> Any:
@@ -46,38 +70,20 @@ def _converted(thing: Any, units: Units) -> Any:
         return thing.in_units(units)
     if isinstance(thing, Measure):
         return replace(thing, units=units)
-    if isinstance(thing, str):
-        return _said(thing, units)
-    if isinstance(thing, tuple | list):
-        return _several(thing, units)
-    if isinstance(thing, dict):
-        return {key: _converted(value, units) for key, value in thing.items()}
-    if is_dataclass(thing) and not isinstance(thing, type):
-        changed = {
-            each.name: _converted(getattr(thing, each.name), units) for each in fields(thing)
-        }
-        return _without_doubles(replace(thing, **changed))
-    return thing
+    return _message(thing, units) if isinstance(thing, str) else _without_doubles(thing)
 
 
-def _several(thing: Any, units: Units) -> Any:
-    if all(type(each) in {float, int, bool} for each in thing):
-        return thing
-    made = [_converted(each, units) for each in thing]
-    return type(thing)(*made) if hasattr(thing, "_fields") else type(thing)(made)
-
-
-def _said(thing: str, units: Units) -> str:
+def _message(said: str, units: Units) -> str:
     """Say a message with its measures in other units; any other text stays as it is."""
-    if isinstance(thing, Several):
-        return Several(_several(thing.parts, units), thing.separator)
-    if isinstance(thing, Listed):
-        return Listed(_several(thing.parts, units), thing.last)
-    if isinstance(thing, Sentence):
-        return Sentence(_said(thing.words, units), capital=thing.capital)
-    if not isinstance(thing, Message) or isinstance(thing, Cited | Told | Term):
-        return thing
-    return Message(thing.key, **_converted(dict(thing.values), units))
+    if isinstance(said, Several):
+        return Several(in_units(said.parts, units), said.separator)
+    if isinstance(said, Listed):
+        return Listed(in_units(said.parts, units), said.last)
+    if isinstance(said, Sentence):
+        return Sentence(in_units(said.words, units), capital=said.capital)
+    if not isinstance(said, Message) or isinstance(said, Told | Term):
+        return said
+    return Message(said.key, **in_units(dict(said.values), units))
 
 
 def _without_doubles(made: Any) -> Any:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from catopt.answers.blocks import Block, Column, Facts, Table, Text, Value, Warnings
 from catopt.quantities import Quantity
-from catopt.words import Language, Message, say
+from catopt.words import Message
 
 SEEN = {"all", "people", "not csv"}
 """For whom things are that people see."""
@@ -26,21 +26,19 @@ def parts_of(table: Table) -> Sequence[tuple[str, Sequence[int]]]:
     return table.parts or ((table.caption, rows),)
 
 
-def shown(
-    value: Value, quantity: Quantity | None, language: Language, *, unit: bool = False
-) -> str:
-    """Write a value in the field's unit; a dash where it is not known."""
+def shown(value: Value, quantity: Quantity | None, *, unit: bool = False) -> str:
+    """Write a value in the field's unit, a message as it is; a dash where it is not known."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return "-"
     if isinstance(value, str):
-        return say(value, language)
+        return value
     if quantity is None:
         return f"{value:,}" if isinstance(value, int) and value > 9999 else f"{value}"
     if quantity.key == "EA" and math.isinf(value):
-        return say(Message("answers.inextensible"), language)
+        return Message("answers.inextensible")
     return "∞" if math.isinf(value) else quantity.format(value, unit=unit)
 
 
-def cell(column: Column, row: int, language: Language) -> str:
+def cell(column: Column, row: int) -> str:
     """Write a cell of a table; with its unit where that is the row's own."""
-    return shown(column.values[row], column.quantity_of(row), language, unit=bool(column.units))
+    return shown(column.values[row], column.quantity_of(row), unit=bool(column.units))

@@ -50,7 +50,7 @@ _MARKERS = ("circle", "diamond", "triangle", "square", "x", "plus")
 
 def workbook(answer: Answer, language: Language = "en") -> bytes:
     """Lay out all tables of an answer, every digit kept."""
-    answer = as_wanted(answer)
+    answer = as_wanted(answer, language)
     book = Book(answer.title, language)
     drawn: list[tuple[Sheet, list[Figure]]] = []
     for section in answer.sections:
@@ -85,7 +85,7 @@ def _sheet(book: Book, section: Section) -> Sheet:
     for block in section.blocks:
         if isinstance(block, Table | Facts) and _is_laid(block):
             is_named = bool(tops) or (isinstance(block, Table) and not is_alone)
-            tops[block.name] = _block(sheet, block, book.say(block.caption) if is_named else "")
+            tops[block.name] = _block(sheet, block, block.caption if is_named else "")
         elif isinstance(block, Trail):
             _trail(sheet, block)
         elif isinstance(block, Graph):
@@ -100,7 +100,7 @@ def _sheet(book: Book, section: Section) -> Sheet:
     for block in section.blocks:
         style = _VERDICTS[block.kind] if isinstance(block, Verdict) else "wrapped"
         for each in _words_of(block):
-            sheet.across(book.say(each), style)
+            sheet.across(each, style)
     return sheet
 
 
@@ -148,17 +148,17 @@ def _trail(sheet: Sheet, block: Trail) -> None:
     headings = [*(Message(name) for name in names), block.stated, Message("page.source")]
     rows = [
         (
-            Words(say(step.name)),
+            Words(step.name),
             Words(step.equation, "text"),
             Words(put_in(step)),
             _of(step.quantity, step.value),
             Words(step.quantity.field_unit, "text"),
             _of(step.quantity, step.stated),
-            Words(say(step.source)),
+            Words(step.source),
         )
         for step in block.steps
     ]
-    sheet.grid([say(each) for each in headings], rows, say(block.caption), _STEPS)
+    sheet.grid([say(each) for each in headings], rows, block.caption, _STEPS)
 
 
 def _of(quantity: Quantity, si: float | None) -> Cell:
@@ -173,7 +173,7 @@ def _graph(sheet: Sheet, table: Table, top: int, block: Graph, row: int) -> int:
         for k, y in enumerate(block.y)
     ]
     up = sheet.book.say(Listed([names[y] for y in block.y], "and"))
-    chart = Chart(sheet.book.say(block.title), names[block.x], up, series, block.log)
+    chart = Chart(block.title, names[block.x], up, series, block.log)
     return sheet.chart(chart, row)
 
 
@@ -205,4 +205,4 @@ def _cell(sheet: Sheet, column: Column, row: int, *, is_left: bool = False) -> C
         return Number(number, number_pattern(quantity), is_left=is_left)
     if value is None and not is_left:
         return None
-    return Words(shown(value, quantity, sheet.book.language))
+    return Words(sheet.book.say(shown(value, quantity)))

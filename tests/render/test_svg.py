@@ -11,6 +11,7 @@ from catopt.quantities import QUANTITIES
 from catopt.render.looks import COLOURS, LOOKS, stylesheet
 from catopt.render.svg import WIDTH, Figure, Shape, breadth, svg
 from catopt.render.ticks import tick_words, ticks
+from catopt.render.units import in_language
 from tests.figures.kinds import KINDS, made
 
 ROUNDED = 0.02
@@ -56,11 +57,11 @@ def test_lines_are_where_the_frame_has_their_values(name: str) -> None:
 
 def test_points_and_words_are_on_the_paper(name: str) -> None:
     """In the widest letters."""
-    figure = svg(made(name), "vi")
+    figure = svg(in_language(made(name), "vi"))
     for point in figure.points:
         assert 0.0 <= point.x <= WIDTH
         assert 0.0 <= point.y <= figure.height
-        assert point.text
+        assert point.said
     for shape in figure.shapes:
         given = dict(shape.attributes)
         if shape.tag != "text" or "transform" in given:
@@ -73,7 +74,7 @@ def test_points_and_words_are_on_the_paper(name: str) -> None:
 
 def test_words_are_in_the_language_that_is_asked_for(name: str) -> None:
     chart = made(name)
-    english, vietnamese = svg(chart), svg(chart, "vi")
+    english, vietnamese = svg(chart), svg(in_language(chart, "vi"))
     assert english.title != vietnamese.title
     assert len(english.shapes) == len(vietnamese.shapes)
     assert [(p.x, p.y) for p in english.points] == [(p.x, p.y) for p in vietnamese.points]

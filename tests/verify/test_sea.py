@@ -99,7 +99,7 @@ def listed(drive: Drive, language: Language = "en") -> list[tuple[str, str]]:
     """List what a note has as driving the line."""
     moved = InMotion(DynamicVerification(drive.case, (), True), drive, (), ())
     return [
-        (say(each.name, language), shown(each.value, each.quantity, language, unit=True))
+        (say(each.name, language), say(shown(each.value, each.quantity, unit=True), language))
         for each in drive_facts(moved)
     ]
 
