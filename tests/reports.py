@@ -18,8 +18,8 @@ from catopt.design.search import design_case
 from catopt.notes.line import Note, read_note
 from catopt.notes.size import SizeNote
 from catopt.notes.system import SystemNote, read_system_note
+from catopt.render.files import document_bytes
 from catopt.render.page import page
-from catopt.render.plain import document_bytes
 from catopt.report.bundle import reproduction_pictures
 from catopt.report.files import write_files
 from catopt.reproduce import book, reproduce

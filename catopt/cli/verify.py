@@ -229,8 +229,7 @@ def _files(
     document: dict[str, Any],
 ) -> dict[str, bytes]:
     """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
-    from catopt.render.files import files_of
-    from catopt.render.plain import document_bytes
+    from catopt.render.files import document_bytes, files_of
     from catopt.report.bundle import motion_pictures, verification_pictures
     from catopt.verify.result import Verification
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import chain
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.words import Measure, Message, quantity_name
@@ -139,13 +139,6 @@ def pointed(
     return tuple(map(Point, x, y, said))
 
 
-class Entry(NamedTuple):
-    """An entry of a legend: how it looks, and what it is."""
-
-    role: str
-    label: str
-
-
 @dataclass(frozen=True)
 class Chart:
     """A drawing, by its key within a page or of a file, with what else is to be said of it.
@@ -170,12 +163,12 @@ class Chart:
     """A metre up over a metre along, on paper; None: each axis fills the frame."""
 
 
-def legend(chart: Chart) -> Iterator[Entry]:
-    """Yield what is named in a chart, each once."""
+def legend(chart: Chart) -> Iterator[tuple[str, str]]:
+    """Yield role and label of what is named in a chart, each once."""
     named: Iterable[Series | Level | Area | Mark | Arrow] = chain(
         chart.series, chart.levels, chart.areas, chart.marks, chart.arrows
     )
-    yield from dict.fromkeys(Entry(each.role, each.label) for each in named if each.label)
+    yield from dict.fromkeys((each.role, each.label) for each in named if each.label)
 
 
 def span_of(values: Iterable[float], below: float = 0.06, above: float = 0.06) -> Place:
@@ -189,10 +182,9 @@ def span_of(values: Iterable[float], below: float = 0.06, above: float = 0.06) -
     return low - below * size, high + above * size
 
 
-def axis(key: str, ends: Place, label: str = "", **more: object) -> Axis:
+def axis(key: str, ends: Place, label: str = "", **more: Any) -> Axis:
     """Make an axis of a quantity of the table; its name and symbol when no label is given."""
     quantity = QUANTITIES[key]
     if not label and quantity.symbol:
         label = Message("figures.label", name=quantity_name(key), symbol=quantity.symbol)
-    made = Axis(label or quantity_name(key), quantity, *ends)
-    return replace(made, **more)  # type: ignore[arg-type]
+    return Axis(label or quantity_name(key), quantity, *ends, **more)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import accumulate, pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from catopt.figures.chart import (
     IN_TONNES,
     Area,
-    Axis,
     Chart,
     Dimension,
     Level,
@@ -82,29 +80,30 @@ class Failing(NamedTuple):
 def line_in_water(solution: Solution, depth: float, failing: Sequence[Failing] = ()) -> Chart:
     """Draw a line in water of a depth (m), to scale; checks that fail are marked where they do."""
     profile = solution.profile(_POINTS)
-    left, right = min(*profile.x, 0.0), max(*profile.x, solution.span)
+    left, right = _ends(solution, profile)
     top = max(depth, solution.fairlead_height, *profile.z)
     unit = room_around(right - left, top)
     half, middle = max(right - left, _LEAST * unit) / 2.0, (left + right) / 2.0
     ends = middle - half - 60.0 * unit, middle + half + 60.0 * unit
-    dimensions = list(_dimensions(solution, depth, unit))
+    dimensions = tuple(_dimensions(solution, depth, unit))
     foot = min(end[1] for each in dimensions for end in (each.start, each.end))
-    drawn = _drawn(
-        "line",
-        Message("figures.line", span=Measure("span", solution.span)),
-        axis("x", ends, within=(left, right)),
-        axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
+    return _drawn(
         solution,
         profile,
-    )
-    return replace(
-        drawn,
-        marks=(*_fails(solution, profile, failing), *drawn.marks),
-        levels=tuple(surface_and_bed(depth)),
+        depth,
+        _fails(solution, profile, failing),
+        name="line",
+        title=Message("figures.line", span=Measure("span", solution.span)),
+        x=axis("x", ends, within=(left, right)),
+        y=axis("z", (foot - 12.0 * unit, top + 44.0 * unit), within=(0.0, top)),
         areas=water(depth, _BED * unit),
-        dimensions=tuple(dimensions),
+        dimensions=dimensions,
         to_scale=1.0,
     )
+
+
+def _ends(solution: Solution, profile: Profile) -> Place:
+    return min(*profile.x, 0.0), max(*profile.x, solution.span)
 
 
 def room_around(wide: float, tall: float) -> float:
@@ -115,43 +114,40 @@ def room_around(wide: float, tall: float) -> float:
 def magnified(solution: Solution, depth: float) -> Chart | None:
     """Draw a flat line with its heights magnified; None for one that is steep enough."""
     profile = solution.profile(_POINTS)
-    left, right = min(*profile.x, 0.0), max(*profile.x, solution.span)
+    left, right = _ends(solution, profile)
     top = max(depth, *profile.z)
     if top > _FLAT * (right - left):
         return None
     factor = float(f"{0.5 * (right - left) / top:.1g}")
     at_joints = (_at(profile, s) for s in joints(solution))
-    name = Message("figures.joint")
-    drawn = _drawn(
-        "system_magnified",
-        Message("figures.magnified", factor=factor),
-        axis("x", span_of((left, right), 0.02, 0.02)),
-        axis("z", (-0.06 * top, 1.06 * top)),
+    return _drawn(
         solution,
         profile,
-    )
-    return replace(
-        drawn,
-        marks=(*(Mark("joint-spot", x, z, name) for x, z in at_joints), *drawn.marks),
-        levels=tuple(surface_and_bed(depth)),
+        depth,
+        (Mark("joint-spot", x, z, Message("figures.joint")) for x, z in at_joints),
+        name="system_magnified",
+        title=Message("figures.magnified", factor=factor),
+        x=axis("x", span_of((left, right), 0.02, 0.02)),
+        y=axis("z", (-0.06 * top, 1.06 * top)),
         areas=water(depth, math.inf),
         to_scale=factor,
     )
 
 
-def _drawn(name: str, title: str, x: Axis, y: Axis, solution: Solution, profile: Profile) -> Chart:
-    lying = [
+def _drawn(
+    solution: Solution, profile: Profile, depth: float, marks: Iterable[Mark], **how: Any
+) -> Chart:
+    """Draw a line in the water with further marks below its own; `how` are fields of the chart."""
+    lying = (
         Series("grounded", ends, (0.0, 0.0), Message("figures.lies"))
         for ends in grounded_ends(solution)
-    ]
+    )
     return Chart(
-        name,
-        title,
-        x,
-        y,
-        (*lying, Series("mooring", profile.x, profile.z, Message("figures.mooring_line"))),
-        tuple(_marks(solution)),
+        series=(*lying, Series("mooring", profile.x, profile.z, Message("figures.mooring_line"))),
+        marks=(*marks, *_marks(solution)),
+        levels=surface_and_bed(depth),
         points=_along(profile, profile.x, profile.z),
+        **how,
     )
 
 
@@ -166,10 +162,10 @@ def water(depth: float, thickness: float) -> tuple[Area, ...]:
     return Area("water", (0.0,), (depth,)), Area("bed", (-thickness,), (0.0,))
 
 
-def surface_and_bed(depth: float) -> Iterator[Level]:
+def surface_and_bed(depth: float) -> tuple[Level, ...]:
     """Draw the water level and the bed as lines."""
-    yield Level("surface", "y", depth, Message("figures.water_level"))
-    yield Level("bed-edge", "y", 0.0, Message("figures.bed"))
+    bed = Level("bed-edge", "y", 0.0, Message("figures.bed"))
+    return Level("surface", "y", depth, Message("figures.water_level")), bed
 
 
 def _at(profile: Profile, s: float) -> Place:

@@ -162,12 +162,6 @@ def spectrum(part: DynamicPart) -> Chart:
     )
 
 
-def envelope(part: DynamicPart) -> tuple[list[float], list[float], list[float]]:
-    """Find arc lengths, and the largest and the smallest tension of each bar over all runs, N."""
-    found = part.envelope
-    return found.arc.tolist(), found.largest.tolist(), found.smallest.tolist()
-
-
 def envelope_chart(
     part: DynamicPart, at_rest: Solution | None = None, allowed: Sequence[float | None] = ()
 ) -> Chart:
@@ -175,7 +169,8 @@ def envelope_chart(
 
     `allowed` is what its segments may carry, N; the line at rest is drawn beside where it is given.
     """
-    arc, high, low = envelope(part)
+    found = part.envelope
+    arc, high, low = (each.tolist() for each in (found.arc, found.largest, found.smallest))
     largest = max(high)
     series: list[Series] = []
     levels: list[Level] = []

@@ -42,7 +42,7 @@ def lines_to_scale(lines: Sequence[tuple[str, Solution]], depth: float, title: s
         axis("z", (-24.0 * unit, top + 30.0 * unit), within=(0.0, top)),
         series=tuple(series),
         marks=tuple(dict.fromkeys(marks)),
-        levels=tuple(surface_and_bed(depth)),
+        levels=surface_and_bed(depth),
         areas=water(depth, math.inf),
         to_scale=1.0,
     )

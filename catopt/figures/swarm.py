@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from catopt.figures.chart import (
     IN_TONNES,
     Axis,
     Chart,
     Level,
-    Point,
     Series,
     axis,
     pointed,
@@ -41,17 +40,15 @@ def fitness(swarm: SwarmReport) -> Chart:
     size = max(high - low, 1)
     step = max(1, math.ceil((size + 1) / 8))
     ticks = tuple(10.0**power for power in range(low + size, low - 1, -step))
-    label = Message("figures.run", run=swarm.best_run)
     ends, up = (10.0**low, 10.0 ** (low + size)), Message("figures.best_objective")
-    return Chart(
-        "swarm",
-        Message("figures.fitness"),
-        _iterations(swarm),
-        axis("objective", ends, up, foot=0.0, ticks=ticks),
-        series=(Series("first", range(1, len(history) + 1), history, label),),
-        levels=(Level("limit", "y", _CONVERGED, Message("figures.converged")),),
-        points=_points(swarm, history),
-        notes=tuple(_stopped(swarm)),
+    return _over_iterations(
+        swarm,
+        history,
+        "figures.run",
+        Level("limit", "y", _CONVERGED, Message("figures.converged")),
+        name="swarm",
+        title=Message("figures.fitness"),
+        y=axis("objective", ends, up, foot=0.0, ticks=ticks),
     )
 
 
@@ -60,44 +57,43 @@ def swarm_tension(swarm: SwarmReport, closed_form: float) -> Chart:
     history = [float(f"{T:.6g}") for T in swarm.tension_history[: _shown(swarm)]]
     exact = Message("figures.closed_form", T=Measure("tension", closed_form))
     ends = span_of([*history, closed_form], 0.15, 0.15)
-    label = Message("figures.best_particle", run=swarm.best_run)
+    return _over_iterations(
+        swarm,
+        history,
+        "figures.best_particle",
+        Level("limit", "y", closed_form, exact),
+        name="swarm_tension",
+        title=Message("figures.swarm_tension"),
+        y=axis("tension", ends, Message("figures.fairlead_tension_axis"), second=IN_TONNES),
+    )
+
+
+def _over_iterations(
+    swarm: SwarmReport, history: Sequence[float], label: str, level: Level, **how: Any
+) -> Chart:
+    """Draw a history; say what is known of all of a few iterations, of some of many."""
+    shown, count = _shown(swarm), len(history)
+    stopped = Message("figures.stopped", iteration=shown + 1, iterations=swarm.iterations)
+    step = max(1, math.ceil(count / _MOST_POINTS))
+    chosen = sorted({*range(1, count + 1, step), count} - {0})
+    iterations, run = range(1, count + 1), swarm.best_run
     return Chart(
-        "swarm_tension",
-        Message("figures.swarm_tension"),
-        _iterations(swarm),
-        axis("tension", ends, Message("figures.fairlead_tension_axis"), second=IN_TONNES),
-        series=(Series("first", range(1, len(history) + 1), history, label),),
-        levels=(Level("limit", "y", closed_form, exact),),
-        points=_points(swarm, history),
-        notes=tuple(_stopped(swarm)),
+        x=Axis(Message("figures.iteration"), COUNT, 0.0, float(max(shown + 1, 2))),
+        series=(Series("first", iterations, history, Message(label, run=run)),),
+        levels=(level,),
+        points=pointed(
+            "figures.iteration_at",
+            chosen,
+            [history[n - 1] for n in chosen],
+            iteration=("", chosen),
+            f=("objective", [swarm.best_objective_history[n - 1] for n in chosen]),
+            T=("tension", [swarm.tension_history[n - 1] for n in chosen]),
+        ),
+        notes=(stopped,) if shown < len(swarm.best_objective_history) else (),
+        **how,
     )
 
 
 def _shown(swarm: SwarmReport) -> int:
     """Count the iterations before the one at which the run has converged."""
     return sum(f >= _CONVERGED for f in swarm.best_objective_history)
-
-
-def _points(swarm: SwarmReport, history: Sequence[float]) -> tuple[Point, ...]:
-    """Say what is known of iterations: of all of a few, of some of many, and of the last."""
-    count = len(history)
-    step = max(1, math.ceil(count / _MOST_POINTS))
-    chosen = sorted({*range(1, count + 1, step), count} - {0})
-    return pointed(
-        "figures.iteration_at",
-        chosen,
-        [history[n - 1] for n in chosen],
-        iteration=("", chosen),
-        f=("objective", [swarm.best_objective_history[n - 1] for n in chosen]),
-        T=("tension", [swarm.tension_history[n - 1] for n in chosen]),
-    )
-
-
-def _iterations(swarm: SwarmReport) -> Axis:
-    return Axis(Message("figures.iteration"), COUNT, 0.0, float(max(_shown(swarm) + 1, 2)))
-
-
-def _stopped(swarm: SwarmReport) -> Iterator[str]:
-    shown = _shown(swarm)
-    if shown < len(swarm.best_objective_history):
-        yield Message("figures.stopped", iteration=shown + 1, iterations=swarm.iterations)

@@ -146,7 +146,7 @@ def _title(chart: Chart, wide: float) -> str:
 def _labels(chart: Chart, wide: float) -> tuple[list[str], int]:
     """Fold the words of the legend and the notes; choose how many are in a row."""
     letters = int(wide * 72.0 / (_TYPE * _LETTER))
-    said = [*(of.label for of in legend(chart)), *chart.notes]
+    said = [*(label for _, label in legend(chart)), *chart.notes]
     longest = max(map(len, said), default=0) + 8
     columns = max(1, min(3, letters // longest, len(said)))
     return [fill(each, letters - 8) for each in said], columns
@@ -175,7 +175,7 @@ def _draw(part: SubFigure, chart: Chart, wide: float) -> None:
 
 def _legend(part: SubFigure, chart: Chart, wide: float) -> None:
     labels, columns = _labels(chart, wide)
-    handles = [_handle(LOOKS[each.role]) for each in legend(chart)]
+    handles = [_handle(LOOKS[role]) for role, _ in legend(chart)]
     empty = Line2D([], [], linestyle="none")
     handles += [empty] * (len(labels) - len(handles))
     if labels:

@@ -5,9 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from textwrap import wrap
-from typing import Protocol
+from typing import Any
 
-from catopt.answers.blocks import Answer, Column, Facts, Points, Table, Text, Verdict, Warnings
+from catopt.answers.blocks import (
+    Answer,
+    Block,
+    Column,
+    Facts,
+    Points,
+    Table,
+    Text,
+    Verdict,
+    Warnings,
+)
 from catopt.quantities import QUANTITIES
 from catopt.render.units import as_wanted
 from catopt.render.values import cell, is_seen, parts_of, shown
@@ -26,28 +36,8 @@ _NO_BREAK = "\u00a0"
 """Between a number and its unit."""
 
 
-class Printer(Protocol):
-    """What paragraphs and tables are printed with."""
-
-    def text(self, text: str, *, bold: bool = False) -> None:
-        """Print a paragraph."""
-
-    def line(self) -> None:
-        """Print an empty line."""
-
-    def table(
-        self,
-        columns: Sequence[str],
-        rows: Sequence[Sequence[str]],
-        *,
-        title: str = "",
-        numbers: Sequence[int] = (),
-    ) -> None:
-        """Print a table and an empty line."""
-
-
-def show(output: Printer, answer: Answer, language: Language = "en") -> None:
-    """Print an answer for a reader."""
+def show(output: Any, answer: Answer, language: Language = "en") -> None:
+    """Print an answer for a reader by `output`, a `catopt.cli.output.Output`."""
     answer = as_wanted(answer)
     output.text(say(answer.title, language), bold=True)
     in_text = True
@@ -70,9 +60,7 @@ _PRINTED = Table | Facts | Text | Verdict | Points | Warnings
 """What a terminal shows."""
 
 
-def _show(
-    output: Printer, block: Table | Facts | Text | Verdict | Points | Warnings, language: Language
-) -> None:
+def _show(output: Any, block: Block, language: Language) -> None:
     match block:
         case Table():
             for caption, rows in parts_of(block):
@@ -92,7 +80,7 @@ def _show(
                 output.text(say(warning, language), bold=True)
 
 
-def _facts(output: Printer, block: Facts, language: Language) -> None:
+def _facts(output: Any, block: Facts, language: Language) -> None:
     rows = []
     for fact in block.facts:
         if fact.only == "files":
@@ -109,7 +97,7 @@ def _facts(output: Printer, block: Facts, language: Language) -> None:
 
 
 def _table(
-    output: Printer, table: Table, caption: str, rows: Sequence[int], language: Language
+    output: Any, table: Table, caption: str, rows: Sequence[int], language: Language
 ) -> None:
     """Print rows of a table, without the columns for which 80 have no room; those are named."""
     shown = [each for each in table.columns if each.only != "files"]

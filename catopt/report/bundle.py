@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from catopt.casefile.design_directory import DESIGN_CASE
-from catopt.render.plain import csv_of
+from catopt.render.files import csv_of
 from catopt.report.files import write_files
 from catopt.ties import first_largest
 from catopt.words import Message

@@ -14,7 +14,7 @@ from typing import Any
 from catopt.casefile.design_directory import DESIGN_CASE
 from catopt.errors import InputError, Problem
 from catopt.interrupt import signals_wait
-from catopt.render.plain import document_bytes
+from catopt.render.files import document_bytes
 from catopt.schemas import CASE_DIGEST
 
 _TEMPORARY = re.compile(r"\..+\.\d+\.tmp")

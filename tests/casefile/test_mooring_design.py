@@ -13,7 +13,7 @@ from catopt.checks.case import check_case
 from catopt.design.search import design_case
 from catopt.errors import InputError
 from catopt.model import Case
-from catopt.render.plain import document_bytes
+from catopt.render.files import document_bytes
 
 SHIPPED = Path("cases/design-mooring-30m/case.toml")
 

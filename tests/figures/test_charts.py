@@ -47,7 +47,7 @@ def test_every_role_has_a_look(chart: Chart) -> None:
 
 
 def test_all_that_is_said_can_be_said_in_another_language(chart: Chart) -> None:
-    labels = [entry.label for entry in legend(chart)]
+    labels = [label for _, label in legend(chart)]
     said = [chart.title, chart.x.label, chart.y.label, *labels, *chart.notes]
     said += [point.said for point in chart.points]
     assert [each for each in said if not isinstance(each, Message) and each not in NEUTRAL] == []

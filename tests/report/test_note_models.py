@@ -20,7 +20,7 @@ import pytest
 from catopt.casefile import read_case
 from catopt.errors import NotConvergedError
 from catopt.figures.chart import legend
-from catopt.figures.motion import around_the_largest, envelope, history
+from catopt.figures.motion import around_the_largest, history
 from catopt.model import Case
 from catopt.notes.directory import Asked
 from catopt.notes.line import Note, note_of, read_note
@@ -397,15 +397,15 @@ def test_the_series_is_around_the_largest_value(name: str) -> None:
         t = f"{run.history.time[k]:.2f}"
         assert text.startswith(f"t = {t} s, T = {written[k]}, quasi-static ")
     largest = QUANTITIES["tension"].format(most, unit=True)
-    assert any(largest in entry.label for entry in legend(history(part, 1.0)))
+    assert any(largest in label for _, label in legend(history(part, 1.0)))
 
 
 @pytest.mark.parametrize("name", IN_MOTION)
 def test_the_envelope_holds_what_the_runs_reached(name: str) -> None:
     found = moved(name)
     part = found.found.parts[found.governing]
-    arc, high, low = envelope(part)
-    for k in range(len(arc)):
+    high, low = part.envelope.largest, part.envelope.smallest
+    for k in range(len(part.envelope.arc)):
         assert high[k] == max(run.history.max_tension[k] for run in part.runs)
         assert low[k] == min(run.history.min_tension[k] for run in part.runs)
     texts = points("envelope", page_named(name))
@@ -445,7 +445,7 @@ def test_what_was_sought_is_put_in_its_place(tmp_path: Path) -> None:
     sought = '[find]\nquantity = "length"\nsegment = 1\nanchor_angle = "0 deg"\n'
     note = run_of(tmp_path, HARMONIC + sought)
     assert note.motion is not None
-    arc, *_ = envelope(note.motion.found.parts[0])
+    arc = note.motion.found.parts[0].envelope.arc
     length = note.solution.line.length
     assert length < 119.0
     assert arc[-1] == pytest.approx(length * (1.0 - 0.5 / 20), rel=1e-12)  # the last bar's middle
