@@ -51,6 +51,10 @@ class Axis:
         low, high = math.log10(self.low), math.log10(self.high)
         return (math.log10(value if value > 0.0 else self.foot) - low) / (high - low)
 
+    def clip(self, value: float) -> float:
+        """Return a value, or the end that it is beyond."""
+        return min(max(value, self.low), self.high)
+
 
 class Series(NamedTuple):
     """A line through places, or signs at them; where y is nan there is a gap."""
@@ -86,6 +90,12 @@ class Level(NamedTuple):
     end: float = math.inf
     words: str = ""
     share: float | None = None
+
+    def ends(self, x: Axis, y: Axis) -> tuple[Place, Place]:
+        """Find where it begins and ends between the ends of two axes."""
+        if self.axis == "x":
+            return (self.at, y.low), (self.at, y.high)
+        return (x.clip(self.start), self.at), (x.clip(self.end), self.at)
 
 
 class Area(NamedTuple):
@@ -161,6 +171,11 @@ class Chart:
     notes: tuple[str, ...] = ()
     to_scale: float | None = None
     """A metre up over a metre along, on paper; None: each axis fills the frame."""
+
+    @property
+    def share(self) -> float:
+        """Height over width of a frame that is to scale, 0 of any other."""
+        return (self.to_scale or 0.0) * (self.y.high - self.y.low) / (self.x.high - self.x.low)
 
 
 def legend(chart: Chart) -> Iterator[tuple[str, str]]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import cycle
 from typing import TYPE_CHECKING
 
-from catopt.figures.chart import Area, Chart, Level, Mark, Place, Series, axis, span_of
+from catopt.figures.chart import Area, Axis, Chart, Level, Mark, Place, Series, axis, span_of
 from catopt.figures.line import room_around, surface_and_bed, water
 from catopt.figures.mooring import beyond, from_above
 from catopt.words import Message
@@ -57,14 +57,8 @@ def models_from_above(moorings: Sequence[Mooring]) -> Chart:
         Mark("number", *place, words=str(number))
         for number, place in enumerate(beyond(anchors, 1.6 * size), start=1)
     ]
-    return Chart(
-        "models",
-        Message("figures.models"),
-        *from_above(places, 0.15 * size),
-        series=tuple(_paths(moorings)),
-        marks=(*_bodies(moorings), *numbers),
-        to_scale=1.0,
-    )
+    axes = from_above(places, 0.15 * size)
+    return _models("models", Message("figures.models"), axes, moorings, numbers)
 
 
 def models_near(moorings: Sequence[Mooring]) -> Chart:
@@ -72,27 +66,23 @@ def models_near(moorings: Sequence[Mooring]) -> Chart:
     ends = [(line.x[-1], line.y[-1]) for each in moorings for line in each.lines]
     reach = _ZOOM * max(math.hypot(*end) for end in ends)
     corners: list[Place] = [(-reach, -0.75 * reach), (0.5 * reach, 0.75 * reach)]
-    return Chart(
-        "models_near",
-        Message("figures.round_body"),
-        *from_above(corners, 0.0),
-        series=tuple(_paths(moorings)),
-        marks=tuple(_bodies(moorings)),
-        to_scale=1.0,
-    )
+    axes = from_above(corners, 0.0)
+    return _models("models_near", Message("figures.round_body"), axes, moorings)
 
 
-def _paths(moorings: Sequence[Mooring]) -> Iterator[Series]:
-    for mooring, (role, _) in zip(moorings, cycle(_MODELS), strict=False):
-        for line in mooring.lines:
-            yield Series(role, line.x, line.y, mooring.name)
-
-
-def _bodies(moorings: Sequence[Mooring]) -> Iterator[Mark]:
-    yield Mark("neutral", 0.0, 0.0, Message("figures.neutral"))
-    for mooring, (_, role) in zip(moorings, cycle(_MODELS), strict=False):
-        body = mooring.lines[0]
-        yield Mark(role, body.x[-1], body.y[-1])
+def _models(
+    name: str,
+    title: str,
+    axes: tuple[Axis, Axis],
+    moorings: Sequence[Mooring],
+    numbers: Sequence[Mark] = (),
+) -> Chart:
+    """Draw the lines and the body of each model from above."""
+    series, marks = [], [Mark("neutral", 0.0, 0.0, Message("figures.neutral"))]
+    for mooring, (role, body) in zip(moorings, cycle(_MODELS), strict=False):
+        series += [Series(role, line.x, line.y, mooring.name) for line in mooring.lines]
+        marks.append(Mark(body, mooring.lines[0].x[-1], mooring.lines[0].y[-1]))
+    return Chart(name, title, *axes, tuple(series), (*marks, *numbers), to_scale=1.0)
 
 
 def models_from_the_side(moorings: Sequence[Mooring], number: int) -> Chart:

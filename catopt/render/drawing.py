@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from catopt.figures.chart import Chart, Level, Place
+from catopt.figures.chart import Chart, Place
 from catopt.render.looks import COLOURS, LOOKS, SIGNS
 from catopt.render.sheet import Chart as Native
 from catopt.render.sheet import Number, Series, Sheet, Text, number_pattern
@@ -70,7 +70,7 @@ def _curves(chart: Chart) -> dict[tuple[str, str], list[Place]]:
     for series in chart.series:
         add(series.role, series.label, zip(series.x, series.y, strict=True))
     for level in chart.levels:
-        add(level.role, level.label, _ends(level, chart))
+        add(level.role, level.label, level.ends(chart.x, chart.y))
     for area in chart.areas:
         if area.x:
             add(area.role, area.label, zip(area.x, area.high, strict=True))
@@ -81,13 +81,6 @@ def _curves(chart: Chart) -> dict[tuple[str, str], list[Place]]:
         if LOOKS[mark.role].sign != "words":
             add(mark.role, mark.label, [(mark.x, mark.y)], joined=False)
     return found
-
-
-def _ends(level: Level, chart: Chart) -> tuple[Place, Place]:
-    if level.axis == "x":
-        return (level.at, chart.y.low), (level.at, chart.y.high)
-    start, end = max(level.start, chart.x.low), min(level.end, chart.x.high)
-    return (start, level.at), (end, level.at)
 
 
 def _look(role: str) -> dict[str, Any]:

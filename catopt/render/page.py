@@ -9,7 +9,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from catopt._version import __version__
 from catopt.answers.blocks import (
@@ -37,9 +39,6 @@ from catopt.render.trail import put_in
 from catopt.render.units import as_wanted, in_language
 from catopt.render.values import SEEN, cell, is_seen, parts_of, shown
 from catopt.words import Language, Message, say
-
-if TYPE_CHECKING:
-    from jinja2 import Environment
 
 
 class _Cell(NamedTuple):
@@ -121,8 +120,6 @@ def _sections(answer: Answer, language: Language) -> list[Section]:
 @cache
 def _environment() -> Environment:
     """Make the templates' environment: all that is put in is escaped, and nothing may lack."""
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
     return Environment(
         loader=PackageLoader("catopt.render", ""),
         autoescape=True,

@@ -5,16 +5,17 @@ Nothing here touches pyplot, so that no window, backend or global figure list is
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Sequence
 from io import BytesIO
 from textwrap import fill
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 from warnings import catch_warnings, filterwarnings
 
 from matplotlib import rc_context
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -33,11 +34,6 @@ from catopt.render.looks import COLOURS, LOOKS, SIGNS, Look
 from catopt.render.ticks import Tick, axis_title, scale_ticks, tick_marks
 from catopt.render.units import as_wanted
 from catopt.words import Language
-
-if TYPE_CHECKING:
-    from matplotlib.artist import Artist
-    from matplotlib.axes import Axes
-    from matplotlib.figure import SubFigure
 
 DPI = 200
 WIDTH = 7.2
@@ -67,25 +63,21 @@ def pictures(
     language: Language = "en",
     columns: int = 1,
 ) -> dict[str, bytes]:
-    """Make the files of a picture, PNG and SVG, as `picture` draws it."""
-    with _without_glyphs():
-        figure = picture(charts, heading, language, columns)
-    return {f"{name}.png": image(figure, "png"), f"{name}.svg": image(figure, "svg")}
+    """Make the files of a picture, PNG and SVG, as `picture` draws it.
 
-
-@contextmanager
-def _without_glyphs() -> Iterator[None]:
-    """Say nothing of a letter that the font lacks: the empty box in its place says it all."""
+    Nothing is said of a letter that the font lacks: the empty box in its place says it all.
+    """
     with catch_warnings():
         filterwarnings("ignore", "Glyph .* missing from")
-        yield
+        figure = picture(charts, heading, language, columns)
+        return {f"{name}.png": image(figure, "png"), f"{name}.svg": image(figure, "svg")}
 
 
 def image(figure: Figure, kind: Literal["png", "svg"]) -> bytes:
     """Turn a picture into the bytes of a file, the same for the same picture."""
     stream = BytesIO()
     metadata = {"Date": None} if kind == "svg" else {"Software": None}
-    with rc_context(STYLE), _without_glyphs():
+    with rc_context(STYLE):
         figure.savefig(stream, format=kind, dpi=DPI, metadata=metadata)
     return stream.getvalue()
 
@@ -131,8 +123,7 @@ def _height(chart: Chart, wide: float) -> float:
     """Return the height of a part with its title, titles of axes and legend, inches."""
     tall = _TALL if wide == WIDTH else 2.2
     if chart.to_scale is not None:
-        share = chart.to_scale * (chart.y.high - chart.y.low) / (chart.x.high - chart.x.low)
-        tall = min((wide - 1.0) * share, _TALLEST)
+        tall = min((wide - 1.0) * chart.share, _TALLEST)
     labels, columns = _labels(chart, wide)
     lines = sum(label.count("\n") + 1 for label in labels)
     title = _title(chart, wide).count("\n") + 1
@@ -216,15 +207,11 @@ def _of_line(look: Look) -> dict[str, Any]:
 
 def _axes(axes: Axes, chart: Chart, wide: float) -> None:
     x, y = chart.x, chart.y
-    if x.foot is not None:
-        axes.set_xscale("log")
     if y.foot is not None:
         axes.set_yscale("log")
-    axes.set_xlim(x.quantity.to_field(x.low), x.quantity.to_field(x.high))
-    axes.set_ylim(y.quantity.to_field(y.low), y.quantity.to_field(y.high))
-    up = 6
-    if chart.to_scale is not None:
-        up = max(2, min(6, int(12.0 * chart.to_scale * (y.high - y.low) / (x.high - x.low))))
+    axes.set_xlim(*_all(x, (x.low, x.high)))
+    axes.set_ylim(*_all(y, (y.low, y.high)))
+    up = 6 if chart.to_scale is None else max(2, min(6, int(12.0 * chart.share)))
     most = max(2, round(wide))
     axes.set_xticks(*_ticked(x, tick_marks(x, most)))
     axes.set_yticks(*_ticked(y, tick_marks(y, up)))
@@ -267,7 +254,7 @@ def _area(axes: Axes, area: Area, chart: Chart) -> None:
         low, high = _all(chart.y, area.low), _all(chart.y, area.high)
         axes.fill_between(_all(chart.x, area.x), low, high, zorder=0.4, **kind)
     else:
-        ends = (max(area.low[0], chart.y.low), min(area.high[0], chart.y.high))
+        ends = (chart.y.clip(each[0]) for each in (area.low, area.high))
         axes.axhspan(*_all(chart.y, ends), zorder=0.4, **kind)
 
 
@@ -281,11 +268,10 @@ def _level(axes: Axes, level: Level, chart: Chart) -> None:
             across = axes.get_xaxis_transform()
             axes.text(x, level.share, level.words, transform=across, fontsize=8, zorder=7, **circle)
         return
-    ends = _all(chart.x, (max(level.start, chart.x.low), min(level.end, chart.x.high)))
-    (y,) = _all(chart.y, [level.at])
-    axes.plot(ends, [y, y], **kind)
+    (left, y), (right, _) = (_at(chart, end) for end in level.ends(chart.x, chart.y))
+    axes.plot([left, right], [y, y], **kind)
     if level.words:
-        _beside(axes, level.words, (sum(ends) / 2.0, y), (0.0, -3.0), va="top")
+        _beside(axes, level.words, ((left + right) / 2.0, y), (0.0, -3.0), va="top")
 
 
 def _box(style: str, **look: Any) -> Any:

@@ -7,17 +7,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from io import BytesIO
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
-import xlsxwriter
+from xlsxwriter.workbook import Workbook
+from xlsxwriter.worksheet import Worksheet
 
 from catopt._version import __version__
 from catopt.quantities import Quantity
 from catopt.words import Language, say, term
-
-if TYPE_CHECKING:
-    from xlsxwriter.workbook import Workbook
-    from xlsxwriter.worksheet import Worksheet
 
 Style = Literal["heading", "text", "wrapped", "title", "good", "amber", "bad", "grey", "beside"]
 
@@ -100,7 +97,7 @@ class Book:
         self.language = language
         self.title = self.say(title)
         self.stream = BytesIO()
-        self.workbook: Workbook = xlsxwriter.Workbook(self.stream, {"in_memory": True})
+        self.workbook = Workbook(self.stream, {"in_memory": True})
         self.workbook.set_properties(
             {"title": self.title, "comments": f"catopt {__version__}", "created": _NO_DATE}
         )

@@ -121,16 +121,15 @@ def breadth(words: str) -> float:
 def _frame(chart: Chart) -> tuple[Frame, dict[str, list[Tick]]]:
     """Find a frame with room around it for the values along its edges; return both."""
     x, y = chart.x, chart.y
-    share = (chart.to_scale or 0.0) * (y.high - y.low) / (x.high - x.low)
     low, high = y.within or (y.low, y.high)
-    room = (min(share * WIDTH, _TALLEST) or _TALL) * (high - low) / (y.high - y.low)
+    room = (min(chart.share * WIDTH, _TALLEST) or _TALL) * (high - low) / (y.high - y.low)
     most = max(2, min(6, int(room / 36.0)))
     beside = tick_marks(y, most), scale_ticks(y, most)
     left, right = (12.0 + max((breadth(said) for _, said in side), default=18.0) for side in beside)
     wide, tall = WIDTH - left - right, _TALL
-    if share:
-        tall = min(wide * share, _TALLEST)
-        left, wide = left + 0.5 * (wide - tall / share), tall / share
+    if chart.share:
+        tall = min(wide * chart.share, _TALLEST)
+        left, wide = left + 0.5 * (wide - tall / chart.share), tall / chart.share
     top = _ROW + (_SECOND if x.second else 0.0)
     along = max(2, min(6, int(wide / 80.0)))
     frame = Frame(x, y, left, left + wide, top, top + tall)
@@ -191,7 +190,7 @@ def _inside(x: float, words: str) -> float:
 
 def _area(area: Area, frame: Frame) -> Shape:
     def up(value: float) -> float:
-        return frame.up(min(max(value, frame.y.low), frame.y.high))
+        return frame.up(frame.y.clip(value))
 
     if area.x:
         around = zip((*area.x, *area.x[::-1]), (*area.high, *area.low[::-1]), strict=True)
@@ -201,21 +200,14 @@ def _area(area: Area, frame: Frame) -> Shape:
 
 
 def _level(level: Level, frame: Frame) -> Iterator[Shape]:
-    if level.axis == "x":
-        x = frame.across(level.at)
-        yield line(level.role, x, frame.top, x, frame.bottom)
-        if level.share is not None:
-            y = frame.bottom - level.share * (frame.bottom - frame.top)
-            yield _sign("event", x, y)
-            yield text(level.words, x, y + 5, style="tick")
-        return
-    y = frame.up(level.at)
-    left, right = (
-        frame.across(min(max(end, frame.x.low), frame.x.high)) for end in (level.start, level.end)
-    )
-    yield line(level.role, left, y, right, y)
-    if level.words and right - left > breadth(level.words):
-        yield text(level.words, (left + right) / 2, y + 17, style="tick halo")
+    (left, low), (right, high) = (frame.at(*end) for end in level.ends(frame.x, frame.y))
+    yield line(level.role, left, high, right, low)
+    if level.share is not None:
+        y = low + level.share * (high - low)
+        yield _sign("event", left, y)
+        yield text(level.words, left, y + 5, style="tick")
+    elif level.words and right - left > breadth(level.words):
+        yield text(level.words, (left + right) / 2, low + 17, style="tick halo")
 
 
 def _series(series: Series, frame: Frame) -> Iterator[Shape]:

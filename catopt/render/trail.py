@@ -25,22 +25,18 @@ class _Symbol(str):
 
 
 class _Number(float):
-    """A number as it is put in."""
+    """A number as it is put in; one that is multiplied has brackets where it is negative."""
 
     digits = 9
+    is_factor = False
 
     def __format__(self, spec: str) -> str:
+        if self.is_factor:
+            spec = spec or "()"
         shown = _digits(0.0 + self, self.digits)
         if (spec == "()" or spec in _POWERS) and (self < 0.0 or "e" in shown):
             shown = f"({shown})"
         return shown + ("°" if spec == "°" else _POWERS.get(spec, ""))
-
-
-class _Factor(_Number):
-    """A number that is multiplied."""
-
-    def __format__(self, spec: str) -> str:
-        return super().__format__(spec or "()")
 
 
 def put_in(step: Step) -> str:
@@ -60,10 +56,9 @@ def in_numbers(step: Step) -> str:
     if step.terms:
         return _sum([" · ".join(_digits(each, step.digits) for each in of) for of in step.terms])
     is_product = not isinstance(step.formula, str)
-    made = _Factor if is_product else _Number
-    numbers = {symbol: made(value) for symbol, value in step.numbers.items()}
+    numbers = {symbol: _Number(value) for symbol, value in step.numbers.items()}
     for each in numbers.values():
-        each.digits = step.digits
+        each.digits, each.is_factor = step.digits, is_product
     formula = _TIMES.join(step.formula) if is_product else str(step.formula)
     return formula.format(**numbers) if numbers else ""
 

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from contextvars import ContextVar
 from dataclasses import fields, is_dataclass, replace
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
+from catopt.answers.blocks import Column, Fact, Table
+from catopt.figures.chart import Axis
 from catopt.quantities import Quantity, Units
 from catopt.words import Language, Listed, Measure, Message, Sentence, Several, Told, say
 from catopt.words.labels import Term
-
-if TYPE_CHECKING:
-    from catopt.answers.blocks import Column
 
 UNITS: ContextVar[Units] = ContextVar("UNITS", default="")
 """What the reader of this run asks for; empty: each quantity in its own unit."""
@@ -27,11 +26,11 @@ def as_wanted(thing: _Thing, language: Language = "en") -> _Thing:
 
 def in_language(thing: _Thing, language: Language) -> _Thing:
     """Say all messages of an answer, a block or drawings; in English they are what they are."""
-    return thing if language == "en" else _changed(thing, lambda each: _said(each, language))
 
+    def change(each: Any) -> Any:
+        return say(each, language) if isinstance(each, str) else each
 
-def _said(thing: Any, language: Language) -> Any:
-    return say(thing, language) if isinstance(thing, str) else thing
+    return thing if language == "en" else _changed(thing, change)
 
 
 def in_units(thing: _Thing, units: Units) -> _Thing:
@@ -87,9 +86,6 @@ def _message(said: str, units: Units) -> str:
 
 
 def _without_doubles(made: Any) -> Any:
-    from catopt.answers.blocks import Fact, Table
-    from catopt.figures.chart import Axis
-
     if isinstance(made, Fact):
         also = [each for each in made.also if each.field_unit != _unit(made)]
         return replace(made, also=tuple(also))
