@@ -8,27 +8,21 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import (
-    Answer,
-    Block,
-    Column,
-    Points,
-    Section,
-    Table,
-    Text,
-    Value,
-    Verdict,
-)
+from catopt.answers.blocks import Block, Rows, Section, Table, Text, Value, Verdict
 from catopt.answers.check import governing_sentence, verdict_sentence
 from catopt.answers.solution import given_tables
+from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
 from catopt.quantities import QUANTITIES, Quantity
+from catopt.verify.truss_words import part_sentence
 from catopt.words import Cited, Measure, Message, Several, quantity_name
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component
     from catopt.model import Case, Line, Segment
+    from catopt.notes.line import Note
     from catopt.notes.origin import Origin
     from catopt.notes.sheet import AnyNote, Sheet
+    from catopt.notes.system import SystemNote
 
 _DIGITS = 4
 """Of a number on the first page: more than what it rests on is known to."""
@@ -47,7 +41,7 @@ def section(name: str, parts: Iterable[Block], group: str = "note") -> Section:
 
 def note_answer(
     note: AnyNote, kind: str, sections: Iterable[Section], *, untitled: str = "", file: str = ""
-) -> Answer:
+) -> blocks.Answer:
     """Lay out a note of those sections in which there is something, and of its first file.
 
     Where all was given by options there is none. `kind` and `untitled` are keys of texts.
@@ -55,12 +49,9 @@ def note_answer(
     first = (blocks.FileText(each.name, each.sha256, each.text) for each in note.origin.files[:1])
     every = (*sections, section(file or "case_file", first))
     shown = tuple(each for each in every if each.blocks)
-    return Answer("note", note.title or Message(untitled or "note.untitled"), shown, Message(kind))
-
-
-def column(key: str, values: Iterable[Value], quantity: Quantity | None = None) -> Column:
-    """Make a column by the key of its heading."""
-    return Column(Message(key), tuple(values), quantity)
+    return blocks.Answer(
+        "note", note.title or Message(untitled or "note.untitled"), shown, Message(kind)
+    )
 
 
 Cell = Value | tuple[Value, Quantity]
@@ -70,14 +61,14 @@ Cell = Value | tuple[Value, Quantity]
 def from_rows(
     name: str, keys: Sequence[str], rows: Iterable[Sequence[Cell]], caption: str = ""
 ) -> Table:
-    """Make a table from its rows, by the keys of its headings."""
+    """Make a table from its rows; headings as `column_name` takes them."""
     columns = []
     laid = list(rows)
     for place, key in enumerate(keys):
         cells = [row[place] for row in laid]
         values = tuple(each[0] if isinstance(each, tuple) else each for each in cells)
         units = tuple(each[1] for each in cells if isinstance(each, tuple))
-        columns.append(Column(Message(key), values, units=units))
+        columns.append(blocks.texts(key, values, units=units))
     return Table(name, tuple(columns), caption)
 
 
@@ -119,9 +110,9 @@ def opening(
     answer = (
         *(Text(each) for each in said),
         Verdict(Several(verdict, " "), report.passes if report.results else None, reserve),
-        from_rows("four", ("page.what", "columns.value"), rows),
+        from_rows("four", ("page.what", "value"), rows),
         *drawing,
-        Points(tuple(_not_covered(sheet, in_motion)), Message("note_first.not_covered")),
+        blocks.Points(tuple(_not_covered(sheet, in_motion)), Message("note_first.not_covered")),
     )
     yield section("summary", answer, "note_first")
     yield section("identity", [_signed(), _title_block(facts, note.origin)])
@@ -219,11 +210,8 @@ def components(case: Case, line: Line) -> Iterator[Block]:
     """Tabulate the parts of a line, and what the catalogue says of those of its case."""
     segments, *loads = given_tables(line)
     known = [each for each in segments.columns if any(each.values)]
-    for key in ("nominal_diameter", "proof_load"):
-        values = [getattr(each, key) for each in line.segments]
-        if any(value is not None for value in values):
-            known.append(blocks.measured(key, values))
-    yield replace(segments, columns=tuple(known))
+    own = blocks.if_known(*Rows(line.segments).own("nominal_diameter", "proof_load"))
+    yield replace(segments, columns=(*known, *own))
     yield from loads
     if any(not each.component for each in line.segments):
         yield small("note.components_own")
@@ -268,9 +256,7 @@ def _provenance(segment: Segment, component: Component) -> Table:
     shown = (key for key in _SHOWN if key in component.provenance)
     names = ("quantity", "value", "formula", "confidence", "source")
     rows = (_figure(key, segment, component) for key in shown)
-    return from_rows(
-        "component", [f"columns.{name}" for name in names], rows, Cited(component.name)
-    )
+    return from_rows("component", names, rows, Cited(component.name))
 
 
 def _figure(key: str, segment: Segment, component: Component) -> Sequence[Cell]:
@@ -296,5 +282,34 @@ def _sources(components: Iterable[Component]) -> Table:
         if key in _SHOWN
         for source in origin.sources
     }
-    rows = ((Cited(key), Cited(title)) for key, title in sorted(found.items()))
-    return from_rows("sources", ("columns.source", "columns.title"), rows)
+    rows = [(Cited(key), Cited(title)) for key, title in sorted(found.items())]
+    return from_rows("sources", ("source", "title"), rows)
+
+
+# ------------------------------------------------------------------ the truss model
+
+
+def by_both(note: Note | SystemNote, group: str, loaded: int | None = None) -> Iterator[Block]:
+    """Lay a line, or a body with its most loaded line, out by both models, in texts of a group.
+
+    That there is no answer is said; there is nothing where the truss model was left out.
+    """
+    if note.verification_failure:
+        yield Verdict(Message(f"{group}.verification_no_answer"), passes=False)
+        yield Text(note.verification_failure)
+    if note.verification is None:
+        return
+    part = note.verification.static
+    yield Text(Message(f"{group}.verification_about"))
+    yield Verdict(part_sentence(part), part.is_settled)
+    captions: dict[int | None, str] = {None: ""}
+    if loaded is not None:
+        own = Message(f"{group}.verification_line", line=loaded + 1)
+        captions = {None: Message(f"{group}.verification_body"), loaded: own}
+    for line, caption in captions.items():
+        found = [each for each in part.quantities if loaded is None or each.line == line]
+        yield compared_in_note(found, caption)
+    if loaded is not None:
+        yield lines_in_note(part, Message(f"{group}.verification_lines"))
+    yield from closing_in_note(part)
+    yield small(f"{group}.verification_legend")

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import Block, Column, Fact, Facts, Table, Value, measured, texts
-from catopt.answers.note import column, small
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.answers.blocks import Block, Fact, Facts, Rows, Table, Value, measured, tabulate, texts
+from catopt.answers.note import small
+from catopt.quantities import Quantity
 from catopt.words import Cited, Message, Several
 
 if TYPE_CHECKING:
+    from catopt.fem.morison import MorisonSection as Section
     from catopt.model import CurrentProfile, Motion, Segment, WaveState, WaveTrain
     from catopt.notes.motion import InMotion
     from catopt.verify.motion_file import Raos
@@ -29,8 +29,6 @@ def fixed(unit: str, digits: int) -> Quantity:
     return Quantity("", "", "", unit, unit, 1.0, digits)
 
 
-COUNT = Quantity("count", "", "", "-", "-", 1.0, 0)
-SECONDS = fixed("s", 1)
 _DEGREES = Quantity("", "", "", "rad", "deg", math.pi / 180.0, 4, "significant")
 _S, _M, _NUMBER, _SPEED = (significant(unit) for unit in ("s", "m", "-", "m/s"))
 _S4, _M4 = significant("s", 4), significant("m", 4)
@@ -46,7 +44,7 @@ def drive_blocks(moved: InMotion) -> Iterator[Block]:
     if moved.drive.raos is not None:
         yield _raos(moved.drive.raos)
     yield Facts("motion_model", tuple(_model(moved)), _said("model"))
-    yield _segments(moved)
+    yield segments_table(moved)
     yield small("note_motion.coefficients")
 
 
@@ -180,7 +178,7 @@ def _raos(raos: Raos) -> Table:
     rows = range(count - 1, -1, -1)[:: max(1, math.ceil(count / _MOST_RAOS))]
     sizes = abs(raos.response)
     periods = [2.0 * math.pi / float(raos.omega[row]) for row in rows]
-    columns = [column("note_motion.rao_period", periods, _S4)]
+    columns = [measured(_S4, periods, "note_motion.rao_period")]
     for k, axis in enumerate(_AXES):
         if not sizes[:, k].any():
             continue
@@ -191,8 +189,8 @@ def _raos(raos: Raos) -> Table:
             for row, of in zip(rows, size, strict=True)
         ]
         along = _said(f"{axis}_motion")
-        columns.append(Column(along, tuple(size), significant("m/m", 4)))
-        columns.append(Column(_said("phase", axis=along), tuple(lags), _DEGREES))
+        columns.append(measured(significant("m/m", 4), size, along))
+        columns.append(measured(_DEGREES, lags, _said("phase", axis=along)))
     return Table("motion_raos", tuple(columns), _said("rao_table"))
 
 
@@ -232,44 +230,32 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     yield _fact("density", case.site.water_density, significant("kg/m³"))
 
 
-def segment_rows(moved: InMotion) -> list[tuple[Segment, Sequence[float | None]]]:
-    """List for each segment, in SI as the run has them, what inertia and drag are made of.
-
-    Mass per length, EA, drag diameter, its coefficients across and along, volume-equivalent
-    diameter, coefficients of added mass across and along.
-    """
-    properties = moved.drive.properties
-    gravity, density = properties.fluid.gravity, properties.fluid.density
-    rows: list[tuple[Segment, Sequence[float | None]]] = []
-    sections = properties.sections or ()
-    for segment, section in zip(moved.found.case.line.segments, sections, strict=True):
-        assert segment.mass is not None
-        displaced = (segment.mass - segment.submerged_weight / gravity) / density
-        diameter = math.sqrt(4.0 * max(displaced, 0.0) / math.pi)
-        # That of an oblique flow is no single number: a remark has it.
-        along = None if any(section.oblique) else section.drag_tangential
-        drag = (segment.drag_diameter, section.drag_normal, along)
-        added = (diameter, section.added_mass_normal, section.added_mass_tangential)
-        rows.append((segment, (segment.mass, segment.EA, *drag, *added)))
-    return rows
-
-
-def _segments(moved: InMotion) -> Table:
+def segments_table(moved: InMotion) -> Table:
     """Tabulate inertia and drag of the segments, each coefficient beside its diameter."""
-    rows = segment_rows(moved)
-    of = list(zip(*(numbers for _, numbers in rows), strict=True))
-    coefficient = QUANTITIES["coefficient"]
-    drag, added = (replace(coefficient, symbol=symbol) for symbol in ("C_D", "C_A"))
-    columns = (
-        texts("segment", range(1, len(rows) + 1)),
-        texts("name", (segment.name or segment.component for segment, _ in rows)),
-        measured("mass_per_length", of[0]),
-        measured("EA", of[1]),
-        measured("drag_diameter", of[2]),
-        column("note_motion.across", of[3], drag),
-        column("note_motion.along", of[4], drag),
-        measured("volume_diameter", of[5]),
-        column("note_motion.across", of[6], added),
-        column("note_motion.along", of[7], added),
+    fluid, segments = moved.drive.properties.fluid, Rows(moved.found.case.line.segments)
+    sections = Rows(moved.drive.properties.sections or ())
+    across, along = "note_motion.across", "note_motion.along"
+
+    def displaced(segment: Segment) -> float:
+        """Diameter of a cylinder of the same volume, m."""
+        assert segment.mass is not None
+        area = (segment.mass - segment.submerged_weight / fluid.gravity) / fluid.density
+        return math.sqrt(4.0 * max(area, 0.0) / math.pi)
+
+    def drag_along(section: Section) -> float | None:
+        """Return the coefficient; of an oblique flow it is no single number: a remark has it."""
+        return None if any(section.oblique) else section.drag_tangential
+
+    return tabulate(
+        "motion_segments",
+        texts("segment", range(1, len(segments.rows) + 1)),
+        segments.texts("name", lambda segment: segment.name or segment.component),
+        segments.measured("mass_per_length", "mass"),
+        *segments.own("EA", "drag_diameter"),
+        sections.measured("coefficient", "drag_normal", across, symbol="C_D"),
+        sections.measured("coefficient", drag_along, along, symbol="C_D"),
+        segments.measured("volume_diameter", displaced),
+        sections.measured("coefficient", "added_mass_normal", across, symbol="C_A"),
+        sections.measured("coefficient", "added_mass_tangential", along, symbol="C_A"),
+        caption=_said("segments"),
     )
-    return Table("motion_segments", columns, _said("segments"))

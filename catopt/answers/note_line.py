@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
+from catopt.answers import blocks
 from catopt.answers import solution as solved
-from catopt.answers.blocks import Answer, Block, Column, Facts, Figure, Points, Table, Text, Verdict
+from catopt.answers.blocks import Block, Column, Figure, Rows, Table, Text, Verdict, tabulate, texts
 from catopt.answers.check import checked, failing_checks, load_case_table
 from catopt.answers.curve import marks_table, points_table
 from catopt.answers.design import shown_designs
-from catopt.answers.note import about, case_sections, column, note_answer, opening, section, small
+from catopt.answers.note import about, by_both, case_sections, note_answer, opening, section, small
 from catopt.answers.note_motion import motion_blocks
 from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.trail import equation_trail
-from catopt.answers.verification import closing_in_note, compared_in_note
 from catopt.figures.curve import load_curve
 from catopt.figures.front import OBJECTIVES, composition, front
 from catopt.figures.line import line_in_water, tension_along
 from catopt.figures.swarm import fitness, swarm_tension
-from catopt.verify.truss_words import part_sentence
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ _MOST_RUNS = 30
 """Of the swarm that people see; the workbook has all."""
 
 
-def line_note_answer(note: Note) -> Answer:
+def line_note_answer(note: Note) -> blocks.Answer:
     """Lay out the note of one line."""
     line, chosen = note.solution.line, note.chosen
     sections = (
@@ -53,22 +53,18 @@ def line_note_answer(note: Note) -> Answer:
 
 
 def of_the_line(note: Note, *names: str) -> Iterator[Section]:
-    """Lay sections out that the note of a sizing has, too; without blocks where there is nothing.
-
-    Names are those of the functions below.
-    """
-    build = {
-        "results": _results,
-        "checks": _checks,
-        "load_cases": _load_cases,
-        "tension": _tension,
-        "curve": _curve,
-        "equations": _equations,
-        "verification": _verification,
-        "swarm": _swarm,
+    """Lay sections out that a sizing's note has, too; without blocks where there is nothing."""
+    parts = {
+        "results": _results(note),
+        "checks": _checks(note),
+        "load_cases": _load_cases(note),
+        "tension": _tension(note),
+        "curve": _curve(note),
+        "equations": equation_trail(note.solution),
+        "verification": by_both(note, "note"),
+        "swarm": _swarm(note),
     }
-    for name in names:
-        yield section(name, build[name](note))
+    return (section(name, parts[name]) for name in names)
 
 
 def _opening(note: Note) -> Iterator[Section]:
@@ -113,7 +109,7 @@ def _results(note: Note) -> Iterator[Block]:
         yield Text(Several(said, " "))
     kinds = (solved.found_facts, solved.result_facts, solved.residual_facts)
     every = (each for facts in kinds for each in facts(solution) if each.value is not None)
-    yield Facts("results", tuple(every))
+    yield blocks.Facts("results", tuple(every))
     yield replace(solved.segments_table(solution), only="workbook")
     if solution.point_loads:
         yield solved.point_loads_table(solution)
@@ -153,7 +149,7 @@ def _curve(note: Note) -> Iterator[Block]:
     # The table of marks says what their numbers are.
     yield Figure(replace(load_curve(curve), notes=()))
     marks, points = _for_all(marks_table(curve)), _for_all(points_table(curve))
-    numbers = column("columns.no", range(1, marks.length + 1))
+    numbers = texts("no", range(1, marks.length + 1))
     yield replace(marks, columns=(numbers, *marks.columns[1:]))
     count = points.length
     shown = sorted({*range(0, count, max(1, round(count / _ROWS))), count - 1})
@@ -164,24 +160,6 @@ def _for_all(table: Table) -> Table:
     """Show people spans and offsets, whichever was stepped."""
     columns = (replace(each, only="all") if each.quantity else each for each in table.columns)
     return replace(table, columns=tuple(columns))
-
-
-def _equations(note: Note) -> Iterator[Block]:
-    return equation_trail(note.solution)
-
-
-def _verification(note: Note) -> Iterator[Block]:
-    """Lay one line out by both models, or say that there is no answer; nothing where left out."""
-    if note.verification_failure:
-        yield Verdict(Message("note.verification_no_answer"), passes=False)
-        yield Text(note.verification_failure)
-    elif note.verification is not None:
-        part = note.verification.static
-        yield Text(Message("note.verification_about"))
-        yield Verdict(part_sentence(part), part.is_settled)
-        yield compared_in_note(part.quantities)
-        yield from closing_in_note(part)
-        yield small("note.verification_legend")
 
 
 # ------------------------------------------------------------------ the particle swarm
@@ -207,12 +185,12 @@ def _swarm(note: Note) -> Iterator[Block]:
     yield _both(note)
     yield Figure(fitness(report))
     flown = tuple(solved.flown_facts(report))
-    yield Facts("swarm_outcome", flown, Message("note.swarm_outcome"))
+    yield blocks.Facts("swarm_outcome", flown, Message("note.swarm_outcome"))
     history, runs = solved.swarm_tables(report)
-    met = ("answers.yes" if f < _CONVERGED else "answers.no" for f in report.objectives)
+    converged = (blocks.yes_or_no(f < _CONVERGED) for f in report.objectives)
     yield replace(
         runs,
-        columns=(*runs.columns[:3], column("note.swarm_converged", map(Message, met))),
+        columns=(*runs.columns[:3], texts("note.swarm_converged", converged)),
         caption=Message("note.swarm_runs"),
         shown=tuple(range(min(runs.length, _MOST_RUNS))),
         marked=report.best_run - 1,
@@ -230,25 +208,23 @@ def _swarm(note: Note) -> Iterator[Block]:
 def _both(note: Note) -> Table:
     """Put the results of the swarm beside those in closed form."""
     assert note.swarm is not None
+    results = (solved.result_facts(each) for each in (note.swarm, note.solution))
     pairs = [
         (one, one.value, other.value)
-        for one, other in zip(
-            solved.result_facts(note.swarm), solved.result_facts(note.solution), strict=True
-        )
+        for one, other in zip(*results, strict=True)
         if isinstance(one.value, float) and isinstance(other.value, float)
     ]
     units = tuple(one.quantity for one, _, _ in pairs if one.quantity is not None)
-    found = Column(Message("note.swarm_by_swarm"), tuple(a for _, a, _ in pairs), units=units)
-    exact = Column(Message("columns.closed_form"), tuple(b for _, _, b in pairs), units=units)
-    differences = Column(
-        Message("note.swarm_difference"),
-        tuple(a - b for _, a, b in pairs),
+    found = texts("note.swarm_by_swarm", (a for _, a, _ in pairs), units=units)
+    exact = texts("closed_form", (b for _, _, b in pairs), units=units)
+    differences = texts(
+        "note.swarm_difference",
+        (a - b for _, a, b in pairs),
         units=tuple(replace(each, notation="scientific", digits=1) for each in units),
         formula=(found, "-", exact),
     )
-    names = column("columns.quantity", (one.name for one, _, _ in pairs))
-    columns = (names, found, exact, differences)
-    return Table("swarm_results", columns, Message("note.swarm_results"))
+    names, caption = texts("quantity", (one.name for one, *_ in pairs)), "note.swarm_results"
+    return tabulate("swarm_results", names, found, exact, differences, caption=Message(caption))
 
 
 # ------------------------------------------------------------------ the front
@@ -275,7 +251,7 @@ def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Itera
     if document.get("recommendation", ""):
         why = Message("note.front_why", number=best + 1)
         yield Text(Several((why, document["recommendation"]), " "))
-    yield Points(tuple(document.get("ends", ())))
+    yield blocks.Points(tuple(document.get("ends", ())))
     present = document.get("present")
     if present is not None:
         yield Text(_present(present, keys))
@@ -300,15 +276,17 @@ def _present(present: Mapping[str, Any], keys: Sequence[str]) -> Message:
 
 
 def _designs(designs: Sequence[Mapping[str, Any]], keys: Sequence[str]) -> Table:
-    sinkers = [_sinker(each) for each in designs]
-    columns = (
-        column("note.identity_design", range(1, len(designs) + 1)),
+    of = Rows(designs)
+    sinker = of.texts("note.front_sinker", _sinker)
+    return tabulate(
+        "front",
+        texts("note.identity_design", range(1, len(designs) + 1)),
         *_objectives(keys, designs),
-        column("note.front_made", map(composition, designs)),
-        *([column("note.front_sinker", sinkers)] if any(sinkers) else []),
-        column("note.checks_governing", (each["governing"] for each in designs)),
+        of.texts("note.front_made", composition),
+        *([sinker] if any(sinker.values) else []),
+        of.texts("note.checks_governing", itemgetter("governing")),
+        caption=Message("note.front_table"),
     )
-    return Table("front", columns, Message("note.front_table"))
 
 
 def _objectives(keys: Sequence[str], points: Sequence[Mapping[str, Any]]) -> Iterator[Column]:
@@ -327,14 +305,14 @@ def _neighbours(document: Mapping[str, Any], keys: Sequence[str]) -> Iterator[Ta
     steps = document.get("neighbours", [])
     if not steps:
         return
-    passes = tuple(each["feasible"] for each in steps)
-    columns = (
-        column("note.front_change", (each["change"] for each in steps)),
+    of = Rows(steps)
+    yield tabulate(
+        "neighbours",
+        of.texts("note.front_change", itemgetter("change")),
         *_objectives(keys, steps),
-        Column(Message("columns.verdict"), tuple(map(_said, steps)), passes=passes),
+        of.texts("verdict", _said, passes=tuple(each["feasible"] for each in steps)),
+        caption=Message("note.front_neighbours", number=document["recommended"] + 1),
     )
-    caption = Message("note.front_neighbours", number=document["recommended"] + 1)
-    yield Table("neighbours", columns, caption)
 
 
 def _said(step: Mapping[str, Any]) -> str:

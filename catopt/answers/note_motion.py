@@ -4,15 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from operator import attrgetter, methodcaller
+from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Block, Column, Figure, Table, Text, measured, named, texts
+from catopt.answers.blocks import (
+    Block,
+    Column,
+    Figure,
+    Rows,
+    Table,
+    Text,
+    measured,
+    tabulate,
+    texts,
+)
 from catopt.answers.motion import ENERGIES
-from catopt.answers.note import column, small
-from catopt.answers.note_drive import COUNT, SECONDS, drive_blocks, fixed, significant
+from catopt.answers.note import small
+from catopt.answers.note_drive import drive_blocks, fixed, significant
+from catopt.answers.verification import quantity_in_note
 from catopt.figures.motion import envelope_chart, exceedance, history, track
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.quantities import Quantity
 from catopt.units import lasting
 from catopt.verify.motion_words import (
     DYNAMIC_QUANTITY_OF,
@@ -28,16 +40,29 @@ if TYPE_CHECKING:
     from catopt.notes.line import Note
     from catopt.notes.motion import InMotion
     from catopt.notes.system import SystemNote
-    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, OverRuns
+    from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 
-_TENSION = QUANTITIES["tension"]
-_BARE = named("tension", "")
+_BARE = blocks.named("tension", "")
 _FACTOR = fixed("-", 3)
 _SLACK = fixed("s", 2)
 _PERCENT = replace(fixed("%", 2), si_unit="-", factor=0.01)
 _ENERGY = replace(significant("kJ", 4), si_unit="J", factor=1e3)
-_PART = replace(named("residual", ""), si_unit="-", field_unit="-", digits=1)
+_PART = replace(blocks.named("residual", ""), si_unit="-", field_unit="-", digits=1)
 _MOST_RUNS = 30
+
+_EXTREMES = {
+    "probable": "tail.extreme.most_probable",
+    "interval_from": "tail.extreme.low",
+    "interval_to": "tail.extreme.high",
+    "expected": "tail.extreme.expected",
+    "threshold": "tail.threshold",
+    "peaks_above": "tail.clusters",
+    "weibull_scale": "tail.scale",
+    "weibull_shape": "tail.shape",
+}
+"""What is listed of an extreme, and where a quantity's statistics have it."""
+_OF_TAIL = {"peaks_above": fixed("-", 0), "weibull_shape": _FACTOR}
+"""What is no value of the quantity itself."""
 
 
 def motion_blocks(note: Note) -> Iterator[Block]:
@@ -105,101 +130,82 @@ def _statistics(part: DynamicPart, solution: Solution) -> Table:
         "offset": 0.0,
     }
     names = [each.quantity for each in part.quantities]
-    units = tuple(DYNAMIC_QUANTITY_OF[name] for name in names)
-    columns = (
-        column("columns.quantity", map(_label, units)),
-        *_numbers(part, part.quantities, [rest[name] for name in names], units),
-        column("note_motion.change", map(part.change_of, names), _PERCENT),
+    return tabulate(
+        "motion_statistics",
+        *_numbers(part, Rows(part.quantities), [rest[name] for name in names], **_own(names)),
+        measured(_PERCENT, map(part.change_of, names), "note_motion.change"),
+        caption=Message("note_motion.statistics"),
     )
-    return Table("motion_statistics", columns, Message("note_motion.statistics"))
+
+
+def _own(names: Iterable[str]) -> dict[str, Any]:
+    """Return the quantity of each row."""
+    return {"units": tuple(DYNAMIC_QUANTITY_OF[name] for name in names)}
 
 
 def _numbers(
-    part: DynamicPart,
-    every: Sequence[OverRuns],
-    rest: Sequence[float] | None,
-    units: tuple[Quantity, ...],
+    part: DynamicPart, of: Rows, rest: Sequence[float] | None, **what: Any
 ) -> Iterator[Column]:
-    """Yield the columns of statistics; all of one quantity where one is given."""
-    listed: list[tuple[Message, Iterable[float | None]]] = [
-        (Message("note_motion.mean"), (each.mean for each in every)),
-        (Message("note_motion.std"), (each.std for each in every)),
-        (Message("note_motion.min"), (each.minimum for each in every)),
-        (Message("note_motion.max"), (each.maximum for each in every)),
-    ]
+    """Yield the columns of statistics, named where each row is of a quantity of its own.
+
+    `what` is the quantity of all, or those of the rows.
+    """
+    if "units" in what:
+        yield texts("quantity", map(quantity_in_note, what["units"]))
+    if rest is not None:
+        yield texts("note_motion.rest", rest, **what)
+    yield of.texts("note_motion.mean", "mean", **what)
+    yield of.texts("note_motion.std", "std", **what)
+    yield of.texts("note_motion.min", "minimum", **what)
+    yield of.texts("note_motion.max", "maximum", **what)
     if rest is not None:
         probable = Message("note_motion.most_probable", time=lasting(part.duration_of_interest))
-        listed.insert(0, (Message("note_motion.rest"), rest))
-        listed.append((probable, (each.most_probable_maximum for each in every)))
-    for name, values in listed:
-        if len(units) == 1:
-            yield Column(name, tuple(values), replace(units[0], symbol=""))
-        else:
-            yield Column(name, tuple(values), units=units)
-
-
-def _label(quantity: Quantity) -> str:
-    name = term(quantity.name)
-    if not quantity.symbol:
-        return name
-    return Message("words.label", name=name, symbol=quantity.symbol)
+        yield of.texts(probable, "most_probable_maximum", **what)
 
 
 def _fairleads(parts: Sequence[DynamicPart], rest: Sequence[float]) -> Iterator[Column]:
     """Yield what is known of each part's tension at the fairlead, beside that at rest."""
-    every = [part.of("fairlead_tension") for part in parts]
-    yield from _numbers(parts[0], every, rest, (_TENSION,))
+    of = Rows(part.of("fairlead_tension") for part in parts)
+    yield from _numbers(parts[0], of, rest, quantity=_BARE)
     changes = (part.change_of("fairlead_tension") for part in parts)
-    yield column("note_motion.change", changes, _PERCENT)
-
-
-def _amplification(parts: Sequence[DynamicPart]) -> Column:
-    return column("note_motion.amplification", (part.amplification for part in parts), _FACTOR)
+    yield measured(_PERCENT, changes, "note_motion.change")
 
 
 def _cases(moved: InMotion) -> Table:
-    parts = moved.found.parts
-    columns = (
-        texts("load_case", (part.name for part in parts)),
-        *_fairleads(parts, [solution.fairlead.tension for solution in moved.solutions]),
-        _amplification(parts),
-        measured("utilisation", map(moved.used, range(len(parts)))),
+    of = Rows(moved.found.parts)
+    return tabulate(
+        "motion_cases",
+        of.texts("load_case", "name"),
+        *_fairleads(of.rows, [solution.fairlead.tension for solution in moved.solutions]),
+        of.measured(_FACTOR, "amplification", "note_motion.amplification"),
+        measured("utilisation", map(moved.used, range(len(of.rows)))),
+        caption=Message("note_motion.cases", unit=Unit(_BARE)),
+        marked=moved.governing,
     )
-    caption = Message("note_motion.cases", unit=Unit(_TENSION))
-    return Table("motion_cases", columns, caption, marked=moved.governing)
 
 
 def _uses(moved: InMotion, shown: int) -> Table:
     """Tabulate what each segment carries; people see the load case that governs."""
-    rows = [
-        (index, part.name, use)
-        for index, (part, uses) in enumerate(zip(moved.found.parts, moved.uses, strict=True))
-        for use in uses
-    ]
-    uses = [use for _, _, use in rows]
-    largest = measured("tension", (use.largest for use in uses), "largest_tension", symbol="")
-    rest = column("note_motion.rest", (use.at_rest for use in uses), _BARE)
-    allowed = column("note.workbook_allowed", (use.capacity for use in uses), _BARE)
-    used = measured("utilisation", (use.utilisation for use in uses))
-    columns = (
-        texts("load_case", (name for _, name, _ in rows), only="files"),
-        texts("segment", (use.number for use in uses)),
-        texts("name", (use.name for use in uses)),
+    every = zip(moved.found.parts, moved.uses, strict=True)
+    cases = [(index, part.name) for index, (part, uses) in enumerate(every) for _ in uses]
+    of = Rows(use for uses in moved.uses for use in uses)
+    largest = of.measured(_BARE, "largest", "largest_tension")
+    allowed = of.measured(_BARE, "capacity", "note.workbook_allowed")
+    used = of.measured("utilisation", "utilisation", formula=(largest, "/", allowed))
+    passes = tuple(None if each is None else each <= 1.0 for each in of.read("utilisation"))
+    words = {None: None, True: Message("answers.passes"), False: Message("answers.fails")}
+    return tabulate(
+        "motion_use",
+        texts("load_case", (name for _, name in cases), only="files"),
+        of.texts("segment", "number"),
+        of.texts("name"),
         largest,
-        rest,
+        of.measured(_BARE, "at_rest", "note_motion.rest"),
         allowed,
-        replace(used, formula=(largest, "/", allowed)),
-        _passes([use.utilisation for use in uses]),
-    )
-    rows_shown = tuple(row for row, (index, _, _) in enumerate(rows) if index == shown)
-    return Table("motion_use", columns, Message("note_motion.uses"), rows_shown)
-
-
-def _passes(used: Sequence[float | None]) -> Column:
-    passes = tuple(None if each is None else each <= 1.0 for each in used)
-    verdict = {None: None, True: Message("answers.passes"), False: Message("answers.fails")}
-    return Column(
-        Message("columns.verdict"), tuple(verdict[each] for each in passes), passes=passes
+        used,
+        texts("verdict", map(words.get, passes), passes=passes),
+        caption=Message("note_motion.uses"),
+        shown=tuple(row for row, (index, _) in enumerate(cases) if index == shown),
     )
 
 
@@ -209,18 +215,17 @@ def _passes(used: Sequence[float | None]) -> Column:
 def _outcome(part: DynamicPart) -> blocks.Facts:
     balance = part.governing.history.balance
     listed: list[tuple[str, float | None, Quantity]] = [
-        (Message("note_motion.anywhere"), part.max_tension, _BARE),
-        (Message("note_motion.still_max"), part.quasi_static_max, _BARE),
-        (Message("note_motion.amplification"), part.amplification, _FACTOR),
-        (Message("note_motion.slack_time"), part.slack_time, _SLACK),
-        (Message("note_motion.longest_slack"), part.longest_slack, _SLACK),
+        ("note_motion.anywhere", part.max_tension, _BARE),
+        ("note_motion.still_max", part.quasi_static_max, _BARE),
+        ("note_motion.amplification", part.amplification, _FACTOR),
+        ("note_motion.slack_time", part.slack_time, _SLACK),
+        ("note_motion.longest_slack", part.longest_slack, _SLACK),
     ]
     for name, energy in ENERGIES.items():
-        listed.append(
-            (Message("note_motion.energy", what=term(name)), getattr(balance, energy), _ENERGY)
-        )
-    listed.append((Message("note_motion.energy_part"), balance.numerical_part, _PART))
-    facts = tuple(blocks.Fact(*each) for each in listed)
+        said = Message("note_motion.energy", what=term(name))
+        listed.append((said, getattr(balance, energy), _ENERGY))
+    listed.append(("note_motion.energy_part", balance.numerical_part, _PART))
+    facts = tuple(blocks.stated(*each[:2], quantity=each[2]) for each in listed)
     return blocks.Facts("motion_outcome", facts, Message("note_motion.outcome"))
 
 
@@ -229,61 +234,44 @@ def _extremes(part: DynamicPart) -> Iterator[Table]:
     every = [each for each in part.quantities if each.tail is not None]
     if not every:
         return
-    found = [_extreme(each) for each in every]
-    columns = [
-        Column(
-            _label(DYNAMIC_QUANTITY_OF[each.quantity]),
-            tuple(of[key][0] for key in found[0]),
-            units=tuple(of[key][1] for key in found[0]),
-        )
-        for each, of in zip(every, found, strict=True)
-    ]
-    names = (Message(f"note_motion.{key}") for key in found[0])
+    listed = dict(_EXTREMES)
+    if every[0].gumbel is not None:
+        listed |= {"by_gumbel": "gumbel.extreme.most_probable"}
+        listed |= {"gumbel_from": "gumbel.extreme.low", "gumbel_to": "gumbel.extreme.high"}
+    columns = []
+    for each in every:
+        quantity = DYNAMIC_QUANTITY_OF[each.quantity]
+        values = [
+            len(value) if isinstance(value, tuple) else value
+            for value in attrgetter(*listed.values())(each)
+        ]
+        units = tuple(_OF_TAIL.get(key, quantity) for key in listed)
+        columns.append(texts(quantity_in_note(quantity), values, units=units))
     caption = Message("note_motion.extremes", time=lasting(part.duration_of_interest))
-    yield Table("motion_extremes", (texts("what", names), *columns), caption)
-
-
-def _extreme(each: OverRuns) -> dict[str, tuple[float, Quantity]]:
-    quantity, tail, runs = DYNAMIC_QUANTITY_OF[each.quantity], each.tail, each.gumbel
-    assert tail is not None
-    found = {
-        "probable": (tail.extreme.most_probable, quantity),
-        "interval_from": (tail.extreme.low, quantity),
-        "interval_to": (tail.extreme.high, quantity),
-        "expected": (tail.extreme.expected, quantity),
-        "threshold": (tail.threshold, quantity),
-        "peaks_above": (len(tail.clusters), COUNT),
-        "weibull_scale": (tail.scale, quantity),
-        "weibull_shape": (tail.shape, _FACTOR),
-    }
-    if runs is not None:
-        found["by_gumbel"] = (runs.extreme.most_probable, quantity)
-        found["gumbel_from"] = (runs.extreme.low, quantity)
-        found["gumbel_to"] = (runs.extreme.high, quantity)
-    return found
+    names = texts("what", (Message(f"note_motion.{key}") for key in listed))
+    yield tabulate("motion_extremes", names, *columns, caption=caption)
 
 
 def _runs(moved: InMotion, part: DynamicPart) -> Iterator[Block]:
     waves, every = moved.found.case.waves, part.runs
-    found = [run.statistics("fairlead_tension") for run in every]
-    histories = [run.history for run in every]
     seed = waves.seed if part.is_random and waves is not None else None
-    seeds = ("-" if seed is None else f"({seed}, {run.number})" for run in every)
-    still = (run.quasi_static_max for run in every)
-    slack = (each.line_slack_time() for each in histories)
-    columns = (
-        texts("run", (run.number + 1 for run in every)),
-        texts("seed", seeds),
-        column("columns.largest_fairlead_tension", (each.maximum for each in found), _BARE),
-        column("columns.at", (each.time_of_maximum for each in found), _SLACK),
-        column("columns.largest_quasi_static_fairlead_tension", still, _BARE),
-        column("columns.slack_in_all", slack, _SLACK),
-        texts("steps", (each.steps for each in histories)),
-        texts("halvings", (each.halvings for each in histories)),
+    of = Rows(every)
+    histories = Rows(of.read("history"))
+    largest = Rows(of.read(methodcaller("statistics", "fairlead_tension")))
+    yield tabulate(
+        "motion_runs",
+        of.texts("run", lambda run: run.number + 1),
+        of.texts("seed", lambda run: "-" if seed is None else f"({seed}, {run.number})"),
+        largest.measured(_BARE, "maximum", "largest_fairlead_tension"),
+        largest.measured(_SLACK, "time_of_maximum", "at"),
+        of.measured(_BARE, "quasi_static_max", "largest_quasi_static_fairlead_tension"),
+        histories.measured(_SLACK, methodcaller("line_slack_time"), "slack_in_all"),
+        histories.texts("steps"),
+        histories.texts("halvings"),
+        caption=Message("note_motion.run_table"),
+        shown=tuple(range(min(len(every), _MOST_RUNS))),
+        marked=every.index(part.governing),
     )
-    shown = tuple(range(min(len(every), _MOST_RUNS)))
-    caption, marked = Message("note_motion.run_table"), every.index(part.governing)
-    yield Table("motion_runs", columns, caption, shown, marked)
     if len(every) > _MOST_RUNS:
         yield small("note_motion.left_out", count=len(every) - _MOST_RUNS)
 
@@ -334,10 +322,10 @@ def body_motion_blocks(note: SystemNote) -> Iterator[Block]:
     yield Text(Message("note_system.motion_about"))
     yield blocks.Verdict(Several(_said(found), " "), found.verdict == "converged")
     yield _lines(note, found)
-    units = tuple(DYNAMIC_QUANTITY_OF[each.quantity] for each in found.body)
-    names = column("columns.quantity", map(_label, units))
-    columns = (names, *_numbers(governing, found.body, None, units))
-    yield Table("system_motion_body", columns, Message("note_motion.body"))
+    numbers = _numbers(
+        governing, Rows(found.body), None, **_own(each.quantity for each in found.body)
+    )
+    yield tabulate("system_motion_body", *numbers, caption=Message("note_motion.body"))
     yield Figure(track(found), Message("note_system.motion_track"))
     at_rest = note.solution.lines[governing.line - 1].tension
     caption = Message("note_system.motion_history", line=governing.line)
@@ -358,17 +346,14 @@ def _said(found: DynamicVerification) -> Iterator[Message]:
 
 def _lines(note: SystemNote, found: DynamicVerification) -> Table:
     """Tabulate the fairlead tension of every line, the governing one marked."""
-    parts = found.parts
-    still = (part.quasi_static_max for part in parts)
-    columns = (
-        texts("line", (part.line for part in parts)),
-        *_fairleads(parts, [line.tension for line in note.solution.lines]),
-        column("columns.quasi_static_fairlead_tension", still, _BARE),
-        _amplification(parts),
-        column("columns.slack_in_all", (part.slack_time for part in parts), SECONDS),
+    of = Rows(found.parts)
+    return tabulate(
+        "system_motion_lines",
+        of.texts("line"),
+        *_fairleads(of.rows, [line.tension for line in note.solution.lines]),
+        of.measured(_BARE, "quasi_static_max", "quasi_static_fairlead_tension"),
+        of.measured(_FACTOR, "amplification", "note_motion.amplification"),
+        of.measured(fixed("s", 1), "slack_time", "slack_in_all"),
+        caption=Message("note_motion.lines", unit=Unit(_BARE)),
+        marked=of.rows.index(found.governing),
     )
-    caption, marked = (
-        Message("note_motion.lines", unit=Unit(_TENSION)),
-        parts.index(found.governing),
-    )
-    return Table("system_motion_lines", columns, caption, marked=marked)

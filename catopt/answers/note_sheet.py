@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from catopt.answers.blocks import Block, Fact, Facts, Section, Table, Text, measured
+from catopt.answers.blocks import Block, Fact, Facts, Rows, Section, Table, Text, tabulate, texts
 from catopt.answers.check import kind_name
-from catopt.answers.note import Cell, column, from_rows, section
+from catopt.answers.note import Cell, from_rows, section
 from catopt.checks.kinds import limit_quantity
 from catopt.constants import YEAR
-from catopt.quantities import QUANTITIES
 from catopt.words import Cited, Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -109,8 +108,13 @@ def _limit_states(sheet: Sheet) -> Table:
             on = Message(f"note_sheet.on_{of}") if of else ""
             by = source.text if source.document else Message("note_sheet.by_user")
             rows.append((Several(found, "; "), kind_name(each.check), limit, on, by))
-    own = [f"note_sheet.{name}" for name in ("limit_state", "factor_or_limit", "on")]
-    keys = (own[0], "columns.check", *own[1:], "columns.source")
+    keys = (
+        "note_sheet.limit_state",
+        "check",
+        "note_sheet.factor_or_limit",
+        "note_sheet.on",
+        "source",
+    )
     return from_rows("limit_states", keys, rows, Message("note_sheet.limit_states"))
 
 
@@ -127,25 +131,24 @@ def _is_in(name: str, criterion: Criterion) -> bool:
 class _Item(NamedTuple):
     code: str
     what: str
-    diameter: float | None = None
+    nominal_diameter: float | None = None
     length: float | None = None
     mass: float | None = None
 
 
 def _bill(sheet: Sheet, held: str) -> Iterator[Block]:
-    items, count = list(_items(sheet, held)), sheet.lines
-    together = (None if each.mass is None else count * each.mass for each in items)
-    columns = (
-        column("columns.no", range(1, len(items) + 1)),
-        column("note_sheet.item", (each.what for each in items)),
-        column("note_sheet.code", (each.code for each in items)),
-        measured("nominal_diameter", (each.diameter for each in items)),
-        measured("length", (each.length for each in items)),
-        column("note_sheet.count", [count] * len(items)),
-        measured("mass", (each.mass for each in items), "mass_in_air", symbol=""),
-        column("note_sheet.mass_together", together, QUANTITIES["mass"]),
+    items, count = Rows(_items(sheet, held)), sheet.lines
+    together = Rows(items.read("mass"))
+    yield tabulate(
+        "bill",
+        texts("no", range(1, len(items.rows) + 1)),
+        items.texts("note_sheet.item", "what"),
+        items.texts("note_sheet.code", "code"),
+        *items.own("nominal_diameter", "length"),
+        texts("note_sheet.count", [count] * len(items.rows)),
+        items.measured("mass", "mass", "mass_in_air", symbol=""),
+        together.measured("mass", lambda mass: count * mass, "note_sheet.mass_together"),
     )
-    yield Table("bill", columns)
     joints = len(sheet.line.segments) + 1
     yield Text(Message("note_sheet.fittings", each=joints, every=joints * count))
 
@@ -179,43 +182,41 @@ def described(case: Case, segment: Segment) -> str:
 
 
 def _anchor_place(sheet: Sheet) -> Iterator[Block]:
-    moved = sheet.moved
-    if not moved:
+    moved = Rows(sheet.moved)
+    if not moved.rows:
         yield Text(Message("note_sheet.anchor_free"))
         return
     about = "of_body" if sheet.system is not None else "of_line"
     yield Text(Message(f"note_sheet.anchor_{about}"))
     planned = max(each.fairlead.tension for each in sheet.intact)
-    change = (None if each.tension is None else each.tension - planned for each in moved)
-    columns = [
-        column("note_sheet.farther", (each.way for each in moved), QUANTITIES["span"]),
-        measured("tension", (each.tension for each in moved), "largest_tension"),
-        column("note_sheet.change", change, QUANTITIES["tension"]),
-    ]
-    if sheet.system is not None:
-        columns.append(measured("offset", (each.offset for each in moved)))
-    yield Table("anchor_place", tuple(columns))
-    yield from (Text(each.refusal) for each in moved if each.refusal)
+    tensions = Rows(moved.read("tension"))
+    yield tabulate(
+        "anchor_place",
+        moved.measured("span", "way", "note_sheet.farther"),
+        moved.measured("tension", "tension", "largest_tension"),
+        tensions.measured("tension", lambda tension: tension - planned, "note_sheet.change"),
+        *(moved.own("offset") if sheet.system is not None else ()),
+    )
+    yield from (Text(each.refusal) for each in moved.rows if each.refusal)
 
 
 # ------------------------------------------------------------------ wear, damage
 
 
 def _wear(sheet: Sheet) -> Iterator[Block]:
-    found, d = sheet.least, QUANTITIES["nominal_diameter"]
-    if not found:
+    found, diameter = Rows(sheet.least), "nominal_diameter"
+    if not found.rows:
         yield Text(Message("note_sheet.wear_unknown"))
         return
     yield Text(Message("note_sheet.wear_about"))
-    room = (None if each.least is None else each.diameter - each.least for each in found)
-    columns = (
-        column("columns.segment", (each.segment for each in found)),
-        column("note_sheet.wear_new", (each.diameter for each in found), d),
-        column("note_sheet.wear_end", (each.end_diameter for each in found), d),
-        column("note_sheet.wear_least", (each.least for each in found), d),
-        column("note_sheet.wear_room", room, d),
+    yield tabulate(
+        "wear",
+        found.texts("segment"),
+        found.measured(diameter, "diameter", "note_sheet.wear_new"),
+        found.measured(diameter, "end_diameter", "note_sheet.wear_end"),
+        found.measured(diameter, "least", "note_sheet.wear_least"),
+        found.measured(diameter, "room", "note_sheet.wear_room"),
     )
-    yield Table("wear", columns)
 
 
 def _damaged(sheet: Sheet) -> Message:

@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
 from catopt.answers import size as sized
-from catopt.answers.blocks import Block, Section, Table, Text, Value, exact, measured, named, texts
+from catopt.answers.blocks import Block, Rows, Section, Table, Text, exact, measured, named, texts
 from catopt.answers.note import (
-    Cell,
-    column,
     components,
     from_rows,
     inputs_table,
@@ -25,7 +23,7 @@ from catopt.answers.note import (
 from catopt.answers.note_hold import hold_blocks, what_holds
 from catopt.answers.note_line import drawn, of_the_front, of_the_line
 from catopt.answers.note_sheet import basis_section, described, sheet_sections
-from catopt.answers.note_system import near_blocks, plan_blocks
+from catopt.answers.note_system import near_blocks, plan_blocks, pull_of
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.constants import STANDARD_GRAVITY, YEAR
 from catopt.quantities import GREEK, QUANTITIES
@@ -135,8 +133,7 @@ def _identity(note: SizeNote) -> Iterator[Block]:
     rows = (
         (name, (value, QUANTITIES[key]), term(at)) for name, key, value, at in _found_rows(note)
     )
-    keys = [f"columns.{name}" for name in ("what", "value", "load_case")]
-    yield from_rows("size_found", keys, rows)
+    yield from_rows("size_found", ("what", "value", "load_case"), rows)
 
 
 def _recommendation(note: SizeNote) -> Message:
@@ -225,26 +222,25 @@ def _common(cases: Sequence[LoadsAt]) -> list[str]:
 def _sums(note: SizeNote) -> Table:
     """Tabulate the sum of each load case, and what of it one of several lines is sized for."""
     posed = note.sizing.settled.posed
-    cases = posed.loads
-    pushed = ["note_size.loads_on_buoy"]
-    if note.sizing.kind == "tanker":
-        pushed.insert(0, "note_size.loads_on_ship")
+    cases = Rows(posed.loads)
+    pushed = ["loads_on_ship", "loads_on_buoy"][note.sizing.kind != "tanker" :]
+    given = cases.measured(_FORCE, "given", "note_size.loads_given")
+    total = cases.read("horizontal_force")
     columns = [
-        texts("load_case", (term(each.load_case) for each in cases)),
-        column("note_size.loads_depth", (each.depth for each in cases), named("water_depth", "")),
+        cases.texts("load_case", lambda each: term(each.load_case)),
+        cases.measured("water_depth", "depth", "note_size.loads_depth", symbol=""),
         *(
-            column(key, (each.parts[index].horizontal_force for each in cases), _FORCE)
-            for index, key in enumerate(pushed[: len(cases[0].parts)])
+            Rows(parts).measured(_FORCE, "horizontal_force", f"note_size.{key}")
+            for key, parts in zip(pushed, zip(*cases.read("parts"), strict=True), strict=False)
         ),
+        *([given] if any(given.values) else []),
+        measured(_FORCE, total, "note_size.loads_sum"),
     ]
-    if any(each.given for each in cases):
-        columns.append(column("note_size.loads_given", (each.given for each in cases), _FORCE))
-    total = [each.horizontal_force for each in cases]
-    columns.append(column("note_size.loads_sum", total, _FORCE))
     if note.sizing.pattern is not None:
         forces = {state.name: state.horizontal_force for state in posed.case.load_cases}
-        own = (forces[each.load_case] for each in cases)
-        columns.append(column("note_size.loads_line", own, _FORCE))
+        columns.append(
+            cases.measured(_FORCE, lambda each: forces[each.load_case], "note_size.loads_line")
+        )
     caption = Message("note_size.loads_sums")
     return Table("size_sums", tuple(columns), caption, marked=total.index(max(total)))
 
@@ -255,13 +251,17 @@ def _part(at: LoadsAt, of: Loads, common: Sequence[str]) -> Iterator[Block]:
     steps = (*(_step(*each) for each in forces), *_total(of, forces))
     under = Message("note_size.loads_under", load_case=term(at.load_case), title=of.title)
     yield blocks.Trail("size_load", steps, caption=under)
-    rows: list[Sequence[Cell]] = []
-    for force in of.components:
-        for each in force.numbers:
-            symbol = Cited(GREEK.get(each.symbol, each.symbol))
-            value = (each.value, replace(exact(each.unit), digits=_DIGITS))
-            rows.append((force.name, symbol, value, each.meaning))
-    keys = [f"columns.{name}" for name in ("force", "symbol", "value", "meaning")]
+    rows = (
+        (
+            force.name,
+            Cited(GREEK.get(each.symbol, each.symbol)),
+            (each.value, replace(exact(each.unit), digits=_DIGITS)),
+            each.meaning,
+        )
+        for force in of.components
+        for each in force.numbers
+    )
+    keys = ("force", "symbol", "value", "meaning")
     yield from_rows("size_numbers", keys, rows, Message("columns.numbers"))
     yield blocks.Points(tuple(each for each in of.assumptions if each not in common))
 
@@ -302,18 +302,16 @@ def _candidates(note: SizeNote) -> Iterator[Block]:
     of = note.sizing
     yield Text(Message("note_size.candidates_about"))
     table = sized.candidates_table(of)
-    points = [None if each.settled is None else each.settled.point for each in of.candidates]
-    hardest = [
-        None if point is None else max(each.horizontal_force for _, each in point.checks.solutions)
-        for point in points
-    ]
+    every = Rows(of.candidates)
+    solutions = Rows(every.read("settled.point.checks.solutions"))
     which, chain, *others, verdict = table.columns
-    diameters = measured("nominal_diameter", [each.diameter for each in of.candidates])
-    forces = measured("horizontal_force", hardest)
-    verdict = replace(verdict, passes=tuple(point is not None for point in points))
+    diameters = every.measured("nominal_diameter", "diameter")
+    forces = solutions.measured(
+        "horizontal_force", lambda found: max(each.horizontal_force for _, each in found)
+    )
+    verdict = replace(verdict, passes=tuple(each.settled is not None for each in of.candidates))
     columns = (which, chain, diameters, *others, forces, verdict)
-    marked = [each.role for each in of.candidates].index("recommended")
-    yield replace(table, columns=columns, marked=marked)
+    yield replace(table, columns=columns, marked=every.read("role").index("recommended"))
     if of.limits:
         yield _limits(note)
     yield sized.alternatives_table(of)
@@ -323,15 +321,17 @@ def _candidates(note: SizeNote) -> Iterator[Block]:
 
 def _limits(note: SizeNote) -> Table:
     """Tabulate the steps to less that fail, each with what it asks for and what there is."""
-    rows: list[Sequence[Cell]] = []
-    for each in note.sizing.limits:
-        check = each.check
-        demand, capacity = (None, None) if check is None else (check.demand, check.capacity)
-        of = _FORCE if check is None else QUANTITY_OF[check.kind]
-        rows.append((each.change, each.words, (demand, of), (capacity, of)))
-    own = ("note.front_change", "note_size.candidates_fails_by")
-    keys = (*own, "columns.demand", "columns.capacity")
-    return from_rows("size_limits", keys, rows, Message("note_size.candidates_limits"))
+    of = Rows(note.sizing.limits)
+    kinds = of.read("check.kind")
+    units = tuple(_FORCE if kind is None else QUANTITY_OF[kind] for kind in kinds)
+    return blocks.tabulate(
+        "size_limits",
+        of.texts("note.front_change", "change"),
+        of.texts("note_size.candidates_fails_by", "words"),
+        of.texts("demand", "check.demand", units=units),
+        of.texts("capacity", "check.capacity", units=units),
+        caption=Message("note_size.candidates_limits"),
+    )
 
 
 def _front(note: SizeNote) -> Iterator[Block]:
@@ -345,13 +345,11 @@ def _swing(note: SizeNote) -> Iterator[Block]:
     found = note.sizing.swing
     names = [*(term(name) for name, _ in found.parts), Message("note_size.swing_total")]
     values = [*(value for _, value in found.parts), found.total]
-    columns = (
-        column("note_size.swing_part", names),
-        column("note_size.swing_length", values, named("length", "")),
-    )
+    parts = texts("note_size.swing_part", names)
+    lengths = measured("length", values, "note_size.swing_length", symbol="")
     under = Message("note.checks_under", name=term(found.load_case))
     yield Text(Message("note_size.swing_about"))
-    yield Table("size_swing", columns, under, marked=len(found.parts))
+    yield Table("size_swing", (parts, lengths), under, marked=len(found.parts))
     if note.sizing.excursion is not None:
         key = "excursion" if note.sizing.pattern is None else "offset"
         way = Measure("length", note.sizing.excursion)
@@ -402,30 +400,21 @@ def _rule(of: Pattern) -> Iterator[Text]:
 
 def _lines(of: SystemSolution, load_case: str) -> Table:
     """Tabulate what each line pulls with, their sum, and the load."""
-    rows: list[tuple[Value, ...]] = []
-    pulls = []
-    for number, line in enumerate(of.lines, start=1):
-        size, towards = line.horizontal_force, line.direction
-        pulls.append((size * math.cos(towards), size * math.sin(towards)))
-        rows.append((str(number), towards, size, line.tension, *pulls[-1]))
-    total = [math.fsum(pull[axis] for pull in pulls) for axis in (0, 1)]
-    for key, sides in (("pattern_total", total), ("pattern_load", of.system.force)):
-        rows.append((Message(f"note_size.{key}"), None, None, None, *sides))
-    H, name = QUANTITIES["horizontal_force"], "quantities.horizontal_force"
-    headings = (
-        ("columns.line", None),
-        ("note_size.pattern_towards", named("angle", "")),
-        (name, H),
-        ("quantities.tension", QUANTITIES["tension"]),
-        (name, replace(H, symbol="Hx")),
-        (name, replace(H, symbol="Hy")),
+    lines, force = Rows((*of.lines, None, None)), "horizontal_force"
+    names = [str(number) for number in range(1, len(of.lines) + 1)]
+    names += [Message("note_size.pattern_total"), Message("note_size.pattern_load")]
+    along, across = (
+        (*pulls, math.fsum(pulls), load)
+        for *pulls, load in zip(*map(pull_of, of.lines), of.system.force, strict=True)
     )
-    columns = tuple(
-        column(key, (row[place] for row in rows), quantity)
-        for place, (key, quantity) in enumerate(headings)
-    )
-    return Table(
-        "size_lines", columns, Message("note_size.pattern_lines", load_case=term(load_case))
+    return blocks.tabulate(
+        "size_lines",
+        texts("line", names),
+        lines.measured("angle", "direction", "note_size.pattern_towards", symbol=""),
+        *lines.own("horizontal_force", "tension"),
+        measured(force, along, symbol="Hx"),
+        measured(force, across, symbol="Hy"),
+        caption=Message("note_size.pattern_lines", load_case=term(load_case)),
     )
 
 

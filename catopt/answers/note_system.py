@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
+from operator import itemgetter
+from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks
 from catopt.answers import system as body
-from catopt.answers.blocks import Block, Figure, Section, Text, Verdict, exact, measured, named
+from catopt.answers.blocks import Block, Figure, Rows, Section, Text, Verdict, exact, named, texts
 from catopt.answers.check import checked_body
-from catopt.answers.note import about, case_sections, column, note_answer, opening, section, small
+from catopt.answers.note import about, by_both, case_sections, note_answer, opening, section, small
 from catopt.answers.note_motion import body_motion_blocks
 from catopt.answers.note_sheet import basis_section, sheet_sections
 from catopt.answers.solution import method_name, profile_table
 from catopt.answers.trail import DEGREES, equation_trail, step_of
-from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
 from catopt.figures import mooring
 from catopt.figures.line import line_in_water, magnified
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.verify.truss_words import part_sentence
 from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
@@ -57,7 +56,7 @@ def system_note_answer(note: SystemNote) -> blocks.Answer:
         *case_sections(note, note.case, note.case.line),
         _section("balance", _balance(note)),
         _section("line_trail", _line_trail(note)),
-        _section("verification", _verification(note)),
+        _section("verification", by_both(note, "note_system", note.solution.most_loaded)),
         _section("motion", body_motion_blocks(note)),
     )
     return note_answer(
@@ -235,12 +234,13 @@ def _lines(note: SystemNote) -> Iterator[Block]:
     """Tabulate what each line carries; the most loaded is marked."""
     solution = note.solution
     number, *others = body.lines_table(note.report, note.checks).columns
-    names = [line.leg.name for line in solution.lines]
-    columns = [number, *([column("columns.name", names)] if any(names) else []), *others]
-    directions = [line.direction for line in solution.lines]
-    towards = column("note_system.workbook_direction", directions, named("angle", ""))
-    columns.append(replace(towards, only="workbook"))
-    yield blocks.Table("system_lines", tuple(columns), marked=solution.most_loaded)
+    of = Rows(solution.lines)
+    names = of.texts("name", "leg.name")
+    directions = of.measured(
+        "angle", "direction", "note_system.workbook_direction", symbol="", only="workbook"
+    )
+    columns = (number, *([names] if any(names.values) else []), *others, directions)
+    yield blocks.Table("system_lines", columns, marked=solution.most_loaded)
     known = body.lines_used(note.checks)
     if note.used is None:
         known = Message("note_system.lines_unknown")
@@ -264,8 +264,8 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
         return
     table = body.line_out_table(note.report)
     yield Text(Message("note_system.line_out_about"))
-    columns = (*table.columns[:-1], measured("utilisation", note.left), table.columns[-1])
-    further = _further([each.response for each in gone])
+    columns = (*table.columns[:-1], blocks.measured("utilisation", note.left), table.columns[-1])
+    further = _further(each.response for each in gone)
     yield replace(table, columns=(*columns, *further), caption="", marked=note.hardest_out)
     for each in gone:
         if each.response is None:
@@ -275,15 +275,14 @@ def _line_out(note: SystemNote) -> Iterator[Block]:
 
 def _further(responses: Iterable[Response | None]) -> Iterator[blocks.Column]:
     """Yield what only workbooks have of places of rest."""
-    every = list(responses)
+    of = Rows(responses)
     for name, key, attribute in (
         ("yaw", "angle", "yaw"),
         ("anchor_tension", "tension", "largest_anchor_tension"),
         ("anchor_vertical", "vertical_force", "largest_uplift"),
     ):
-        values = [None if each is None else getattr(each, attribute) for each in every]
-        made = column(f"note_system.workbook_{name}", values, named(key, ""))
-        yield replace(made, only="workbook")
+        heading = f"note_system.workbook_{name}"
+        yield of.measured(key, attribute, heading, symbol="", only="workbook")
 
 
 def _watch_circle(note: SystemNote) -> Iterator[Block]:
@@ -338,42 +337,42 @@ def _balance(note: SystemNote) -> Iterator[Block]:
 
 def _pulls(note: SystemNote) -> blocks.Table:
     """Tabulate H, its direction and its parts along x and y; with arms the moment, too."""
-    system, lines = note.solution.system, note.solution.lines
-    anchors, fairleads = [line.leg.anchor for line in lines], [line.fairlead for line in lines]
-    pulls = [_pull(line) for line in lines]
-
-    def of(symbol: str, quantity: Quantity, values: Iterable[float]) -> blocks.Column:
-        named = Message("note_system.balance_symbol", symbol=symbol)
-        return blocks.Column(named, tuple(values), quantity)
-
-    columns = [of("xA", _M, (at[0] for at in anchors)), of("yA", _M, (at[1] for at in anchors))]
-    if system.has_arms:
-        columns += [of("xF", _M, (at[0] for at in fairleads))]
-        columns += [of("yF", _M, (at[1] for at in fairleads))]
-    columns += [
-        of("S", _M, (line.solution.span for line in lines)),
-        of("H", _N, (line.horizontal_force for line in lines)),
-        of("φ", DEGREES, (line.direction for line in lines)),
-        of("H cos φ", _N, (x for x, _ in pulls)),
-        of("H sin φ", _N, (y for _, y in pulls)),
+    system, lines = note.solution.system, Rows(note.solution.lines)
+    anchors, fairleads = Rows(lines.read("leg.anchor")), Rows(lines.read("fairlead"))
+    pulls, x, y = Rows(lines.read(pull_of)), itemgetter(0), itemgetter(1)
+    listed: list[tuple[str, Rows, Quantity, str | Callable[[Any], Any]]] = [
+        ("xA", anchors, _M, x),
+        ("yA", anchors, _M, y),
+        *([("xF", fairleads, _M, x), ("yF", fairleads, _M, y)] if system.has_arms else []),
+        ("S", lines, _M, "solution.span"),
+        ("H", lines, _N, "horizontal_force"),
+        ("φ", lines, DEGREES, "direction"),
+        ("H cos φ", pulls, _N, x),
+        ("H sin φ", pulls, _N, y),
+        *([("M", lines, _NM, partial(_moment, note))] if system.turns else []),
     ]
-    if system.turns:
-        columns.append(of("M", _NM, (_moment(line, note) for line in lines)))
-    numbers = column("columns.line", range(1, len(lines) + 1))
-    caption = Message("note_system.balance_pulls")
-    marked = note.solution.most_loaded
-    return blocks.Table("pulls", (numbers, *columns), caption, marked=marked)
+    columns = (
+        of.measured(quantity, what, Message("note_system.balance_symbol", symbol=symbol))
+        for symbol, of, quantity, what in listed
+    )
+    return blocks.tabulate(
+        "pulls",
+        texts("line", range(1, len(lines.rows) + 1)),
+        *columns,
+        caption=Message("note_system.balance_pulls"),
+        marked=note.solution.most_loaded,
+    )
 
 
-def _pull(line: LegState) -> tuple[float, float]:
+def pull_of(line: LegState) -> tuple[float, float]:
     """Force of a line on the body along x and y, N."""
     H = line.horizontal_force
     return H * math.cos(line.direction), H * math.sin(line.direction)
 
 
-def _moment(line: LegState, note: SystemNote) -> float:
+def _moment(note: SystemNote, line: LegState) -> float:
     """Moment of a line on the body about its origin, N m."""
-    position, (fx, fy) = note.solution.position, _pull(line)
+    position, (fx, fy) = note.solution.position, pull_of(line)
     rx, ry = line.fairlead[0] - position.x, line.fairlead[1] - position.y
     return rx * fy - ry * fx
 
@@ -381,7 +380,7 @@ def _moment(line: LegState, note: SystemNote) -> float:
 def steps_of(note: SystemNote) -> Iterator[blocks.Step]:
     """Follow the balance: the sums over the lines against the load, and the most loaded span."""
     solution, system = note.solution, note.solution.system
-    pulls = [_pull(line) for line in solution.lines]
+    pulls = [pull_of(line) for line in solution.lines]
     for axis, letter, function in ((0, "x", "cos"), (1, "y", "sin")):
         terms, force = [(pull[axis],) for pull in pulls], system.force[axis]
         total, sum_of = math.fsum(pull[axis] for pull in pulls), f"Σ H {function} φ"
@@ -392,7 +391,7 @@ def steps_of(note: SystemNote) -> Iterator[blocks.Step]:
         both = f"{{F{letter}}} + {{{sum_of}:()}}"
         yield step(f"note_system.balance_left_{letter}", "", _N, force + total, both)
     if system.turns:
-        moments = [(_moment(line, note),) for line in solution.lines]
+        moments = [(_moment(note, line),) for line in solution.lines]
         total, wanted = math.fsum(moment for (moment,) in moments), 0.0 - system.moment
         sum_of, key = "Σ (x_r H sin φ − y_r H cos φ)", "note_system.balance_sum_m"
         yield step_of({}, key, "Σ M", _NM, total, sum_of, wanted, terms=moments)
@@ -410,27 +409,3 @@ def _line_trail(note: SystemNote) -> Iterator[Block]:
     """Follow the most loaded line through the equations of a line."""
     yield Text(Message("note_system.line_trail_of_line", line=note.solution.most_loaded + 1))
     yield from equation_trail(note.loaded.solution)
-
-
-# ------------------------------------------------------------------ the truss model
-
-
-def _verification(note: SystemNote) -> Iterator[Block]:
-    """Tabulate body and most loaded line in full, and every other line's largest difference."""
-    if note.verification_failure:
-        yield Verdict(Message("note_system.verification_no_answer"), passes=False)
-        yield Text(note.verification_failure)
-    if note.verification is None:
-        return
-    part = note.verification.static
-    loaded = note.solution.most_loaded
-    of_body = [each for each in part.quantities if each.line is None]
-    line = [each for each in part.quantities if each.line == loaded]
-    named = Message("note_system.verification_line", line=loaded + 1)
-    yield Text(Message("note_system.verification_about"))
-    yield Verdict(part_sentence(part), part.is_settled)
-    yield compared_in_note(of_body, Message("note_system.verification_body"))
-    yield compared_in_note(line, named)
-    yield lines_in_note(part, Message("note_system.verification_lines"))
-    yield from closing_in_note(part)
-    yield small("note_system.verification_legend")

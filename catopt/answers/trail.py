@@ -12,8 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
-from catopt.answers.blocks import Block, Column, Step, Table, Text, Trail, exact
-from catopt.answers.note import column
+from catopt.answers.blocks import Block, Rows, Step, Table, Text, Trail, exact, tabulate
 from catopt.quantities import Quantity
 from catopt.words import Message, term
 
@@ -215,26 +214,19 @@ def _reach(stretch: Stretch, V2: float, m: float) -> tuple[float, str]:
 
 
 def _pieces_table(pieces: tuple[Piece, ...]) -> Table:
-    where = ("note.equations_on_bed" if each.on_bed else "note.equations_hangs" for each in pieces)
-    columns = [
-        column("note.equations_piece", (each.number for each in pieces)),
-        column("note.equations_lies", map(Message, where)),
-    ]
-    for symbol, quantity, name in (
-        ("l", _M, "length"),
-        ("w", exact("N/m"), "weight"),
-        ("EA", _N, "EA"),
-        ("V1", _N, "V1"),
-        ("V2", _N, "V2"),
-        ("T1", _N, "T1"),
-        ("T2", _N, "T2"),
-        ("Δx", _M, "dx"),
-        ("Δz", _M, "dz"),
-    ):
-        values = tuple(getattr(each, name) for each in pieces)
-        columns.append(Column(term(symbol), values, quantity))
-    columns.append(column("note.equations_by", (each.equation for each in pieces)))
-    return Table("pieces", tuple(columns), Message("note.equations_pieces"))
+    of, lies = Rows(pieces), ("note.equations_hangs", "note.equations_on_bed")
+    return tabulate(
+        "pieces",
+        of.texts("note.equations_piece", "number"),
+        of.texts("note.equations_lies", lambda each: Message(lies[each.on_bed])),
+        of.measured(_M, "length", term("l")),
+        of.measured(exact("N/m"), "weight", term("w")),
+        *(of.measured(_N, symbol, term(symbol)) for symbol in ("EA", "V1", "V2", "T1", "T2")),
+        of.measured(_M, "dx", term("Δx")),
+        of.measured(_M, "dz", term("Δz")),
+        of.texts("note.equations_by", "equation"),
+        caption=Message("note.equations_pieces"),
+    )
 
 
 def _sums(solution: Solution, pieces: tuple[Piece, ...]) -> Iterator[Step]:

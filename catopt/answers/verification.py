@@ -101,7 +101,7 @@ def compared_in_note(found: Sequence[Compared], caption: str = "") -> blocks.Tab
     table = _compared(found, caption)
     names, closed, truss, before, after, order = table.columns
     units = tuple(QUANTITY_OF[each.quantity] for each in found)
-    named = replace(names, values=tuple(map(_name, units)))
+    named = replace(names, values=tuple(map(quantity_in_note, units)))
     closed = replace(closed, units=units)
     truss = replace(truss, units=units, name=Message("columns.truss_extrapolated"))
     after = replace(after, name=Message("columns.difference_over_scale"))
@@ -160,7 +160,8 @@ def label(quantity: Quantity, *, with_symbol: bool = False) -> Message:
     return Message("words.heading", label=name, unit=Unit(quantity))
 
 
-def _name(quantity: Quantity) -> str:
+def quantity_in_note(quantity: Quantity) -> str:
+    """Name a quantity with its symbol, where it has one."""
     name = term(quantity.name)
     return Message("words.label", name=name, symbol=quantity.symbol) if quantity.symbol else name
 

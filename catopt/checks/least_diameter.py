@@ -38,6 +38,11 @@ class LeastDiameter:
     end_diameter: float
     least: float | None
 
+    @property
+    def room(self) -> float | None:
+        """How much of the new diameter may wear off, m."""
+        return None if self.least is None else self.diameter - self.least
+
 
 def least_diameters(
     report: CheckReport, criteria: Criteria, line: Line
