@@ -25,7 +25,8 @@ from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Section
-    from catopt.notes.line import Chosen, Note
+    from catopt.notes.directory import Chosen
+    from catopt.notes.line import Note
 
 _ROWS = 15
 """Points of the curve that people see, about."""

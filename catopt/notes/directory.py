@@ -10,6 +10,8 @@ from typing import Any
 from catopt.casefile import case_digest, design_directory, read_case
 from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.errors import InputError, Problem
+from catopt.model import Case
+from catopt.notes.origin import SourceFile, read_source
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.verify.proof import Proof
 
@@ -45,6 +47,31 @@ class Asked:
             motion=self.motion if motion is None else motion,
             proof=proof,
         )
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A design, counted from 1, out of a front as a document of schema catopt.design/1."""
+
+    document: dict[str, Any]
+    number: int
+
+
+def read_with_sources(
+    path: Path, design: int | None
+) -> tuple[Case, tuple[SourceFile, ...], Chosen | None]:
+    """Read a case file, or a design out of a result directory, and the files that it is from.
+
+    A design counts from 1; it is the recommended one when left out.
+    """
+    if design is None and not (path / DESIGN_DOCUMENT).is_file():
+        place = case_path(path)
+        return read_case(place), (read_source(place),), None
+    document = design_directory.read_design_document(path)
+    number = document["recommended"] + 1 if design is None else design
+    case = design_directory.read_design(path, number)
+    sources = (read_source(path / DESIGN_CASE), read_source(path / DESIGN_DOCUMENT))
+    return case, sources, Chosen(document, number)
 
 
 def case_path(path: Path) -> Path:

@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.proof import Proof
 
-__all__ = ["DesignInMotion", "FrontInMotion", "front_in_motion"]
-
 
 @dataclass(frozen=True)
 class DesignInMotion:

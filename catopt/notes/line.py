@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from catopt.casefile import design_directory, read_case
-from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
 from catopt.catenary.case import solve_case, under_a_load
 from catopt.checks.case import check_case, is_of_load
 from catopt.checks.remarks import NO_CHECK
 from catopt.errors import CatoptError
-from catopt.notes.directory import Asked, asked_in, case_path
-from catopt.notes.motion import InMotion, allowed_tensions, in_motion, motion_files, motion_warnings
-from catopt.notes.origin import SourceFile, origin_of, read_source
+from catopt.notes.directory import Asked, Chosen, asked_in, read_with_sources
+from catopt.notes.motion import (
+    InMotion,
+    Progress,
+    allowed_tensions,
+    in_motion,
+    motion_files,
+    motion_warnings,
+)
+from catopt.notes.origin import SourceFile, origin_of
 from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
 from catopt.words import Message, is_said
 
@@ -27,18 +32,8 @@ if TYPE_CHECKING:
     from catopt.model import Case
     from catopt.verify.result import Verification
 
-Progress = Callable[[int, int], None]
-
-MOST_FORCE, LEAST_FORCE = 4.0, 0.01
+_MOST_FORCE, _LEAST_FORCE = 4.0, 0.01
 """The load curve goes up to this multiple of the case's force, and from this part of that."""
-
-
-@dataclass(frozen=True)
-class Chosen:
-    """A design, counted from 1, out of a front as a document of schema catopt.design/1."""
-
-    document: dict[str, Any]
-    number: int
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,26 +82,12 @@ def read_note(
     once: bool | None = None,
     progress: Progress | None = None,
 ) -> Note:
-    """Read a case file, or a design out of a result directory, and compute its note.
+    """Read a case file, or what a directory that ``--out`` wrote has, and compute its note.
 
-    Parameters
-    ----------
-    path : Path
-        A case file, or a directory that ``--out`` wrote: of ``catopt design`` with its front, of
-        another command with the case.
-    design : int, optional
-        Number of the design, counted from 1; the recommended one when left out.
-    date : str
-        For the title block.
-    verify : bool
-        Whether the truss model is put beside the closed form.
-    swarm, motion : bool, optional
-        Whether the particle swarm is put beside the closed form, and whether the line is run in
-        time. When left out, a directory has what was asked for there, a case file neither.
-    once : bool, optional
-        Whether the line in motion is run without its proof; as in a directory when left out.
-    progress : callable, optional
-        Told how far the line in motion is and how far it goes.
+    A `design` of ``catopt design`` counts from 1 and is the recommended one when left out. The date
+    and what is shown beside the closed form are as for `Asked`; `once` leaves out the proof of the
+    line in motion. Of these a directory has what was asked for there where None is given. The line
+    in motion tells `progress` how far it is and how far it goes.
 
     Raises
     ------
@@ -115,14 +96,8 @@ def read_note(
     """
     asked = asked_in(path, date=date, verify=verify)
     asked = asked.with_options(swarm=swarm, motion=motion, once=once)
-    if design is None and not (path / DESIGN_DOCUMENT).is_file():
-        place = case_path(path)
-        return note_of(read_case(place), (read_source(place),), asked, progress=progress)
-    document = design_directory.read_design_document(path)
-    number = document["recommended"] + 1 if design is None else design
-    case = design_directory.read_design(path, number)
-    sources = (read_source(path / DESIGN_CASE), read_source(path / DESIGN_DOCUMENT))
-    return note_of(case, sources, asked, Chosen(document, number), progress=progress)
+    case, sources, chosen = read_with_sources(path, design)
+    return note_of(case, sources, asked, chosen, progress=progress)
 
 
 def note_of(
@@ -199,10 +174,10 @@ def _curve(case: Case, solution: Solution) -> tuple[CaseCurve | None, tuple[str,
 
     try:
         curve = curve_case(case)
-        stop = MOST_FORCE * solution.horizontal_force
+        stop = _MOST_FORCE * solution.horizontal_force
         if 0.0 < stop < float(curve.curve.horizontal_force[-1]):
             with suppress(CatoptError):
-                curve = curve_case(case, start=LEAST_FORCE * stop, stop=stop)
+                curve = curve_case(case, start=_LEAST_FORCE * stop, stop=stop)
     except CatoptError as error:
         return None, (Message("notes.curve_left_out", why=error.message),)
     return curve, ()

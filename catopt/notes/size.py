@@ -14,8 +14,8 @@ from catopt.design.document import design_document
 from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
 from catopt.loads.source import CALMAR, LoadSource
 from catopt.mooring.solve import solve_system
-from catopt.notes.directory import Asked
-from catopt.notes.line import Chosen, Note, note_of
+from catopt.notes.directory import Asked, Chosen
+from catopt.notes.line import Note, note_of
 from catopt.notes.origin import Origin, SourceFile, origin_of
 from catopt.notes.sheet import AnyNote, sheet_of
 from catopt.sizing.kinds import schema_of

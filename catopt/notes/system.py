@@ -8,15 +8,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from catopt.casefile import design_directory, read_case
 from catopt.checks.remarks import NO_CHECK
 from catopt.checks.system import check_system
 from catopt.errors import CatoptError, NoEquilibriumError
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
-from catopt.notes.directory import Asked, case_path
+from catopt.notes.directory import Asked, read_with_sources
 from catopt.notes.motion import Progress, motion_files
-from catopt.notes.origin import SourceFile, origin_of, read_source
+from catopt.notes.origin import SourceFile, origin_of
 from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
 from catopt.quantities import QUANTITIES
 from catopt.ties import first_largest
@@ -153,14 +152,10 @@ def read_system_note(
     InputError, NoAnswerError, NotConvergedError
         As for `read_case`, `report_system`, `check_case` and `verify_dynamic`.
     """
-    place, front = case_path(path), path / design_directory.DESIGN_DOCUMENT
-    case, source = read_case(place), read_source(place)
-    if not front.is_file():
-        return system_note(case, (source,), asked, progress=progress)
-    if design is None:
-        design = design_directory.read_design_document(path)["recommended"] + 1
-    case = design_directory.read_design(path, design)
-    note = system_note(case, (source, read_source(front)), asked, progress=progress)
+    case, sources, chosen = read_with_sources(path, design)
+    note = system_note(case, sources, asked, progress=progress)
+    if chosen is None:
+        return note
     return replace(note, warnings=(Message("design.one_heading"), *note.warnings))
 
 
