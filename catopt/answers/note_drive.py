@@ -206,7 +206,6 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     average = dynamics.scheme == "newmark"
     radius = f"{dynamics.spectral_radius:g}"
     scheme = _said("average") if average else _said("generalised", radius=radius)
-    stiffness, damping = dynamics.seabed_stiffness, dynamics.seabed_damping
     yield _fact("bars", part.elements)
     yield _fact("runs", dynamics.runs)
     yield _fact("duration", dynamics.duration, _S)
@@ -217,14 +216,12 @@ def _model(moved: InMotion) -> Iterator[Fact]:
     yield _fact("scheme", scheme)
     yield _fact("line_damping", dynamics.critical_ratio, _NUMBER)
     yield _fact("damping_time", dynamics.damping_time, _S)
-    if stiffness is None:
-        yield _fact("bed_stiffness", _said("one_centimetre"))
-    else:
-        yield _fact("bed_stiffness", stiffness, significant("N/m²"))
-    if damping is None:
-        yield _fact("bed_damping", _said("critical"))
-    else:
-        yield _fact("bed_damping", damping, significant("N s/m²"))
+    for key, value, unless_given, unit in (
+        ("bed_stiffness", dynamics.seabed_stiffness, "one_centimetre", "N/m²"),
+        ("bed_damping", dynamics.seabed_damping, "critical", "N s/m²"),
+    ):
+        given = value is not None
+        yield _fact(key, value, significant(unit)) if given else _fact(key, _said(unless_given))
     yield _fact("bed_friction", case.site.seabed_friction, _NUMBER)
     yield _fact("initial_friction", _said(f"friction_{dynamics.initial_friction}"))
     yield _fact("density", case.site.water_density, significant("kg/m³"))

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING
 
@@ -40,6 +41,7 @@ _DIGITS = 5
 """Of the numbers of loads: more than any of them is known to."""
 
 _FORCE = named("horizontal_force", "")
+_section = partial(section, group="note_size")
 
 
 def size_note_answer(note: SizeNote) -> blocks.Answer:
@@ -64,10 +66,6 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
         *of_the_line(line, "equations", "verification", "swarm"),
     )
     return note_answer(note, "note_size.kind_size", sections, file="size_file")
-
-
-def _section(name: str, parts: Iterable[Block]) -> Section:
-    return section(name, parts, "note_size")
 
 
 # ------------------------------------------------------------------ what is recommended

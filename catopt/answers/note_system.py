@@ -36,6 +36,7 @@ _TURNING = Quantity("turning", "", "", "N/rad", "kN/rad", 1e3, 3)
 _YAWING = Quantity("yawing", "", "", "N*m/rad", "kN*m/rad", 1e3, 1)
 _RESIDUAL = Quantity("force_left", "", "", "N", "N", 1.0, 2, "scientific")
 _RESIDUAL_MOMENT = Quantity("moment_left", "", "", "N*m", "N*m", 1.0, 2, "scientific")
+_section = partial(section, group="note_system")
 _M, _N, _NM = (exact(unit) for unit in ("m", "N", "N m"))
 
 
@@ -62,10 +63,6 @@ def system_note_answer(note: SystemNote) -> blocks.Answer:
     return note_answer(
         note, "note_system.kind_system", sections, untitled="note_system.untitled_system"
     )
-
-
-def _section(name: str, parts: Iterable[Block]) -> Section:
-    return section(name, parts, "note_system")
 
 
 # ------------------------------------------------------------------ what decides
@@ -144,13 +141,16 @@ def _offset(note: SystemNote) -> Message:
 
 def _one_out(note: SystemNote) -> Iterator[Verdict]:
     """Say what the worst missing line does, and which lines the body cannot do without."""
-    for each in note.line_out:
+    for each in note.report.line_out:
         if each.response is None:
             refused = Message("note_system.line_out_refused", line=each.missing + 1)
             yield Verdict(Sentence(refused), passes=False)
     if note.hardest_out is None or note.farthest_out is None:
         return
-    hardest, farthest = note.line_out[note.hardest_out], note.line_out[note.farthest_out]
+    hardest, farthest = (
+        note.report.line_out[note.hardest_out],
+        note.report.line_out[note.farthest_out],
+    )
     assert hardest.response is not None
     assert farthest.response is not None
     said = Message(
@@ -259,7 +259,7 @@ def _checks(note: SystemNote) -> Iterator[Block]:
 
 def _line_out(note: SystemNote) -> Iterator[Block]:
     """Tabulate what each line gone does, and say why the body does not come to rest."""
-    gone = note.line_out
+    gone = note.report.line_out
     if not gone:
         return
     table = body.line_out_table(note.report)

@@ -38,15 +38,9 @@ class Asked:
         self, *, swarm: bool | None = None, motion: bool | None = None, once: bool | None = None
     ) -> Asked:
         """Return it with what options say; None leaves it."""
-        proof = self.proof
-        if once is not None:
-            proof = "none" if once else "step"
-        return replace(
-            self,
-            swarm=self.swarm if swarm is None else swarm,
-            motion=self.motion if motion is None else motion,
-            proof=proof,
-        )
+        proof = None if once is None else "none" if once else "step"
+        said: dict[str, Any] = {"swarm": swarm, "motion": motion, "proof": proof}
+        return replace(self, **{name: value for name, value in said.items() if value is not None})
 
 
 @dataclass(frozen=True)

@@ -111,11 +111,8 @@ def front_in_motion(
     A case is a design's number, case and objectives; `progress` is told the designs done and all,
     the rest is as for `verify_dynamic`.
 
-    Raises
-    ------
-    InputError
-        As for `verify_dynamic` and `check_motion`; the case has no check of a tension. A design
-        without an answer does not stop the others.
+    Raises InputError as `verify_dynamic` and `check_motion` do, and where the case has no check of
+    a tension. A design without an answer does not stop the others.
     """
     from catopt.verify.dynamic import verify_dynamic
 

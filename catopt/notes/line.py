@@ -89,10 +89,8 @@ def read_note(
     line in motion. Of these a directory has what was asked for there where None is given. The line
     in motion tells `progress` how far it is and how far it goes.
 
-    Raises
-    ------
-    InputError, NoAnswerError, NotConvergedError
-        As for `read_case`, `read_design`, `solve_case`, `check_case` and `verify_dynamic`.
+    Raises InputError, NoAnswerError and NotConvergedError as `read_case`, `read_design`,
+    `solve_case`, `check_case` and `verify_dynamic` do.
     """
     asked = asked_in(path, date=date, verify=verify)
     asked = asked.with_options(swarm=swarm, motion=motion, once=once)

@@ -78,10 +78,7 @@ def in_motion(
 ) -> InMotion:
     """Run the line of a case, checked at rest, in time under every load case.
 
-    Raises
-    ------
-    InputError, NoEquilibriumError, NotConvergedError
-        As for `verify_dynamic`.
+    Raises InputError, NoEquilibriumError and NotConvergedError as `verify_dynamic` does.
     """
     from catopt.verify.dynamic import verify_dynamic
     from catopt.verify.dynamic_setup import check_for_motion, read_drive
@@ -135,10 +132,7 @@ def checks_in_motion(
     The mean tension of a segment is its largest at rest, under the mean loads: by the parts of what
     was found, solved here when left out. On a bed that slopes there is none.
 
-    Raises
-    ------
-    InputError, NoEquilibriumError, NotConvergedError
-        As for `check_case`.
+    Raises InputError, NoEquilibriumError and NotConvergedError as `check_case` does.
     """
     solved = lines_at_rest(found) if at_rest is None else at_rest
     lines = []

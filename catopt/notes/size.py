@@ -72,10 +72,7 @@ class SizeNote(AnyNote):
 def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeNote:
     """Compute the note of a sizing, by what was asked for, and of its recommended line.
 
-    Raises
-    ------
-    NoAnswerError, NotConvergedError
-        As for `note_of`.
+    Raises NoAnswerError and NotConvergedError as `note_of` does.
     """
     asked = asked or Asked()
     # The case of the recommended line, as ``catopt size --save`` writes it.

@@ -25,7 +25,6 @@ from catopt.words import Message, is_said
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
-    from catopt.mooring.line_out import LineOut
     from catopt.mooring.response import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.verify.dynamic_result import DynamicVerification
@@ -78,7 +77,7 @@ class SystemNote(AnyNote):
     @property
     def left(self) -> tuple[float | None, ...]:
         """The same with each line gone in turn."""
-        return tuple(self._used(each.solution, each.missing + 1) for each in self.line_out)
+        return tuple(self._used(each.solution, each.missing + 1) for each in self.report.line_out)
 
     def _used(self, solution: SystemSolution | None, missing: int | None) -> float | None:
         if solution is None or self.is_judged:
@@ -97,11 +96,6 @@ class SystemNote(AnyNote):
         return heading_of(*self.solution.offset)
 
     @property
-    def line_out(self) -> tuple[LineOut, ...]:
-        """The body with each of its lines gone in turn."""
-        return self.report.line_out
-
-    @property
     def hardest_out(self) -> int | None:
         """Which of the lines gone, counted as in the report, leaves the largest tension."""
         return self._worst_out(lambda response: response.largest_tension)
@@ -112,7 +106,7 @@ class SystemNote(AnyNote):
         return self._worst_out(lambda response: response.offset)
 
     def _worst_out(self, of: Callable[[Response], float]) -> int | None:
-        responses = [gone.response for gone in self.line_out]
+        responses = [gone.response for gone in self.report.line_out]
         known = [-math.inf if each is None else of(each) for each in responses]
         return first_largest(known) if any(responses) else None
 
@@ -147,10 +141,8 @@ def read_system_note(
     `design` is the number of a design, counted from 1, in a directory that ``catopt design --out``
     wrote, the recommended one when left out.
 
-    Raises
-    ------
-    InputError, NoAnswerError, NotConvergedError
-        As for `read_case`, `report_system`, `check_case` and `verify_dynamic`.
+    Raises InputError, NoAnswerError and NotConvergedError as `read_case`, `report_system`,
+    `check_case` and `verify_dynamic` do.
     """
     case, sources, chosen = read_with_sources(path, design)
     note = system_note(case, sources, asked, progress=progress)

@@ -54,10 +54,8 @@ def write_files(
     even a power cut left parts of two answers is recognised. That is `case`, or the case file among
     them; `keep` are files that were read, in whose place nothing is written.
 
-    Raises
-    ------
-    InputError
-        The directory or a file in it cannot be written, or would go in the place of one to keep.
+    Raises InputError where the directory or a file in it cannot be written, or would go in the
+    place of one to keep.
     """
     check_directory(directory)
     try:
