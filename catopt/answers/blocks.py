@@ -414,8 +414,9 @@ class Rows:
         return measured(quantity, self.read(what), name, **how)
 
     def own(self, *keys: str, **how: Any) -> Iterator[Column]:
-        """Yield columns of quantities that each row has under their keys."""
-        return (measured(key, self.read(key), **how) for key in keys)
+        """Yield columns of what each row has under a key: of a quantity's a measured one."""
+        for key in keys:
+            yield self.measured(key, key, **how) if key in QUANTITIES else self.texts(key, **how)
 
     def texts(self, name: str, what: str | Callable[[Any], Any] = "", **how: Any) -> Column:
         """Make a column of words or counts, under the name of the attribute where none is given."""
@@ -434,18 +435,19 @@ def fact(
     symbol: str | None = None,
     **how: Any,
 ) -> Fact:
-    """Make a fact of the key of a quantity; the value is in SI.
-
-    `name` as `column_name` takes it; the quantity's own name, and its symbol, where they are left
-    out.
-    """
-    said = column_name(name) if name else quantity_name(key)
-    return Fact(said, value, named(key, symbol), **how)
+    """Make a fact of the key of a quantity, named as `measured` names a column; in SI."""
+    own = measured(key, (), name, symbol=symbol)
+    return Fact(own.name, value, own.quantity, **how)
 
 
 def stated(name: str, value: Value, **how: Any) -> Fact:
     """Make a fact of words or a count; `name` as `column_name` takes it."""
     return Fact(column_name(name), value, **how)
+
+
+def labelled(name: str, symbol: str) -> str:
+    """Put a symbol behind a name, where there is one."""
+    return Message("words.label", name=name, symbol=symbol) if symbol else name
 
 
 def keyed(key: str, name: str) -> Message:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
@@ -18,12 +19,12 @@ if TYPE_CHECKING:
     from catopt.catalogue.document import Answer as Found
 
 _COEFFICIENTS = {
-    "drag_normal": ("drag_coefficient_across", "catalogue.drag_diameter"),
-    "drag_axial": ("drag_coefficient_along", "catalogue.drag_diameter"),
-    "added_mass_normal": ("added_mass_coefficient_across", "catalogue.diameter"),
-    "added_mass_axial": ("added_mass_coefficient_along", "catalogue.diameter"),
+    "drag_normal": ("drag_coefficient_across", "drag_diameter_across_the_line"),
+    "drag_axial": ("drag_coefficient_along", "drag_diameter_along_the_line"),
+    "added_mass_normal": ("added_mass_coefficient_across", ""),
+    "added_mass_axial": ("added_mass_coefficient_along", ""),
 }
-"""What the coefficients are called, and the diameters that they are referred to."""
+"""What the coefficients are called, and their drag diameters."""
 
 _PLAIN = {
     "mass": ("mass_per_length", "columns.mass_in_air_per_length"),
@@ -85,7 +86,7 @@ def _components(components: Sequence[Component]) -> blocks.Table:
         *of.own("submerged_weight", "volume_diameter", "MBL", symbol=""),
         of.measured("MBL", "MBL_in_water", "minimum_breaking_load_in_water", symbol=""),
         *of.own("proof_load", "EA", symbol=""),
-        *(of.measured(key, path, name, symbol="") for path, key, name in _HYDRODYNAMIC),
+        *_coefficients(of),
         *of.own("price", symbol=""),
         of.texts("confidence_of_mbl", lambda each: _confidence(each, "")),
         of.texts("recalled", lambda each: ", ".join(each.recalled)),
@@ -93,15 +94,11 @@ def _components(components: Sequence[Component]) -> blocks.Table:
     )
 
 
-_HYDRODYNAMIC = (
-    ("drag_normal.coefficient", "coefficient", "drag_coefficient_across_the_line"),
-    ("drag_normal.diameter", "drag_diameter", "drag_diameter_across_the_line"),
-    ("drag_axial.coefficient", "coefficient", "drag_coefficient_along_the_line"),
-    ("drag_axial.diameter", "drag_diameter", "drag_diameter_along_the_line"),
-    ("added_mass_normal.coefficient", "coefficient", "added_mass_coefficient_across_the_line"),
-    ("added_mass_axial.coefficient", "coefficient", "added_mass_coefficient_along_the_line"),
-)
-"""Attribute of a component, its quantity and its heading."""
+def _coefficients(of: Rows) -> Iterator[blocks.Column]:
+    for key, (name, diameter) in _COEFFICIENTS.items():
+        yield of.measured("coefficient", f"{key}.coefficient", f"{name}_the_line")
+        if diameter:
+            yield of.measured("drag_diameter", f"{key}.diameter", diameter)
 
 
 def _figures(families: Sequence[Family]) -> blocks.Table:
@@ -109,17 +106,15 @@ def _figures(families: Sequence[Family]) -> blocks.Table:
     return tabulate(
         "figures",
         texts("family", [family.name for family in families for _ in family.figures]),
-        of.texts("quantity"),
+        *of.own("quantity"),
         of.texts("grades", lambda each: ", ".join(each.grades)),
-        of.texts("variant"),
+        *of.own("variant"),
         of.texts("default", lambda each: blocks.yes_or_no(each.default)),
         of.texts("formula", "text"),
         *_ranges(of),
-        of.texts("confidence"),
+        *of.own("confidence"),
         of.texts("sources", lambda each: _keys(each.sources)),
-        of.texts("place"),
-        of.texts("reason"),
-        of.texts("note"),
+        *of.own("place", "reason", "note"),
         only="files",
     )
 
@@ -143,15 +138,13 @@ def _families(families: Sequence[Family]) -> blocks.Table:
 
 def _ranges(of: Rows) -> Iterator[blocks.Column]:
     for end, name in enumerate(("smallest_nominal_diameter", "largest_nominal_diameter")):
-        yield measured(
-            "nominal_diameter", [each[end] for each in of.read("range")], name, symbol=""
-        )
+        ends = map(itemgetter(end), of.read("range"))
+        yield measured("nominal_diameter", ends, name, symbol="")
 
 
 def _sources(sources: Sequence[Source]) -> blocks.Table:
     of = Rows(sources)
-    columns = (of.texts("source", "key"), of.texts("title"), of.texts("place"))
-    return tabulate("sources", *columns, only="files")
+    return tabulate("sources", of.texts("source", "key"), *of.own("title", "place"), only="files")
 
 
 # ------------------------------------------------------------------ what people see of a list
@@ -270,9 +263,7 @@ def _known(component: Component) -> Iterator[_Row]:
     for key, (unit, name) in _PLAIN.items():
         quantity = blocks.named(unit)
         if key in origins:
-            label = Message(name)
-            if quantity.symbol:
-                label = Message("words.label", name=label, symbol=quantity.symbol)
+            label = blocks.labelled(Message(name), quantity.symbol)
             yield _Row(label, getattr(component, key), quantity, origins[key])
         if key == "MBL" and component.wet_strength_factor is not None:
             wet = Message("columns.mbl_in_water")
@@ -282,13 +273,14 @@ def _known(component: Component) -> Iterator[_Row]:
             said = Message("catalogue.dynamic", constant=constant, slope=slope)
             ratio = Message("columns.dynamic_ea_over_mbl")
             yield _Row(ratio, said, blocks.named("coefficient"), origins["EA_dynamic"])
-    for key, (name, referred) in _COEFFICIENTS.items():
+    for key, (name, of_drag) in _COEFFICIENTS.items():
         found = getattr(component, key)
         if found is not None:
             name = Message(f"columns.{name}")
             yield _Row(name, found.coefficient, _shortest("coefficient"), origins[key])
-            own = "catalogue.volume_diameter" if found.name == "volume" else referred
-            below = Several(("  ", Message(own, name=found.name)), "")
+            other = "drag_diameter" if of_drag else "diameter"
+            key = "volume_diameter" if found.name == "volume" else other
+            below = Several(("  ", Message(f"catalogue.{key}", name=found.name)), "")
             yield _Row(below, found.diameter, blocks.named("drag_diameter"))
 
 

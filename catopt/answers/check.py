@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, section, tabulate, texts
+from catopt.answers.blocks import Rows, answered, section, tabulate, texts, yes_or_no
 from catopt.checks.kinds import QUANTITY_OF
 from catopt.figures.line import Failing
 from catopt.words import Measure, Message, Several, term
@@ -16,12 +16,6 @@ from catopt.words import Measure, Message, Several, term
 if TYPE_CHECKING:
     from catopt.checks.criterion import CheckSource
     from catopt.checks.result import CheckReport, CheckResult
-
-_LOAD_CASES = {
-    "": "checks.load_case",
-    "extreme": "checks.extreme_load_case",
-    "reference": "checks.reference_load_case",
-}
 
 
 def check_answer(report: CheckReport) -> blocks.Answer:
@@ -55,18 +49,28 @@ def failing_checks(report: CheckReport) -> tuple[Failing, ...]:
 
 def checked(report: CheckReport) -> tuple[blocks.Table, blocks.Table]:
     """Tabulate the checks of a line by load case, and once each criterion."""
-    return _checks(report), _criteria(report.results)
+    parts = tuple(
+        (
+            load_case_words(report, index),
+            tuple(row for row, each in enumerate(report.results) if each.load_case == name),
+        )
+        for index, (name, _) in enumerate(report.solutions)
+    )
+    table = blocks.Table("checks", check_columns(report.results), parts=parts)
+    return table, _criteria(report.results)
 
 
 def checked_body(report: CheckReport) -> tuple[blocks.Block, ...]:
     """Tabulate what each state of a body comes to, the tightest checks, and their criteria."""
-    table = _of_body(report)
-    said = Message("checks.tightest_shown", count=len(report.results))
+    results, governing = report.results, report.governing
+    marked = None if governing is None else results.index(governing)
+    shown = sorted({*report.tightest_by_state, *([] if marked is None else [marked])})
+    columns = check_columns(results, of_a_body=True)
     return (
         _states(report),
-        table,
-        blocks.Text(said, is_small=True),
-        _criteria([report.results[row] for row in table.shown or ()]),
+        blocks.Table("checks", columns, shown=tuple(shown), marked=marked),
+        blocks.Text(Message("checks.tightest_shown", count=len(results)), is_small=True),
+        _criteria([results[row] for row in shown]),
     )
 
 
@@ -117,7 +121,7 @@ def check_columns(
     return (
         *first,
         *_use(results),
-        of.texts("passes", lambda each: _yes(each.passes, "yes", "no"), only="files"),
+        of.texts("passes", lambda each: yes_or_no(each.passes), only="files"),
         replace(verdict_column(each.passes for each in results), only="people"),
         of.texts("by", lambda each: _by(each.source), only="people"),
         of.texts("code", lambda each: term(each.source.code), only="files"),
@@ -126,10 +130,12 @@ def check_columns(
     )
 
 
-def verdict_column(passes: Iterable[bool]) -> blocks.Column:
+def verdict_column(
+    passes: Iterable[bool], good: str = "answers.passes", bad: str = "answers.fails"
+) -> blocks.Column:
     """Say of each row whether it passes or fails."""
     every = tuple(passes)
-    return texts("verdict", [_yes(each, "passes", "fails") for each in every], passes=every)
+    return texts("verdict", [Message(good if each else bad) for each in every], passes=every)
 
 
 def _use(results: Sequence[CheckResult]) -> tuple[blocks.Column, blocks.Column, blocks.Column]:
@@ -166,10 +172,6 @@ def tightest_table(report: CheckReport) -> blocks.Table:
     )
 
 
-def _yes(passes: bool, yes: str, no: str) -> Message:
-    return Message(f"answers.{yes if passes else no}")
-
-
 def _where(result: CheckResult) -> str:
     """Say of which line a check is, or that it is of the body, and in which state."""
     if result.place.line is not None:
@@ -183,18 +185,6 @@ def _short(result: CheckResult) -> str:
     if number is None:
         return result.name
     return Message("checks.tension", segment=Message("checks.segment", number=number))
-
-
-def _of_body(report: CheckReport) -> blocks.Table:
-    """Tabulate the checks of a body; people see, intact and with one line out, the tightest."""
-    governing = report.governing
-    marked = [] if governing is None else [report.results.index(governing)]
-    return blocks.Table(
-        "checks",
-        check_columns(report.results, of_a_body=True),
-        shown=tuple(sorted({*report.tightest_by_state, *marked})),
-        marked=marked[0] if marked else None,
-    )
 
 
 def _states(report: CheckReport) -> blocks.Table:
@@ -221,17 +211,6 @@ def _most(code: str, results: Sequence[CheckResult]) -> float | None:
     """Largest utilisation of the checks by a code."""
     used = (each.utilisation for each in results if each.source.code == code)
     return max((each for each in used if each is not None), default=None)
-
-
-def _checks(report: CheckReport) -> blocks.Table:
-    parts = tuple(
-        (
-            load_case_words(report, index),
-            tuple(row for row, each in enumerate(report.results) if each.load_case == name),
-        )
-        for index, (name, _) in enumerate(report.solutions)
-    )
-    return blocks.Table("checks", check_columns(report.results), parts=parts)
 
 
 def _by(source: CheckSource) -> str:
@@ -301,15 +280,13 @@ def governing_sentence(report: CheckReport) -> str:
     found = report.governing
     if found is None:
         return ""
-    values = {
-        "check": found.name,
-        "load_case": found.load_case,
-        "how": _used(found),
-        "source": found.source.text,
-    }
-    if not report.places:
-        return Message("checks.governing", **values)
-    return Message("checks.governing_of_body", **(values | {"load_case": _where(found)}))
+    return Message(
+        "checks.governing_of_body" if report.places else "checks.governing",
+        check=found.name,
+        load_case=_where(found) if report.places else found.load_case,
+        how=_used(found),
+        source=found.source.text,
+    )
 
 
 def _used(result: CheckResult) -> str:
@@ -326,6 +303,7 @@ def _used(result: CheckResult) -> str:
 def load_case_words(report: CheckReport, index: int) -> Message:
     """Name a load case with its force: ``"storm (extreme), horizontal force 450.000 kN"``."""
     name, solution = report.solutions[index]
-    key = _LOAD_CASES[report.load_cases[index].kind if report.load_cases else ""]
+    kind = f"{report.load_cases[index].kind}_" if report.load_cases else ""
     force = Measure("horizontal_force", solution.horizontal_force)
-    return Message(key, name=name, force=force, height=solution.fairlead_height)
+    height = solution.fairlead_height
+    return Message(f"checks.{kind}load_case", name=name, force=force, height=height)

@@ -13,11 +13,10 @@ from catopt.answers.solution import (
     given_facts,
     given_tables,
     point_loads_table,
-    regime_name,
     result_facts,
     segments_table,
 )
-from catopt.words import Measure, Message
+from catopt.words import Measure, Message, term
 
 if TYPE_CHECKING:
     from catopt.catenary.case_curve import CaseCurve
@@ -81,7 +80,7 @@ def points_table(result: CaseCurve) -> blocks.Table:
         measured("angle", curve.anchor_angle, "inclination_at_the_anchor", symbol="theta0"),
         measured("grounded_length", curve.grounded_length),
         measured("stiffness", curve.stiffness),
-        texts("regime", map(regime_name, curve.regime), only="files"),
+        texts("regime", map(term, curve.regime), only="files"),
         caption=caption if len(shown) < count else Message("captions.curve_points"),
         shown=shown,
     )

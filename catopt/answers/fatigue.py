@@ -22,9 +22,9 @@ _PART = Quantity("part", "Part", "", "-", "-", 1.0, 4)
 _AREA = Quantity("area", "Area", "", "m^2", "mm²", 1e-6, 0)
 _HEIGHT = Quantity("height", "Height", "", "m", "m", 1.0, 2)
 _PROVEN = {
-    "converged": "fatigue.converged",
-    "not converged": "fatigue.not_converged",
-    "not proven": "fatigue.run_once",
+    "converged": Message("fatigue.converged"),
+    "not converged": Message("fatigue.not_converged"),
+    "not proven": Message("fatigue.run_once"),
 }
 
 
@@ -54,11 +54,7 @@ def fatigue_sentence(report: FatigueReport) -> Message:
     )
     if report.verdict == "converged":
         return said
-    return Message("fatigue.not_proven", said=said, verdict=_proven(report.verdict))
-
-
-def _proven(verdict: str) -> Message:
-    return Message(_PROVEN[verdict])
+    return Message("fatigue.not_proven", said=said, verdict=_PROVEN[report.verdict])
 
 
 def _sentences(report: FatigueReport) -> Iterator[Message]:
@@ -149,7 +145,7 @@ def _states(report: FatigueReport) -> blocks.Table:
         of.measured(_PERIOD, "period", "fatigue.period"),
         of.measured(_PART, "share", "fatigue.share"),
         runs.texts("fatigue.runs", lambda run: len(run.parts[0].runs)),
-        runs.texts("fatigue.convergence", lambda run: _proven(run.verdict)),
+        runs.texts("fatigue.convergence", lambda run: _PROVEN[run.verdict]),
     )
 
 

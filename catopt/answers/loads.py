@@ -66,12 +66,9 @@ def _headings(of: Loads, lyings: Sequence[Lying]) -> Iterator[blocks.Section]:
 
 def forces_table(*by: Loads) -> blocks.Table:
     """Tabulate the forces by one method or several, a row each, and their sum."""
-    every: list[LoadComponent | None] = []
-    methods, forces = [], []
-    for of in by:
-        every += [*of.components, None]
-        methods += [of.method] * (len(of.components) + 1)
-        forces += [*(each.force for each in of.components), of.horizontal_force]
+    rows = [(of, each) for of in by for each in (*of.components, None)]
+    methods, every = [of.method for of, _ in rows], [each for _, each in rows]
+    forces = [of.horizontal_force if each is None else each.force for of, each in rows]
     total = term("horizontal force")
 
     def of_each(name: str, path: str, only: blocks.For = "files") -> blocks.Column:
@@ -101,8 +98,7 @@ def numbers_table(*by: Loads) -> blocks.Table:
     return tabulate(
         "numbers",
         texts("force", [each.name for each in components for _ in each.numbers]),
-        numbers.texts("symbol"),
-        numbers.texts("meaning"),
+        *numbers.own("symbol", "meaning"),
         numbers.of_row("value"),
         numbers.texts("unit", lambda each: each.unit or "-"),
         only="files",
@@ -126,11 +122,8 @@ def _notes_table(by: Sequence[Loads]) -> blocks.Table:
 def notes_table(rows: Iterable[tuple[str, str]]) -> blocks.Table:
     """Tabulate what is said in words, each once, behind what kind of words it is."""
     once = dict.fromkeys(rows)
-    kinds, said = (
-        texts("kind", [kind for kind, _ in once]),
-        texts("text", [said for _, said in once]),
-    )
-    return tabulate("notes", kinds, said, only="files")
+    kinds, said = ([row[at] for row in once] for at in range(2))
+    return tabulate("notes", texts("kind", kinds), texts("text", said), only="files")
 
 
 def _how(by: Sequence[Loads]) -> blocks.Text:

@@ -80,13 +80,36 @@ def _of_load_cases(found: DynamicVerification) -> Iterator[blocks.Block]:
         if found.case.load_cases:
             title = Message("motion.title_of_load_case", name=part.name)
         yield _quantities(part, title)
-        yield blocks.Text(_runs(part))
-        yield blocks.Text(Message("motion.drag_area"))
-        yield from (blocks.Text(each) for each in motion_sentences(part))
-        yield from (
-            blocks.Verdict(each, part.verdict == "converged") for each in proof_sentences(part)
+        yield from _said(part, part, part.remarks)
+
+
+def _said(
+    part: DynamicPart, proven: DynamicPart, remarked: Iterable[str]
+) -> Iterator[blocks.Block]:
+    """Say what the motion does to a line, how far that is proven, and what was remarked on."""
+    history = part.runs[-1].history
+    yield blocks.Text(
+        Message(
+            "motion.runs",
+            count=len(part.runs),
+            time=float(history.time[-1]),
+            step=history.step,
+            bars=part.elements,
+            since=history.since,
         )
-        yield from remarks(part.remarks)
+    )
+    yield blocks.Text(Message("motion.drag_area"))
+    for said in motion_sentences(part):
+        yield blocks.Text(_of_line(part, said))
+    for said in proof_sentences(proven):
+        yield blocks.Verdict(_of_line(proven, said), proven.verdict == "converged")
+    yield from remarks(remarked)
+
+
+def _of_line(part: DynamicPart, said: str) -> str:
+    if part.line is None:
+        return said
+    return Message("motion.said_of_line", number=part.line, said=said)
 
 
 def _quantities(part: DynamicPart, caption: str) -> blocks.Table:
@@ -116,18 +139,11 @@ def _over_runs(found: Sequence[OverRuns]) -> Iterator[blocks.Column]:
 
 def _of_body(found: DynamicVerification) -> Iterator[blocks.Block]:
     """Say what all lines of a body carry, where the body goes, and how it was proven."""
-    governing, doubted = found.governing, found.least_proven
     yield _lines(found.parts)
     caption = Message("motion.the_body")
     yield tabulate("motion_body", *_over_runs(found.body), caption=caption, only="people")
-    yield blocks.Text(_runs(governing))
-    yield blocks.Text(Message("motion.drag_area"))
-    for said in motion_sentences(governing):
-        yield blocks.Text(Message("motion.said_of_line", number=governing.line, said=said))
-    for said in proof_sentences(doubted):
-        words = Message("motion.said_of_line", number=doubted.line, said=said)
-        yield blocks.Verdict(words, doubted.verdict == "converged")
-    yield from remarks(dict.fromkeys(each for part in found.parts for each in part.remarks))
+    remarked = dict.fromkeys(each for part in found.parts for each in part.remarks)
+    yield from _said(found.governing, found.least_proven, remarked)
 
 
 def _lines(parts: Sequence[DynamicPart]) -> blocks.Table:
@@ -144,18 +160,6 @@ def _lines(parts: Sequence[DynamicPart]) -> blocks.Table:
         of.measured(_PERCENT, lambda part: part.change_of("fairlead_tension"), "change"),
         caption=Message("motion.lines_of_body"),
         only="people",
-    )
-
-
-def _runs(part: DynamicPart) -> Message:
-    history = part.runs[-1].history
-    return Message(
-        "motion.runs",
-        count=len(part.runs),
-        time=float(history.time[-1]),
-        step=history.step,
-        bars=part.elements,
-        since=history.since,
     )
 
 
@@ -195,8 +199,9 @@ def _statistics(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     found = [each for part in parts for each in part.quantities]
     of = Rows(found)
     yield _of(part for part in parts for _ in part.quantities)
-    yield of.texts("quantity", _keyed)
-    yield of.texts("unit")
+    names = (term(DYNAMIC_QUANTITY_OF[each.quantity].name) for each in found)
+    yield texts("quantity", map(blocks.keyed, of.read("quantity"), names))
+    yield from of.own("unit")
     yield of.of_row("mean")
     yield of.of_row("standard_deviation", "std")
     yield of.of_row("minimum")
@@ -211,17 +216,12 @@ def _statistics(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
     yield of.measured(_RATIO, "tail.extreme.confidence", "confidence_of_the_interval")
     yield of.of_row("expected_maximum", "tail.extreme.expected")
     yield of.of_row("threshold_of_the_tail", "tail.threshold")
-    peaks = Rows(of.read("tail.clusters"))
-    yield peaks.texts("peaks_above_the_threshold", len)
+    yield Rows(of.read("tail.clusters")).texts("peaks_above_the_threshold", len)
     yield of.of_row("weibull_scale", "tail.scale")
     yield of.measured(_RATIO, "tail.shape", "weibull_shape")
     yield of.of_row("gumbel_most_probable_maximum", "gumbel.extreme.most_probable")
     yield of.of_row("gumbel_interval_from", "gumbel.extreme.low")
     yield of.of_row("gumbel_interval_to", "gumbel.extreme.high")
-
-
-def _keyed(each: OverRuns) -> Message:
-    return blocks.keyed(each.quantity, term(DYNAMIC_QUANTITY_OF[each.quantity].name))
 
 
 def _summary(parts: Sequence[DynamicPart]) -> Iterator[blocks.Column]:
@@ -331,9 +331,8 @@ def _front(found: FrontInMotion) -> Iterator[blocks.Block]:
         if each.failure:
             yield blocks.Text(Message("truss.design_failed", number=each.number, why=each.failure))
     if not found.is_complete:
-        yield blocks.Verdict(
-            Message("motion.front_stopped", count=len(found.designs)), passes=False
-        )
+        stopped = Message("motion.front_stopped", count=len(found.designs))
+        yield blocks.Verdict(stopped, passes=False)
     if any(each.found is not None and each.found.verdict == "not proven" for each in found.designs):
         yield blocks.Verdict(Message("motion.not_proven"), passes=False)
     only_in_motion = [each.number for each in found.designs if not each.passes]

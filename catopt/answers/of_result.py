@@ -14,10 +14,6 @@ if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
 
 
-_MAIN = {"Sizing": "sizing"}
-"""Name of the main table where that is not the first."""
-
-
 def answer_of(result: Any) -> Answer:
     """Lay out a result; TypeError for what is none."""
     from catopt.answers.check import check_answer
@@ -52,10 +48,10 @@ def answer_of(result: Any) -> Answer:
 
 def table_of(result: Any) -> pd.DataFrame:
     """Return the main table of a result: the one of its kind, or the first."""
-    blocks = [block for section in answer_of(result).sections for block in section.blocks]
+    blocks = answer_of(result).blocks
     tables = [each for each in blocks if isinstance(each, Table) and each.only != "workbook"]
-    wanted = _MAIN.get(type(result).__name__, tables[0].name)
-    return next(each for each in tables if each.name == wanted).to_dataframe()
+    of_its_kind = [each for each in tables if each.name == "sizing"]
+    return (of_its_kind or tables)[0].to_dataframe()
 
 
 def _solution(solution: Solution) -> Answer:

@@ -46,9 +46,7 @@ def _comparison(items: Sequence[Item]) -> blocks.Table:
     of = Rows(items)
     return tabulate(
         "reproduction",
-        of.texts("source"),
-        of.texts("name"),
-        of.texts("quantity"),
+        *of.own("source", "name", "quantity"),
         of.texts("method", lambda each: term(each.method)),
         of.texts("unit"),
         of.of_row("printed", "printed.text"),
@@ -66,10 +64,9 @@ def _inputs(studies: Sequence[Study]) -> blocks.Table:
     return tabulate(
         "inputs",
         texts("study", [study.name for study in studies for _ in study.inputs]),
-        of.texts("quantity"),
+        *of.own("quantity"),
         of.of_row("value"),
-        of.texts("unit"),
-        of.texts("origin"),
+        *of.own("unit", "origin"),
         only="workbook",
     )
 

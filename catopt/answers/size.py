@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers import blocks
-from catopt.answers.blocks import Rows, answered, named, of_row, section, tabulate, texts
+from catopt.answers.blocks import Rows, answered, named, section, tabulate, texts
 from catopt.answers.check import check_columns, tightest_table
 from catopt.answers.loads import forces_table, notes_table, numbers_table
 from catopt.checks.kinds import QUANTITY_OF
@@ -16,7 +16,6 @@ from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Measure, Message, Several, term
 
 if TYPE_CHECKING:
-    from catopt.loads.component import Loads
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Candidate
     from catopt.sizing.pattern import Pattern
@@ -44,7 +43,7 @@ def size_answer(of: Sizing) -> blocks.Answer:
         section("captions.checks", tightest_table(of.point.checks), checks),
         *_pattern(of),
         section(term("Forces"), *_forces(of)),
-        section("columns.numbers", _numbers(of)),
+        section("columns.numbers", _stacked(of, "numbers", numbers_table)),
         section(term("Notes"), _notes_table(of), *_notes(of)),
     )
 
@@ -350,30 +349,24 @@ def _forces(of: Sizing) -> Iterator[blocks.Block]:
     yield blocks.Text(Message("answers.confidence"), only="people")
 
 
-def _numbers(of: Sizing) -> blocks.Table:
-    """Tabulate every number that was put in; none where the force was given."""
-    if of.settled.posed.loads[0].parts:
-        return _stacked(of, "numbers", numbers_table)
-    names = ("load_case", "on", "force", "symbol", "meaning")
-    columns = (*(texts(name, ()) for name in names), of_row("value", ()), texts("unit", ()))
-    return blocks.Table("numbers", columns, only="files")
+def _stacked(of: Sizing, name: str, table_of: Callable[..., blocks.Table]) -> blocks.Table:
+    """Stack a table of every part of every load case, with load case and part in front.
 
-
-def _stacked(of: Sizing, name: str, table_of: Callable[[Loads], blocks.Table]) -> blocks.Table:
-    """Stack a table of every part of every load case, with load case and part in front."""
+    It has no rows where the force was given.
+    """
     parts = [(each.load_case, part) for each in of.settled.posed.loads for part in each.parts]
-    tables = [table_of(part) for _, part in parts]
+    tables, none = [table_of(part) for _, part in parts], table_of()
     rows = [place for place, table in zip(parts, tables, strict=True) for _ in range(table.length)]
     columns = (
         replace(same[0], values=tuple(value for each in same for value in each.values))
-        for same in zip(*(table.columns for table in tables), strict=True)
+        for same in zip(none.columns, *(table.columns for table in tables), strict=True)
     )
     return tabulate(
         name,
         texts("load_case", (load_case for load_case, _ in rows), only="files"),
         texts("on", (part.title for _, part in rows), only="files"),
         *columns,
-        only=tables[0].only,
+        only=none.only,
     )
 
 

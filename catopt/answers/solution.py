@@ -138,7 +138,7 @@ def summary(solution: Solution) -> blocks.Facts:
     opening = [
         stated("title", solution.title),
         stated("method", solution.method),
-        stated("regime", regime_name(solution.regime)),
+        stated("regime", term(solution.regime)),
     ]
     closing = list(residual_facts(solution))
     if found is not None:
@@ -261,11 +261,6 @@ def method_name(method: str) -> Message:
     return Message("solution.closed_form" if method == "closed-form" else "solution.swarm")
 
 
-def regime_name(regime: str) -> str:
-    """Name a regime in one word."""
-    return term(regime)
-
-
 def _closing(solution: Solution) -> Iterator[blocks.Block]:
     if solution.found is not None:
         yield blocks.Text(Message("solution.residual_of_condition", value=solution.found.residual))
@@ -297,11 +292,9 @@ def _swarm(case: Case, solution: Solution) -> Iterator[blocks.Section]:
 
 def swarm_settings(settings: SwarmSettings) -> blocks.Facts:
     """List the settings of a swarm, in workbooks."""
+    counts = ("particles", "iterations", "runs", "seed")
     facts = (
-        stated("particles", settings.particles),
-        stated("iterations", settings.iterations),
-        stated("runs", settings.runs),
-        stated("seed", settings.seed),
+        *(stated(key, getattr(settings, key)) for key in counts),
         fact("coefficient", settings.cognitive, "cognitive_coefficient_c1"),
         fact("coefficient", settings.social, "social_coefficient_c2"),
         fact("coefficient", settings.inertia, "inertia_w"),

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, answered, measured, section, tabulate, texts, yes_or_no
+from catopt.answers.check import verdict_column
 from catopt.quantities import Quantity
 from catopt.verify.truss_words import QUANTITY_OF, name_of, part_sentence, rough_sentence
 from catopt.words import Message, Several, Unit, term
@@ -20,6 +23,7 @@ if TYPE_CHECKING:
 GAP = Quantity("gap", "Difference", "", "-", "-", 1.0, 1, "scientific", floor=1e-10)
 """Difference over its scale; what is below the truss model's own tolerance is chance, even a 0."""
 _RESIDUAL = replace(GAP, key="residual", floor=0.0)
+_AGREE = "terms.agrees", "terms.differs_title"
 _ORDER = Quantity("order", "Order", "", "-", "-", 1.0, 2)
 
 _Named = tuple[str, "StaticComparison"]
@@ -57,11 +61,10 @@ def front_answer(front: FrontVerification) -> blocks.Answer:
         if each.failure
     )
     verdict = blocks.Verdict(front_sentence(front), front.is_settled)
-    tables = _designs(front), _designs_in_files(front)
     return answered(
         "verify",
         front.title or Message("captions.front"),
-        section("captions.designs", *tables, *failures, verdict),
+        section("captions.designs", _designs(front), *failures, verdict),
         *_files(parts),
     )
 
@@ -96,30 +99,6 @@ def remarks(said: Iterable[str]) -> Iterator[blocks.Text]:
     return (blocks.Text(Message("answers.note", remark=each)) for each in said)
 
 
-def compared_in_note(found: Sequence[Compared], caption: str = "") -> blocks.Table:
-    """Tabulate quantities by both models in a note, with a verdict on each."""
-    table = _compared(found, caption)
-    names, closed, truss, before, after, order = table.columns
-    units = tuple(QUANTITY_OF[each.quantity] for each in found)
-    named = replace(names, values=tuple(map(quantity_in_note, units)))
-    closed = replace(closed, units=units)
-    truss = replace(truss, units=units, name=Message("columns.truss_extrapolated"))
-    after = replace(after, name=Message("columns.difference_over_scale"))
-    verdicts = _verdict_column([each.agrees for each in found])
-    columns = (named, closed, truss, before, after, order, verdicts)
-    return replace(table, name="verification", columns=columns, only="not csv")
-
-
-def lines_in_note(part: StaticComparison, caption: str) -> blocks.Table:
-    """Tabulate each line's tensions and worst quantity in a note, with a verdict on each."""
-    numbers = range(len(part.lines))
-    worst = [term(QUANTITY_OF[part.worst_of(k).quantity].name) for k in numbers]
-    agree = [all(e.agrees for e in part.quantities if e.line == k) for k in numbers]
-    table = _lines(part)
-    columns = (*table.columns, texts("worst_quantity", worst), _verdict_column(agree))
-    return replace(table, columns=columns, caption=caption, only="not csv")
-
-
 def closing_in_note(part: StaticComparison) -> Iterator[blocks.Block]:
     """Say what was not extrapolated and what was remarked on, and tabulate the meshes."""
     yield from _rough(part)
@@ -129,45 +108,55 @@ def closing_in_note(part: StaticComparison) -> Iterator[blocks.Block]:
     yield replace(meshes, name="meshes", columns=(bars, *others), only="not csv")
 
 
-def _verdict_column(agree: Iterable[bool]) -> blocks.Column:
-    passes = tuple(agree)
-    words = (term("agrees" if each else "DIFFERS") for each in passes)
-    return texts("verdict", words, passes=passes)
-
-
-def _compared(found: Sequence[Compared], caption: str) -> blocks.Table:
-    """Tabulate what is of the line, or of the body, by both models."""
-    of = Rows(found)
-    units = tuple(blocks.bare(QUANTITY_OF[each.quantity]) for each in found)
+def _compared(
+    found: Sequence[Compared], caption: str = "", *, in_note: bool = False
+) -> blocks.Table:
+    """Tabulate quantities by both models; in a note with units beside them, and a verdict."""
+    of, own = Rows(found), tuple(QUANTITY_OF[each.quantity] for each in found)
+    units = own if in_note else tuple(map(blocks.bare, own))
+    verdict = verdict_column(of.read("agrees"), *_AGREE)
     return tabulate(
-        "compared",
-        of.texts("quantity", _label),
+        "verification" if in_note else "compared",
+        texts("quantity", map(quantity_in_note, own)) if in_note else of.texts("quantity", _label),
         of.texts("closed_form", units=units),
-        of.texts("truss_extrapol", "extrapolated", units=units),
+        of.texts(
+            "truss_extrapolated" if in_note else "truss_extrapol", "extrapolated", units=units
+        ),
         of.measured(GAP, "gap_before", "diff_finest"),
-        of.measured(GAP, "gap", "diff_extrapol"),
+        of.measured(GAP, "gap", "difference_over_scale" if in_note else "diff_extrapol"),
         of.measured(_ORDER, "order", "order"),
+        *([verdict] if in_note else []),
         caption=caption,
-        only="people",
+        only="not csv" if in_note else "people",
     )
+
+
+compared_in_note = partial(_compared, in_note=True)
 
 
 def label(quantity: Quantity, *, with_symbol: bool = False) -> Message:
     """Name a quantity with its unit, where its values stand without."""
-    name = term(quantity.name)
-    if with_symbol:
-        name = Message("words.label", name=name, symbol=quantity.symbol)
+    name = quantity_in_note(quantity) if with_symbol else term(quantity.name)
     return Message("words.heading", label=name, unit=Unit(quantity))
 
 
 def quantity_in_note(quantity: Quantity) -> str:
     """Name a quantity with its symbol, where it has one."""
-    name = term(quantity.name)
-    return Message("words.label", name=name, symbol=quantity.symbol) if quantity.symbol else name
+    return blocks.labelled(term(quantity.name), quantity.symbol)
 
 
 def _label(each: Compared) -> Message:
     return label(QUANTITY_OF[each.quantity], with_symbol=each.quantity.startswith("position"))
+
+
+def lines_in_note(part: StaticComparison, caption: str) -> blocks.Table:
+    """Tabulate each line's tensions and worst quantity in a note, with a verdict on each."""
+    numbers = range(len(part.lines))
+    worst = [term(QUANTITY_OF[part.worst_of(k).quantity].name) for k in numbers]
+    agree = [all(e.agrees for e in part.quantities if e.line == k) for k in numbers]
+    table = _lines(part)
+    columns = (*table.columns, texts("worst_quantity", worst), verdict_column(agree, *_AGREE))
+    return replace(table, columns=columns, caption=caption, only="not csv")
 
 
 def _lines(part: StaticComparison) -> blocks.Table:
@@ -209,25 +198,27 @@ def _meshes_of(part: StaticComparison) -> blocks.Table:
 
 def _designs(front: FrontVerification) -> blocks.Table:
     """Tabulate the designs in the load case that governs each."""
-    designs, found = Rows(front.designs), _governing(front)
+    of = Rows(front.designs)
+    found = Rows(of.read("verification.static"))
     tension = Rows(found.read(lambda part: part.of("fairlead_tension")))
+    verdicts = (term(each or "no answer") for each in of.read("verification.verdict"))
+    people: dict[str, Any] = {"only": "people"}
+    files: dict[str, Any] = {"only": "files"}
     return tabulate(
-        "compared_designs",
-        designs.texts("design", "design.number"),
-        designs.texts("load_case", _load_case),
-        tension.measured("tension", "closed_form", "fairlead_tension"),
-        tension.measured("tension", "extrapolated", "truss", symbol=""),
-        found.measured(GAP, "worst.gap", "difference_over_scale"),
-        tension.measured(_ORDER, "order", "order"),
-        designs.texts("verdict", _verdict),
+        "designs",
+        of.texts("design", "design.number"),
+        of.texts("load_case", _load_case, **people),
+        tension.measured("tension", "closed_form", "fairlead_tension", **people),
+        tension.measured("tension", "extrapolated", "truss", symbol="", **people),
+        found.measured(GAP, "worst.gap", "difference_over_scale", **people),
+        tension.measured(_ORDER, "order", "order", **people),
+        of.texts("verdict", _verdict, **people),
+        of.texts("governing_load_case", lambda each: each.design.load_case or "", **files),
+        texts("verdict", verdicts, **files),
+        *_worst(found, **files),
+        of.texts("failure", **files),
         caption=Message("captions.designs"),
-        only="people",
     )
-
-
-def _governing(front: FrontVerification) -> Rows:
-    """Take each design in the load case that governs it; None where there is no answer."""
-    return Rows(Rows(front.designs).read("verification.static"))
 
 
 def _load_case(each: DesignVerification) -> str:
@@ -243,22 +234,6 @@ def _verdict(each: DesignVerification) -> Message:
     return term(verdict if verdict == "agrees" else verdict.upper())
 
 
-def _designs_in_files(front: FrontVerification) -> blocks.Table:
-    of, found = Rows(front.designs), _governing(front)
-    verdicts = (term(each or "no answer") for each in of.read("verification.verdict"))
-    worst = (name_of(each) if each else "" for each in found.read("worst"))
-    return tabulate(
-        "designs",
-        of.texts("design", "design.number"),
-        of.texts("governing_load_case", lambda each: each.design.load_case or ""),
-        texts("verdict", verdicts),
-        texts("worst_quantity", worst),
-        found.measured(GAP, "worst.gap", "largest_difference_over_its_scale"),
-        of.texts("failure"),
-        only="files",
-    )
-
-
 # ------------------------------------------------------------------ files
 
 
@@ -268,14 +243,19 @@ def _files(parts: Sequence[_Named]) -> Iterator[blocks.Section]:
         yield section(f"captions.{key}", made(parts))
 
 
+def _worst(of: Rows, **how: Any) -> Iterator[blocks.Column]:
+    names = [name_of(each) if each else "" for each in of.read("worst")]
+    yield texts("worst_quantity", names, **how)
+    yield of.measured(GAP, "worst.gap", "largest_difference_over_its_scale", **how)
+
+
 def _verdicts(parts: Sequence[_Named]) -> blocks.Table:
     of = Rows(part for _, part in parts)
     return tabulate(
         "verdicts",
         texts("load_case", [name for name, _ in parts]),
         of.texts("verdict", lambda part: term(part.verdict)),
-        of.texts("worst_quantity", lambda part: name_of(part.worst)),
-        of.measured(GAP, "worst.gap", "largest_difference_over_its_scale"),
+        *_worst(of),
         of.measured(_RESIDUAL, "tolerance", "tolerance"),
         of.measured(_RESIDUAL, "residual", "residual_of_the_truss_over_its_tension"),
         of.texts("remarks", lambda part: Several(part.remarks)),
@@ -285,16 +265,19 @@ def _verdicts(parts: Sequence[_Named]) -> blocks.Table:
 
 def _quantities(parts: Sequence[_Named]) -> blocks.Table:
     found = [each for _, part in parts for each in part.quantities]
-    of = Rows(found)
+    of, fem = Rows(found), Rows(each.fem for each in found)
     meshes = range(max((len(each.fem) for each in found), default=0))
     return tabulate(
         "quantities",
         texts("load_case", [name for name, part in parts for _ in part.quantities]),
-        texts("line", [None if each.line is None else each.line + 1 for each in found]),
+        of.texts("line", lambda each: None if each.line is None else each.line + 1),
         of.texts("quantity", lambda each: blocks.keyed(each.quantity, _said_name(each.quantity))),
         of.texts("unit"),
         of.of_row("closed_form"),
-        *(_on_mesh(number, [each.fem[number] for each in found]) for number in meshes),
+        *(
+            fem.of_row(Message("columns.truss_on_mesh", number=k + 1), itemgetter(k))
+            for k in meshes
+        ),
         of.of_row("truss_extrapolated", "extrapolated"),
         of.measured(_ORDER, "order", "observed_order"),
         of.texts("smooth", lambda each: yes_or_no(each.is_smooth)),
@@ -305,10 +288,6 @@ def _quantities(parts: Sequence[_Named]) -> blocks.Table:
         of.texts("agrees", lambda each: yes_or_no(each.agrees)),
         only="files",
     )
-
-
-def _on_mesh(number: int, values: Sequence[float]) -> blocks.Column:
-    return blocks.of_row(Message("columns.truss_on_mesh", number=number + 1), values, only="files")
 
 
 def _said_name(quantity: str) -> Message:
@@ -334,28 +313,25 @@ def _meshes(parts: Sequence[_Named]) -> blocks.Table:
 
 
 def _shapes(parts: Sequence[_Named]) -> blocks.Table:
-    pairs = [
-        (name, number, pair)
+    nodes = [
+        (name, number, *node)
         for name, part in parts
         for number, pair in enumerate(part.lines, start=1)
+        for node in zip(
+            pair.finest.arc, *pair.finest_shape().T, *pair.closed_form_there().T, strict=True
+        )
     ]
-    nodes = [(name, number) for name, number, pair in pairs for _ in pair.finest.arc]
-    truss = [place for *_, pair in pairs for place in pair.finest_shape().tolist()]
-    exact = [place for *_, pair in pairs for place in pair.closed_form_there().tolist()]
-
-    def along(key: str, places: list[Any], axis: int, name: str) -> blocks.Column:
-        return measured(key, [place[axis] for place in places], name)
-
+    names, numbers, s, x, z, exact_x, exact_z, tension = zip(*nodes, strict=True)
     return tabulate(
         "shapes",
-        texts("load_case", [name for name, _ in nodes]),
-        texts("line", [number for _, number in nodes]),
-        measured("s", (s for *_, pair in pairs for s in pair.finest.arc)),
-        along("x", truss, 0, "truss"),
-        along("z", truss, 1, "truss"),
-        along("x", exact, 0, "closed_form"),
-        along("z", exact, 1, "closed_form"),
-        along("tension", exact, 2, "closed_form"),
+        texts("load_case", names),
+        texts("line", numbers),
+        measured("s", s),
+        measured("x", x, "truss"),
+        measured("z", z, "truss"),
+        measured("x", exact_x, "closed_form"),
+        measured("z", exact_z, "closed_form"),
+        measured("tension", tension, "closed_form"),
         only="files",
     )
 
@@ -382,9 +358,6 @@ def front_sentence(front: FrontVerification) -> Message:
     if settled == count:
         return Message("truss.all_designs_agree", count=count)
     differing = count - settled - failed
+    come_to = "differ_and_fail" if differing and failed else "fail" if failed else "differ"
     values = {"count": count, "differing": differing, "failed": failed}
-    if not failed:
-        return Message("truss.designs_differ", **values)
-    if not differing:
-        return Message("truss.designs_fail", **values)
-    return Message("truss.designs_differ_and_fail", **values)
+    return Message(f"truss.designs_{come_to}", **values)
