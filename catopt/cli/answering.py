@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
     from catopt.cli.output import Output
     from catopt.model import Case
+    from catopt.quantities import Units
     from catopt.words import Language
 
 FAILED = 3
@@ -158,15 +159,15 @@ def answering(
             context: typer.Context,
             as_json: bool,
             out: Path | None,
-            lang: option.ReportLanguage = option.ReportLanguage.ENGLISH,
-            units: option.ForceUnits | None = None,
+            lang: Language = "en",
+            units: Units | None = None,
             **options: Any,
         ) -> None:
             from catopt.render.units import UNITS
 
-            before = UNITS.set("" if units is None else units.value)
+            before = UNITS.set(units or "")
             try:
-                command(Asked(context.obj, lang.value, as_json, out), **options)
+                command(Asked(context.obj, lang, as_json, out), **options)
             finally:
                 UNITS.reset(before)
 
@@ -176,7 +177,7 @@ def answering(
         parameters = [
             _parameter("context", typer.Context),
             *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[:place]),
-            _parameter("lang", option.LangOption, option.ReportLanguage.ENGLISH),
+            _parameter("lang", option.LangOption, "en"),
             _parameter("units", option.UnitsOption, None),
             *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[place:]),
             _parameter("as_json", option.JsonOption, False),

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from enum import StrEnum
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -23,19 +22,15 @@ _OPTIONS = {"over": "--over", "start": "--from", "stop": "--to", "points": "--po
 """Options by their names in Python."""
 
 
-class Over(StrEnum):
-    """What is stepped evenly."""
-
-    FORCE = "force"
-    SPAN = "span"
-    OFFSET = "offset"
+Over = Literal["force", "span", "offset"]
+"""What is stepped evenly."""
 
 
 @answering(OutOption)
 def curve(
     asked: Asked,
     case: CaseArgument,
-    over: Annotated[Over, typer.Option(metavar="QUANTITY")] = Over.FORCE,
+    over: Annotated[Over, typer.Option(metavar="QUANTITY")] = "force",
     start: Annotated[str | None, typer.Option("--from", metavar="VALUE")] = None,
     stop: Annotated[str | None, typer.Option("--to", metavar="VALUE")] = None,
     points: Annotated[int, typer.Option(metavar="N")] = 50,
@@ -55,12 +50,12 @@ def _curve(case: Case, over: Over, start: str | None, stop: str | None, points: 
     """Compute the curve; what is wrong with the range is told by the options' names."""
     from catopt.catenary.case_curve import curve_case
 
-    dimension = Dimension.FORCE if over is Over.FORCE else Dimension.LENGTH
+    dimension = Dimension.FORCE if over == "force" else Dimension.LENGTH
     texts = {"start": start, "stop": stop}
     read = in_si({_OPTIONS[key]: (text, dimension) for key, text in texts.items()})
     limits = {key: read.get(_OPTIONS[key]) for key in texts}
     try:
-        return curve_case(case, over=over.value, points=points, **limits)
+        return curve_case(case, over=over, points=points, **limits)
     except InputError as error:
         if not all(problem.key in _OPTIONS for problem in error.problems):
             raise

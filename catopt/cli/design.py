@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from enum import StrEnum
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -20,14 +19,7 @@ if TYPE_CHECKING:
     from catopt.design.result import DesignResult
     from catopt.model import Case
 
-
-class SearchMethod(StrEnum):
-    """How the designs are searched."""
-
-    AUTO = "auto"
-    ENUMERATION = "enumeration"
-    NSGA2 = "nsga2"
-    SWARM = "swarm"
+SearchMethod = Literal["auto", "enumeration", "nsga2", "swarm"]
 
 
 @answering(OutOption)
@@ -44,7 +36,7 @@ def design(
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
-    how = given_ones(method=method and method.value, evaluations=evaluations, seed=seed)
+    how = given_ones(method=method, evaluations=evaluations, seed=seed)
     result = _searched(_with_settings(case, how), asked.output)
     asked.give(design_answer(result), result.to_dict, further=partial(_further, result))
     if result.interrupted:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal, get_args
 
 import typer
 
@@ -19,18 +18,12 @@ if TYPE_CHECKING:
     from catopt.model import Case
 
 
-class Target(StrEnum):
-    """What reads the file."""
+Target = Literal["moordyn", "map", "moorpy", "ontology", "orcaflex", "dxf"]
+"""What reads the file."""
 
-    MOORDYN = "moordyn"
-    MAP = "map"
-    MOORPY = "moorpy"
-    ONTOLOGY = "ontology"
-    ORCAFLEX = "orcaflex"
-    DXF = "dxf"
-
-
-_ENDINGS = dict(zip(Target, (".txt", ".map", ".py", ".yaml", ".yml", ".dxf"), strict=True))
+_ENDINGS = dict(
+    zip(get_args(Target), (".txt", ".map", ".py", ".yaml", ".yml", ".dxf"), strict=True)
+)
 """Of the file's name, where a directory is given."""
 
 _FEWEST, _MOST = 2, 10000
@@ -69,7 +62,7 @@ def _settings(
     EA = positive(found, "--EA", stiffness, Dimension.FORCE, "N")
     if elements is not None:
         found.number("--elements", elements, "", at_least=_FEWEST, at_most=_MOST)
-    if to is not Target.MOORDYN:
+    if to != "moordyn":
         only = "goes with --to moordyn; leave it out"
         if elements is not None:
             found.add("--elements", str(elements), only)
@@ -86,13 +79,13 @@ def _check_stiffness(case: Case, EA: float | None, given: str | None, to: Target
     rigid = rigid_segments(case)
     if EA is not None and not rigid:
         raise refused("--EA", str(given), "every segment has its own EA; leave it out")
-    if EA is None and rigid and to is not Target.DXF:
+    if EA is None and rigid and to != "dxf":
         allowed = (
-            f"missing; --to {to.value} wants it. Give the segment its EA in the case file, "
+            f"missing; --to {to} wants it. Give the segment its EA in the case file, "
             'or one for this file with --EA "500 MN"; with 10,000 times the tension or more the '
             "line hardly stretches"
         )
-        raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to.value}")
+        raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to}")
 
 
 def _exported(
@@ -107,14 +100,14 @@ def _exported(
     from catopt.export.exported_line import exported_lines
 
     solved = exported_lines(case, EA)
-    if to is Target.DXF:
+    if to == "dxf":
         from catopt.export.dxf import dxf_drawing
 
         return dxf_drawing(solved, sources=sources)
-    if to is not Target.MOORDYN:
+    if to != "moordyn":
         from catopt.export.programs import program_input
 
-        return program_input(to.value, solved, sources=sources)  # type: ignore[arg-type]
+        return program_input(to, solved, sources=sources)
     from catopt.export.moordyn import moordyn_input
     from catopt.export.moordyn_model import ELEMENTS
 

@@ -6,9 +6,8 @@ import math
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from enum import StrEnum
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import typer
 
@@ -69,18 +68,8 @@ _OF_SHIPS = {
 KindOption = Annotated[str | None, typer.Option(metavar="KIND")]
 
 
-class ChainSpeed(StrEnum):
-    """What moves the water at the chain."""
-
-    SURFACE = "surface"
-    CURRENT = "current"
-
-
-class Drift(StrEnum):
-    """Of which waves the mean drift is taken."""
-
-    SEA_STATE = "sea-state"
-    LARGEST_WAVE = "largest-wave"
+ChainSpeed = Literal["surface", "current"]
+Drift = Literal["sea-state", "largest-wave"]
 
 
 @loads.command(cls=WithWords)
@@ -92,7 +81,7 @@ def buoy(
     *,
     chain: Annotated[str, typer.Option(metavar="LENGTH")] = "0 mm",
     pull: Annotated[str, typer.Option(metavar="FORCE")] = "0 kN",
-    chain_speed: Annotated[ChainSpeed, typer.Option(metavar="WHICH")] = ChainSpeed.SURFACE,
+    chain_speed: Annotated[ChainSpeed, typer.Option(metavar="WHICH")] = "surface",
     **inputs: Any,
 ) -> None:
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference."""
@@ -122,7 +111,7 @@ def buoy(
                     chain_diameter=own["--chain"],
                     pull=own["--pull"],
                     marine_growth=of["growth"],
-                    chain_speed=chain_speed.value,
+                    chain_speed=chain_speed,
                     water_density=of["water_density"],
                 )
                 for each in dict.fromkeys((levels, WaterLevels.steady(levels.low)))
@@ -153,7 +142,7 @@ def ship(
     mooring_point: LengthOption = None,
     wind_centre: LengthOption = None,
     reflection: Annotated[float, typer.Option(metavar="NUMBER")] = 1.0,
-    drift: Annotated[Drift, typer.Option(metavar="WAVES")] = Drift.SEA_STATE,
+    drift: Annotated[Drift, typer.Option(metavar="WAVES")] = "sea-state",
     **inputs: Any,
 ) -> None:
     """Compute the loads on a ship, from wind, current and waves."""
@@ -197,7 +186,7 @@ def ship(
         ships = list(_ships_afloat(of, form))
         how = {
             "reflection": reflection,
-            "drift": "sea state" if drift is Drift.SEA_STATE else "largest wave",
+            "drift": drift.replace("-", " "),
             "wave_coefficient": of["wave_coefficient"],
             "water_density": of["water_density"],
         }
@@ -232,7 +221,7 @@ def ship(
             )
         )
     others = [each for each in every if each.method != worst.loads.method]
-    by_hs = drift is Drift.SEA_STATE and of["hs"] is not None
+    by_hs = drift == "sea-state" and of["hs"] is not None
     has_areas = of["frontal_area"] is not None and of["lateral_area"] is not None
     said = (
         *_what_is_taken(form, worst, turning),

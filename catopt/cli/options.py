@@ -3,29 +3,12 @@
 from __future__ import annotations
 
 import os
-from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
 from catopt.words.texts import Language
-
-
-class ReportLanguage(StrEnum):
-    """Language of what a person reads."""
-
-    ENGLISH = "en"
-    VIETNAMESE = "vi"
-
-
-class ForceUnits(StrEnum):
-    """Units of forces."""
-
-    TONNE_FORCE = "tf"
-    KILONEWTON = "kN"
-    SI = "si"
-
 
 LANGUAGE_VARIABLE = "CATOPT_LANG"
 """Environment variable with the language of a user who does not type it each time."""
@@ -37,10 +20,10 @@ def in_environment() -> Language:
 
 
 LangOption = Annotated[
-    ReportLanguage, typer.Option("--lang", metavar="LANGUAGE", envvar=LANGUAGE_VARIABLE)
+    Language, typer.Option("--lang", metavar="LANGUAGE", envvar=LANGUAGE_VARIABLE)
 ]
 UnitsOption = Annotated[
-    ForceUnits | None,
+    Literal["tf", "kN", "si"] | None,
     typer.Option("--units", metavar="UNITS", envvar="CATOPT_UNITS", show_envvar=False),
 ]
 JsonOption = Annotated[bool, typer.Option("--json")]

@@ -56,7 +56,7 @@ def report(
 
         # Three steps: the note, as far as its line in motion is, then its page and its workbook.
         of_first = None if watched is None else lambda done, total: tell(done, 3 * total)
-        swarm = None if method is None else method is Method.PSO
+        swarm = None if method is None else method == "pso"
         wanted = Wanted(design, date, verify, swarm, motion, once or None)
         note = note_of_file(case, wanted, of_first)
         moved = _moved(note)

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from enum import StrEnum
 from functools import partial
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -19,19 +18,14 @@ if TYPE_CHECKING:
     from catopt.cli.output import Output
     from catopt.model import Case
 
-
-class Method(StrEnum):
-    """How the line is solved."""
-
-    CLOSED_FORM = "closed-form"
-    PSO = "pso"
+Method = Literal["closed-form", "pso"]
 
 
 @answering(OutOption)
 def solve(
     asked: Asked,
     case: CaseArgument,
-    method: Annotated[Method, typer.Option(metavar="METHOD")] = Method.CLOSED_FORM,
+    method: Annotated[Method, typer.Option(metavar="METHOD")] = "closed-form",
     runs: CountOption = None,
     particles: CountOption = None,
     iterations: CountOption = None,
@@ -51,7 +45,7 @@ def solve(
         runs=runs, particles=particles, iterations=iterations, seed=seed, boundary=boundary
     )
     read = values.in_state(values.read_known(case, design), load_case)
-    if method is not Method.PSO:
+    if method != "pso":
         needs = "needs --method pso"
         values.refuse(Problem(f"--{key}", str(value), needs) for key, value in given.items())
     if given:
@@ -71,7 +65,7 @@ def solve(
 def _solved(case: Case, method: Method, output: Output) -> Solution:
     from catopt.catenary.case import solve_case
 
-    if method is Method.CLOSED_FORM:
+    if method == "closed-form":
         return solve_case(case)
     runs = case.swarm.runs
     with output.progress("Swarm runs") as tell:
