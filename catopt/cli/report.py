@@ -12,7 +12,7 @@ from catopt.cli.answering import INTERRUPTED, Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OnceOption, PlaceOption
 from catopt.cli.solve import Method
 from catopt.cli.values import refused
-from catopt.cli.verify import stop_if_not_converged
+from catopt.cli.verify import stop_in_doubt
 
 if TYPE_CHECKING:
     from catopt.cli.note_kind import AnyNote
@@ -80,7 +80,7 @@ def report(
         for path in places:
             output.text(str(path))
     if moved is not None:
-        stop_if_not_converged(asked, moved)
+        stop_in_doubt(asked, moved)
 
 
 def _moved(note: AnyNote) -> DynamicVerification | None:

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from catopt.cli import options
-from catopt.cli.answering import FAILED, INTERRUPTED, STOPPED, Asked, answering
+from catopt.cli.answering import (
+    FAILED,
+    INTERRUPTED,
+    STOPPED,
+    Asked,
+    Documents,
+    Files,
+    answering,
+)
 from catopt.cli.values import read_known, refuse
 from catopt.errors import Problem
 from catopt.verify.settings import ELEMENTS, TOLERANCE, check_settings
 from catopt.words import say
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from catopt.answers.blocks import Answer
-    from catopt.checks.result import CheckReport
     from catopt.model import Case
     from catopt.notes.front_in_motion import FrontInMotion
     from catopt.verify.case import Design, FrontVerification
@@ -27,18 +34,19 @@ if TYPE_CHECKING:
     from catopt.verify.proof import Proof
     from catopt.verify.result import Verification
 
-    _AtRest = Verification | FrontVerification
-    _InMotion: TypeAlias = "_Moved | FrontInMotion | None"
 
+@dataclass
+class _Found:
+    """What came of a case, or of every design of a front."""
 
-class _Moved(NamedTuple):
-    """Lines in motion, and the checks of their tensions."""
-
-    found: DynamicVerification
-    checks: CheckReport
-
-    def to_dict(self) -> dict[str, Any]:
-        return self.found.to_dict() | {"checks": self.checks.motion_document()}
+    case: Case
+    at_rest: Verification | FrontVerification
+    sentence: str
+    answers: list[Answer]
+    pictures: list[Files]
+    in_motion: Documents = dict
+    stop: Callable[[], None] = lambda: None
+    """Leaves where a solver did not converge or was stopped."""
 
 
 @answering(options.OutOption)
@@ -64,26 +72,32 @@ def verify(
     proof: Proof = "none" if once else "bars" if twice_the_bars else "step"
     how = {"elements": elements, "tolerance": tolerance}
     moving = {"proof": proof, "workers": workers} if with_motion else None
-    found: _AtRest
-    dynamic: _InMotion
     if every:
         wanted = "does not go with --all, which takes every design in the load case that governs it"
         given = {"--load-case": load_case, "--design": design}
         refuse(Problem(key, str(each), wanted) for key, each in given.items() if each is not None)
-        read, found, dynamic = _front(asked, case, how, moving)
+        found = _front(asked, case, how, moving)
     else:
-        read, found, dynamic = _case(asked, read_known(case, design), load_case, how, moving)
-    at_rest, in_motion = _answers(found, dynamic)
+        found = _case(asked, read_known(case, design), load_case, how, moving)
 
     def document() -> dict[str, Any]:
-        return found.to_dict() | ({} if dynamic is None else {"dynamic": dynamic.to_dict()})
+        return found.at_rest.to_dict() | found.in_motion()
 
     if asked.out is not None:
-        files = _files(asked, found, dynamic, document())
-        asked.write(files, read, front=case if every else None)
-    sections = () if in_motion is None else in_motion.sections
-    asked.show(replace(at_rest, sections=(*at_rest.sections, *sections)), document)
-    _leave(asked, found, dynamic, strict=strict)
+        from catopt.render.files import files_of
+        from catopt.render.plain import document_bytes
+
+        files = {"verify.json": document_bytes(document())}
+        for answer in found.answers:
+            files |= files_of(answer, None, asked.language)
+        for draw in found.pictures:
+            files |= draw()
+        asked.write(files, found.case, front=case if every else None)
+    sections = tuple(section for answer in found.answers for section in answer.sections)
+    asked.show(replace(found.answers[0], sections=sections), document)
+    found.stop()
+    if strict and not found.at_rest.is_settled:
+        asked.leave(FAILED, found.sentence)
 
 
 def _of_motion(
@@ -108,20 +122,26 @@ def _case(
     load_case: str | None,
     how: dict[str, Any],
     moving: dict[str, Any] | None,
-) -> tuple[Case, Verification, _Moved | None]:
+) -> _Found:
     """Verify a case; what a line in motion lacks is told before anything is solved."""
+    from catopt.answers.verification import verdict_sentence, verification_answer
+    from catopt.report import bundle
     from catopt.verify.case import verify_case
     from catopt.verify.result import Verification
 
     if moving is not None:
         _check_for_motion(case)
     if moving is not None and case.site.seabed_slope != 0.0:
-        found = Verification(case, ())  # there is no closed form to compare with
+        at_rest = Verification(case, ())  # there is no closed form to compare with
     else:
         with asked.output.progress("Load cases") as tell:
-            found = verify_case(case, load_case=load_case, progress=tell, **how)
+            at_rest = verify_case(case, load_case=load_case, progress=tell, **how)
+    answers = [verification_answer(at_rest)] if at_rest.parts else []
+    pictures: list[Files] = [partial(bundle.verification_pictures, at_rest)]
+    found = _Found(case, at_rest, verdict_sentence(at_rest), answers, pictures)
     if moving is None:
-        return case, found, None
+        return found
+    from catopt.answers.motion import motion_answer
     from catopt.notes.motion import checks_in_motion
     from catopt.verify.dynamic import verify_dynamic
 
@@ -133,7 +153,23 @@ def _case(
             announce=lambda words: asked.output.note(f"catopt: {words}"),
             **moving,
         )
-    return case, found, _Moved(moved, checks_in_motion(moved))
+    checks = checks_in_motion(moved)
+    own = {"checks": checks.motion_document()}
+    found.answers.append(motion_answer(moved, checks, with_series=asked.out is not None))
+    found.pictures.append(partial(bundle.motion_pictures, moved))
+    found.in_motion = lambda: {"dynamic": moved.to_dict() | own}
+    found.stop = partial(stop_in_doubt, asked, moved)
+    return found
+
+
+def stop_in_doubt(asked: Asked, moved: DynamicVerification) -> None:
+    """Leave where a line in motion was stopped, or its solver did not converge."""
+    from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
+
+    if not moved.is_complete:
+        asked.leave(INTERRUPTED, say(stopped_sentence(moved), asked.language))
+    if moved.verdict == "not converged":
+        asked.leave(STOPPED, say(not_converged_sentence(moved), asked.language))
 
 
 def _check_for_motion(case: Case) -> None:
@@ -150,8 +186,9 @@ def _check_for_motion(case: Case) -> None:
 
 def _front(
     asked: Asked, directory: Path, how: dict[str, Any], moving: dict[str, Any] | None
-) -> tuple[Case, FrontVerification, FrontInMotion | None]:
+) -> _Found:
     """Verify every design of a front in the load case that governs it, and in motion."""
+    from catopt.answers.verification import front_answer, front_sentence
     from catopt.casefile import read_case
     from catopt.casefile.design_directory import DESIGN_CASE, read_design_document
     from catopt.verify.case import verify_front
@@ -160,9 +197,12 @@ def _front(
     designs = list(_designs(directory, document["front"]))
     case = read_case(directory / DESIGN_CASE)
     with asked.output.progress("Designs") as tell:
-        found = verify_front(case.title, designs, progress=tell, **how)
+        front = verify_front(case.title, designs, progress=tell, **how)
+    found = _Found(case, front, front_sentence(front), [front_answer(front)], [])
+    found.stop = partial(_stop_front, asked, front, None)
     if moving is None:
-        return case, found, None
+        return found
+    from catopt.answers.motion import front_in_motion_answer
     from catopt.notes.front_in_motion import front_in_motion
 
     for each in designs:
@@ -177,7 +217,20 @@ def _front(
             progress=tell,
             **moving,
         )
-    return case, found, moved
+    found.answers.append(front_in_motion_answer(moved))
+    found.in_motion = lambda: {"dynamic": moved.to_dict()}
+    found.stop = partial(_stop_front, asked, front, moved)
+    return found
+
+
+def _stop_front(asked: Asked, front: FrontVerification, moved: FrontInMotion | None) -> None:
+    """Leave where designs in motion were stopped, or a solver did not converge for one."""
+    if moved is not None and not moved.is_complete:
+        raise typer.Exit(INTERRUPTED)
+    if moved is not None and not moved.has_converged:
+        asked.leave(STOPPED, "for a design in motion a solver did not converge")
+    if not front.has_converged:
+        asked.leave(STOPPED, "for a design a solver did not converge")
 
 
 def _designs(directory: Path, front: list[dict[str, Any]]) -> Iterator[Design]:
@@ -195,87 +248,3 @@ def _designs(directory: Path, front: list[dict[str, Any]]) -> Iterator[Design]:
         ]
         is_state = bool(governing) and governing[0] in states
         yield Design(number, case, governing[0] if is_state else None)
-
-
-# ------------------------------------------------------------------ what came of it
-
-
-def _answers(
-    found: _AtRest, dynamic: _InMotion, *, with_series: bool = False
-) -> tuple[Answer, Answer | None]:
-    """Lay out what was found at rest, and in motion."""
-    from catopt.answers.verification import front_answer, verification_answer
-    from catopt.verify.case import FrontVerification
-
-    if isinstance(found, FrontVerification):
-        at_rest = front_answer(found)
-    else:
-        at_rest = verification_answer(found)
-    if dynamic is None:
-        return at_rest, None
-    if isinstance(dynamic, _Moved):
-        from catopt.answers.motion import motion_answer
-
-        return at_rest, motion_answer(dynamic.found, dynamic.checks, with_series=with_series)
-    from catopt.answers.motion import front_in_motion_answer
-
-    return at_rest, front_in_motion_answer(dynamic)
-
-
-def _files(
-    asked: Asked,
-    found: _AtRest,
-    dynamic: _InMotion,
-    document: dict[str, Any],
-) -> dict[str, bytes]:
-    """Make the files of --out; a line in motion has tables, a workbook and figures of its own."""
-    from catopt.render.files import document_bytes, files_of
-    from catopt.report.bundle import motion_pictures, verification_pictures
-    from catopt.verify.result import Verification
-
-    at_rest, in_motion = _answers(found, dynamic, with_series=True)
-    if isinstance(found, Verification) and not found.parts:
-        files = {"verify.json": document_bytes(document)}  # nothing at rest is compared
-    else:
-        files = files_of(at_rest, document, asked.language)
-    if isinstance(found, Verification):
-        files |= verification_pictures(found)
-    if in_motion is not None:
-        files |= files_of(in_motion, None, asked.language)
-    if isinstance(dynamic, _Moved):
-        files |= motion_pictures(dynamic.found)
-    return files
-
-
-def stop_if_not_converged(asked: Asked, found: DynamicVerification) -> None:
-    """Leave with the status of a solver that did not converge, where a line in motion has not."""
-    if found.verdict == "not converged":
-        from catopt.verify.motion_words import not_converged_sentence
-
-        asked.leave(STOPPED, say(not_converged_sentence(found), asked.language))
-
-
-def _leave(asked: Asked, found: _AtRest, dynamic: _InMotion, *, strict: bool) -> None:
-    """Leave where a run was stopped, one did not converge, or the models differ at rest."""
-    from catopt.answers.verification import front_sentence, verdict_sentence
-    from catopt.verify.case import FrontVerification
-
-    if isinstance(dynamic, _Moved):
-        if not dynamic.found.is_complete:
-            from catopt.verify.motion_words import stopped_sentence
-
-            asked.leave(INTERRUPTED, say(stopped_sentence(dynamic.found), asked.language))
-        stop_if_not_converged(asked, dynamic.found)
-    elif dynamic is not None:
-        if not dynamic.is_complete:
-            raise typer.Exit(INTERRUPTED)
-        if not dynamic.has_converged:
-            asked.leave(STOPPED, "for a design in motion a solver did not converge")
-    if isinstance(found, FrontVerification):
-        if not found.has_converged:
-            asked.leave(STOPPED, "for a design a solver did not converge")
-        sentence = front_sentence(found)
-    else:
-        sentence = verdict_sentence(found)
-    if strict and not found.is_settled:
-        asked.leave(FAILED, sentence)
