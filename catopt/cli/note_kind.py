@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -22,37 +21,53 @@ if TYPE_CHECKING:
     AnyNote = Note | SizeNote | SystemNote
 
 
-@dataclass(frozen=True)
-class Wanted:
-    """What a note is to be, as the options say.
-
-    A design counts from 1; of `swarm`, `motion` and `once` (the line in motion without its proof)
-    None is what was asked for in a result directory.
-    """
-
-    design: int | None = None
-    date: str = ""
-    verify: bool = True
-    swarm: bool | None = None
-    motion: bool | None = None
-    once: bool | None = None
-
-
-def note_of_file(path: Path, wanted: Wanted, progress: Progress | None = None) -> AnyNote:
+def note_of_file(
+    path: Path,
+    design: int | None = None,
+    *,
+    date: str = "",
+    verify: bool = True,
+    swarm: bool | None = None,
+    motion: bool | None = None,
+    once: bool | None = None,
+    progress: Progress | None = None,
+) -> AnyNote:
     """Compute the note of a case file, a file for ``catopt size`` or a directory that --out wrote.
 
-    Raises InputError, NoAnswerError and NotConvergedError as the readers of the three kinds do.
+    A design counts from 1; of `swarm`, `motion` and `once` (the line in motion without its proof)
+    None is what was asked for in a result directory. Raises InputError, NoAnswerError and
+    NotConvergedError as the readers of the three kinds do.
     """
+    from catopt.casefile.design_directory import DESIGN_DOCUMENT
     from catopt.casefile.sizing_file import moored_in
+    from catopt.notes.directory import Asked, asked_in
+    from catopt.notes.line import read_note
+    from catopt.notes.system import read_system_note
 
     moored = moored_in(path)
     if moored is not None:
-        return _of_a_sizing(path, moored, wanted)
+        why = (
+            f"it is of a line that is known; this file is for catopt size {moored}, which writes "
+            "the line that it finds with --save: report on that case"
+        )
+        refuse(_of_a_line_alone(why, design=design, motion=motion))
+        return note_of_sizing(path, moored, Asked(date, verify, bool(swarm)))
     if is_of_a_body(path):
-        return _of_a_body(path, wanted, progress)
-    from catopt.notes.line import read_note
-
-    return read_note(path, **vars(wanted), progress=progress)
+        why = "it is for one line with a load; this file is of a body moored by several"
+        has_front = path.is_dir() and (path / DESIGN_DOCUMENT).is_file()
+        refuse(_of_a_line_alone(why, design=None if has_front else design, swarm=swarm))
+        asked = asked_in(path, date=date, verify=verify).with_options(motion=motion, once=once)
+        return read_system_note(path, design, asked, progress=progress)
+    return read_note(
+        path,
+        design,
+        date=date,
+        verify=verify,
+        swarm=swarm,
+        motion=motion,
+        once=once,
+        progress=progress,
+    )
 
 
 def is_of_a_body(path: Path) -> bool:
@@ -70,17 +85,6 @@ def is_of_a_body(path: Path) -> bool:
         return False
 
 
-def _of_a_sizing(path: Path, moored: Moored, wanted: Wanted) -> AnyNote:
-    from catopt.notes.directory import Asked
-
-    why = (
-        f"it is of a line that is known; this file is for catopt size {moored}, which writes the "
-        "line that it finds with --save: report on that case"
-    )
-    refuse(_of_a_line_alone(replace(wanted, swarm=None), why))
-    return note_of_sizing(path, moored, Asked(wanted.date, wanted.verify, bool(wanted.swarm)))
-
-
 def note_of_sizing(path: Path, moored: Moored, asked: Asked | None = None) -> SizeNote:
     """Size what a file for ``catopt size`` describes, and make the note of it."""
     from catopt.notes.origin import read_source
@@ -91,39 +95,16 @@ def note_of_sizing(path: Path, moored: Moored, asked: Asked | None = None) -> Si
     return size_note(size_file(path, moored), given, asked)
 
 
-def _of_a_body(path: Path, wanted: Wanted, progress: Progress | None) -> AnyNote:
-    from catopt.casefile.design_directory import DESIGN_DOCUMENT
-    from catopt.notes.directory import asked_in
-    from catopt.notes.system import read_system_note
-
-    why = "it is for one line with a load; this file is of a body moored by several"
-    has_front = path.is_dir() and (path / DESIGN_DOCUMENT).is_file()
-    design = wanted.design if has_front else None
-    alone = replace(wanted, motion=None, design=None if has_front else wanted.design)
-    refuse(_of_a_line_alone(alone, why))
-    asked = asked_in(path, date=wanted.date, verify=wanted.verify)
-    asked = asked.with_options(motion=wanted.motion, once=wanted.once)
-    return read_system_note(path, design, asked, progress=progress)
-
-
-def _of_a_line_alone(wanted: Wanted, why: str) -> Iterator[Problem]:
+def _of_a_line_alone(
+    why: str, *, design: int | None, swarm: bool | None = None, motion: bool | None = None
+) -> Iterator[Problem]:
     """Yield what was asked for and is of one line alone."""
-    if wanted.design is not None:
-        yield Problem("--design", str(wanted.design), why)
-    if wanted.swarm:
+    if design is not None:
+        yield Problem("--design", str(design), why)
+    if swarm:
         yield Problem("--method", "pso", why)
-    if wanted.motion:
+    if motion:
         yield Problem("--dynamic", "given", why)
-
-
-def line_of(note: AnyNote) -> Note | None:
-    """Return the note of a line: the note itself, or that of the line that a sizing recommends."""
-    from catopt.notes.line import Note
-    from catopt.notes.size import SizeNote
-
-    if isinstance(note, SizeNote):
-        return note.line
-    return note if isinstance(note, Note) else None
 
 
 def answer_of(note: AnyNote) -> Answer:

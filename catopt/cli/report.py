@@ -40,7 +40,7 @@ def report(
     once: OnceOption = False,
 ) -> None:
     """Write the calculation note of a case: one HTML page for a checker, and a workbook."""
-    from catopt.cli.note_kind import Wanted, answer_of, note_of_file
+    from catopt.cli.note_kind import answer_of, note_of_file
     from catopt.notes.line import Note
     from catopt.notes.origin import file_name
     from catopt.render.page import page
@@ -57,8 +57,16 @@ def report(
         # Three steps: the note, as far as its line in motion is, then its page and its workbook.
         of_first = None if watched is None else lambda done, total: tell(done, 3 * total)
         swarm = None if method is None else method == "pso"
-        wanted = Wanted(design, date, verify, swarm, motion, once or None)
-        note = note_of_file(case, wanted, of_first)
+        note = note_of_file(
+            case,
+            design,
+            date=date,
+            verify=verify,
+            swarm=swarm,
+            motion=motion,
+            once=once or None,
+            progress=of_first,
+        )
         moved = _moved(note)
         _stop_if_interrupted(asked, moved)
         number = note.chosen.number if isinstance(note, Note) and note.chosen else None
@@ -134,13 +142,12 @@ def _document(
     workbook: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Say what was written (schema catopt.report/1); of a sizing, of its recommended line."""
-    from catopt.cli.note_kind import line_of
     from catopt.notes.motion import motion_document
+    from catopt.notes.size import SizeNote
     from catopt.notes.system import SystemNote
 
-    line = line_of(note)
-    of = note if isinstance(note, SystemNote) else line
-    assert of is not None
+    of = note.line if isinstance(note, SizeNote) else note
+    line = None if isinstance(of, SystemNote) else of
     checks = of.checks
     governing = checks.governing
     return {

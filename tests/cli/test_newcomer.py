@@ -25,7 +25,7 @@ def test_a_page_never_takes_the_place_of_its_case(run: Run) -> None:
 def test_a_place_that_no_note_can_go_to_is_told_before_anything_is_computed(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def computed(*_: object) -> None:
+    def computed(*_: object, **__: object) -> None:
         raise AssertionError("the note was computed")
 
     monkeypatch.setattr("catopt.cli.note_kind.note_of_file", computed)
