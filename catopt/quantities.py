@@ -59,16 +59,6 @@ class Quantity:
     floor: float = 0.0
     """What is smaller, in SI, is rounding, and printed as less than this."""
 
-    @property
-    def label(self) -> str:
-        """Name and symbol: ``Tension T``."""
-        return f"{self.name} {self.symbol}".rstrip()
-
-    @property
-    def heading(self) -> str:
-        """Label with the field unit: ``Tension T (kN)``."""
-        return f"{self.label} ({self.field_unit})"
-
     def to_field(self, si: float) -> float:
         """Convert a value (or an array) in SI to the field unit."""
         return si / self.factor

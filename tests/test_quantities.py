@@ -9,6 +9,7 @@ import pytest
 
 from catopt.quantities import QUANTITIES
 from catopt.units import UNITS
+from catopt.words import heading
 
 
 @pytest.mark.parametrize("key", QUANTITIES)
@@ -30,14 +31,17 @@ def test_the_factor_is_that_of_the_units(key: str) -> None:
 
 
 def test_no_two_quantities_share_a_heading() -> None:
-    headings = [quantity.heading for quantity in QUANTITIES.values()]
+    headings = [heading(each.name, each) for each in QUANTITIES.values()]
     assert len(set(headings)) == len(headings)
 
 
 def test_headings_carry_the_unit() -> None:
-    assert QUANTITIES["tension"].heading == "Tension T (kN)"
-    assert QUANTITIES["grounded_length"].heading == "Grounded length (m)"
-    assert QUANTITIES["utilisation"].heading == "Utilisation (-)"
+    for key, said in {
+        "tension": "Tension T (kN)",
+        "grounded_length": "Grounded length (m)",
+        "utilisation": "Utilisation (-)",
+    }.items():
+        assert heading(QUANTITIES[key].name, QUANTITIES[key]) == said
 
 
 @pytest.mark.parametrize(

@@ -59,24 +59,11 @@ def _offered(each: Input, known: Mapping[str, object]) -> str:
     return str(each.example) if each.name == "buoy" else each.default
 
 
-def _choices(each: Input) -> tuple[str, ...]:
-    """List the texts to choose from; empty: any."""
-    if each.name == "buoy":
-        from catopt.loads import buoys
-
-        return (*(known.name for known in buoys()), _OWN)
-    if each.name == "soil":
-        from catopt.loads.sinker import SOIL_FRICTION
-
-        return tuple(SOIL_FRICTION)
-    return ()
-
-
 def _answer(each: Input, spelled: str, default: str, language: Language) -> object:
     """Ask until the answer can be read."""
-    from catopt.sizing.kinds import from_text
+    from catopt.sizing.kinds import choices_of, from_text
 
-    choices = _choices(each)
+    choices = (*choices_of(each), *([_OWN] if each.name == "buoy" else []))
     if choices:
         _say(f"  {say(term('one of'), language)}: {'; '.join(choices)}\n")
     offered = f" [{default}]" if default else ""

@@ -31,6 +31,7 @@ from catopt.words import LANGUAGES, Language, Message, say
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
     from catopt.model import Case
+    from catopt.mooring.case import SystemReport
     from catopt.notes.origin import SourceFile
     from catopt.quantities import Units
     from catopt.sizing import Sizing
@@ -138,12 +139,9 @@ def _case(text: str) -> Case:
 @_kept
 def _sizing(text: str, door: Door) -> Sizing:
     """Size once what its note and its document are asked of, too."""
-    from catopt.sizing.file import parse_file
-    from catopt.sizing.requests import size
+    from catopt.sizing.file import parse_file, sized
 
-    file = parse_file(text, cast("Any", door))
-    with file.telling():
-        return size(file.known())
+    return sized(parse_file(text, cast("Any", door)))
 
 
 def _door(text: str) -> Door:
@@ -172,12 +170,17 @@ def _curve(text: str) -> Reply:
 
 
 def _system(text: str) -> Reply:
+    report, checks = _checked(text)
+    return report.to_dict() | {"checks": checks.verdict_document()}
+
+
+def _checked(text: str) -> tuple[SystemReport, CheckReport]:
     from catopt.checks.system import check_system
     from catopt.mooring.case import report_system
 
     case = _case(text)
     report = report_system(case)
-    return report.to_dict() | {"checks": check_system(case, report).verdict_document()}
+    return report, check_system(case, report)
 
 
 def _size(text: str) -> Reply:
@@ -282,13 +285,9 @@ def _verdict(report: CheckReport) -> Verdict:
 
 def _body(text: str) -> tuple[Section, list[Answer]]:
     from catopt.answers.system import system_answer
-    from catopt.checks.system import check_system
     from catopt.figures.mooring import near, plan
-    from catopt.mooring.case import report_system
 
-    case = _case(text)
-    report = report_system(case)
-    checks = check_system(case, report)
+    report, checks = _checked(text)
     drawn = (plan(report.solution), near(report.solution))
     figures = (Figure(chart) for chart in drawn if chart is not None)
     first = section("desk.answer", _verdict(checks), *figures)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from typing import Final, Literal
 
 from catopt.catalogue import families
 from catopt.sizing.inputs import Input, rows_of
+from catopt.sizing.kinds import choices_of
 from catopt.words import Message
 
 __all__ = ["DOORS", "START", "Door", "Field", "fields_of"]
@@ -143,21 +143,8 @@ def _of_input(each: Input) -> Field:
         each.key,
         Message(f"inputs.{each.name}"),
         each.default or "; ".join(map(str, shown)),
-        tuple(_choices(each)),
+        choices_of(each),
         each.asked or each.required or each.name == "prefer",
         several=each.several,
         is_text=each.takes in ("TEXT", "NAME", "WHICH"),
     )
-
-
-def _choices(each: Input) -> Iterator[str]:
-    if each.name == "buoy":
-        from catopt.loads import buoys
-
-        yield from (known.name for known in buoys())
-    elif each.name == "soil" and each.section == "sinker":
-        from catopt.loads.sinker import SOIL_FRICTION
-
-        yield from SOIL_FRICTION
-    else:
-        yield from each.words

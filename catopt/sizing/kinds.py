@@ -41,6 +41,19 @@ def from_text(each: Input, text: str) -> object:
     return bare_number(text) if each.is_measure or each.takes == "COUNT" else text
 
 
+def choices_of(each: Input) -> tuple[str, ...]:
+    """List the texts that an input is chosen from; empty: any."""
+    if each.name == "buoy":
+        from catopt.loads import buoys
+
+        return tuple(known.name for known in buoys())
+    if each.key == "sinker.soil":
+        from catopt.loads.sinker import SOIL_FRICTION
+
+        return tuple(SOIL_FRICTION)
+    return each.words
+
+
 @cache
 def default_of(each: Input) -> Any:
     """Read what is taken of an input when it is left out; in SI."""

@@ -20,7 +20,7 @@ The groups of texts that are no sentences:
   unit: ``Message("columns.demand")``. Where every row has a unit of its own,
   ``Message("columns.of_row", name=Message("columns.demand"))`` is ``Demand (unit of the row)``.
 - ``quantities``: the names of `catopt.quantities.QUANTITIES` by their keys; `quantity_name` gives
-  the message, `quantity_label` says it with the symbol.
+  the message.
 - ``terms``: words that code and data have in English, such as regimes, verdicts, soils, kinds of
   ship, titles of tables. ``term("sand")`` looks the message up by its English, among the headings
   and quantities, too, when it is said in another language; what is none of them stays as it is.
@@ -31,7 +31,7 @@ Not messages yet: what is wrong with an input (`catopt.errors.Problem`, but for 
 of loads (`catopt.loads.component`), names of drawings of a reproduction, texts of plots.
 """
 
-from catopt.words.labels import heading, is_term, quantity_label, quantity_name, term
+from catopt.words.labels import heading, is_term, quantity_name, term
 from catopt.words.measure import Measure, Unit
 from catopt.words.message import Cited, Listed, Message, Sentence, Several, Told, is_said, say
 from catopt.words.texts import LANGUAGES, Language
@@ -50,7 +50,6 @@ __all__ = [
     "heading",
     "is_said",
     "is_term",
-    "quantity_label",
     "quantity_name",
     "say",
     "term",

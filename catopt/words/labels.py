@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-from catopt.quantities import QUANTITIES, Quantity
+from catopt.quantities import Quantity
 from catopt.words.message import Message, say
 from catopt.words.texts import Language, group
 
@@ -52,18 +52,6 @@ def _terms() -> Mapping[str, str]:
 def quantity_name(key: str) -> Message:
     """Return the name of a quantity, by its key, as a message: ``Tension``."""
     return Message(f"quantities.{key}")
-
-
-def quantity_label(key: str, language: Language = "en") -> str:
-    """Say name and symbol of a quantity.
-
-    Examples
-    --------
-    >>> from catopt.words import quantity_label
-    >>> quantity_label("tension"), quantity_label("tension", "vi")
-    ('Tension T', 'Lực căng T')
-    """
-    return f"{say(quantity_name(key), language)} {QUANTITIES[key].symbol}".rstrip()
 
 
 def heading(name: str, quantity: Quantity, language: Language = "en", *, si: bool = False) -> str:

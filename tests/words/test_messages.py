@@ -27,7 +27,6 @@ from catopt.words import (
     heading,
     is_said,
     is_term,
-    quantity_label,
     quantity_name,
     say,
     term,
@@ -214,7 +213,7 @@ def test_messages_are_found_again_in_a_document() -> None:
 def test_every_quantity_has_its_name() -> None:
     assert set(group("quantities")) == set(QUANTITIES)
     for key, quantity in QUANTITIES.items():
-        assert quantity_label(key) == quantity.label
+        assert quantity_name(key) == quantity.name
 
 
 def test_headings_are_said_with_symbol_and_unit() -> None:
