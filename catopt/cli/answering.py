@@ -12,16 +12,15 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import typer
 
 from catopt.cli import options as option
+from catopt.cli.output import Output
 from catopt.cli.values import refused
 from catopt.errors import InputError
-from catopt.words import say
+from catopt.quantities import Units
+from catopt.words import Language, say
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
-    from catopt.cli.output import Output
     from catopt.model import Case
-    from catopt.quantities import Units
-    from catopt.words import Language
 
 FAILED = 3
 """The input is right, but the answer is not what ``--strict`` asks for."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import replace
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,19 +11,17 @@ import typer
 
 from catopt.cli.answering import Asked, answering
 from catopt.cli.completion import completed
-from catopt.cli.help_words import GroupWithWords, WithWords
+from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
-from catopt.cli.values import given_ones, in_si, refuse
-from catopt.errors import InputError, NoAnswerError, Problem
+from catopt.cli.values import by_option, given_ones, in_si, refuse
+from catopt.errors import NoAnswerError, Problem
 from catopt.units import Dimension, as_written
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
     from catopt.catalogue.document import Answer
 
-catalog = typer.Typer(
-    name="catalog", cls=GroupWithWords, rich_markup_mode=None, no_args_is_help=True
-)
+catalog = group("catalog")
 
 FamiliesOption = Annotated[Path | None, typer.Option("--families", metavar="FILE")]
 VariantOption = Annotated[list[str] | None, typer.Option("--variant", metavar="QUANTITY=NAME")]
@@ -183,8 +180,7 @@ def _search(
     )
 
 
-@contextmanager
-def _by_option(names: dict[str, str]) -> Iterator[None]:
+def _by_option(names: dict[str, str]) -> AbstractContextManager[None]:
     """Tell what is wrong by the names of arguments and options."""
     names = {
         "variants": "--variant",
@@ -193,15 +189,12 @@ def _by_option(names: dict[str, str]) -> Iterator[None]:
         "family": "--family",
         "grade": "--grade",
     } | names
-    try:
-        yield
-    except InputError as error:
-        problems = []
-        for problem in error.problems:
-            key, dot, rest = problem.key.partition(".")
-            shown = f"{names[key]} {rest}" if dot and key in names else names.get(key, problem.key)
-            problems.append(replace(problem, key=shown))
-        raise InputError(problems, error.source) from error
+
+    def named(key: str) -> str:
+        first, _, rest = key.partition(".")
+        return f"{names[first]} {rest}".rstrip() if first in names else key
+
+    return by_option(named, source="")
 
 
 def _give(asked: Asked, answer: Answer, *, in_full: bool = False) -> None:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import typer
 
-if TYPE_CHECKING:
-    from catopt.cli.output import Output
+from catopt.cli.output import Output
 
 
 def compile_all(context: typer.Context) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 import typer
 
@@ -13,10 +13,6 @@ from catopt.cli.options import CaseArgument, OutOption
 from catopt.cli.values import in_si, with_known_codes
 from catopt.errors import InputError
 from catopt.units import Dimension
-
-if TYPE_CHECKING:
-    from catopt.catenary.case_curve import CaseCurve
-    from catopt.model import Case
 
 _OPTIONS = {"over": "--over", "start": "--from", "stop": "--to", "points": "--points"}
 """Options by their names in Python."""
@@ -38,29 +34,24 @@ def curve(
     """Compute a line's load curve: its forces over its span."""
     from catopt.answers.curve import curve_answer
     from catopt.casefile import read_case
+    from catopt.catenary.case_curve import curve_case
     from catopt.report.bundle import curve_pictures
 
     asked.check_place()
     read = with_known_codes(read_case(case))
-    result = _curve(read, over, start, stop, points)
-    asked.give(curve_answer(result), result.to_dict, read, partial(curve_pictures, result))
-
-
-def _curve(case: Case, over: Over, start: str | None, stop: str | None, points: int) -> CaseCurve:
-    """Compute the curve; what is wrong with the range is told by the options' names."""
-    from catopt.catenary.case_curve import curve_case
-
     dimension = Dimension.FORCE if over == "force" else Dimension.LENGTH
-    texts = {"start": start, "stop": stop}
-    read = in_si({_OPTIONS[key]: (text, dimension) for key, text in texts.items()})
-    limits = {key: read.get(_OPTIONS[key]) for key in texts}
+    limits = in_si({"--from": (start, dimension), "--to": (stop, dimension)})
     try:
-        return curve_case(case, over=over, points=points, **limits)
+        result = curve_case(
+            read, over=over, points=points, start=limits.get("--from"), stop=limits.get("--to")
+        )
     except InputError as error:
-        if not all(problem.key in _OPTIONS for problem in error.problems):
+        if not all(each.key in _OPTIONS for each in error.problems):
             raise
+        typed = {"start": start, "stop": stop}
         problems = [
-            replace(each, key=_OPTIONS[each.key], found=texts.get(each.key) or each.found)
+            replace(each, key=_OPTIONS[each.key], found=typed.get(each.key) or each.found)
             for each in error.problems
         ]
         raise InputError(problems, "options") from error
+    asked.give(curve_answer(result), result.to_dict, read, partial(curve_pictures, result))

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from catopt.cli.answering import INTERRUPTED, Asked, answering, refuse_own_case
 from catopt.cli.options import CaseArgument, CountOption, OutOption
+from catopt.cli.output import Output
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import InputError, Problem
 
 if TYPE_CHECKING:
-    from catopt.cli.output import Output
     from catopt.design.result import DesignResult
     from catopt.model import Case
 
@@ -32,28 +31,23 @@ def design(
 ) -> None:
     """Search the lines that are best in mass and offset at once."""
     from catopt.answers.design import design_answer
+    from catopt.casefile import read_case
 
     asked.check_place()
     if asked.out is not None:
         refuse_own_case(asked.out)
     how = given_ones(method=method, evaluations=evaluations, seed=seed)
-    result = _searched(_with_settings(case, how), asked.output)
+    read = read_case(case)
+    if read.design is None:
+        allowed = "missing; a table [design] says what may vary (docs/case-file.md)"
+        raise InputError([Problem("design", "", allowed)], str(case))
+    with by_option():
+        read = replace(read, design=replace(read.design, **how))
+    result = _searched(read, asked.output)
     asked.give(design_answer(result), result.to_dict, further=partial(_further, result))
     if result.interrupted:
         asked.output.note("The front is that of the designs evaluated so far.")
         raise typer.Exit(INTERRUPTED)
-
-
-def _with_settings(path: Path, given: dict[str, Any]) -> Case:
-    """Read the case and put the options in place of its settings."""
-    from catopt.casefile import read_case
-
-    case = read_case(path)
-    if case.design is None:
-        allowed = "missing; a table [design] says what may vary (docs/case-file.md)"
-        raise InputError([Problem("design", "", allowed)], str(path))
-    with by_option():
-        return replace(case, design=replace(case.design, **given))
 
 
 def _searched(case: Case, output: Output) -> DesignResult:

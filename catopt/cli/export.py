@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, get_args
 
 import typer
@@ -14,7 +13,6 @@ from catopt.errors import InputError, Problem
 from catopt.units import Dimension
 
 if TYPE_CHECKING:
-    from catopt.export.exported import Exported, Source
     from catopt.model import Case
 
 
@@ -41,13 +39,30 @@ def export(
     true_depth: Annotated[bool, typer.Option("--true-depth")] = False,
 ) -> None:
     """Write the line of a case, or the lines of its body, for another program."""
-    from catopt.notes.origin import file_name
+    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
+    from catopt.export.dxf import dxf_drawing
+    from catopt.export.exported import Source
+    from catopt.export.exported_line import exported_lines
+    from catopt.export.moordyn import moordyn_input
+    from catopt.export.moordyn_model import ELEMENTS
+    from catopt.export.programs import program_input
+    from catopt.notes.origin import file_name, read_source
 
     EA = _settings(to, stiffness, elements, true_depth=true_depth)
     read = in_state(read_known(case, design), load_case)
-    sources = _sources(case, design)
+    paths = [case] if design is None else [case / DESIGN_CASE, case / DESIGN_DOCUMENT]
+    files = [read_source(path) for path in paths]
+    sources = tuple(Source(file.name, file.sha256) for file in files)
     _check_stiffness(read, EA, stiffness, to)
-    found = _exported(read, to, EA, elements, sources, true_depth=true_depth)
+    lines = exported_lines(read, EA)
+    if to == "dxf":
+        found = dxf_drawing(lines, sources=sources)
+    elif to == "moordyn":
+        found = moordyn_input(
+            lines, elements=elements or ELEMENTS, true_depth=true_depth, sources=sources
+        )
+    else:
+        found = program_input(to, lines, sources=sources)
     name = file_name(case, design).removesuffix(".html") + _ENDINGS[to]
     asked.give_file(name, found.text, found.to_dict, found.remarks, keep=case)
 
@@ -86,41 +101,3 @@ def _check_stiffness(case: Case, EA: float | None, given: str | None, to: Target
             "line hardly stretches"
         )
         raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to}")
-
-
-def _exported(
-    case: Case,
-    to: Target,
-    EA: float | None,
-    elements: int | None,
-    sources: tuple[Source, ...],
-    *,
-    true_depth: bool,
-) -> Exported:
-    from catopt.export.exported_line import exported_lines
-
-    solved = exported_lines(case, EA)
-    if to == "dxf":
-        from catopt.export.dxf import dxf_drawing
-
-        return dxf_drawing(solved, sources=sources)
-    if to != "moordyn":
-        from catopt.export.programs import program_input
-
-        return program_input(to, solved, sources=sources)
-    from catopt.export.moordyn import moordyn_input
-    from catopt.export.moordyn_model import ELEMENTS
-
-    return moordyn_input(
-        solved, elements=elements or ELEMENTS, true_depth=true_depth, sources=sources
-    )
-
-
-def _sources(path: Path, design: int | None) -> tuple[Source, ...]:
-    from catopt.casefile.design_directory import DESIGN_CASE, DESIGN_DOCUMENT
-    from catopt.export.exported import Source
-    from catopt.notes.origin import read_source
-
-    names = [path] if design is None else [path / DESIGN_CASE, path / DESIGN_DOCUMENT]
-    files = [read_source(name) for name in names]
-    return tuple(Source(file.name, file.sha256) for file in files)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from importlib.resources import files
 from typing import Any, Final
 
+import typer
 from typer.core import TyperCommand, TyperGroup
 
 from catopt.cli.options import in_environment
@@ -71,6 +72,11 @@ class WithWords(_WithWords, TyperCommand):
 
 class GroupWithWords(_WithWords, TyperGroup):
     """A group of commands whose help is in the table."""
+
+
+def group(name: str) -> typer.Typer:
+    """Make a group of commands."""
+    return typer.Typer(name=name, cls=GroupWithWords, rich_markup_mode=None, no_args_is_help=True)
 
 
 def in_vietnamese(command: Any) -> None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 import typer
 
 from catopt.cli.answering import Asked, answering
-from catopt.cli.help_words import GroupWithWords, WithWords
+from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import LengthOption, TablesOutOption
 from catopt.cli.size import BuoyArgument, is_file
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from catopt.sizing.known import Known
     from catopt.sizing.telling import Spelling
 
-loads = typer.Typer(name="loads", cls=GroupWithWords, rich_markup_mode=None, no_args_is_help=True)
+loads = group("loads")
 
 _TAKEN = {
     "wind": "0 m/s",

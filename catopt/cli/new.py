@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from catopt.cli.completion import completed
 from catopt.cli.options import JsonOption
+from catopt.cli.output import Output
 from catopt.errors import InputError, Problem
-
-if TYPE_CHECKING:
-    from catopt.cli.output import Output
 
 _NAME = typer.Argument(metavar="NAME", autocompletion=completed("template"))
 

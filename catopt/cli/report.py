@@ -43,17 +43,14 @@ def report(
     from catopt.cli.note_kind import answer_of, note_of_file
     from catopt.notes.line import Note
     from catopt.notes.origin import file_name
+    from catopt.notes.system import SystemNote
     from catopt.render.page import page
     from catopt.report.files import write_files
 
     output, language = asked.output, asked.language
     _check_place(asked.out)
     with output.progress("Calculation note") as watched:
-
-        def tell(done: int, total: int) -> None:
-            if watched is not None:
-                watched(done, total)
-
+        tell = watched or (lambda _, __: None)
         # Three steps: the note, as far as its line in motion is, then its page and its workbook.
         of_first = None if watched is None else lambda done, total: tell(done, 3 * total)
         swarm = None if method is None else method == "pso"
@@ -67,7 +64,9 @@ def report(
             once=once or None,
             progress=of_first,
         )
-        moved = _moved(note)
+        moved = note.motion if isinstance(note, SystemNote) else None
+        if isinstance(note, Note) and note.motion is not None:
+            moved = note.motion.found
         _stop_if_interrupted(asked, moved)
         number = note.chosen.number if isinstance(note, Note) and note.chosen else None
         tell(1, 3)
@@ -89,16 +88,6 @@ def report(
             output.text(str(path))
     if moved is not None:
         stop_in_doubt(asked, moved)
-
-
-def _moved(note: AnyNote) -> DynamicVerification | None:
-    """Return what is in motion in a note: a line, or all of a body's."""
-    from catopt.notes.line import Note
-    from catopt.notes.system import SystemNote
-
-    if isinstance(note, SystemNote):
-        return note.motion
-    return note.motion.found if isinstance(note, Note) and note.motion is not None else None
 
 
 def _stop_if_interrupted(asked: Asked, moved: DynamicVerification | None) -> None:

@@ -11,7 +11,7 @@ import typer
 
 from catopt.cli.answering import Asked, answering, refuse_own_case
 from catopt.cli.completion import completed
-from catopt.cli.help_words import GroupWithWords, WithWords
+from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import OutOption
 from catopt.cli.size_options import as_option, by_option, typed, with_inputs
 from catopt.cli.values import refused
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.sizing.telling import Spelling
 
-size = typer.Typer(name="size", cls=GroupWithWords, rich_markup_mode=None, no_args_is_help=True)
+size = group("size")
 
 BuoyArgument = typer.Argument(metavar="BUOY", autocompletion=completed("buoy"))
 SaveOption = Annotated[Path | None, typer.Option("--save", metavar="CASE")]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 import typer
 
@@ -12,11 +12,6 @@ from catopt.cli import values
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
 from catopt.errors import Problem
-
-if TYPE_CHECKING:
-    from catopt.catenary.solution import Solution
-    from catopt.cli.output import Output
-    from catopt.model import Case
 
 Method = Literal["closed-form", "pso"]
 
@@ -37,7 +32,7 @@ def solve(
 ) -> None:
     """Solve one mooring line at rest."""
     from catopt.answers.solution import solution_answer
-    from catopt.catenary.case import under_a_load
+    from catopt.catenary.case import solve_case, under_a_load
     from catopt.report.bundle import solution_pictures
 
     asked.check_place()
@@ -51,7 +46,13 @@ def solve(
     if given:
         with values.by_option():
             read = replace(read, swarm=replace(read.swarm, **given))
-    solution = _solved(read, method, asked.output)
+    if method == "closed-form":
+        solution = solve_case(read)
+    else:
+        runs = read.swarm.runs
+        with asked.output.progress("Swarm runs") as tell:
+            done = None if tell is None else lambda done: tell(done, runs)
+            solution = solve_case(read, "pso", progress=done)
     loaded, _ = under_a_load(read)
     asked.give(
         solution_answer(loaded, solution, with_profile=profile),
@@ -60,15 +61,3 @@ def solve(
         partial(solution_pictures, loaded, solution),
         printed=partial(solution.to_dict, profile=profile),
     )
-
-
-def _solved(case: Case, method: Method, output: Output) -> Solution:
-    from catopt.catenary.case import solve_case
-
-    if method == "closed-form":
-        return solve_case(case)
-    runs = case.swarm.runs
-    with output.progress("Swarm runs") as tell:
-        return solve_case(
-            case, "pso", progress=None if tell is None else lambda done: tell(done, runs)
-        )

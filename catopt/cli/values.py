@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -69,13 +69,15 @@ def given_ones(**options: Any) -> dict[str, Any]:
 
 
 @contextmanager
-def by_option() -> Iterator[None]:
-    """Tell what is wrong with a setting by the option of its name."""
+def by_option(
+    option: Callable[[str], str] = "--{}".format, source: str = "options"
+) -> Iterator[None]:
+    """Tell what is wrong with a setting by its option: that of its name, if none other is named."""
     try:
         yield
     except InputError as error:
-        problems = [replace(each, key=f"--{each.key}") for each in error.problems]
-        raise InputError(problems, "options") from error
+        problems = [replace(each, key=option(each.key)) for each in error.problems]
+        raise InputError(problems, source or error.source) from error
 
 
 def read_known(path: Path, design: int | None = None) -> Case:

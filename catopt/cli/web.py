@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from catopt.cli.output import Output
 from catopt.cli.values import refused
-
-if TYPE_CHECKING:
-    from catopt.cli.output import Output
 
 
 def web(
