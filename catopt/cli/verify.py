@@ -85,7 +85,7 @@ def verify(
 
     if asked.out is not None:
         from catopt.render.files import files_of
-        from catopt.render.plain import document_bytes
+        from catopt.render.files import document_bytes
 
         files = {"verify.json": document_bytes(document())}
         for answer in found.answers:
