@@ -55,12 +55,8 @@ class Problem:
 class InputError(CatoptError):
     """The input is wrong.
 
-    Attributes
-    ----------
-    problems : tuple of Problem
-        Every problem of the input, in the order of the input.
-    source : str
-        The file or the function that was given the input; may be empty.
+    `problems` has every one, in the order of the input; `source` is the file or the function that
+    was given the input, and may be empty.
     """
 
     exit_status = 2
@@ -87,12 +83,8 @@ class NoAnswerError(CatoptError):
 class NoEquilibriumError(NoAnswerError):
     """No line can hang as asked.
 
-    Attributes
-    ----------
-    quantity : str
-        What is missing: ``"length"`` (m), ``"force"`` (N) or ``"span"`` (m).
-    missing : float
-        How much of it, in SI; 0 when it is met exactly but must be exceeded.
+    `quantity` is what is missing: ``"length"`` (m), ``"force"`` (N) or ``"span"`` (m); `missing`
+    how much of it, in SI; 0 when it is met exactly but must be exceeded.
     """
 
     def __init__(self, message: str, quantity: str, missing: float) -> None:

@@ -174,24 +174,27 @@ def answering(
         names = [each.name for each in own]
         place = names.index(language_after) + 1 if language_after else len(own)
         parameters = [
-            _parameter("context", typer.Context),
-            *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[:place]),
-            _parameter("lang", option.LangOption, "en"),
-            _parameter("units", option.UnitsOption, None),
-            *(each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in own[place:]),
-            _parameter("as_json", option.JsonOption, False),
-            _parameter("out", out, None),
+            keyword("context", typer.Context),
+            *own[:place],
+            keyword("lang", option.LangOption, "en"),
+            keyword("units", option.UnitsOption, None),
+            *own[place:],
+            keyword("as_json", option.JsonOption, False),
+            keyword("out", out, None),
         ]
-        kept = [each for each in parameters if each.name not in without]
+        kept = [
+            each.replace(kind=each.KEYWORD_ONLY) for each in parameters if each.name not in without
+        ]
         answered.__signature__ = inspect.Signature(kept)  # type: ignore[attr-defined]
         return answered
 
     return decorate
 
 
-def _parameter(
+def keyword(
     name: str, annotation: Any, default: Any = inspect.Parameter.empty
 ) -> inspect.Parameter:
+    """Make a parameter that is given by its name."""
     kind = inspect.Parameter.KEYWORD_ONLY
     return inspect.Parameter(name, kind, default=default, annotation=annotation)
 

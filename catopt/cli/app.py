@@ -60,8 +60,7 @@ def catopt(
     """Take the global options."""
     output = context.ensure_object(Output)
     output.debug = debug
-    output.tell_when_compiling()
-    output.tell_of_decks()
+    output.listen()
 
 
 _COMMANDS: dict[str, Callable[..., None]] = {

@@ -19,7 +19,6 @@ from catopt.units import Dimension, as_written
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component
-    from catopt.catalogue.document import Answer
 
 catalog = group("catalog")
 
@@ -35,9 +34,7 @@ _GRADE = typer.Argument(metavar="GRADE", autocompletion=completed("grade"))
 @answering(TablesOutOption)
 def list_families(asked: Asked, families: FamiliesOption = None) -> None:
     """List the families, their grades and diameters."""
-    from catopt.catalogue.document import Answer
-
-    _give(asked, Answer("list", _catalogue(families).families))
+    _give(asked, "list", _catalogue(families).families)
 
 
 @catalog.command(cls=WithWords)
@@ -53,8 +50,6 @@ def show(
     families: FamiliesOption = None,
 ) -> None:
     """Show a component in full, or a family over its sizes."""
-    from catopt.catalogue.document import Answer
-
     values = in_si(
         {
             "--diameter": (diameter, Dimension.LENGTH),
@@ -73,7 +68,7 @@ def show(
             components = (known.component(found.name, size, **settings),)
         else:
             components = known.sold(found.name, **settings)
-    _give(asked, Answer("show", (found,), components), in_full=size is not None)
+    _give(asked, "show", (found,), components, in_full=size is not None)
 
 
 @catalog.command(cls=WithWords)
@@ -95,8 +90,6 @@ def search(
     families: FamiliesOption = None,
 ) -> None:
     """Find components that are strong or light enough."""
-    from catopt.catalogue.document import Answer
-
     values = in_si(
         {
             "--mbl": (mbl, Dimension.FORCE),
@@ -114,7 +107,7 @@ def search(
     found = _search(known, values, wanted, all_sizes=all_sizes)
     of = {component.family for component in found}
     theirs = tuple(each for each in known.families if each.name in of)
-    _give(asked, Answer("search", theirs, found))
+    _give(asked, "search", theirs, found)
 
 
 # ------------------------------------------------------------------ parts of the commands
@@ -197,8 +190,10 @@ def _by_option(names: dict[str, str]) -> AbstractContextManager[None]:
     return by_option(named, source="")
 
 
-def _give(asked: Asked, answer: Answer, *, in_full: bool = False) -> None:
+def _give(asked: Asked, *parts: Any, in_full: bool = False) -> None:
     from catopt.answers.catalogue import catalogue_answer
+    from catopt.catalogue.document import Answer
 
     asked.check_place()
+    answer = Answer(*parts)
     asked.give(catalogue_answer(answer, in_full=in_full), answer.to_dict)

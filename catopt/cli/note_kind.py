@@ -109,17 +109,14 @@ def _of_a_line_alone(
 
 def answer_of(note: AnyNote) -> Answer:
     """Lay a note out."""
+    from catopt.answers.note_line import line_note_answer
+    from catopt.answers.note_size import size_note_answer
+    from catopt.answers.note_system import system_note_answer
     from catopt.notes.size import SizeNote
     from catopt.notes.system import SystemNote
 
     if isinstance(note, SizeNote):
-        from catopt.answers.note_size import size_note_answer
-
         return size_note_answer(note)
     if isinstance(note, SystemNote):
-        from catopt.answers.note_system import system_note_answer
-
         return system_note_answer(note)
-    from catopt.answers.note_line import line_note_answer
-
     return line_note_answer(note)

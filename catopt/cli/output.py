@@ -102,14 +102,11 @@ class Output:
             message = "\n".join(_folded(line) for line in message.splitlines())
         _write(sys.stderr, message + "\n")
 
-    def tell_when_compiling(self) -> None:
-        """Say it, to a terminal, when the first use of a part has to be compiled."""
+    def listen(self) -> None:
+        """Pass on what is told: to a terminal that a part has to be compiled, and of read decks."""
         if sys.stderr.isatty():
             when_compiling(lambda: self.note(COMPILING))
         when_cache_is_damaged(lambda folder: self.note(DAMAGED.format(folder)))
-
-    def tell_of_decks(self) -> None:
-        """Say what has to be known of an input file of another program that is taken as a case."""
         when_read(lambda remarks: self.note("\n".join(f"note: {remark}" for remark in remarks)))
 
     @contextmanager

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 import typer
 
+from catopt.cli.answering import keyword
 from catopt.cli.completion import of_input
 from catopt.cli.options import in_environment
 from catopt.sizing.inputs import Input, inputs_of
@@ -83,12 +84,7 @@ def _parameter(each: Input, words: str) -> inspect.Parameter:
     option = typer.Option(
         as_option(each.name), metavar=metavar, help=words, **of_input(each.name, each.words)
     )
-    return inspect.Parameter(
-        each.name,
-        inspect.Parameter.KEYWORD_ONLY,
-        default=False if is_flag else None,
-        annotation=Annotated[kind, option],
-    )
+    return keyword(each.name, Annotated[kind, option], False if is_flag else None)
 
 
 def typed(moored: Moored, options: Mapping[str, Any]) -> dict[str, object]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
@@ -13,9 +13,6 @@ from catopt.cli.values import in_si, refuse, refused
 from catopt.errors import Problem
 from catopt.units import Dimension
 from catopt.words import Message, say
-
-if TYPE_CHECKING:
-    from catopt.model.network import Network
 
 
 @answering(OutOption)
@@ -31,7 +28,7 @@ def system(
     held: Annotated[list[str] | None, typer.Option(metavar="SIX")] = None,
 ) -> None:
     """Find where a moored body comes to rest, and what each of its lines carries."""
-    from catopt.answers.system import system_answer
+    from catopt.answers.system import network_answer, system_answer
     from catopt.casefile import read_mooring
     from catopt.casefile.design_directory import read_case_or_design
     from catopt.checks.system import check_system
@@ -45,7 +42,9 @@ def system(
     displacements = [_displacement(text) for text in held or []]
     is_design = design is not None or case.is_dir()
     read = read_case_or_design(case, design) if is_design else read_mooring(case)
-    if isinstance(read, Network):
+    if isinstance(read, Network):  # the body is in place, and where it is to be held
+        from catopt.mooring.held import hold, network_document
+
         given = {
             "--line-out": line_out,
             "--watch-circle": watch_circle,
@@ -54,7 +53,9 @@ def system(
         }
         allowed = "does not go with lines that meet in joints: their body is held; leave it out"
         refuse(Problem(option, "", allowed) for option, value in given.items() if value)
-        _network(asked, read, displacements, with_stiffness=stiffness)
+        rest, *away = [hold(read, each) for each in ((0.0,) * 6, *displacements)]
+        answer = network_answer(rest, away, with_stiffness=stiffness)
+        asked.give(answer, lambda: network_document([rest, *away]))
         return
     report = report_system(
         read,
@@ -73,22 +74,6 @@ def system(
         return report.to_dict() | {"checks": checks.verdict_document()}
 
     asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
-
-
-def _network(
-    asked: Asked,
-    network: Network,
-    displacements: list[tuple[float, ...]],
-    *,
-    with_stiffness: bool,
-) -> None:
-    """Answer for lines that meet in joints, the body in place and where it is to be held."""
-    from catopt.answers.system import network_answer
-    from catopt.mooring.held import hold, network_document
-
-    rest, *held = [hold(network, each) for each in ((0.0,) * 6, *displacements)]
-    answer = network_answer(rest, held, with_stiffness=with_stiffness)
-    asked.give(answer, lambda: network_document([rest, *held]))
 
 
 def _in_si(option: str, texts: list[str] | None, dimension: Dimension) -> list[float]:

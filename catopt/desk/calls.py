@@ -47,22 +47,13 @@ _FILE: Final = re.compile(r"""\w*file\s*=|buoys\s*=|["'][^"'\n]*\.[A-Za-z]""")
 
 
 def ask(call: str, question: Question) -> Reply:
-    """Answer a question.
+    """Answer a question, one of `CALLS`.
 
-    Parameters
-    ----------
-    call : str
-        One of `CALLS`.
-    question : mapping of str to object
-        ``text``: a case file or a file for ``catopt size``; or ``door``, ``values`` by key and
-        ``base``, of which it is made. Also ``lang`` and ``units``, as the command line has them,
-        and ``kept``: the text that ``"compare"`` puts the answer beside.
-
-    Returns
-    -------
-    dict
-        What was asked for; or ``problems``, each with key, found and allowed, ``message`` and
-        ``status``, the command's exit status, when there is no answer.
+    It has ``text``, a case file or a file for ``catopt size``, or ``door``, ``values`` by key and
+    ``base``, of which it is made. Also ``lang`` and ``units``, as the command line has them, and
+    ``kept``: the text that ``"compare"`` puts the answer beside. What is returned was asked for; or
+    ``problems``, each with key, found and allowed, ``message`` and ``status``, the command's exit
+    status, when there is no answer.
 
     Examples
     --------

@@ -27,17 +27,9 @@ def names() -> tuple[str, ...]:
 
 
 def schema(name: str) -> dict[str, Any]:
-    """Read the schema of a document.
+    """Read the schema of a document that has a name under its key ``schema``.
 
-    Parameters
-    ----------
-    name : str
-        What the document has under its key ``schema``.
-
-    Raises
-    ------
-    InputError
-        There is no such document.
+    InputError when there is no such document.
     """
     if name not in names():
         raise InputError([Problem("name", repr(name), f"one of {', '.join(names())} is wanted")])

@@ -47,19 +47,9 @@ def parts() -> tuple[Part, ...]:
 
 
 def fetched(part: Part, folder: Path | None = None) -> bytes:
-    """Read a part from a folder, or where none is given from its registry.
+    """Read a part from a folder, by its name, or where none is given from its registry.
 
-    Parameters
-    ----------
-    part : Part
-        Which.
-    folder : Path, optional
-        That has the file under its name; nothing is fetched then.
-
-    Raises
-    ------
-    InputError
-        It is not there, cannot be fetched, or is another file than the pinned one.
+    InputError when it is not there, cannot be fetched, or is another file than the pinned one.
     """
     from urllib.request import urlopen
 
@@ -80,19 +70,9 @@ def fetched(part: Part, folder: Path | None = None) -> bytes:
 
 
 def pieces(read: Read) -> dict[str, bytes]:
-    """Make what the worker of the page takes, each compressed by gzip.
+    """Make what the worker of the page takes, by name, each compressed by gzip.
 
-    The same parts and the same catopt give the same bytes.
-
-    Parameters
-    ----------
-    read : callable
-        Gives the bytes of a part.
-
-    Returns
-    -------
-    dict of str to bytes
-        By name.
+    `read` gives the bytes of a part. The same parts and the same catopt give the same bytes.
     """
     pyodide, *others = parts()
     loader = _unpacked(read(pyodide))
@@ -104,13 +84,7 @@ def pieces(read: Read) -> dict[str, bytes]:
 
 
 def site(archives: Sequence[bytes]) -> bytes:
-    """Pack Python packages and catopt into one archive.
-
-    Parameters
-    ----------
-    archives : sequence of bytes
-        Wheels, or source archives with a folder ``src``.
-    """
+    """Pack catopt and Python packages, wheels or source archives with ``src``, into one archive."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as packed:
         for name, data in (*_packages(archives), *_own()):

@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib.resources import files
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from catopt.desk import shell
 from catopt.render.looks import stylesheet
 from catopt.words import LANGUAGES
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 __all__ = ["document"]
 
@@ -22,18 +19,10 @@ _SCRIPT: Final = "script-src 'unsafe-inline' data: blob: 'wasm-unsafe-eval'"
 
 
 def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
-    """Write the page.
+    """Write the page as HTML, in which no address of another host stands.
 
-    Parameters
-    ----------
-    pieces : mapping of str to bytes, sequence of str or None
-        What Python in the browser is made of: compressed, to be put into the page; the names of
-        files beside it; or None where catopt app answers.
-
-    Returns
-    -------
-    str
-        HTML, in which no address of another host stands.
+    `pieces` are what Python in the browser is made of: compressed, to be put into the page; the
+    names of files beside it; or None where catopt app answers.
     """
     inside = pieces if isinstance(pieces, Mapping) else {}
     connects = "'self'" if not inside else "'none'"

@@ -23,15 +23,8 @@ _HOST: Final = "127.0.0.1"
 class PageServer(ThreadingHTTPServer):
     """Serves the page, and answers its questions one after the other.
 
-    Parameters
-    ----------
-    port : int
-        Of 127.0.0.1; 0: any that is free.
-
-    Attributes
-    ----------
-    token : str
-        Random; stands in the page's address, and nothing is answered without it.
+    `port` is of 127.0.0.1, 0 any that is free; the random `token` stands in the page's address, and
+    nothing is answered without it.
     """
 
     daemon_threads = True

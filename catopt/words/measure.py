@@ -11,17 +11,6 @@ from catopt.quantities import QUANTITIES, Quantity, Units
 class Measure:
     """A value of a quantity, said in the field's unit: ``7300 kN``.
 
-    Attributes
-    ----------
-    quantity : str
-        Key of `catopt.quantities.QUANTITIES`.
-    value : float
-        SI.
-    units : {"", "tf", "kN", "si"}
-        In which it is said, in place of the field's.
-    digits : int, optional
-        Behind the decimal point in the field's unit, in place of the quantity's own.
-
     Examples
     --------
     >>> from catopt.words import Measure
@@ -29,10 +18,10 @@ class Measure:
     '7300 kN'
     """
 
-    quantity: str
-    value: float
-    units: Units = ""
-    digits: int | None = None
+    quantity: str  # key of `catopt.quantities.QUANTITIES`
+    value: float  # SI
+    units: Units = ""  # in which it is said, in place of the field's
+    digits: int | None = None  # behind the decimal point there, in place of the quantity's own
 
     def __format__(self, spec: str) -> str:
         """Say the value with its unit, by the format of a number; ``bare`` is without the unit."""

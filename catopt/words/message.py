@@ -15,24 +15,9 @@ class Message(str):
     It compares, prints and is written as its English. Joining or formatting it into another string
     leaves plain English: a message that holds others takes them as values.
 
-    Parameters
-    ----------
-    key : str
-        ``GROUP.NAME`` in the table of texts.
-    **values
-        What stands in the braces of its text: numbers, a user's own words, other messages.
-
-    Attributes
-    ----------
-    key : str
-        The same.
-    values : mapping
-        The same.
-
-    Raises
-    ------
-    KeyError
-        There is no such text, or a value for it is missing: a fault of the program.
+    `key` is ``GROUP.NAME`` in the table of texts; `values` stand in the braces of its text:
+    numbers, a user's own words, other messages. KeyError, a fault of the program, where there is no
+    such text or a value for it is missing.
 
     Examples
     --------
