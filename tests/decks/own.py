@@ -6,7 +6,21 @@ example of that name, 11.5e, in vamseeachanta/digitalmodel.
 
 from __future__ import annotations
 
-__all__ = ["BRIDLE", "C06", "MAP", "MAP_BRIDLE", "MOORDYN", "ONTOLOGY", "TWO_SEGMENTS", "V1"]
+import pytest
+
+from catopt import InputError
+from catopt.decks.reading import Asked, Imported, read_deck
+
+
+def said(found: Imported) -> str:
+    return "\n".join(found.remarks)
+
+
+def problems(text: str, asked: Asked | None = None) -> list[str]:
+    with pytest.raises(InputError) as caught:
+        read_deck(text, "deck.txt", asked)
+    return [str(problem) for problem in caught.value.problems]
+
 
 MOORDYN = """OC3's mooring, own deck
 --- LINE TYPES ---

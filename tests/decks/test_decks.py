@@ -7,15 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from catopt import Case, InputError, read_case, solve_case
+from catopt import read_case, solve_case
 from catopt.casefile import parse_case, write_case
-from catopt.decks.reading import Asked, Imported, is_deck, read_deck
-from catopt.export.exported_line import exported_lines
-from catopt.export.moordyn import moordyn_input
+from catopt.decks.reading import Asked, is_deck, read_deck
 from catopt.mooring.case import report_system
 from catopt.words import say
-from tests.decks.own import MAP, MOORDYN, TWO_SEGMENTS, V1
-from tests.export.cases import CASES, chain_and_wire, suspended, tanker
+from tests.decks.own import C06, MAP, MOORDYN, ONTOLOGY, TWO_SEGMENTS, V1, problems, said
+from tests.export.cases import CASES
 
 OC3 = {"types": "0.09 77.7066 384.243e6 0.001 0 0 0 0", "length": 902.2}
 OC3_ENDS = {"anchor": "853.87 0", "fairlead": "5.2 0 -70"}
@@ -23,16 +21,6 @@ OC4 = {"types": "0.0766 113.35 753.6e6 1.0 0 0 0 0", "length": 835.35}
 OC4_ENDS = {"anchor": "418.8 725.383", "fairlead": "20.434 35.393 -14"}
 STEEP = {"types": "0.064929 138.73 545e6 1.0 0 0 0 0", "length": 125}
 STEEP_ENDS = {"anchor": "-50 0", "fairlead": "0 0 0"}
-
-
-def said(found: Imported) -> str:
-    return "\n".join(found.remarks)
-
-
-def problems(text: str, asked: Asked | None = None) -> list[str]:
-    with pytest.raises(InputError) as caught:
-        read_deck(text, "deck.txt", asked)
-    return [str(problem) for problem in caught.value.problems]
 
 
 @pytest.mark.parametrize(
@@ -146,52 +134,8 @@ def test_remarks_are_said_in_vietnamese() -> None:
     assert any("độ cứng uốn" in say(remark, "vi") for remark in found.remarks)
 
 
-def exportable() -> list[Case]:
-    shipped = [
-        read_case(CASES / name / "case.toml")
-        for name in ("dynamic-chain-56m", "fso-rang-dong", "ship-200m", "ship-200m-sinker",
-                     "tanker-20m", "tanker-20m-sinker", "buoy-9.5m")
-    ]  # fmt: skip
-    return [*shipped, suspended(), tanker(), chain_and_wire(), chain_and_wire(0.4)]
-
-
-@pytest.mark.parametrize("case", exportable(), ids=lambda case: case.title)
-def test_what_is_written_to_moordyn_reads_back(case: Case) -> None:
-    """Ten digits are written.
-
-    The lines agree to 1e-9, the forces they have between their ends to 1e-6: a nearly straight
-    line makes 1e3 of the rounding of its ends.
-    """
-    EA = 5e8 if any(math.isinf(s.EA) for s in case.line.segments) else None
-    written = exported_lines(case, EA)
-    back = read_deck(moordyn_input(written).text, "back.txt").case
-    for ours, theirs in zip(
-        written.lines[0].solution.line.segments, back.line.segments, strict=True
-    ):
-        assert theirs.length == pytest.approx(ours.length, rel=1e-9)
-        assert theirs.submerged_weight == pytest.approx(ours.submerged_weight, rel=1e-8)
-        assert theirs.EA == pytest.approx(ours.EA, rel=1e-9)
-    loads = written.lines[0].solution.line.point_loads
-    assert [load.submerged_weight for load in back.line.point_loads] == pytest.approx(
-        [load.submerged_weight for load in loads], rel=1e-8
-    )
-    assert [load.position for load in back.line.point_loads] == pytest.approx(
-        [load.position for load in loads], rel=1e-9
-    )
-    found = (
-        [leg.solution for leg in report_system(back).solution.lines]
-        if back.system
-        else [solve_case(back)]
-    )
-    wanted = [line.solution for line in written.lines]
-    for one, other in zip(found, wanted, strict=True):
-        assert one.horizontal_force == pytest.approx(other.horizontal_force, rel=1e-6)
-        assert one.fairlead.tension == pytest.approx(other.fairlead.tension, rel=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "line", "words"),
-    [
+REFUSED = {
+    MOORDYN: [
         ("--- LINES ---", "--- RODS ---\nx\nx\n1 rod Free 0 0 0 0 0 0 4 -\n--- LINES ---",
          18, "rods"),
         ("--- LINES ---", "--- BODIES ---\nx\nx\n1 Free 0 0 0 0 0 0 1 0 0 1 0 0\n--- LINES ---",
@@ -210,15 +154,51 @@ def test_what_is_written_to_moordyn_reads_back(case: Case) -> None:
         ("6 Coupled -2.6", "6 Coupled -2.4", 18, "ends up to"),
         ("--- OPTIONS ---", "--- SYROPE ---\n1 2 3\n--- OPTIONS ---", 22, "not known"),
     ],
-)  # fmt: skip
+    ONTOLOGY: [
+        ("{type: chain, length: 497.7}", "{type: wire, length: 497.7}", 21, "known: polyester,"),
+        ("{type: chain, length: 497.7}", "{subsections: [[], []]}", 21, "side by side"),
+        ("{type: chain, length", "{mooringFamily: hair, d_nom: 1, length", 21, "chain_"),
+        ("connectorType: clump", "connectorType: link", 22, "known: clump"),
+        ("[leg, 150, drag1]", "[foot, 150, drag1]", 15, "known: leg"),
+        ("[leg, 150, drag1]", "[leg, 150, drag1, 1]", 15, "4 values"),
+        ("ms1, -1600", "ms2, -1600", 6, "one of ms1"),
+        ("span: 642", "span: wide", 19, "a number above 0"),
+        ("    span: 642\n", "", 18, "span is missing"),
+        ("topsides:\n", "array_mooring: {line_data: [[a, b]]}\ntopsides:\n", 7, "--line N"),
+        ("water_depth: 200,", "water_depth: 200, water_depth: *x,", 2, "no YAML"),
+        ("topsides:\n", "topsides: [\n", 8, "no YAML"),
+        ("water_depth: 200, ", "", 0, "water depth is missing"),
+    ],
+    C06: [
+        ("UnitsSystem: SI", "UnitsSystem: US", 0, "save the model in SI"),
+        ("SeabedType: Flat", "SeabedType: Profile", 9, "Flat is wanted"),
+        ("  WindSpeed", "  SeabedSlope: 2\n  WindSpeed", 12, "level bed"),
+        ("Category: General", "Category: Homogeneous pipe", 14, "General is wanted"),
+        ("ID: 0\n", "ID: 0.05\n", 17, "hollow"),
+        ("EA: 407.25725e3", "EA: rope", 20, "a number above 0"),
+        ("    Connection: Free", "    Connection: Rotation", 34, "Free or Fixed"),
+        ("InitialAttitude: [0, 0, 0]", "InitialAttitude: [0, 3, 0]", 34, "not tilted"),
+        ("[CALM Base, 6, 0, -1.5, 0", "[Mooring9, 6, 0, -1.5, 0", 42, "one of CALM Base"),
+        ("General:\n", "BaseFile: other.yml\nGeneral:\n", 3, "not followed"),
+        ('[2.5" Chain, 195', "[rope, 195", 46, "known: 2.5"),
+    ],
+}  # fmt: skip
+"""Of each deck what is replaced by what, and the line and words of the refusal; 0: the file."""
+
+
+@pytest.mark.parametrize(
+    ("deck", "change"),
+    [(deck, change) for deck, rows in REFUSED.items() for change in rows],
+    ids=lambda each: each[3] if isinstance(each, tuple) else each.splitlines()[0],
+)
 def test_what_has_no_case_is_refused_with_its_line(
-    old: str, new: str, line: int, words: str
+    deck: str, change: tuple[str, str, int, str]
 ) -> None:
-    assert old in MOORDYN
-    found = problems(MOORDYN.replace(old, new, 1))
-    assert any(problem.startswith(f"line {line}: ") and words in problem for problem in found), (
-        found
-    )
+    old, new, line, words = change
+    assert old in deck
+    found = problems(deck.replace(old, new, 1), Asked(line=1) if deck is C06 else None)
+    place = f"line {line}: " if line else "file: "
+    assert any(each.startswith(place) and words in each for each in found), found
 
 
 def test_a_joint_of_three_lines_is_refused_where_one_line_is_wanted() -> None:

@@ -11,25 +11,15 @@ import yaml
 
 from catopt import InputError
 from catopt.decks.deck import Notes
-from catopt.decks.reading import Asked, Imported, is_deck, read_deck
+from catopt.decks.reading import Asked, is_deck, read_deck
 from catopt.decks.tree import parse_yaml
 from catopt.export.exported_line import exported_lines
 from catopt.export.programs import program_input
 from catopt.words import say
-from tests.decks.own import ONTOLOGY
+from tests.decks.own import ONTOLOGY, problems, said
 from tests.export.cases import CASES, chain_and_wire, tanker
 
 G = 9.80665
-
-
-def said(found: Imported) -> str:
-    return "\n".join(found.remarks)
-
-
-def problems(text: str, asked: Asked | None = None) -> list[str]:
-    with pytest.raises(InputError) as caught:
-        read_deck(text, "farm.yaml", asked)
-    return [str(problem) for problem in caught.value.problems]
 
 
 def test_what_is_read() -> None:
@@ -109,33 +99,6 @@ def test_a_family_has_the_figures_of_moorpy() -> None:
     weight = (200.0 - 0.25 * math.pi * 0.18**2 * 1025.0) * G
     assert chain.submerged_weight == pytest.approx(weight, rel=1e-12)
     assert "line 21: chain by its nominal diameter" in said(found)
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "line", "words"),
-    [
-        ("{type: chain, length: 497.7}", "{type: wire, length: 497.7}", 21, "known: polyester,"),
-        ("{type: chain, length: 497.7}", "{subsections: [[], []]}", 21, "side by side"),
-        ("{type: chain, length", "{mooringFamily: hair, d_nom: 1, length", 21, "chain_"),
-        ("connectorType: clump", "connectorType: link", 22, "known: clump"),
-        ("[leg, 150, drag1]", "[foot, 150, drag1]", 15, "known: leg"),
-        ("[leg, 150, drag1]", "[leg, 150, drag1, 1]", 15, "4 values"),
-        ("ms1, -1600", "ms2, -1600", 6, "one of ms1"),
-        ("span: 642", "span: wide", 19, "a number above 0"),
-        ("    span: 642\n", "", 18, "span is missing"),
-        ("topsides:\n", "array_mooring: {line_data: [[a, b]]}\ntopsides:\n", 7, "--line N"),
-        ("water_depth: 200,", "water_depth: 200, water_depth: *x,", 2, "no YAML"),
-        ("topsides:\n", "topsides: [\n", 8, "no YAML"),
-        ("water_depth: 200, ", "", 0, "water depth is missing"),
-    ],
-)  # fmt: skip
-def test_what_has_no_case_is_refused_with_its_line(
-    old: str, new: str, line: int, words: str
-) -> None:
-    assert old in ONTOLOGY
-    found = problems(ONTOLOGY.replace(old, new, 1))
-    place = f"line {line}: " if line else "file: "
-    assert any(each.startswith(place) and words in each for each in found), found
 
 
 def test_one_line_beside_shared_ones() -> None:

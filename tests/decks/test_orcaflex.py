@@ -6,25 +6,15 @@ import math
 
 import pytest
 
-from catopt import InputError, solve_case
-from catopt.decks.reading import Asked, Imported, is_deck, read_deck
+from catopt import solve_case
+from catopt.decks.reading import Asked, is_deck, read_deck
 from catopt.export.exported_line import exported_lines
 from catopt.export.programs import program_input
 from catopt.words import say
-from tests.decks.own import C06
+from tests.decks.own import C06, problems, said
 from tests.export.cases import chain_and_wire
 
 ONE = Asked(line=1)
-
-
-def said(found: Imported) -> str:
-    return "\n".join(found.remarks)
-
-
-def problems(text: str, asked: Asked | None = ONE) -> list[str]:
-    with pytest.raises(InputError) as caught:
-        read_deck(text, "model.yml", asked)
-    return [str(problem) for problem in caught.value.problems]
 
 
 def test_the_chain_of_the_calm_buoy() -> None:
@@ -103,33 +93,8 @@ def test_an_end_below_where_the_line_lies() -> None:
     assert "the end stands 0.114 m lower than the line lies" in said(found)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "line", "words"),
-    [
-        ("UnitsSystem: SI", "UnitsSystem: US", 0, "save the model in SI"),
-        ("SeabedType: Flat", "SeabedType: Profile", 9, "Flat is wanted"),
-        ("  WindSpeed", "  SeabedSlope: 2\n  WindSpeed", 12, "level bed"),
-        ("Category: General", "Category: Homogeneous pipe", 14, "General is wanted"),
-        ("ID: 0\n", "ID: 0.05\n", 17, "hollow"),
-        ("EA: 407.25725e3", "EA: rope", 20, "a number above 0"),
-        ("    Connection: Free", "    Connection: Rotation", 34, "Free or Fixed"),
-        ("InitialAttitude: [0, 0, 0]", "InitialAttitude: [0, 3, 0]", 34, "not tilted"),
-        ("[CALM Base, 6, 0, -1.5, 0", "[Mooring9, 6, 0, -1.5, 0", 42, "one of CALM Base"),
-        ("General:\n", "BaseFile: other.yml\nGeneral:\n", 3, "not followed"),
-        ('[2.5" Chain, 195', "[rope, 195", 46, "known: 2.5"),
-    ],
-)  # fmt: skip
-def test_what_has_no_case_is_refused_with_its_line(
-    old: str, new: str, line: int, words: str
-) -> None:
-    assert old in C06
-    found = problems(C06.replace(old, new, 1))
-    place = f"line {line}: " if line else "file: "
-    assert any(each.startswith(place) and words in each for each in found), found
-
-
 def test_all_lines_are_read_unless_one_is_wanted() -> None:
-    found = problems(C06, None)
+    found = problems(C06)
     assert any("Hose: ID" in each for each in found)
     assert any("--gravity 9.81; OrcaFlex has" in each for each in problems(C06, Asked(9.81)))
     assert is_deck(C06)
