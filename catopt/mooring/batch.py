@@ -114,10 +114,10 @@ def solve_system_many(
 
 
 class Batch:
-    """A system at its zero-load position, ready for loads in compiled code; its own plays no part.
+    """A system at its zero-load position, ready for loads in compiled code.
 
     Worth keeping where loads come a few at a time: the zero-load position, some milliseconds, is
-    found once.
+    found once. The system's own load plays no part.
 
     Raises
     ------

@@ -64,9 +64,10 @@ class RestoringCurve:
 def restoring_curve(
     system: System, *, direction: float, offsets: Sequence[float]
 ) -> RestoringCurve:
-    """Force that holds a body at offsets along a direction; the system's own load plays no part.
+    """Force that holds a body at offsets along a direction.
 
     `direction`: counter-clockwise from x, rad; `offsets`: from the zero-load position along it, m.
+    The system's own load plays no part.
 
     Raises
     ------
@@ -79,9 +80,10 @@ def restoring_curve(
 
 
 def offset_curve(system: System, *, direction: float, forces: Sequence[float]) -> RestoringCurve:
-    """Offset of a free body under forces along a direction; its own load plays no part.
+    """Offset of a free body under forces along a direction.
 
-    `direction`: counter-clockwise from x, rad; `forces`: on the body along it, N.
+    `direction`: counter-clockwise from x, rad; `forces`: on the body along it, N. The system's own
+    load plays no part.
 
     Raises
     ------

@@ -50,9 +50,10 @@ class WatchCircle:
 
 
 def watch_circle(system: System, *, force: float, directions: int = 120) -> WatchCircle:
-    """Let a force (N) go round a body in so many directions, 3 or more, evenly from 0.
+    """Let a force go round a body.
 
-    The system's own load plays no part.
+    `force`: its size, N; `directions`: how many, evenly from 0, at least 3. The system's own load
+    plays no part.
 
     Raises
     ------

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from catopt import Case, Line, Load, PointLoad, Segment, Site, System
+from catopt import Case, Line, Load, PointLoad, Segment, Site, System, read_case
 from catopt._version import __version__
 from catopt.errors import InputError
 from catopt.export.exported import Exported, Source
@@ -15,7 +15,7 @@ from catopt.export.exported_line import exported_lines, rigid_segments
 from catopt.export.moordyn import moordyn_input
 from catopt.model import CurrentProfile, Dynamics, Motion
 
-from .cases import FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
+from .cases import CASES, FSO, chain_and_wire, suspended, tanker, tanker_with_sinker
 
 G = 9.80665
 
@@ -26,6 +26,11 @@ def rows(text: str, section: str) -> list[list[str]]:
     start = lines.index(f"--- {section} ---") + 1
     end = next(k for k in range(start, len(lines)) if lines[k].startswith("---"))
     return [line.split() for line in lines[start:end]][0 if section == "OPTIONS" else 2 :]
+
+
+def free(exported: Exported) -> list[list[str]]:
+    """Return the points between the ends of lines."""
+    return [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
 
 
 def options(text: str) -> dict[str, float]:
@@ -133,7 +138,7 @@ def test_segments_meet_in_points_where_the_closed_form_has_them() -> None:
     solved = exported_lines(chain_and_wire())
     exported = moordyn_input(solved, elements=80)
     (state,) = solved.lines[0].solution.point_loads
-    (clump,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
+    (clump,) = free(exported)
     assert float(clump[2]) == pytest.approx(state.x, rel=1e-9)
     assert float(clump[4]) == pytest.approx(state.z - 56.0, rel=1e-9)
     lines = rows(exported.text, "LINES")
@@ -159,7 +164,7 @@ def test_a_mass_that_is_not_known_stands_in_and_is_said() -> None:
     ((name, diameter, mass, *_),) = rows(exported.text, "LINE TYPES")
     assert float(mass) == pytest.approx(2100.0 / G / (1.0 - 1025.0 / 7850.0), rel=1e-9)
     assert float(diameter) == pytest.approx(math.sqrt(4.0 * float(mass) / 7850.0 / math.pi))
-    weight, buoy = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
+    weight, buoy = free(exported)
     assert [float(each) for each in weight[5:7]] == pytest.approx([5e3 / G, 0.0], rel=1e-9)
     assert [float(each) for each in buoy[5:7]] == pytest.approx([0.0, 6e3 / G / 1025.0], rel=1e-9)
     said = remarks(exported)
@@ -174,7 +179,7 @@ def test_two_loads_at_one_place_are_one_point() -> None:
     case = chain_and_wire()
     twice = Line(case.line.segments, [*case.line.point_loads, PointLoad(200.0, 1e3, mass=150.0)])
     exported = moordyn_input(exported_lines(replace(case, line=twice)))
-    (both,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
+    (both,) = free(exported)
     assert float(both[5]) == 6150.0
     assert float(both[6]) == pytest.approx((6150.0 - 51e3 / G) / 1025.0, rel=1e-9)
 
@@ -189,7 +194,7 @@ def test_drag_and_added_mass_of_what_hangs_at_one_point_are_put_together() -> No
     ]  # fmt: skip
     case = chain_and_wire()
     exported = moordyn_input(exported_lines(replace(case, line=Line(case.line.segments, loads))))
-    (both,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
+    (both,) = free(exported)
     assert [float(cell) for cell in both[5:]] == pytest.approx([4500.0, 3.0, 2.3, 0.7], rel=1e-6)
 
 
@@ -215,7 +220,7 @@ def test_a_mass_that_only_just_bears_its_weight_has_no_volume() -> None:
     case = chain_and_wire()
     clump = PointLoad(200.0, 50e3, mass=50e3 / G * (1.0 + 1e-12))
     exported = moordyn_input(exported_lines(replace(case, line=Line(case.line.segments, [clump]))))
-    (point,) = [row for row in rows(exported.text, "POINTS") if row[1] == "Free"]
+    (point,) = free(exported)
     assert point[6] == "0"
     lighter = Line(case.line.segments, [replace(clump, mass=5000.0)])
     with pytest.raises(InputError, match=r"point_loads\[0\].mass: found 5000 kg; must be above"):
@@ -240,10 +245,6 @@ def test_a_given_EA_is_said_and_the_closed_form_is_solved_with_it() -> None:
 
 def test_a_found_line_is_exported_as_found() -> None:
     """The case seeks the length that is level at its anchor under 800 kN (S2)."""
-    from catopt import read_case
-
-    from .cases import CASES
-
     case = read_case(CASES / "ship-200m-sinker" / "case.toml")
     solved = exported_lines(case, EA=1e9)
     length = solved.lines[0].solution.line.length
@@ -350,8 +351,6 @@ def test_names_become_words_and_stay_apart() -> None:
 
 
 def test_a_system_has_all_its_lines_where_the_body_is() -> None:
-    from catopt import read_case
-
     solved = exported_lines(read_case(FSO))
     exported = moordyn_input(solved, elements=40)
     points, lines = rows(exported.text, "POINTS"), rows(exported.text, "LINES")

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from catopt.model import Line, Segment, System
+from catopt.mooring.solution import SystemSolution
 
 G0 = 9.80665
 
@@ -61,3 +62,22 @@ def spread(
         seabed_friction=friction,
         force=force,
     )
+
+
+def unbalanced(solution: SystemSolution) -> tuple[float, float, float]:
+    """Force and moment left on the body, from the lines as they were laid out; N, N, N m."""
+    x, y = solution.system.force
+    moment = solution.system.moment
+    for line in solution.lines:
+        pull_x = line.horizontal_force * math.cos(line.direction)
+        pull_y = line.horizontal_force * math.sin(line.direction)
+        arm_x = line.fairlead[0] - solution.position.x
+        arm_y = line.fairlead[1] - solution.position.y
+        x += pull_x
+        y += pull_y
+        moment += arm_x * pull_y - arm_y * pull_x
+    return x, y, moment
+
+
+def total(solution: SystemSolution) -> float:
+    return math.fsum(line.horizontal_force for line in solution.lines)

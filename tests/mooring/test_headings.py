@@ -75,8 +75,9 @@ def test_the_limit_is_that_at_the_loaded_position(share: float) -> None:
 @pytest.mark.parametrize("sense", [1.0, -1.0])
 def test_a_refusal_is_right_to_both_sides_of_its_limit(sense: float) -> None:
     force = (-4281e3, 5e5)
-    with pytest.raises(NoEquilibriumError) as caught:
+    with pytest.raises(NoEquilibriumError, match="cannot carry the moment") as caught:
         solve_system(fso(force, fairlead_radius=10.0, moment=sense * 1e9))
+    assert caught.value.quantity == "moment"
     largest = 1e9 - caught.value.missing
     assert 0.0 < largest < 1e9
     solve_system(fso(force, fairlead_radius=10.0, moment=0.99999 * sense * largest))

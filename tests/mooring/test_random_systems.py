@@ -9,6 +9,7 @@ import pytest
 
 from catopt import Line, PointLoad, Segment, System, solve_system
 from catopt.model import Leg
+from tests.mooring.layouts import total, unbalanced
 
 EA = {"inextensible": (math.inf,), "chain": (8e8,), "taut": (3e7,), "mixed": (math.inf, 5e8)}
 
@@ -55,22 +56,13 @@ def test_each_rests(kind: str, count: int) -> None:
     for index in range(count):
         system = drawn(kind, draw)
         solution = solve_system(system)
-        x, y = system.force
-        moment = 0.0
-        total = math.hypot(x, y)
-        for line in solution.lines:
-            pull_x = line.horizontal_force * math.cos(line.direction)
-            pull_y = line.horizontal_force * math.sin(line.direction)
-            arm_x = line.fairlead[0] - solution.position.x
-            arm_y = line.fairlead[1] - solution.position.y
-            x, y = x + pull_x, y + pull_y
-            moment += arm_x * pull_y - arm_y * pull_x
-            total += line.horizontal_force
+        x, y, moment = unbalanced(solution)
+        forces = total(solution) + math.hypot(*system.force)
         # 1e-8: the solver's own limit is 1e-9 where rounding bars the way; a line that does not
         # stretch, close to its end, has its span to 1e-13 and its force to 1e-9 of themselves.
-        assert math.hypot(x, y) <= 1e-8 * total, index
+        assert math.hypot(x, y) <= 1e-8 * forces, index
         if system.turns:
-            assert abs(moment) <= 1e-8 * total * system.legs[0].fairlead_radius, index
+            assert abs(moment) <= 1e-8 * forces * system.legs[0].fairlead_radius, index
             (xx, xy, xm), (_, yy, ym), (_, _, mm) = solution.full_stiffness
             plane = xx * yy - xy * xy
             if plane > 0.0:  # the body, turned a little, turns back: the Schur complement

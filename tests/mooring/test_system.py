@@ -18,33 +18,13 @@ from catopt import (
     solve_system,
 )
 from catopt.model import Leg
-from catopt.mooring.solution import SystemSolution
-from tests.mooring.layouts import CHAIN, FSO_LEG, fso, spread
+from tests.mooring.layouts import CHAIN, FSO_LEG, fso, spread, total, unbalanced
 
 BALANCE = 1e-10
 """Of the forces involved; the solver stops at 1e-12, and sums of nine lines round."""
 
 PRESET = (-4281e3, 0.0)
 """Static force on the turret in S4, N."""
-
-
-def unbalanced(solution: SystemSolution) -> tuple[float, float, float]:
-    """Force and moment left on the body, from the lines as they were laid out; N, N, N m."""
-    x, y = solution.system.force
-    moment = solution.system.moment
-    for line in solution.lines:
-        pull_x = line.horizontal_force * math.cos(line.direction)
-        pull_y = line.horizontal_force * math.sin(line.direction)
-        arm_x = line.fairlead[0] - solution.position.x
-        arm_y = line.fairlead[1] - solution.position.y
-        x += pull_x
-        y += pull_y
-        moment += arm_x * pull_y - arm_y * pull_x
-    return x, y, moment
-
-
-def total(solution: SystemSolution) -> float:
-    return math.fsum(line.horizontal_force for line in solution.lines)
 
 
 @pytest.mark.parametrize("force", [(0.0, 0.0), PRESET, (2e6, 3e6), (10.0, -1.0), (0.0, 9.8e6)])
@@ -295,17 +275,6 @@ def test_lines_too_short_to_meet() -> None:
 def test_a_line_shorter_than_its_height() -> None:
     with pytest.raises(NoEquilibriumError, match="line 1 is 40 m long"):
         solve_system(spread(3, line=Line([Segment(40.0, 1000.0)])))
-
-
-def test_a_moment_beyond_what_the_lines_carry() -> None:
-    with pytest.raises(NoEquilibriumError, match="cannot carry the moment") as caught:
-        solve_system(fso(PRESET, fairlead_radius=10.0, moment=1e9))
-    assert caught.value.quantity == "moment"
-    largest = 1e9 - caught.value.missing
-    # What is said to be the most that they carry is carried, and a little more is not.
-    solve_system(fso(PRESET, fairlead_radius=10.0, moment=0.99 * largest))
-    with pytest.raises(NoEquilibriumError):
-        solve_system(fso(PRESET, fairlead_radius=10.0, moment=1.02 * largest))
 
 
 def test_a_line_that_touches_twice_pulls_as_it_does_alone() -> None:
