@@ -382,7 +382,6 @@ def _figures_of(component: Component) -> Iterator[Message]:
 
 
 def _figures_of_grades(family: Family, components: Sequence[Component]) -> Iterator[Message]:
-    """Explain every figure of the grades that are shown."""
     grades = {each.grade for each in components} or set(family.grades or (None,))
     for figure in family.figures:
         if any(figure.holds_for(grade) for grade in grades):
@@ -444,7 +443,6 @@ def _said(key: str, **values: object) -> blocks.Text:
 
 
 def _name(key: str) -> str:
-    """Name a quantity of the catalogue."""
     if key not in SPECS:
         return quantity_name("submerged_weight")
     words = SPECS[key].words

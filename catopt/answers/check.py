@@ -208,7 +208,6 @@ def _states(report: CheckReport) -> blocks.Table:
 
 
 def _most(code: str, results: Sequence[CheckResult]) -> float | None:
-    """Largest utilisation of the checks by a code."""
     used = (each.utilisation for each in results if each.source.code == code)
     return max((each for each in used if each is not None), default=None)
 

@@ -48,7 +48,6 @@ def _blocks(
 
 
 def _beside(name: str, caption: str, rows: Sequence[Row]) -> blocks.Table:
-    """Tabulate words of both answers."""
     headings = ("what", "desk.kept_one", "desk.present_one")
     columns = map(texts, headings, zip(*rows, strict=True))
     return tabulate(name, *columns, caption=Message(caption))

@@ -53,11 +53,11 @@ def _opening(result: CaseCurve) -> Iterator[blocks.Text]:
     curve, reference = result.curve, result.reference
     yield blocks.Text(Message(f"curve.over_{result.over}", points=len(curve.span)))
     yield blocks.Text(Message("curve.range", range=result.range_words))
-    for each in found_facts(reference):
-        assert reference.found is not None
+    found = reference.found
+    if found is not None:
+        (each,), condition = found_facts(reference), found.condition
         assert each.quantity is not None
-        value = Measure(each.quantity.key, reference.found.value)
-        condition = reference.found.condition
+        value = Measure(each.quantity.key, found.value)
         yield blocks.Text(Message("curve.found", name=each.name, value=value, condition=condition))
     if result.over == "offset":
         yield blocks.Text(Message("curve.zero", span=Measure("span", reference.span)))

@@ -88,23 +88,20 @@ def _front(result: DesignResult) -> Iterator[blocks.Block]:
 
 
 def _how(result: DesignResult) -> Message:
-    values = {
-        "designs": result.designs,
-        "evaluations": result.evaluations,
-        "method": term(result.method),
-        "feasible": result.feasible,
-        "front": len(result.front),
-    }
-    if result.excluded and result.is_exact:
-        excluded = sum(result.excluded.values())
-        return Message(
-            "design.exact_by_bounds", **values, excluded=excluded, bounds=_bounds(result)
-        )
-    return Message("design.exact" if result.is_exact else "design.found", **values)
+    exact = "design.exact_by_bounds" if result.excluded else "design.exact"
+    return Message(
+        exact if result.is_exact else "design.found",
+        designs=result.designs,
+        evaluations=result.evaluations,
+        method=term(result.method),
+        feasible=result.feasible,
+        front=len(result.front),
+        excluded=sum(result.excluded.values()),
+        bounds=_bounds(result),
+    )
 
 
 def _bounds(result: DesignResult) -> Several:
-    """Say how many designs each bound has excluded."""
     said = (Message(f"design.bound_{name}", count=count) for name, count in result.excluded.items())
     return Several(said)
 
@@ -271,16 +268,17 @@ def _verdict(step: Neighbour) -> str:
 
 def _components(result: DesignResult) -> blocks.Table:
     """Tabulate the segments of every design, a row each from the anchor to the fairlead."""
-    places = [
-        (number, place)
+    rows = [
+        (number, place, segment)
         for number, point in enumerate(result.front, start=1)
-        for place, _ in enumerate(point.line.segments, start=1)
+        for place, segment in enumerate(point.line.segments, start=1)
     ]
-    of = Rows(segment for point in result.front for segment in point.line.segments)
+    numbers, places, segments = zip(*rows, strict=True)
+    of = Rows(segments)
     return tabulate(
         "components",
-        texts("design", [number for number, _ in places]),
-        texts("segment", [place for _, place in places]),
+        texts("design", numbers),
+        texts("segment", places),
         of.texts("component", lambda each: each.component or each.name),
         *of.own("nominal_diameter", "length", "submerged_weight"),
         of.measured("mass_per_length", "mass"),
@@ -290,7 +288,6 @@ def _components(result: DesignResult) -> blocks.Table:
 
 
 def _checks(result: DesignResult) -> blocks.Table:
-    """Tabulate every check of every design, a row each."""
     every = [point.checks.results for point in result.front]
     numbers = [number for number, results in enumerate(every, start=1) for _ in results]
     columns = check_columns([check for results in every for check in results])
@@ -315,7 +312,6 @@ def _loads(result: DesignResult) -> Iterator[blocks.Section]:
 
 
 def _search(result: DesignResult) -> blocks.Facts:
-    """List how the front was found."""
     reference = ", ".join(f"{value:.6g}" for value in result.reference_point)
     listed: dict[str, blocks.Value] = {
         "title": result.case.title,

@@ -150,7 +150,6 @@ def _states(report: FatigueReport) -> blocks.Table:
 
 
 def _damages(report: FatigueReport) -> blocks.Table:
-    """Tabulate what each sea state does to each segment."""
     rows = [(each, k) for each in report.segments for k in range(len(report.states))]
     of = Rows(each.states[k] for each, k in rows)
     return tabulate(

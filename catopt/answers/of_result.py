@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from catopt.answers.blocks import Answer, Section, Table
+from catopt.answers.blocks import Answer, Table, answered, section
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -57,6 +57,5 @@ def table_of(result: Any) -> pd.DataFrame:
 def _solution(solution: Solution) -> Answer:
     from catopt.answers.solution import segments_table, summary
 
-    blocks = (summary(solution), segments_table(solution))
-    title = Message("captions.mooring_line")
-    return Answer("solution", title, (Section(Message("captions.results"), blocks),))
+    results = section("captions.results", summary(solution), segments_table(solution))
+    return answered("solution", Message("captions.mooring_line"), results)

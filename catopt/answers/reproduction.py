@@ -13,7 +13,6 @@ from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.reproduce import Item, Reproduction, Study
-    from catopt.reproduce.items import Input
 
 _NUMBER = named("coefficient")
 """What makes numbers that are written with the digits of a print stand flush right."""
@@ -93,7 +92,9 @@ def _study(study: Study) -> Iterator[blocks.Block]:
     yield tabulate(
         f"{study.name}_inputs",
         of.texts("input", "quantity"),
-        of.texts("value", _value_with_unit, quantity=_NUMBER),
+        of.texts(
+            "value", lambda of: Several(filter(None, (of.value, of.unit)), " "), quantity=_NUMBER
+        ),
         of.texts("origin"),
         only="people",
     )
@@ -106,10 +107,6 @@ def _study(study: Study) -> Iterator[blocks.Block]:
         )
         yield blocks.Text(Several(numbered, "\n"), Message("terms.findings"), "people")
     yield from _side_by_side(study)
-
-
-def _value_with_unit(given: Input) -> Several:
-    return Several(filter(None, (given.value, given.unit)), " ")
 
 
 def _printed_for(method: str, items: Sequence[Item]) -> Iterator[blocks.Block]:

@@ -315,9 +315,7 @@ def _tension_used(of: Sizing, load_case: str) -> float | None:
     """Largest utilisation of the tension with one line out, under what the line is sized for."""
     name = Message("sizing.one_line_out", load_case=load_case)
     results = of.point.checks.results
-    used = [
-        each.utilisation for each in results if each.kind == "tension" and each.load_case == name
-    ]
+    used = (e.utilisation for e in results if (e.kind, e.load_case) == ("tension", name))
     return max((each for each in used if each is not None), default=None)
 
 
@@ -371,7 +369,6 @@ def _stacked(of: Sizing, name: str, table_of: Callable[..., blocks.Table]) -> bl
 
 
 def _notes_table(of: Sizing) -> blocks.Table:
-    """Tabulate what is said in words."""
     kinds = {
         "governs": _governing(of),
         "recommendation": (of.why,),

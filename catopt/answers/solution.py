@@ -26,7 +26,11 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
     People see the shape, too, `with_profile`.
     """
     inputs = blocks.Facts("inputs", tuple(given_facts(case)), Message("captions.given"))
-    results: list[blocks.Block] = [summary(solution), segments_table(solution)]
+    results: list[blocks.Block] = []
+    if solution.found is not None:  # files have it with the results
+        caption = Message("captions.found_for", condition=solution.found.condition)
+        results.append(blocks.Facts("found", found_facts(solution), caption, only="people"))
+    results += [summary(solution), segments_table(solution)]
     if solution.safety_factor != 1.0 and any(each.MBL is not None for each in solution.segments):
         results.append(blocks.Text(Message("solution.utilisation", factor=solution.safety_factor)))
     if solution.point_loads:
@@ -37,7 +41,7 @@ def solution_answer(case: Case, solution: Solution, *, with_profile: bool = Fals
         "solution",
         case.title or Message("captions.mooring_line"),
         section("captions.inputs", blocks.Text(solved), inputs, *given_tables(case.line)),
-        section("captions.results", *_found(solution), *results),
+        section("captions.results", *results),
         _shape(solution, with_profile=with_profile),
         *_swarm(case, solution),
         section("captions.residuals", *_closing(solution)),
@@ -111,13 +115,6 @@ def _names(of: Rows) -> blocks.Column:
 
 
 # ------------------------------------------------------------------ what came out
-
-
-def _found(solution: Solution) -> Iterator[blocks.Facts]:
-    """List what was sought and found, for people; files have it with the results."""
-    if solution.found is not None:
-        caption = Message("captions.found_for", condition=solution.found.condition)
-        yield blocks.Facts("found", found_facts(solution), caption, only="people")
 
 
 def found_facts(solution: Solution) -> tuple[blocks.Fact, ...]:

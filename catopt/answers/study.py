@@ -86,12 +86,12 @@ def _few(result: StudyResult) -> blocks.Table:
         replace(column, values=tuple(value for part in parts for value in part.columns[at].values))
         for at, column in enumerate(parts[0].columns)
     ]
-    told = [column for column in columns if any(_is_known(each) for each in column.values)]
-    names = ["no", *result.study.keys, *(each.name for each in _in_table(result.study))]
-    order = {id(column): name for column, name in zip(columns, names, strict=False)}
+    names = ["no", *result.study.keys, *(each.name for each in _in_table(result.study)), "reason"]
+    every = zip(names, columns, strict=True)
+    told = [(name, each) for name, each in every if any(map(_is_known, each.values))]
     shown = tuple(
-        replace(each, priority=0 if order.get(id(each), "") in _TOLD | {"no"} else at + 1)
-        for at, each in enumerate(told)
+        replace(each, priority=0 if name in _TOLD | {"no"} else at)
+        for at, (name, each) in enumerate(told, start=1)
     )
     return blocks.Table("few_members", shown, only="people")
 

@@ -39,7 +39,7 @@ _LOADS = {
 def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
     """Lay out a moored body."""
     freedom = "mooring.x_y_and_yaw" if report.solution.system.turns else "mooring.x_and_y"
-    count = len(report.solution.lines)
+    count, circle = len(report.solution.lines), report.circle
     solved = Message("mooring.solved", count=count, freedom=Message(freedom))
     judged = blocks.Text(Message("mooring.all_checks"), only="people", is_small=True)
     return blocks.answered(
@@ -49,7 +49,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         section("captions.lines", *_lines(report, checks)),
         section("captions.checks", *verdict_blocks(checks), *([judged] if checks.results else [])),
         *_line_out(report),
-        *_circle(report),
+        *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
         *_levels(report),
         *(held_section(number, each) for number, each in enumerate(report.held, start=1)),
@@ -61,10 +61,11 @@ def body_facts(report: SystemReport) -> list[blocks.Fact]:
     """List where the body is and how it is held."""
     solution = report.solution
     system, stiffness = solution.system, solution.stiffness
-    facts = [
+    return [
         stated("title", report.case.title, only="files"),
         fact("horizontal_force", system.force[0], "force_on_the_body_along_x", symbol=""),
         fact("horizontal_force", system.force[1], "force_on_the_body_along_y", symbol=""),
+        *([fact("moment", system.moment)] if system.turns else []),
         fact("offset", solution.neutral.x, "zero_load_position_x"),
         fact("offset", solution.neutral.y, "zero_load_position_y"),
         fact("offset", solution.offset[0], "offset_along_x"),
@@ -72,11 +73,8 @@ def body_facts(report: SystemReport) -> list[blocks.Fact]:
         fact("stiffness", stiffness[0][0], symbol="kxx"),
         fact("stiffness", stiffness[0][1], symbol="kxy"),
         fact("stiffness", stiffness[1][1], symbol="kyy"),
+        *([fact("angle", solution.position.yaw, "yaw", symbol="")] if system.turns else []),
     ]
-    if system.turns:
-        facts[3:3] = [fact("moment", system.moment)]
-        facts += [fact("angle", solution.position.yaw, "yaw", symbol="")]
-    return facts
 
 
 def _body(report: SystemReport) -> blocks.Facts:
@@ -159,11 +157,6 @@ def circle_table(circle: WatchCircle) -> blocks.Table:
     )
 
 
-def _circle(report: SystemReport) -> Iterator[blocks.Section]:
-    if report.circle is not None:
-        yield section("captions.watch_circle", circle_table(report.circle))
-
-
 def curve_table(number: int, curve: RestoringCurve) -> blocks.Table:
     """Tabulate force and offset along one direction."""
     rows = len(curve.offset)
@@ -187,7 +180,6 @@ def _curve(number: int, curve: RestoringCurve) -> blocks.Section:
 
 
 def _levels(report: SystemReport) -> Iterator[blocks.Section]:
-    """Tabulate what the water level changes."""
     if report.levels:
         of, title = Rows(report.levels), Message("captions.water_levels")
         columns = (

@@ -180,7 +180,6 @@ def _height(solution: Solution) -> Step:
 
 
 def _piece(stretch: Stretch) -> Piece:
-    """Work out what one stretch contributes."""
     H, V1 = stretch.horizontal_force, stretch.vertical_force
     length, weight, compliance = stretch.length, stretch.submerged_weight, stretch.compliance
     EA = math.inf if compliance == 0.0 else 1.0 / compliance
@@ -230,7 +229,6 @@ def _pieces_table(pieces: tuple[Piece, ...]) -> Table:
 
 
 def _sums(solution: Solution, pieces: tuple[Piece, ...]) -> Iterator[Step]:
-    """Add up what the stretches contribute."""
     reaches, rises = [(each.dx,) for each in pieces], [(each.dz,) for each in pieces]
     span, rise = (math.fsum(value for (value,) in terms) for terms in (reaches, rises))
     height = solution.fairlead_height - solution.anchor_height

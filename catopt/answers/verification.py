@@ -88,7 +88,6 @@ def _part(part: StaticComparison, *, is_named: bool) -> Iterator[blocks.Block]:
 
 
 def _rough(part: StaticComparison) -> Iterator[blocks.Text]:
-    """Say what was not extrapolated."""
     rough = rough_sentence(part)
     if rough:
         yield blocks.Text(rough)
