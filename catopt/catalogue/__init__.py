@@ -41,13 +41,7 @@ __all__ = [
 
 
 def families(among: Catalogue | None = None) -> tuple[Family, ...]:
-    """List the families of a catalogue.
-
-    Parameters
-    ----------
-    among : Catalogue, optional
-        Instead of catopt's own.
-    """
+    """List the families of a catalogue, catopt's own unless another is given."""
     return (among or standard()).families
 
 
@@ -61,7 +55,7 @@ def component(
     allow_recalled: bool = False,
     among: Catalogue | None = None,
 ) -> Component:
-    """Look a component up.
+    """Look a component up, with the source and the confidence of every figure.
 
     Parameters
     ----------
@@ -83,11 +77,6 @@ def component(
     among : Catalogue, optional
         Instead of catopt's own.
 
-    Returns
-    -------
-    Component
-        With the source and the confidence of every figure.
-
     Raises
     ------
     InputError
@@ -107,17 +96,8 @@ def component(
 def parse_name(name: object, among: Catalogue | None = None) -> ComponentName:
     """Read the name of a component: ``"chain studless R3"`` is ``("chain studless", "R3")``.
 
-    Parameters
-    ----------
-    name : object
-        Capitals, hyphens and the order of the words do not matter.
-    among : Catalogue, optional
-        Instead of catopt's own.
-
-    Returns
-    -------
-    ComponentName
-        Family and grade; the grade is None when the name has none.
+    Capitals, hyphens and the order of the words do not matter; the grade is None when the name has
+    none.
 
     Raises
     ------
@@ -128,17 +108,10 @@ def parse_name(name: object, among: Catalogue | None = None) -> ComponentName:
 
 
 def read_families(path: str | os.PathLike[str]) -> Catalogue:
-    """Read a user's own families, in the format of catopt's own data files.
+    """Read a user's own families, in the format of catopt's own data files, TOML in UTF-8.
 
-    Parameters
-    ----------
-    path : str or path
-        The file, TOML in UTF-8. Its figures may name catopt's sources beside their own.
-
-    Returns
-    -------
-    Catalogue
-        Those families alone; ``standard().with_families(...)`` joins them to catopt's.
+    Its figures may name catopt's sources beside their own. The catalogue has those families alone;
+    ``standard().with_families(...)`` joins them to catopt's.
 
     Raises
     ------

@@ -17,23 +17,15 @@ from catopt.units import as_written
 
 @dataclass(frozen=True)
 class ChosenCatalogue:
-    """Families to choose from, with the figures to follow.
+    """Families to choose from, catopt's own and the user's, with the figures that a case follows.
 
     A family that lacks a variant keeps its default.
-
-    Attributes
-    ----------
-    families : Catalogue
-        catopt's own and the user's.
-    choice : CatalogueChoice
-        Of a case.
-    water_density : float
-        For submerged weights, kg/m3.
     """
 
     families: Catalogue
     choice: CatalogueChoice
     water_density: float
+    """For submerged weights, kg/m3."""
 
     def component(self, name: str, diameter: float) -> Component:
         """Look a component up by family and grade, and by nominal diameter, m."""

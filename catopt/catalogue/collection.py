@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -25,13 +25,7 @@ NO_VARIANTS: Mapping[str, str] = MappingProxyType({})
 
 @dataclass(frozen=True)
 class Catalogue:
-    """Families of components.
-
-    Attributes
-    ----------
-    families : tuple of Family
-        In the order of the files; no two share a name.
-    """
+    """Families of components in the order of the files; no two share a name."""
 
     families: tuple[Family, ...]
 
@@ -44,33 +38,15 @@ class Catalogue:
             raise InputError(problems, "catalogue")
 
     def with_families(self, other: Catalogue) -> Catalogue:
-        """Add the families of another catalogue.
-
-        Raises
-        ------
-        InputError
-            A name is in both.
-        """
+        """Add the families of another catalogue, which must have no name that is in this one."""
         return Catalogue((*self.families, *other.families))
 
     def parse_name(self, name: object) -> ComponentName:
-        """Read the name of a component, such as ``"chain studless R3"``.
-
-        Raises
-        ------
-        InputError
-            There is none of that name; the message gives the nearest.
-        """
+        """Read the name of a component, such as ``"chain studless R3"``; else InputError."""
         return find_name(name, self.families)
 
     def family(self, name: object) -> Family:
-        """Look a family up by any of its names.
-
-        Raises
-        ------
-        InputError
-            There is none of that name; the message gives the nearest.
-        """
+        """Look a family up by any of its names; InputError gives the nearest."""
         found = self.parse_name(name).family
         return next(family for family in self.families if family.name == found)
 
@@ -112,12 +88,7 @@ class Catalogue:
         """List a family's components in the sizes that are sold, one grade or all.
 
         A size at which a needed figure has no value (a grade that is made in fewer sizes, a
-        variant that covers fewer) is left out.
-
-        Raises
-        ------
-        InputError
-            There is no such family, grade or variant.
+        variant that covers fewer) is left out. InputError: no such family, grade or variant.
         """
         parsed = self.parse_name(family)
         found = self.family(parsed.family)
@@ -181,17 +152,13 @@ def _choose(
     allow_recalled: bool,
 ) -> dict[str, Figure]:
     """Pick a figure for each quantity; note a problem for each variant that cannot be had."""
-    chosen = {}
-    for quantity in SPECS:
-        default = family.default(quantity, grade)
-        if default is not None:
-            chosen[quantity] = default
+    chosen = {q: found for q in SPECS if (found := family.default(q, grade)) is not None}
+    every = [figure for q in SPECS for figure in family.alternatives(q, grade)]
     everywhere = variants.get(ALL)
     if everywhere is not None:
-        same = dict(_named(family, grade, everywhere))
+        same = {each.quantity: each for each in every if each.variant == everywhere}
         if not same:
-            names = sorted({f.variant for q in SPECS for f in family.alternatives(q, grade)} - {""})
-            _no_variant(check, ALL, everywhere, names)
+            _no_variant(check, ALL, everywhere, sorted({each.variant for each in every} - {""}))
         for figure in same.values():
             _bar_recalled(check, figure, allow_recalled)
         chosen |= same
@@ -202,21 +169,13 @@ def _choose(
             allowed = f"one of {', '.join(SPECS)}{meant(quantity, SPECS)}"
             check.add("variants", as_written(quantity), allowed)
             continue
-        found = [f for f in family.alternatives(quantity, grade) if f.variant == variant]
-        if found:
-            chosen[quantity] = found[0]
-            _bar_recalled(check, found[0], allow_recalled)
+        own = {f.variant: f for f in reversed(family.alternatives(quantity, grade))}
+        if variant in own:
+            chosen[quantity] = own[variant]
+            _bar_recalled(check, own[variant], allow_recalled)
         else:
-            names = [f.variant for f in family.alternatives(quantity, grade) if f.variant]
-            _no_variant(check, quantity, variant, names)
+            _no_variant(check, quantity, variant, filter(None, reversed(own)))
     return chosen
-
-
-def _named(family: Family, grade: str | None, variant: str) -> Iterator[tuple[str, Figure]]:
-    for quantity in SPECS:
-        for figure in family.alternatives(quantity, grade):
-            if figure.variant == variant:
-                yield quantity, figure
 
 
 def _no_variant(check: Findings, quantity: str, variant: str, names: Iterable[str]) -> None:

@@ -5,12 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from catopt.catalogue.figure import RECALLED, Confidence, Source
 from catopt.errors import InputError, Problem
 from catopt.model import Segment
 from catopt.words import Message
+
+if TYPE_CHECKING:
+    from catopt.catalogue.evaluation import Evaluation
 
 NO_FIGURE = "catalogue.no_figure"
 """Key of why a quantity is not known for which no source was found."""
@@ -18,59 +21,35 @@ NO_FIGURE = "catalogue.no_figure"
 
 @dataclass(frozen=True)
 class Hydrodynamic:
-    """A coefficient of drag or added mass.
-
-    Attributes
-    ----------
-    coefficient : float
-        A pure number.
-    diameter : float
-        The diameter that it is referred to, m.
-    name : str
-        Which diameter that is: ``"d"`` for the nominal one, ``"2.65 d"``, ``"d/pi"``, or
-        ``"volume"`` for the volume-equivalent one.
-    """
+    """A coefficient of drag or added mass, with the diameter that it is referred to, m."""
 
     coefficient: float
     diameter: float
     name: str
+    """Which diameter that is: ``"d"`` for the nominal one, ``"2.65 d"``, ``"d/pi"``, or
+    ``"volume"`` for the volume-equivalent one."""
 
 
 @dataclass(frozen=True)
 class Provenance:
-    """Where one figure of a component comes from.
-
-    Attributes
-    ----------
-    sources : tuple of Source
-        Documents that have it.
-    place : str
-        Where in them.
-    confidence : {"A", "B", "C", "R"}
-        Of the figure and of all that it rests on: the weakest.
-    formula : str
-        In words, with unit.
-    variant : str
-        Name among the alternatives; may be empty when there is none.
-    alternatives : tuple of str
-        Names of the other variants.
-    reason : str
-        Why this one is the default; empty when it is not or has no alternative.
-    range : tuple of float
-        Nominal diameters that it holds for, m.
-    note : str
-        What else to know.
-    """
+    """Where one figure of a component comes from: documents that have it, and where in them."""
 
     sources: tuple[Source, ...]
     place: str
     confidence: Confidence
+    """Of the figure and of all that it rests on: the weakest."""
     formula: str
-    variant: str
-    alternatives: tuple[str, ...]
-    reason: str
+    """In words, with unit."""
     range: tuple[float, float]
-    note: str
+    """Nominal diameters that it holds for, m."""
+    variant: str = ""
+    """Name among the alternatives; may be empty when there is none."""
+    alternatives: tuple[str, ...] = ()
+    """Names of the other variants."""
+    reason: str = ""
+    """Why this one is the default; empty when it is not or has no alternative."""
+    note: str = ""
+    """What else to know."""
 
     @property
     def is_recalled(self) -> bool:
@@ -80,101 +59,60 @@ class Provenance:
 
 @dataclass(frozen=True)
 class Alternative:
-    """Another figure that a source has for a quantity of a component.
-
-    Attributes
-    ----------
-    quantity, variant : str
-        What it is of, and its name.
-    value : float or None
-        SI, at the component's diameter; None where it does not reach.
-    reference : float or None
-        Of a coefficient: the diameter that it is referred to, m.
-    provenance : Provenance
-        Where it comes from.
-    """
+    """Another figure that a source has for a quantity of a component."""
 
     quantity: str
     variant: str
     value: float | None
+    """SI, at the component's diameter; None where it does not reach."""
     reference: float | None
+    """Of a coefficient: the diameter that it is referred to, m."""
     provenance: Provenance
-
-
-class _Figures(Protocol):
-    """The figures of a family that were chosen, at a nominal diameter (`Evaluation`)."""
-
-    def at(self, diameter: float) -> _Figures: ...
-    def value(self, quantity: str) -> float: ...
-    def alternatives(self) -> tuple[Alternative, ...]: ...
 
 
 @dataclass(frozen=True)
 class Component:
     """Chain, wire or rope of one family, grade and nominal diameter, in SI.
 
-    A quantity that is not known is None, and `missing` says why.
-
-    Attributes
-    ----------
-    name : str
-        Family, grade and diameter: ``"chain studless R3 76 mm"``.
-    family, grade : str, str or None
-        As the catalogue names them.
-    nominal_diameter : float
-        Of the bar of a chain's links, or of the rope as sold, m.
-    mass : float
-        In air, per length, kg/m.
-    submerged_weight : float
-        Per length, N/m; negative when it floats. Mass less displaced water, by the
-        volume-equivalent diameter, times g0.
-    volume_diameter : float
-        Volume-equivalent diameter: of a cylinder that displaces as much water, m.
-    water_density : float
-        kg/m3.
-    MBL : float or None
-        Minimum breaking load, new; of fibre rope, dry; N.
-    proof_load : float or None
-        Proof load, new, N.
-    wet_strength_factor : float or None
-        Share of the MBL that is left in water; None where water takes nothing.
-    EA : float or None
-        Axial stiffness; of fibre rope the quasi-static one, N.
-    EA_dynamic_terms : tuple of float or None
-        a and b of the dynamic stiffness (a + b Lm) MBL, Lm = mean tension over MBL.
-    drag_normal, drag_axial : Hydrodynamic or None
-        Drag coefficients across and along the line, with their diameters.
-    added_mass_normal, added_mass_axial : Hydrodynamic or None
-        Added-mass coefficients across and along the line, with their diameters.
-    price : float or None
-        Material only, USD/m; `provenance` names the year.
-    provenance : mapping of str to Provenance
-        By quantity, of everything that is known.
-    missing : mapping of str to str
-        By quantity, why it is not known; a kind of line that has no such quantity lacks nothing.
+    Densities in kg/m3. A quantity that is not known is None, and `missing` says why.
     """
 
     name: str
+    """Family, grade and diameter: ``"chain studless R3 76 mm"``."""
     family: str
     grade: str | None
     nominal_diameter: float
+    """Of the bar of a chain's links, or of the rope as sold, m."""
     mass: float
+    """In air, per length, kg/m."""
     submerged_weight: float
+    """Per length, N/m; negative when it floats. Mass less displaced water, by the volume-equivalent
+    diameter, times g0."""
     volume_diameter: float
+    """Volume-equivalent diameter: of a cylinder that displaces as much water, m."""
     water_density: float
     MBL: float | None
+    """Minimum breaking load, new; of fibre rope, dry; N."""
     proof_load: float | None
+    """Proof load, new, N."""
     wet_strength_factor: float | None
+    """Share of the MBL that is left in water; None where water takes nothing."""
     EA: float | None
+    """Axial stiffness; of fibre rope the quasi-static one, N."""
     EA_dynamic_terms: tuple[float, float] | None
+    """a and b of the dynamic stiffness (a + b Lm) MBL, Lm = mean tension over MBL."""
     drag_normal: Hydrodynamic | None
+    """Across the line, as that of added mass is; axial ones are along it."""
     drag_axial: Hydrodynamic | None
     added_mass_normal: Hydrodynamic | None
     added_mass_axial: Hydrodynamic | None
     price: float | None
+    """Material only, USD/m; `provenance` names the year."""
     provenance: Mapping[str, Provenance] = field(repr=False, compare=False)
+    """By quantity, of everything that is known."""
     missing: Mapping[str, str] = field(repr=False, compare=False)
-    _evaluation: _Figures = field(repr=False, compare=False)
+    """By quantity, why it is not known; a kind of line that has no such quantity lacks nothing."""
+    _evaluation: Evaluation = field(repr=False, compare=False)
 
     @property
     def MBL_in_water(self) -> float | None:
@@ -199,20 +137,10 @@ class Component:
         return self._evaluation.alternatives()
 
     def segment(self, length: float, name: str | None = None) -> Segment:
-        """Make a segment of a line.
+        """Make a segment of a line of an unstretched length, m; its name is for tables.
 
-        Parameters
-        ----------
-        length : float
-            Unstretched, m.
-        name : str, optional
-            For tables; the component's own when left out.
-
-        Returns
-        -------
-        Segment
-            With the MBL in water, and all that is known of it for motion, both coefficients of
-            drag on the diameter of the normal one; inextensible where EA is not known.
+        It has the MBL in water, and all that is known of it for motion, both coefficients of drag
+        on the diameter of the normal one; it is inextensible where EA is not known.
         """
         return Segment(
             length=length,
@@ -234,20 +162,16 @@ class Component:
         axial = None
         if drag is not None and along is not None:
             axial = along.coefficient * (along.diameter / drag.diameter)
-        added = {
-            key: None
-            if each is None
-            else each.coefficient * (each.diameter / self.volume_diameter) ** 2
-            for key, each in (
-                ("added_mass_normal", self.added_mass_normal),
-                ("added_mass_axial", self.added_mass_axial),
-            )
-        }
+        on_volume = [
+            each and each.coefficient * (each.diameter / self.volume_diameter) ** 2
+            for each in (self.added_mass_normal, self.added_mass_axial)
+        ]
         return {
             "drag_diameter": self.drag_diameter,
-            "drag_normal": None if drag is None else drag.coefficient,
+            "drag_normal": drag and drag.coefficient,
             "drag_axial": axial,
-            **added,
+            "added_mass_normal": on_volume[0],
+            "added_mass_axial": on_volume[1],
         }
 
     def dynamic_EA(self, mean_tension: float) -> float | None:
@@ -258,22 +182,9 @@ class Component:
         return (constant + slope * mean_tension / self.MBL) * self.MBL
 
     def MBL_at(self, diameter: float) -> float | None:
-        """Minimum breaking load at another nominal diameter, such as one worn down.
+        """Minimum breaking load, N, at another nominal diameter, m, such as one worn down.
 
-        Parameters
-        ----------
-        diameter : float
-            m.
-
-        Returns
-        -------
-        float or None
-            N, by the same figures; None where the MBL is not known.
-
-        Raises
-        ------
-        InputError
-            The diameter lies outside the range of the figure.
+        By the same figures, in whose range the diameter has to lie; None where it is not known.
         """
         return self._at("MBL", diameter)
 
@@ -282,13 +193,7 @@ class Component:
         return self._at("proof_load", diameter)
 
     def need(self, *quantities: str) -> None:
-        """Make sure that some quantities are known.
-
-        Raises
-        ------
-        InputError
-            With every one that is not, and why.
-        """
+        """Raise InputError with every one of some quantities that is not known, and why."""
         lacking = [key for key in quantities if key not in self.provenance]
         unknown = Message(NO_FIGURE)
         problems = [Problem(key, "", self.missing.get(key, unknown)) for key in lacking]

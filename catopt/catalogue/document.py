@@ -8,24 +8,16 @@ from typing import Any, Literal
 from catopt.catalogue.components import Alternative, Component, Hydrodynamic, Provenance
 from catopt.catalogue.family import Family
 from catopt.catalogue.figure import SPECS, Figure, Source
+from catopt.documents import figures
 
 
 @dataclass(frozen=True)
 class Answer:
-    """Families and components that a question gave.
-
-    Attributes
-    ----------
-    question : {"list", "show", "search"}
-        What was asked.
-    families : tuple of Family
-        Families that were listed, or that the components are of.
-    components : tuple of Component
-        Components that were found.
-    """
+    """Families and components that a question gave."""
 
     question: Literal["list", "show", "search"]
     families: tuple[Family, ...]
+    """Families that were listed, or that the components are of."""
     components: tuple[Component, ...] = ()
 
     @property
@@ -45,21 +37,14 @@ class Answer:
             "question": self.question,
             "families": [_family(family) for family in self.families],
             "components": [_component(component) for component in self.components],
-            "sources": [
-                {"key": source.key, "title": source.title, "place": source.place}
-                for source in self.sources
-            ],
+            "sources": [figures(source, "key title place") for source in self.sources],
         }
 
 
 def _family(family: Family) -> dict[str, Any]:
     sizes = family.sizes
     return {
-        "name": family.name,
-        "title": family.title,
-        "also": list(family.also),
-        "grades": list(family.grades),
-        "range_m": list(family.range),
+        **figures(family, "name title also grades range_m"),
         "sizes_m": list(sizes.diameters),
         "sizes_confidence": sizes.confidence,
         "sizes_sources": _keys(sizes.sources),
@@ -70,42 +55,24 @@ def _family(family: Family) -> dict[str, Any]:
 
 def _figure(figure: Figure) -> dict[str, Any]:
     return {
-        "quantity": figure.quantity,
-        "grades": list(figure.grades),
-        "variant": figure.variant,
-        "default": figure.default,
+        **figures(figure, "quantity grades variant default"),
         "formula": figure.text,
         "confidence": figure.confidence,
         "sources": _keys(figure.sources),
-        "place": figure.place,
-        "range_m": list(figure.range),
-        "reason": figure.reason,
-        "note": figure.note,
+        **figures(figure, "place range_m reason note"),
     }
 
 
 def _component(component: Component) -> dict[str, Any]:
     terms = component.EA_dynamic_terms
+    weight = "mass_kg_per_m submerged_weight_N_per_m water_density_kg_per_m3 volume_diameter_m"
+    coefficients = ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
     return {
-        "name": component.name,
-        "family": component.family,
-        "grade": component.grade,
-        "nominal_diameter_m": component.nominal_diameter,
-        "mass_kg_per_m": component.mass,
-        "submerged_weight_N_per_m": component.submerged_weight,
-        "water_density_kg_per_m3": component.water_density,
-        "volume_diameter_m": component.volume_diameter,
-        "MBL_N": component.MBL,
-        "MBL_in_water_N": component.MBL_in_water,
-        "proof_load_N": component.proof_load,
-        "EA_N": component.EA,
+        **figures(component, f"name family grade nominal_diameter_m {weight}"),
+        **figures(component, "MBL_N MBL_in_water_N proof_load_N EA_N"),
         "EA_dynamic": None if terms is None else {"constant": terms[0], "slope": terms[1]},
-        "drag_normal": _hydrodynamic(component.drag_normal),
-        "drag_axial": _hydrodynamic(component.drag_axial),
-        "added_mass_normal": _hydrodynamic(component.added_mass_normal),
-        "added_mass_axial": _hydrodynamic(component.added_mass_axial),
-        "price_USD_per_m": component.price,
-        "recalled": list(component.recalled),
+        **{key: _hydrodynamic(getattr(component, key)) for key in coefficients},
+        **figures(component, "price_USD_per_m recalled"),
         "provenance": [
             {"quantity": key, **_provenance(origin)} for key, origin in component.provenance.items()
         ],
@@ -119,30 +86,20 @@ def _component(component: Component) -> dict[str, Any]:
 def _hydrodynamic(value: Hydrodynamic | None) -> dict[str, Any] | None:
     if value is None:
         return None
-    return {
-        "coefficient": value.coefficient,
-        "diameter_m": value.diameter,
-        "diameter_name": value.name,
-    }
+    return {**figures(value, "coefficient diameter_m"), "diameter_name": value.name}
 
 
 def _provenance(origin: Provenance) -> dict[str, Any]:
     return {
-        "variant": origin.variant,
-        "formula": origin.formula,
-        "confidence": origin.confidence,
+        **figures(origin, "variant formula confidence"),
         "sources": _keys(origin.sources),
-        "place": origin.place,
-        "range_m": list(origin.range),
-        "reason": origin.reason,
-        "note": origin.note,
+        **figures(origin, "place range_m reason note"),
     }
 
 
 def _alternative(other: Alternative) -> dict[str, Any]:
     return {
-        "quantity": other.quantity,
-        "value": other.value,
+        **figures(other, "quantity value"),
         "unit": SPECS[other.quantity].unit,
         "reference_diameter_m": other.reference,
         **_provenance(other.provenance),

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
+from typing import Any
 
 from catopt.catalogue.components import (
     NO_FIGURE,
@@ -27,32 +28,24 @@ WEIGHT_SOURCE = Source("CATOPT", "catopt, from mass and volume", Cited("catopt.c
 _WEIGHT_FORMULA = "(m - rho_w pi D^2/4) g0 N/m"
 
 
+_VALUES = ("MBL", "proof_load", "wet_strength_factor", "EA", "price")
+_COEFFICIENTS = ("drag_normal", "drag_axial", "added_mass_normal", "added_mass_axial")
+
+
 @dataclass(frozen=True)
 class Evaluation:
-    """The figures that were chosen, at one nominal diameter.
-
-    Attributes
-    ----------
-    family : Family
-        Whose figures they are.
-    grade : str or None
-        One of the family's.
-    diameter : float
-        Nominal, m; within the family's range.
-    chosen : mapping of str to Figure
-        By quantity: the variants asked for, else the defaults.
-    asked : frozenset of str
-        Quantities whose variant was asked for by name: there an unknown value is an error.
-    allow_recalled : bool
-        Whether figures of confidence R may be used.
-    """
+    """The figures that were chosen of a family in a grade, at a nominal diameter, m."""
 
     family: Family
     grade: str | None
     diameter: float
+    """Within the family's range."""
     chosen: Mapping[str, Figure]
+    """By quantity: the variants asked for, else the defaults."""
     asked: frozenset[str] = frozenset()
+    """Quantities whose variant was asked for by name: there an unknown value is an error."""
     allow_recalled: bool = False
+    """Whether figures of confidence R may be used."""
     _known: dict[str, float] = field(default_factory=dict, repr=False, compare=False)
 
     def at(self, diameter: float) -> Evaluation:
@@ -103,6 +96,8 @@ class Evaluation:
             for key, why in lacking.items()
             if not (is_said(why, NO_FIGURE) and SPECS[key].of_some)
         }
+        values: dict[str, Any] = {key: self._hydrodynamic(key) for key in _COEFFICIENTS}
+        values |= {key: None if key in lacking else self.value(key) for key in _VALUES}
         origins["submerged_weight"] = self._weight_provenance(origins)
         return Component(
             name=self._name,
@@ -113,16 +108,8 @@ class Evaluation:
             submerged_weight=self._submerged_weight(water_density),
             volume_diameter=self.value("volume_diameter"),
             water_density=water_density,
-            MBL=self._or_none("MBL"),
-            proof_load=self._or_none("proof_load"),
-            wet_strength_factor=self._or_none("wet_strength_factor"),
-            EA=self._or_none("EA"),
             EA_dynamic_terms=self._dynamic_terms(),
-            drag_normal=self._hydrodynamic("drag_normal"),
-            drag_axial=self._hydrodynamic("drag_axial"),
-            added_mass_normal=self._hydrodynamic("added_mass_normal"),
-            added_mass_axial=self._hydrodynamic("added_mass_axial"),
-            price=self._or_none("price"),
+            **values,
             provenance=MappingProxyType(origins),
             missing=MappingProxyType(missing),
             _evaluation=self,
@@ -179,9 +166,6 @@ class Evaluation:
         names = ", ".join(figure.variant for figure in others)
         return Message("catalogue.no_default", variants=names)
 
-    def _or_none(self, quantity: str) -> float | None:
-        return None if self.why_not(quantity) else self.value(quantity)
-
     def _submerged_weight(self, water_density: float) -> float:
         volume = math.pi * self.value("volume_diameter") ** 2 / 4.0
         return (self.value("mass") - water_density * volume) * STANDARD_GRAVITY
@@ -229,9 +213,5 @@ class Evaluation:
             place="from the mass and the volume-equivalent diameter above",
             confidence=weakest([mass.confidence, volume.confidence]),
             formula=Message("catalogue.by_volume", weight=_WEIGHT_FORMULA),
-            variant="",
-            alternatives=(),
-            reason="",
             range=(max(mass.range[0], volume.range[0]), min(mass.range[1], volume.range[1])),
-            note="",
         )

@@ -18,21 +18,12 @@ class Sizes:
     """Nominal diameters that are sold.
 
     A list of sizes is no figure of strength, so that a recalled one is used, and says so.
-
-    Attributes
-    ----------
-    diameters : tuple of float
-        m, rising; none when the list is not known.
-    sources : tuple of Source
-        Documents that list them.
-    place : str
-        Where in them.
-    confidence : {"A", "B", "C", "R"}
-        See `Confidence`.
     """
 
     diameters: tuple[float, ...] = ()
+    """m, rising; none when the list is not known."""
     sources: tuple[Source, ...] = ()
+    """Documents that list them, at `place`."""
     place: str = ""
     confidence: Confidence = RECALLED
 
@@ -44,34 +35,21 @@ class Sizes:
 
 @dataclass(frozen=True)
 class Family:
-    """One kind of chain or rope.
-
-    Attributes
-    ----------
-    name, title : str
-        By which it is looked up, and in words.
-    also : tuple of str
-        Other names for it.
-    grades : tuple of str
-        From the weakest to the strongest; empty when there are none.
-    range : tuple of float
-        Smallest and largest nominal diameter, m.
-    sizes : Sizes
-        Nominal diameters that are sold.
-    figures : tuple of Figure
-        All figures, in the order of the file.
-    note : str
-        What else to know.
-    """
+    """One kind of chain or rope: the name by which it is looked up, and its title in words."""
 
     name: str
     title: str
     also: tuple[str, ...]
+    """Other names for it."""
     grades: tuple[str, ...]
+    """From the weakest to the strongest; empty when there are none."""
     range: tuple[float, float]
+    """Smallest and largest nominal diameter, m."""
     sizes: Sizes
     figures: tuple[Figure, ...]
+    """All figures, in the order of the file."""
     note: str = ""
+    """What else to know."""
     _by_quantity: dict[str, list[Figure]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )

@@ -27,30 +27,19 @@ def weakest(confidences: Iterable[Confidence]) -> Confidence:
 
 @dataclass(frozen=True)
 class Spec:
-    """What a quantity of the catalogue is.
-
-    Attributes
-    ----------
-    words : str
-        As a table heads it.
-    unit : str
-        SI; empty for a pure number.
-    forms : tuple of str
-        Keys that its formula may have.
-    of : tuple of str
-        Quantities that it may be a multiple of.
-    needed : bool
-        Whether every family has to have it.
-    of_some : bool
-        Whether it is of some kinds of line only, so that a family without it lacks nothing.
-    """
+    """What a quantity of the catalogue is, in the words that head a table."""
 
     words: str
     unit: str
+    """SI; empty for a pure number."""
     forms: tuple[str, ...]
+    """Keys that its formula may have."""
     of: tuple[str, ...] = ()
+    """Quantities that it may be a multiple of."""
     needed: bool = False
+    """Whether every family has to have it."""
     of_some: bool = False
+    """Whether it is of some kinds of line only, so that a family without it lacks nothing."""
 
 
 _POWERS = ("d0", "d1", "d2", "d3")
@@ -75,13 +64,7 @@ SPECS: dict[str, Spec] = {
 
 @dataclass(frozen=True)
 class Source:
-    """A document.
-
-    Attributes
-    ----------
-    key, title, place : str
-        Short name, what it is, and where it is found.
-    """
+    """A document: its short name, what it is, and where it is found."""
 
     key: str
     title: str
@@ -90,48 +73,27 @@ class Source:
 
 @dataclass(frozen=True)
 class Figure:
-    """One quantity of one or more families, by the nominal diameter.
-
-    Attributes
-    ----------
-    quantity : str
-        One of `SPECS`.
-    variant : str
-        Name among several figures of the same quantity; may be empty when there is one.
-    families : tuple of str
-        Families that it holds for.
-    grades : tuple of str
-        Grades that it holds for; all when empty.
-    formula : Formula
-        Value by the nominal diameter.
-    range : tuple of float
-        Smallest and largest nominal diameter, m. It is never evaluated outside.
-    sources : tuple of Source
-        Documents that have it.
-    place : str
-        Where in them.
-    confidence : {"A", "B", "C", "R"}
-        See `Confidence`.
-    default : bool
-        Whether it is used when no variant is named.
-    reason : str
-        Why it is the default, where there are several.
-    note : str
-        What else to know.
-    """
+    """One quantity, of `SPECS`, of one or more families, by the nominal diameter."""
 
     quantity: str
     variant: str
+    """Name among several figures of the same quantity; may be empty when there is one."""
     families: tuple[str, ...]
     grades: tuple[str, ...]
+    """Grades that it holds for; all when empty."""
     formula: Formula
     range: tuple[float, float]
+    """Smallest and largest nominal diameter, m. It is never evaluated outside."""
     sources: tuple[Source, ...]
+    """Documents that have it, at `place`."""
     place: str
     confidence: Confidence
     default: bool = True
+    """Whether it is used when no variant is named."""
     reason: str = ""
+    """Why it is the default, where there are several."""
     note: str = ""
+    """What else to know."""
 
     @property
     def text(self) -> str:

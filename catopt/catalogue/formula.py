@@ -24,13 +24,7 @@ def number(value: float) -> str:
 
 @dataclass(frozen=True)
 class Polynomial:
-    """Sum of c_n d^n, SI.
-
-    Attributes
-    ----------
-    terms : tuple of (int, float)
-        Powers n and coefficients c_n.
-    """
+    """Sum of c_n d^n, SI, by powers n and coefficients c_n."""
 
     terms: tuple[tuple[int, float], ...]
 
@@ -73,10 +67,7 @@ class ChainLoad:
 class ChainModulus:
     """EA of chain by DNV-OS-E301: modulus (a + b d) 1e10 N/m2, d in mm, on the area of both legs.
 
-    Attributes
-    ----------
-    constant, slope : float
-        a and b; the area is pi d^2 / 2.
+    The constant is a, the slope b; the area is pi d^2 / 2.
     """
 
     constant: float
@@ -103,10 +94,7 @@ class ChainModulus:
 class Rows:
     """A printed table; between its rows value/d^2 is interpolated linearly.
 
-    Attributes
-    ----------
-    diameters, values : tuple of float
-        Rising nominal diameters in m, and what stands beside them in SI.
+    Nominal diameters rise, in m; the values beside them are in SI.
     """
 
     diameters: tuple[float, ...]
@@ -136,15 +124,7 @@ _TIMES = {"proof_load": "catalogue.times_proof_load", "mass": "catalogue.times_m
 
 @dataclass(frozen=True)
 class Multiple:
-    """A multiple of another quantity.
-
-    Attributes
-    ----------
-    factor : float
-        SI per SI.
-    of : str
-        The other quantity.
-    """
+    """A multiple of another quantity; the factor is SI per SI."""
 
     factor: float
     of: str
@@ -189,21 +169,13 @@ class Density:
 
 @dataclass(frozen=True)
 class Coefficient:
-    """A hydrodynamic coefficient with the diameter that it is referred to.
-
-    Attributes
-    ----------
-    coefficient : float
-        Of drag or of added mass.
-    ratio : float or None
-        The diameter over the nominal one; None for the volume-equivalent diameter.
-    name : str
-        The diameter as the data file names it: ``"d"``, ``"2.65 d"``, ``"d/pi"``, ``"volume"``.
-    """
+    """A coefficient of drag or added mass with the diameter that it is referred to."""
 
     coefficient: float
     ratio: float | None
+    """The diameter over the nominal one; None for the volume-equivalent diameter."""
     name: str
+    """The diameter as the data file names it: ``"d"``, ``"2.65 d"``, ``"d/pi"``, ``"volume"``."""
 
     @property
     def rests_on(self) -> tuple[str, ...]:
@@ -230,10 +202,7 @@ class Coefficient:
 class MeanLoad:
     """Dynamic stiffness of fibre rope, (a + b Lm) MBL with Lm = mean tension over MBL.
 
-    Attributes
-    ----------
-    constant, slope : float
-        a and b; Lm is a fraction, not a percentage.
+    The constant is a, the slope b; Lm is a fraction, not a percentage.
     """
 
     constant: float

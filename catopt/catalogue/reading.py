@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 
@@ -68,7 +68,8 @@ def _parse(
     by_name = {draft.name: draft for draft in drafts if draft.name}
     figures = [_figure(t, sources, by_name) for t in document.tables("figure", required=False)]
     findings.raise_if_any()
-    families = [draft.family(figure for figure in figures if figure) for draft in drafts]
+    known_figures = [figure for figure in figures if figure]
+    families = [_with_figures(draft, known_figures) for draft in drafts]
     for index, family in enumerate(families):
         _check_family(findings, f"family[{index}]", family)
     findings.raise_if_any()
@@ -78,28 +79,15 @@ def _parse(
 # ------------------------------------------------------------------ parts of a file
 
 
-@dataclass(frozen=True)
-class _Draft:
-    """A family before its figures are gathered."""
-
-    name: str
-    title: str
-    also: tuple[str, ...]
-    grades: tuple[str, ...]
-    range: tuple[float, float]
-    sizes: Sizes
-    note: str
-
-    def family(self, figures: Iterable[Figure]) -> Family:
-        """Add the figures that hold for it, each ending at the latest where the family ends."""
-        own = tuple(self._ended(figure) for figure in figures if self.name in figure.families)
-        return Family(
-            self.name, self.title, self.also, self.grades, self.range, self.sizes, own, self.note
-        )
-
-    def _ended(self, figure: Figure) -> Figure:
-        low, high = figure.range
-        return replace(figure, range=(max(low, self.range[0]), min(high, self.range[1])))
+def _with_figures(draft: Family, figures: Iterable[Figure]) -> Family:
+    """Add the figures that hold for a family, each ending at the latest where the family ends."""
+    first, last = draft.range
+    own = (
+        replace(each, range=(max(each.range[0], first), min(each.range[1], last)))
+        for each in figures
+        if draft.name in each.families
+    )
+    return replace(draft, figures=tuple(own))
 
 
 def _sources(document: Table) -> dict[str, Source]:
@@ -110,16 +98,18 @@ def _sources(document: Table) -> dict[str, Source]:
     return found
 
 
-def _draft(table: Table, sources: Mapping[str, Source]) -> _Draft:
+def _draft(table: Table, sources: Mapping[str, Source]) -> Family:
+    """Read a family before its figures are gathered."""
     table.only("name", "title", "also", "grades", "range_mm", "sizes", "note")
     span = table.span_mm("range_mm") or (0.0, 0.0)
-    return _Draft(
+    return Family(
         name=table.text("name") or "",
         title=table.said("title") or "",
         also=table.texts("also"),
         grades=table.texts("grades"),
         range=span,
         sizes=_sizes(table, sources, span),
+        figures=(),
         note=table.said("note", required=False) or "",
     )
 
@@ -152,7 +142,7 @@ def _cited(table: Table, sources: Mapping[str, Source]) -> tuple[Source, ...]:
 
 
 def _figure(
-    table: Table, sources: Mapping[str, Source], drafts: Mapping[str, _Draft]
+    table: Table, sources: Mapping[str, Source], drafts: Mapping[str, Family]
 ) -> Figure | None:
     table.only(
         "family", "grade", "quantity", "variant", "default", "reason", "formula", "range_mm",
@@ -185,7 +175,7 @@ def _figure(
 
 
 def _span(
-    table: Table, formula: Formula | None, families: Sequence[_Draft]
+    table: Table, formula: Formula | None, families: Sequence[Family]
 ) -> tuple[float, float] | None:
     """Read the range of a figure: as far as its rows or its families go, unless it is given."""
     rows = formula.diameters if isinstance(formula, Rows) else (0.0, math.inf)
@@ -204,7 +194,7 @@ def _span(
     return span
 
 
-def _knows(table: Table, drafts: Mapping[str, _Draft], name: str) -> bool:
+def _knows(table: Table, drafts: Mapping[str, Family], name: str) -> bool:
     if name in drafts:
         return True
     listed = ", ".join(f'"{each}"' for each in drafts) or "none yet"
@@ -212,7 +202,7 @@ def _knows(table: Table, drafts: Mapping[str, _Draft], name: str) -> bool:
     return False
 
 
-def _figure_grades(table: Table, families: Sequence[_Draft]) -> tuple[str, ...]:
+def _figure_grades(table: Table, families: Sequence[Family]) -> tuple[str, ...]:
     grades = table.texts("grade")
     for grade in grades:
         for draft in families:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from catopt.catalogue.collection import NO_VARIANTS, Catalogue
 from catopt.catalogue.components import Component
@@ -13,8 +13,6 @@ from catopt.constants import SEA_WATER_DENSITY
 from catopt.errors import InputError, Problem
 from catopt.model.validity import Findings
 from catopt.units import as_written
-
-Condition = Callable[[Component], bool]
 
 
 def search(
@@ -33,7 +31,7 @@ def search(
     all_sizes: bool = False,
     among: Catalogue | None = None,
 ) -> tuple[Component, ...]:
-    """Find components, in the sizes that are sold, that meet every limit.
+    """Find components, in the sizes that are sold, that meet every limit; the lightest first.
 
     Parameters
     ----------
@@ -54,27 +52,22 @@ def search(
     among : Catalogue, optional
         Instead of catopt's own.
 
-    Returns
-    -------
-    tuple of Component
-        From the lightest in air to the heaviest; empty when there is none.
-
     Raises
     ------
     InputError
         With every problem of the limits, names and variants.
     """
     catalogue = among or standard()
-    limits = {
-        "MBL_at_least": (MBL_at_least, "N"),
-        "proof_load_at_least": (proof_load_at_least, "N"),
-        "mass_at_most": (mass_at_most, "kg/m"),
-        "price_at_most": (price_at_most, "USD/m"),
-        "diameter_at_least": (diameter_at_least, "m"),
-        "diameter_at_most": (diameter_at_most, "m"),
-    }
+    limits = [
+        ("MBL_at_least", "MBL_in_water", MBL_at_least, "N"),
+        ("proof_load_at_least", "proof_load", proof_load_at_least, "N"),
+        ("mass_at_most", "mass", mass_at_most, "kg/m"),
+        ("price_at_most", "price", price_at_most, "USD/m"),
+        ("diameter_at_least", "nominal_diameter", diameter_at_least, "m"),
+        ("diameter_at_most", "nominal_diameter", diameter_at_most, "m"),
+    ]
     check = Findings("search")
-    for key, (limit, unit) in limits.items():
+    for key, _, limit, unit in limits:
         if limit is not None:
             check.number(key, limit, unit, at_least=0.0)
     check.number("water_density", water_density, "kg/m3", above=0.0)
@@ -83,14 +76,13 @@ def search(
     check.raise_if_any()
 
     def meets(component: Component) -> bool:
-        return (
-            _at_least(component.MBL_in_water, MBL_at_least)
-            and _at_least(component.proof_load, proof_load_at_least)
-            and _at_most(component.mass, mass_at_most)
-            and _at_most(component.price, price_at_most)
-            and _at_least(component.nominal_diameter, diameter_at_least)
-            and _at_most(component.nominal_diameter, diameter_at_most)
-        )
+        for key, name, limit, _ in limits:
+            value = getattr(component, name)
+            if limit is not None and (
+                value is None or (value < limit if key.endswith("least") else value > limit)
+            ):
+                return False
+        return True
 
     found: list[Component] = []
     for each, its_grade in wanted:
@@ -159,11 +151,3 @@ def held_by(family: Family, grade: str | None, variants: Mapping[str, str]) -> d
         for quantity, variant in variants.items()
         if (quantity, variant) in own or (quantity == "all" and variant in names)
     }
-
-
-def _at_least(value: float | None, limit: float | None) -> bool:
-    return limit is None or (value is not None and value >= limit)
-
-
-def _at_most(value: float | None, limit: float | None) -> bool:
-    return limit is None or (value is not None and value <= limit)
